@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Shapes with sharp edges: CSG trees beside a plain recursion, unions of many fits, models of sheets that are fitted to
 // meshes, and which meshes are said to have edges.  --only=csg|rows|pieces|verdict; --trees=N; --models=DIR: a folder
-// of OBJ and PLY meshes that are measured, too; --named=TEXT: only those with it in the name.
+// of OBJ and PLY meshes that are measured, too; --named=TEXT: only those with it in the name; --save=DIR: writes the
+// meshes of verdict there in place of measuring them.
 #include "edges_pieces.h"
 #include "edges_rows.h"
 #include "edges_trees.h"
@@ -26,7 +27,11 @@ int main(int argc, char** argv) {
         if (wants("pieces"))
             bench::measure_pieces(context.get(), bench::option(argc, argv, "--models="),
                                   bench::option(argc, argv, "--named="));
-        if (wants("verdict")) bench::verdict::measure_verdict(context.get(), bench::option(argc, argv, "--named="));
+        const std::string folder = bench::option(argc, argv, "--save=");
+        if (!folder.empty())
+            bench::verdict::save_models(folder);
+        else if (wants("verdict"))
+            bench::verdict::measure_verdict(context.get(), bench::option(argc, argv, "--named="));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench/edges: %s\n", error.what());
         return 1;

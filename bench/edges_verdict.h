@@ -8,6 +8,8 @@
 #include "timing.h"
 
 #include <cstdio>
+#include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -259,6 +261,25 @@ inline std::int64_t sheets_of(hrbfnpr_context* context, const Triangles& from, h
     check(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, &told, nullptr, &model, check.error()));
     const scenes::Model owner(model);
     return told.sheets;
+}
+
+// Writes all meshes as OBJ files, numbered in their order; for scripts/ablate.py.
+inline void save_models(const std::string& folder) {
+    int number = 0;
+    for (const Model& model : models()) {
+        char name[16];
+        std::snprintf(name, sizeof(name), "/%03d.obj", ++number);
+        std::ofstream file(folder + name);
+        file.precision(17);
+        file << "# " << model.name << '\n';
+        const auto& at = model.mesh.vertices;
+        for (std::size_t i = 0; i < at.size(); i += 3)
+            file << "v " << at[i] << ' ' << at[i + 1] << ' ' << at[i + 2] << '\n';
+        const auto& corner = model.mesh.triangles;
+        for (std::size_t i = 0; i < corner.size(); i += 3)
+            file << "f " << corner[i] + 1 << ' ' << corner[i + 1] + 1 << ' ' << corner[i + 2] + 1 << '\n';
+        if (!file.flush()) throw std::runtime_error("cannot write " + folder + name);
+    }
 }
 
 inline void measure_verdict(hrbfnpr_context* context, const std::string& named) {

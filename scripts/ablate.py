@@ -1,84 +1,101 @@
 # SPDX-License-Identifier: MIT
-"""Moves each tuning constant of a room to half and to twice its value, and prints what changes in the room's benchmarks.
+"""Moves each tuning constant of a room to half and to twice its value, and prints what changes.
 
-    ablate.py ROOM [--only=TEXT] [BENCH [OPTIONS]]
+    ablate.py ROOM [--only=TEXT] [--seconds=1] [--threads=2] [--benches] [BENCH [OPTIONS]]
 
-ROOM is a folder of src with a tuning.h, such as `curves` or `mesh/pieces`.  The benchmarks are those of BENCHES, or BENCH
-with its options.  --only takes the constants whose name contains TEXT.  The sources are copied to build/ablate first, and
-compiled there: the working tree stays as it is.  Times are not compared.
+ROOM is a folder of src with a tuning.h, such as `curves` or `mesh/pieces`, or `all`.  --only takes the constants whose name
+contains TEXT.  The sources are copied to build/ablate and compiled there once, with constants that can be set
+(ablation_copy.py): the working tree stays as it is.
+
+Each constant is moved in those small cases of ablation_cases.py that look at it, those of its room and the quick ones first,
+until one changes or --seconds are over.  Those that changed none are then moved together in all cases.  With BENCH its "name value" lines are compared in place of cases.
+With --benches a constant that moves nothing in the cases is moved in the benchmarks of its room, too (BENCHES).
 """
 
+import json
+import os
 import re
-import shutil
+import select
 import subprocess
 import sys
 from pathlib import Path
-from typing import Dict, Iterator, List, NamedTuple, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+import ablation_copy
+from ablation_copy import Constant
 
 ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "build" / "ablate"
+KEPT = COPY / "kept"
+MESHES = KEPT / "meshes"
+LIBRARY = COPY / "build" / "src" / "libhrbfnpr.so"
 BENCHES: Dict[str, List[List[str]]] = {
     "creases": [["edges", "--only=pieces"]],
-    "curves": [["lines", "--only=truth,views"]],
+    "curves": [["lines", "--only=truth"]],
     "features": [["lines", "--only=features"]],
     "fit": [["fit"]],
-    "frame/hatch": [["strokes", "--only=screen,ends,tone"]],
-    "frame/lines": [["lines", "--only=truth,flicker"]],
-    "frame/scene": [["frame", "--only=tone"]],
-    "frame/depth_layers": [["frame", "--only=tone,pops"]],
+    "frame/hatch": [["strokes", "--only=screen,ends"]],
+    "frame/lines": [["lines", "--only=truth"]],
     "generate": [["support"]],
     "hatching": [["strokes", "--only=surface"]],
-    "marks": [["strokes", "--only=surface"], ["frame", "--only=tone"]],
-    "mesh": [["edges", "--only=verdict,pieces"]],
+    "mesh": [["edges", "--only=pieces"]],
     "mesh/fit": [["edges", "--only=pieces"]],
-    "mesh/pieces": [["edges", "--only=verdict,pieces"]],
-    "orient": [["orient", "--only=clean,noisy"]],
+    "mesh/pieces": [["edges", "--only=pieces"]],
+    "orient": [["orient", "--only=clean"]],
     "output/raster": [["frame", "--only=tone"]],
     "output/vector": [["vector", "--only=dots,curves,lines"]],
-    "stipples": [["sample"], ["frame", "--only=tone"]],
-    "visibility": [["lines", "--only=truth,views"]],
+    "stipples": [["sample"]],
+    "visibility": [["lines", "--only=truth"]],
+}
+# The cases that are about a room begin with one of these.
+OWN_CASES: Dict[str, Tuple[str, ...]] = {
+    "creases": ("lines_s", "hatching_s"),
+    "curves": ("lines",),
+    "features": ("lines",),
+    "fit": ("fit",),
+    "frame/depth_layers": ("frame",),
+    "frame/hatch": ("frame",),
+    "frame/lines": ("frame", "lines"),
+    "frame/scene": ("frame",),
+    "generate": ("stipples", "hatching"),
+    "geometry": ("vectors",),
+    "hatching": ("hatching",),
+    "implicit": ("lines_s", "mesh"),
+    "marks": ("hatching", "stipples", "frame"),
+    "mesh": ("mesh", "verdict"),
+    "mesh/fit": ("mesh",),
+    "mesh/pieces": ("verdict", "mesh"),
+    "orient": ("orient", "depth_image"),
+    "output/raster": ("rasters", "frame"),
+    "output/vector": ("vectors",),
+    "picture": ("picture", "sheet"),
+    "published": ("published",),
+    "stipples": ("stipples",),
+    "visibility": ("lines", "frame"),
 }
 # Names of values that depend on the machine and not on the picture.
 TIMES = re.compile(r"(_ms|_s|seconds|_ns|ns_a_|_us|speed|growth|beside|bytes|fps|threads|time)")
-MEMBER = re.compile(
-    r"^(?P<before>\s+(?P<type>double|float|int|std::u?int\w+_t|std::size_t) (?P<name>\w+) = )"
-    r"(?P<value>[-+\d.'e]+)(?P<after>f?U?L?L?;.*)$"
-)
 LEAST_CHANGE = 1e-3  # relative; smaller ones are not told
+SLOWER = 1.5  # times the usual time that is told, if it is also this many seconds
+SLOWER_SECONDS = 0.05
+TOGETHER = 20.0  # times the seconds for one constant are those for all that changed nothing
+PATIENCE = 8.0  # times the usual time of a case, and as many seconds
 
 
-class Constant(NamedTuple):
-    """A member of a tuning struct."""
-
-    file: Path
-    line: int
-    name: str
-    is_whole: bool
-    value: float
-
-    def moved(self, factor: float) -> str:
-        """The value times the factor, as C++ has it; whole numbers stay whole and above 0."""
-        value = self.value * factor
-        if self.is_whole:
-            return str(max(1, int(value)))
-        return repr(value)
+def value_of(text: str) -> float:
+    """The value of a constant as C++ has it."""
+    plain = re.sub(r"(?<=[\d.])(F|L|U|UL|ULL)\b", "", text.replace("'", ""), flags=re.I)
+    plain = re.sub(r"std::numbers::pi\b", "3.14159265358979", plain)
+    plain = re.sub(r"std::size_t\{(\d+)\}", r"\1", plain)
+    if "0x" in plain:
+        return float.fromhex(plain)
+    return float(eval(plain, {"__builtins__": {}}))  # numbers and operators of the project's own sources
 
 
-def constants_of(file: Path) -> Iterator[Constant]:
-    for number, line in enumerate(file.read_text().splitlines()):
-        found = MEMBER.match(line)
-        if found:
-            is_whole = found["type"] not in ("double", "float")
-            yield Constant(file, number, found["name"], is_whole, float(found["value"].replace("'", "")))
-
-
-def replaced(text: str, constant: Constant, value: str) -> str:
-    """The text of the constant's file with another value."""
-    lines = text.split("\n")
-    found = MEMBER.match(lines[constant.line])
-    assert found and found["name"] == constant.name
-    lines[constant.line] = found["before"] + value + found["after"]
-    return "\n".join(lines)
+def moved(constant: Constant, factor: float) -> float:
+    """The value times the factor; whole numbers stay whole and above 0."""
+    value = value_of(constant.text) * factor
+    return float(max(1, int(value))) if constant.is_whole else value
 
 
 def pairs(output: str) -> Dict[str, float]:
@@ -104,75 +121,264 @@ def changes(before: Dict[str, float], after: Dict[str, float]) -> List[str]:
     return told
 
 
-def run(command: List[str], **options: object) -> Tuple[int, str]:
+def run(command: List[str], **options: Any) -> Tuple[int, str]:
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **options)
     return done.returncode, done.stdout
 
 
-def measured(benches: List[List[str]]) -> Dict[str, float]:
-    """Builds the benchmarks and runs them; raises RuntimeError with what went wrong."""
-    found: Dict[str, float] = {}
-    for name, *options in benches:
-        status, output = run(["cmake", "--build", str(COPY / "build"), "--target", f"bench_{name}"])
+class Built(NamedTuple):
+    constants: List[Constant]
+    fixed: Dict[str, List[str]]  # for each room, constants that the compiler needs as such somewhere
+
+
+def prepare(benches: List[str]) -> Built:
+    """Copies the sources, rewrites them and builds them."""
+    stamp = COPY / "stamp"
+    newest = max(file.stat().st_mtime for folder in ("src", "include", "bench") for file in (ROOT / folder).rglob("*"))
+    if not stamp.exists() or stamp.stat().st_mtime < newest:
+        ablation_copy.copy(ROOT, COPY)
+        built = Built(*ablation_copy.rewrite(COPY / "src"))
+        stamp.write_text(json.dumps(built))
+        for file in KEPT.glob("*.*"):
+            file.unlink()
+    constants, fixed = json.loads(stamp.read_text())
+    KEPT.mkdir(exist_ok=True)
+    targets = sorted({"hrbfnpr", "bench_edges", *(f"bench_{bench}" for bench in benches)})
+    for command in (
+        ["cmake", "--preset", "release", "-S", str(COPY), "-B", str(COPY / "build"), "-DHRBFNPR_BENCH=ON",
+         "-DHRBFNPR_TESTS=OFF", "-DHRBFNPR_EXAMPLES=OFF", "-DHRBFNPR_WERROR=OFF"],
+        ["cmake", "--build", str(COPY / "build"), "--target", *targets],
+    ):  # fmt: skip
+        status, output = run(command, cwd=COPY)
         if status != 0:
-            raise RuntimeError("does not compile")
-        status, output = run([str(COPY / "build" / "bench" / f"bench_{name}"), *options])
+            raise RuntimeError(output)
+    if not MESHES.exists():
+        MESHES.mkdir()
+        run([str(COPY / "build" / "bench" / "bench_edges"), "--only=verdict", f"--save={MESHES}"])
+    return Built([Constant(*row) for row in constants], fixed)
+
+
+# ---- Cases
+
+
+def environment(**more: str) -> Dict[str, str]:
+    paths = os.pathsep.join([str(ROOT / "bindings" / "python"), str(ROOT / "scripts")])
+    return {**os.environ, "HRBFNPR_LIBRARY": str(LIBRARY), "PYTHONPATH": paths, "OMP_WAIT_POLICY": "passive", **more}
+
+
+class Worker:
+    """A process that runs cases, started again after it was killed."""
+
+    def __init__(self, threads: int) -> None:
+        self._threads = threads
+        self._process: Optional["subprocess.Popen[str]"] = None
+
+    def ask(self, case: str, constants: List[Constant], factor: float) -> Dict[str, Any]:
+        """What changes in a case with constants moved."""
+        if self._process is None:
+            command = [sys.executable, "-B", str(ROOT / "scripts" / "ablation_worker.py"), str(KEPT), str(self._threads)]
+            self._process = subprocess.Popen(
+                command, env=environment(), text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+            )
+        assert self._process.stdin and self._process.stdout
+        values = {c.name: moved(c, factor) for c in constants}
+        asked = {"case": case, "set": values, "back": {c.name: value_of(c.text) for c in constants}}
+        self._process.stdin.write(json.dumps(asked) + "\n")
+        self._process.stdin.flush()
+        patience = PATIENCE * usual_seconds([case])[case] + PATIENCE
+        ready, _, _ = select.select([self._process.stdout], [], [], patience)
+        line = self._process.stdout.readline() if ready else ""
+        if line:
+            answer: Dict[str, Any] = json.loads(line)
+            return answer
+        self.close()
+        return {"changes": [f"{case}: " + ("ends with a crash" if ready else "does not end")], "seconds": 0.0, "usual": 0.0}
+
+    def close(self) -> None:
+        if self._process is not None:
+            self._process.kill()
+            self._process.wait()
+            self._process = None
+
+
+def used_by_cases(names: List[str]) -> Dict[str, List[str]]:
+    """For each case the constants that it looks at; kept in a file."""
+    file = KEPT / "used.json"
+    used: Dict[str, List[str]] = json.loads(file.read_text()) if file.exists() else {}
+    for name in names:
+        if name in used:
+            continue
+        worker = [sys.executable, "-B", str(ROOT / "scripts" / "ablation_worker.py"), str(KEPT), "--used", name]
+        run(worker, env=environment())  # makes what is kept
+        done = subprocess.run(worker, env=environment(), stdout=subprocess.PIPE, text=True, check=True)
+        used[name] = done.stdout.split()
+        file.write_text(json.dumps(used))
+    return used
+
+
+def usual_seconds(cases: List[str]) -> Dict[str, float]:
+    import pickle
+
+    found = {}
+    for case in cases:
+        file = KEPT / f"{case}.pickle"
+        found[case] = pickle.loads(file.read_bytes())["seconds"] if file.exists() else 1.0
+    return found
+
+
+class Moved(NamedTuple):
+    """What moving a constant did."""
+
+    changes: List[str]
+    cases: int  # that were run
+    slower: float  # the most times the usual time
+
+
+def by_cases(worker: Worker, constant: Constant, factor: float, cases: List[str], seconds: float) -> Moved:
+    """Runs cases until one changes or the time is over."""
+    spent, slower, count = 0.0, 1.0, 0
+    for case in cases:
+        if spent > seconds:
+            break
+        answer = worker.ask(case, [constant], factor)
+        count += 1
+        spent += answer["seconds"] + answer["usual"]
+        if answer["usual"] > 0.0 and abs(answer["seconds"] - answer["usual"]) > SLOWER_SECONDS:
+            times = answer["seconds"] / answer["usual"]
+            if max(times, 1.0 / times) > max(slower, 1.0 / slower):
+                slower = times
+        if answer["changes"]:
+            return Moved([f"{case}: {text}" for text in answer["changes"][:3]], count, slower)
+    return Moved([], count, slower)
+
+
+def movers(worker: Worker, case: str, constants: List[Constant], factor: float) -> Dict[str, str]:
+    """The names of those constants that change a case, with what they change; many are moved at once."""
+    if not constants:
+        return {}
+    found = worker.ask(case, constants, factor)["changes"]
+    if not found:
+        return {}
+    if len(constants) == 1:
+        return {constants[0].name: f"{case}: {found[0]}"}
+    half = len(constants) // 2
+    return {**movers(worker, case, constants[:half], factor), **movers(worker, case, constants[half:], factor)}
+
+
+def by_all_cases(
+    worker: Worker, idle: List[Constant], factor: float, used: Dict[str, List[str]], seconds: float
+) -> Dict[str, str]:
+    """What constants change, each in the first case that it changes: the quick cases first, until the time is over."""
+    found: Dict[str, str] = {}
+    cost = usual_seconds(list(used))
+    spent = 0.0
+    for case in sorted(used, key=lambda name: cost[name]):
+        spent += cost[case]
+        if spent > seconds:
+            break
+        left = [c for c in idle if c.name not in found and c.name in used[case] and moved(c, factor) != value_of(c.text)]
+        found.update(movers(worker, case, left, factor))
+    return found
+
+
+def by_benches(constant: Optional[Constant], value: float, benches: List[List[str]]) -> Dict[str, float]:
+    """The values of benchmarks with a constant moved; raises RuntimeError with what went wrong."""
+    found: Dict[str, float] = {}
+    more = {"HRBFNPR_TUNE": f"{constant.name}={value!r}"} if constant else {}
+    for name, *options in benches:
+        status, output = run([str(COPY / "build" / "bench" / f"bench_{name}"), *options], env=environment(**more))
         if status != 0:
             raise RuntimeError(f"bench/{name} ends with status {status}: {output.splitlines()[-1:]}")
         found.update(pairs(output))
     return found
 
 
-def prepare() -> None:
-    """Copies the sources and configures a build of the benchmarks."""
-    for folder in ("src", "include", "bench", "tests", "cmake", "bindings"):
-        shutil.copytree(ROOT / folder, COPY / folder, dirs_exist_ok=True, ignore=shutil.ignore_patterns("__pycache__"))
-    for file in ("CMakeLists.txt", "CMakePresets.json"):
-        shutil.copy(ROOT / file, COPY / file)
-    status, output = run(
-        ["cmake", "--preset", "release", "-B", str(COPY / "build"), "-DHRBFNPR_BENCH=ON", "-DHRBFNPR_TESTS=OFF",
-         "-DHRBFNPR_EXAMPLES=OFF", "-DPython3_EXECUTABLE=/usr/bin/python3"], cwd=COPY)  # fmt: skip
-    if status != 0:
-        raise RuntimeError(output)
+def told(result: Moved) -> str:
+    text = "; ".join(result.changes) or "-"
+    if max(result.slower, 1.0 / result.slower) > SLOWER:
+        text += f" (time x {result.slower:.2g})"
+    return text
 
 
 def main(arguments: List[str]) -> int:
-    wanted = [a[len("--only=") :] for a in arguments if a.startswith("--only=")][:1]
-    rest = [a for a in arguments if not (wanted and a == f"--only={wanted[0]}")]
+    options = dict(a[2:].split("=", 1) for a in arguments if re.match(r"--(only|seconds|threads)=", a))
+    rest = [a for a in arguments if not re.match(r"--(only|seconds|threads)=", a)]
+    if options.get("only") and len(rest) > 1:  # of the benchmark
+        mine = next(a for a in arguments if a.startswith("--only="))
+        rest = [a for a in arguments if a != mine and not re.match(r"--(seconds|threads)=", a)]
+        options["only"] = mine[len("--only=") :]
+    with_benches = "--benches" in rest
+    rest = [a for a in rest if a != "--benches"]
     if not rest or rest[0] in ("-h", "--help"):
         print(__doc__)
         return 0 if rest else 1
     room, bench = rest[0], rest[1:]
-    files = sorted((ROOT / "src" / room).glob("*tuning*.h"))
-    if not files:
-        print(f"src/{room} has no tuning.h", file=sys.stderr)
+    benches = [bench] if bench else BENCHES.get(room, []) if with_benches else []
+    seconds = float(options.get("seconds", "1"))
+    built = prepare(sorted({name for name, *_ in benches}))
+    constants = [c for c in built.constants if room in (c.room, "all") and options.get("only", "") in c.name]
+    if not constants:
+        print(f"src/{room} has no such constants", file=sys.stderr)
         return 1
-    benches = [bench] if bench else BENCHES.get(room)
-    if not benches:
-        print(f"no benchmark is known for {room}: name one", file=sys.stderr)
-        return 1
-    prepare()
-    constants = [c for file in files for c in constants_of(COPY / file.relative_to(ROOT)) if not wanted or wanted[0] in c.name]
-    before = measured(benches)
-    print(f"{len(constants)} constants of src/{room}; {len(before)} values of {', '.join(' '.join(b) for b in benches)}")
-    idle = []
+    names = cases_there()
+    used = {} if bench else used_by_cases(names)
+    before = by_benches(None, 0.0, benches) if bench else {}
+    confirmed: Dict[str, Dict[str, float]] = {}
+    worker = Worker(int(options.get("threads", "2")))
+    idle: List[Constant] = []
+    print(f"{len(constants)} constants of {room}", flush=True)
     for constant in constants:
-        text = constant.file.read_text()
-        told = []
+        if f"{constant.instance}.{constant.member}" in built.fixed.get(constant.room, []):
+            print(f"{constant.name} = {constant.text}\n    not moved: the compiler needs it as a constant", flush=True)
+            continue
+        own = OWN_CASES.get(constant.room, ())
+        cost = usual_seconds(names)
+        mine = sorted(
+            (case for case in used if constant.name in used[case]),
+            key=lambda case: (not case.startswith(own), cost[case]),  # noqa: B023
+        )
+        texts = []
         for factor in (0.5, 2.0):
-            constant.file.write_text(replaced(text, constant, constant.moved(factor)))
-            try:
-                found = changes(before, measured(benches))
-                told.append("; ".join(found) if found else "-")
-            except RuntimeError as problem:
-                told.append(str(problem))
-            finally:
-                constant.file.write_text(text)
-        print(f"{constant.name} = {constant.value:g}\n    half:  {told[0]}\n    twice: {told[1]}", flush=True)
-        if told == ["-", "-"]:
-            idle.append(constant.name)
-    print(f"\nwithout effect on these: {', '.join(idle) if idle else 'none'}")
+            value = moved(constant, factor)
+            if value == value_of(constant.text):
+                texts.append("-")
+            elif bench:
+                try:
+                    texts.append("; ".join(changes(before, by_benches(constant, value, benches))) or "-")
+                except RuntimeError as problem:
+                    texts.append(str(problem))
+            else:
+                texts.append(told(by_cases(worker, constant, factor, mine, seconds)))
+        if not bench and all(text.startswith("-") for text in texts) and benches:
+            key = json.dumps(benches)
+            if key not in confirmed:
+                confirmed[key] = by_benches(None, 0.0, benches)
+            for k, factor in enumerate((0.5, 2.0)):
+                try:
+                    found = changes(confirmed[key], by_benches(constant, moved(constant, factor), benches))
+                    texts[k] = "; ".join(found) or texts[k]
+                except RuntimeError as problem:
+                    texts[k] = str(problem)
+        seen = "" if bench else f", looked at by {len(mine)} cases"
+        print(f"{constant.name} = {constant.text}{seen}\n    half:  {texts[0]}\n    twice: {texts[1]}", flush=True)
+        if all(text == "-" for text in texts):
+            idle.append(constant)
+    if idle and not bench:
+        print("\nin all cases:", flush=True)
+        for factor, word in ((0.5, "half"), (2.0, "twice")):
+            for name, text in by_all_cases(worker, idle, factor, used, TOGETHER * seconds).items():
+                print(f"{name} {word}: {text}", flush=True)
+                idle = [c for c in idle if c.name != name]
+    worker.close()
+    print(f"\nwithout effect on these: {', '.join(c.name for c in idle) or 'none'}", flush=True)
     return 0
+
+
+def cases_there() -> List[str]:
+    """The names of all cases."""
+    code = "import ablation_cases; print(*ablation_cases.CASES)"
+    done = subprocess.run([sys.executable, "-B", "-c", code], env=environment(), stdout=subprocess.PIPE, text=True, check=True)
+    return done.stdout.split()
 
 
 if __name__ == "__main__":
