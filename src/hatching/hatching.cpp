@@ -66,8 +66,7 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
     angle_ = line_angles(site.part(0.46, 0.64), graph_, settings.field, settings.direction);
     curves::MeshSettings mesh;
     mesh.region = region_;
-    mesh.side = std::max(separation_of(settings, area_),
-                         std::sqrt(hatching_tuning.triangles_a_cell * area_ / hatching_tuning.most_triangles));
+    mesh.side = std::max(separation_of(settings, area_), std::sqrt(area_ / hatching_tuning.most_cells));
     mesh.domain = site.implicit.domain();
     mesh_ = triangulate_of_any_size(site.work.part(0.64, 0.94), site.implicit, graph_.position, mesh);
     if (site.implicit.sheets() == nullptr) return;
@@ -84,7 +83,7 @@ void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks:
     const double separation = separation_of(settings, area_);
     HRBFNPR_ASSERT(separation > 0.0 && graph_.nodes() == angle_.size());
     const double octaves = std::log2(std::sqrt(area_) / (hatching_tuning.fewest_lines * separation));
-    const int levels = std::clamp(static_cast<int>(std::floor(octaves)), 0, hatching_tuning.most_levels);
+    const int levels = std::max(static_cast<int>(std::floor(octaves)), 0);
     Waves samples(site.memory(), graph_.position, std::ldexp(separation, levels));
     for (std::int64_t i = 0; i < graph_.nodes(); ++i)
         samples.set_line(i, graph_.normal[i], graph_.tangent(i, angle_[i] + settings.angle));

@@ -204,7 +204,7 @@ Ends ends_of(const Lines& lines, double reach) {
             const auto distance = [&](std::int64_t k) {
                 return glm::distance(lines.position[end + k * step], lines.position[end]);
             };
-            std::int64_t k = std::min(hatching_tuning.fewest_to_end, last);
+            std::int64_t k = std::min<std::int64_t>(1, last);
             while (k < last && distance(k) < hatching_tuning.end_length * reach) ++k;
             ends.place.push_back(lines.position[end]);
             ends.way.push_back(glm::normalize(lines.position[end] - lines.position[end + k * step]));

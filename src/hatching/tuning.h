@@ -14,8 +14,6 @@ struct HatchingTuning {
     double step = 0.4;
     // The coarsest level has about this many lines in the root of the area. Larger: fewer levels.
     double fewest_lines = 6.0;
-    // There are at most this many levels below it.
-    int most_levels = 10;
 
     // ---- Samples
 
@@ -70,9 +68,9 @@ struct HatchingTuning {
 
     // ---- The mesh
 
-    // The mesh has no more triangles than this, about, and this many times the area over the square of a cell.
-    double most_triangles = 1.2e6;
-    double triangles_a_cell = 12.0;
+    // The area of the surface in cells of the mesh, of some twelve triangles each. Larger: finer lines are possible, in
+    // more memory.
+    double most_cells = 1e5;
 
     // ---- Ends that are joined
 
@@ -84,9 +82,8 @@ struct HatchingTuning {
     // Over a shorter gap only the angle between the ends' ways counts, which may be larger.
     double touching = 0.2;
     double touching_cosine = 0.8;
-    // The way of an end is told by the line up to this distance from it, and by this many points at least.
+    // The way of an end is told by the line up to this distance from it.
     double end_length = 0.5;
-    std::int64_t fewest_to_end = 3;
 
     // ---- Even lines; lengths are in separations
 

@@ -197,18 +197,6 @@ void free_place(const OrderBlock& block, std::int64_t i) noexcept {
 
 } // namespace
 
-std::int64_t keep(const OrderBlock& block, float enough) noexcept {
-    HRBFNPR_ASSERT(enough >= 0.0F);
-    std::int64_t kept = 0;
-    for (std::int64_t i = 0; i < block.places(); ++i) {
-        if (!(block.at(OrderGroup::clearance, i) >= enough)) continue;
-        for (std::int64_t c = 0; c < OrderGroup::columns; ++c) std::swap(block.at(c, kept), block.at(c, i));
-        ++kept;
-    }
-    for (std::int64_t i = kept; i < block.places(); ++i) free_place(block, i);
-    return kept;
-}
-
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept {
     for (std::int64_t c = 0; c < OrderGroup::columns; ++c) to.at(c, k) = from.at(c, i);
 }

@@ -79,9 +79,6 @@ struct OrderLoops {
     std::int64_t (*smallest)(const float* numbers, std::int64_t count);
 };
 
-// Those with clearance >= enough change places with others, to the front; the places after them are free. Returns their
-// number.
-std::int64_t keep(const OrderBlock& block, float enough) noexcept;
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;
 // No mark is felt: the first `count` places have no energy and all the clearance. The others are free, and hold numbers
 // from which no NaN comes.

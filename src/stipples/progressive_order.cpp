@@ -554,25 +554,15 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
 // ---- Stage by stage
 
 // Places marks until there are `last` of them; returns false where they would have to be nearer than `closest`, in
-// distances of the densest packing. Candidates nearer than `needless` to a mark will not be needed.
-bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest, double needless,
-          Order& order, const base::Progress& progress) {
-    double at_cleaning = 0.0;
+// distances of the densest packing.
+bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest, Order& order,
+          const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
     float threshold = stipple_tuning.least_threshold;
     bool missed = false; // candidates that only a sweep's later steps open, in cells that none of its marks is near
     while (order.mark.size() < last) {
         progress.check();
         const auto before = static_cast<double>(order.mark.size());
-        if (before > stipple_tuning.cleaning_growth * at_cleaning) {
-            // They are forgotten: radii will be larger.
-            stage.for_cells([&](std::int64_t c) {
-                const std::int64_t kept = keep(stage.block_of(c), static_cast<float>(needless * needless));
-                stage.cell[c].groups = static_cast<std::int32_t>(groups_for(kept));
-                stage.floor[c] = 0.0F; // so that the best one is found again
-            });
-            at_cleaning = before;
-        }
         const bool nearly_full = before > stipple_tuning.nearly_full * static_cast<double>(last);
         const bool many = before >= stipple_tuning.marks_for_many_steps && !nearly_full;
         std::array<SweepStep, steps_of_sweep> steps;
@@ -630,8 +620,7 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
         feel_all(stage);
         // Closer points are the same to float positions.
         const double closest = std::max(least, 1e-7 * candidates.region.diagonal() / end);
-        const double needless = settings.nearness * least * end;
-        if (fill(stage, candidates.area, last, wanted, closest, needless, order, site.work)) return true;
+        if (fill(stage, candidates.area, last, wanted, closest, order, site.work)) return true;
     }
     return false;
 }

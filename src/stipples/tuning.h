@@ -105,8 +105,6 @@ struct StippleTuning {
     double marks_for_many_steps = 2000.0;
     // A stage of few marks has this many candidates for each to choose from. Larger: more even prefixes, more time.
     double early_candidates = 12.0;
-    // Candidates that will not be needed are dropped each time the marks have grown by this factor. Larger: less often.
-    double cleaning_growth = 2.2;
     // A candidate at this part of the kept distance or more may move into its gap. Smaller: more gaps are tried in
     // vain.
     double nearness = 0.8;

@@ -163,40 +163,6 @@ TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
     }
 }
 
-TEST(OrderLoops, WhatIsKeptStaysInOrderAndNothingIsLost) {
-    for (const std::int64_t count : {1, 3, 16, 17, 100}) {
-        Block before(count);
-        Block after(count);
-        const std::int64_t kept = keep(after.view(), 1.0F);
-        std::int64_t to = 0;
-        for (std::int64_t i = 0; i < count; ++i) {
-            if (before.view().at(OrderGroup::clearance, i) < 1.0F) continue;
-            ASSERT_LT(to, kept);
-            EXPECT_EQ(after.place(to++), before.place(i)) << count;
-        }
-        EXPECT_EQ(to, kept) << count;
-        for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::automatic}) {
-            const OrderLowest found = order_loops(base::choose_instruction_set(set)).lowest(after.view(), 0.0F);
-            EXPECT_LT(found.at, kept) << "the places behind them are free";
-        }
-        for (std::int64_t i = kept; i < OrderGroup::size * groups_for(count); ++i)
-            EXPECT_EQ(after.view().at(OrderGroup::energy, i), std::numeric_limits<float>::infinity()) << count;
-        // As many at the same places as before, once they are asked for again.
-        forget_marks(after.view(), count);
-        const auto places = [&](Block& block) {
-            std::vector<float> all;
-            for (std::int64_t i = 0; i < count; ++i) all.push_back(block.place(i)[0]);
-            std::sort(all.begin(), all.end());
-            return all;
-        };
-        EXPECT_EQ(places(after), places(before));
-        for (std::int64_t i = 0; i < OrderGroup::size * groups_for(count); ++i) {
-            EXPECT_EQ(after.view().at(OrderGroup::energy, i) == 0.0F, i < count);
-            EXPECT_EQ(after.view().at(OrderGroup::clearance, i) > 0.0F, i < count);
-        }
-    }
-}
-
 // What memory held before must not matter: a NaN there would come into the energies.
 TEST(OrderLoops, FreePlacesHoldNumbers) {
     Block block(16);

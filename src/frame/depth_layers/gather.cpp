@@ -276,7 +276,7 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     const float nu = seen.nu[i];
     const float width = v.item.style.halo_width;
     c.halo = 0.0F;
-    if (!(width > 0.0F) || !(std::abs(nu) <= layer_tuning.widest_rim) || local.cluster.bend < 0.0F) return;
+    if (!(width > 0.0F) || local.cluster.bend < 0.0F) return;
     const MarkBlock& m = local.blocks[i / MarkBlock::size];
     const std::int64_t at = i % MarkBlock::size;
     const glm::vec3 n = m.normal_at(at);
@@ -425,7 +425,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const SeeLo
     // |nu| up to which a mark may be near the contour, where no curvature is larger than the cluster's.
     const float q = layer_tuning.contour_band * (cluster.bend * local.pixel_curvature);
     const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
-    const float band = cluster.bend >= 0.0F ? std::min(rim, layer_tuning.widest_rim) : layer_tuning.unknown_rim;
+    const float band = cluster.bend >= 0.0F ? rim : layer_tuning.unknown_rim;
     if (view.inside && view.nu_max < -band) counts.front += marks;
     if (view.inside && view.nu_min > band) counts.back += marks;
     local.whole = view.inside && (view.nu_max < -band || view.nu_min > band);

@@ -25,9 +25,7 @@ struct LayerTuning {
     // a layer's border.
     float even_splat = 0.85F;
     float random_splat = 1.6F;
-    // Marks of a larger |n . v| than these are near no contour, whatever the curvature, and where it is not known.
-    // Larger: more splats.
-    float widest_rim = 0.9F;
+    // Where the curvature is not known, marks of a larger |n . v| than this are near no contour. Larger: more splats.
     float unknown_rim = 0.2F;
 
     // ---- Halos

@@ -383,7 +383,7 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
         return interval.sheets > 0 && length_of(interval) < line_tuning.longest_hugging * width && is_contour(interval);
     };
     if (!(width > 0.0) || std::none_of(intervals.begin(), intervals.end(), may_hug)) return hugs;
-    const double step = line_tuning.hugging_steps * width;
+    const double step = line_tuning.beside * width;
     geometry::VecArray seen(memory);
     for (const visibility::Interval& interval : intervals)
         if (interval.sheets <= 0 && is_contour(interval))

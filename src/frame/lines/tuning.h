@@ -49,12 +49,11 @@ struct LineTuning {
     // A visible part between hidden ones that is shorter than this many widths is left out. Larger: fewer dots.
     double dot = 0.5;
     // A hidden part of a contour shorter than this many widths of the widest lines is drawn where all of it is within
-    // `beside` widths of a contour that is seen: a face that is seen edge-on is not quite flat where it is fitted, and
-    // bulges a tenth of a pixel high hide some of its edge. Larger: more hidden parts are drawn.
+    // `beside` widths of a contour that is seen, as looked at every `beside` widths: a face that is seen edge-on is not
+    // quite flat where it is fitted, and bulges a tenth of a pixel high hide some of its edge. Larger: more hidden
+    // parts are drawn.
     double longest_hugging = 5.0;
     double beside = 0.3;
-    // Such parts are looked at this many widths apart.
-    double hugging_steps = 0.2;
     // Ends of lines are one where they are nearer than this many widths: sheets that are nearly one have such ends.
     double together = 0.4;
     // Lines less opaque than this are not taken for what another one goes on as.
