@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// std::bit_cast, which Emscripten's library does not have yet.
+// A replacement for std::bit_cast, which Emscripten's library does not have yet.
 #pragma once
 
 namespace hrbfnpr::base {

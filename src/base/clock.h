@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Wall-clock seconds and nanoseconds, for reports only.
+// Measures wall-clock time in seconds and nanoseconds, for reports and short waits only.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text of messages.
+// Formats the text of messages.
 #pragma once
 
 #include <cstdarg>
@@ -7,7 +7,7 @@
 
 namespace hrbfnpr::base {
 
-// vsnprintf as in the C locale: a message reads the same in a host that writes 0,5.
+// Does what vsnprintf does in the C locale, so that a message reads the same in a host that writes 0,5.
 [[gnu::format(printf, 3, 0)]] void format_text(char* destination, std::size_t capacity, const char* format,
                                                std::va_list arguments) noexcept;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The floating-point state: the library computes with the default one (round to
-// nearest, subnormals kept, nothing trapped) and gives the caller's back.
+// Guards the floating-point state. The library computes with the default state (round to nearest, keep subnormals, trap
+// nothing) and restores the caller's state at the end.
 #pragma once
 
 #include <cfenv>

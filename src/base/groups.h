@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Items sorted by the group that each is in: corners by vertex, faces by component.
+// Sorts items by their group: for example corners by vertex, or faces by component.
 #pragma once
 
 #include "base/assert.h"
@@ -11,8 +11,8 @@ namespace hrbfnpr::base {
 
 class Groups {
 public:
-    // for_items(put) calls put(group, item) for every item. It is called twice, and must say the same both times. The
-    // items of a group keep the order in which they were put.
+    // Calls for_items(put), which calls put(group, item) for every item. It is called twice and must give the same
+    // items both times. The items of a group keep the order in which they were put.
     template <class ForItems>
     Groups(Memory& memory, std::int64_t groups, ForItems&& for_items) : begin_(memory, groups + 2), item_(memory) {
         HRBFNPR_ASSERT(groups >= 0);

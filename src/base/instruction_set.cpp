@@ -9,10 +9,10 @@ namespace hrbfnpr::base {
 namespace {
 
 #if defined(__x86_64__) && defined(__GNUC__)
-// By hand: the compiler's own __builtin_cpu_supports brings a global and a constructor along.
+// Tests bits by hand, because the compiler's own __builtin_cpu_supports brings a global and a constructor along.
 [[nodiscard]] constexpr bool has(unsigned word, unsigned bits) noexcept { return (word & bits) == bits; }
 
-// Which registers the operating system keeps for each thread.
+// Returns a mask of the registers that the operating system saves for each thread.
 [[nodiscard]] unsigned kept_registers() noexcept {
     unsigned a = 0;
     unsigned b = 0;

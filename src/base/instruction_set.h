@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which vector instructions the hot loops are run with: chosen once for each context.
+// The vector instructions that the hot loops use. They are chosen once for each context.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@ namespace hrbfnpr::base {
 // Same numbers as HRBFNPR_INSTRUCTION_SET_...; `automatic` is a request, never an answer.
 enum class InstructionSet : std::uint32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3, neon = 4 };
 
-// The best that processor and build have, no higher than `highest`.
+// Returns the best instruction set that both processor and build have, no higher than `highest`.
 [[nodiscard]] InstructionSet choose_instruction_set(InstructionSet highest) noexcept;
 
-// Those that the build has loops for, as a list of JSON strings.
+// Lists the instruction sets that the build has loops for, as JSON strings separated by commas.
 [[nodiscard]] const char* compiled_instruction_sets() noexcept;
 
 [[nodiscard]] const char* name(InstructionSet set) noexcept;

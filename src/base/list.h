@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A growable list of objects from a Memory, for those that base::Array cannot hold.
+// A growable list of objects from a Memory, for objects that base::Array cannot hold.
 #pragma once
 
 #include "base/memory.h"
@@ -54,7 +54,7 @@ public:
         capacity_ = capacity;
     }
 
-    // Arguments must not refer into the list.
+    // The arguments must not refer to elements of the list.
     template <class... Arguments>
     T& add(Arguments&&... arguments) {
         if (size_ == capacity_) reserve(capacity_ < 4 ? 4 : capacity_ + capacity_ / 2);

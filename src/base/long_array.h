@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays so large that their first touch takes long: a cancel is seen meanwhile.
+// Operations on arrays that are so large that their first touch takes long. They check for a cancel meanwhile.
 #pragma once
 
 #include "base/memory.h"
@@ -11,11 +11,11 @@
 
 namespace hrbfnpr::base {
 
-// Elements of which one look is enough.
+// The number of elements between two checks for a cancel: 2 MiB of them.
 template <class T>
 constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 21) / std::int64_t{sizeof(T)});
 
-// As array.reserve(capacity): where that is more than there is, what the array holds is copied.
+// Does what array.reserve(capacity) does. If the array grows, its elements are copied.
 template <class T>
 void reserve_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
     progress.check();
@@ -32,7 +32,7 @@ void reserve_long(Array<T>& array, std::int64_t capacity, const Progress& progre
     array = std::move(grown);
 }
 
-// As array.resize(size): what it adds is zero.
+// Does what array.resize(size) does: the elements that it adds are zero.
 template <class T>
 void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
     reserve_long(array, size, progress);
@@ -43,7 +43,7 @@ void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
     array.resize(size);
 }
 
-// Room for so many elements, which push_back then touches no more for the first time.
+// Reserves memory for `capacity` elements and touches it, so that push_back never touches a page for the first time.
 template <class T>
 void make_room_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
     const std::int64_t size = array.size();
@@ -51,7 +51,7 @@ void make_room_long(Array<T>& array, std::int64_t capacity, const Progress& prog
     array.resize_for_overwrite(size);
 }
 
-// As array.push_back(value), which may be one of its own.
+// Does what array.push_back(value) does. `value` may be an element of the array.
 template <class T>
 void push_back_long(Array<T>& array, T value, const Progress& progress) {
     if (const std::int64_t size = array.size(); size > at_once<T> && size == array.bytes() / std::int64_t{sizeof(T)})
@@ -59,7 +59,7 @@ void push_back_long(Array<T>& array, T value, const Progress& progress) {
     array.push_back(value);
 }
 
-// So many elements of one value; what the array held is forgotten.
+// Fills the array with `size` copies of `value`. The old elements are lost.
 template <class T>
 void fill_long(Array<T>& array, std::int64_t size, const T& value, const Progress& progress) {
     array.clear();

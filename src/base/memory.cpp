@@ -12,19 +12,19 @@
 namespace hrbfnpr::base {
 namespace {
 
-// Below this little is gained, and up to a huge page more may be taken than was asked for.
+// Smaller arrays gain little from huge pages, and may take up to one huge page more than was asked for.
 constexpr std::uint64_t large = std::uint64_t{4} << 20U;
 
-// Where the system gives huge pages to those who ask, as Linux by default: the end of a large array, for which a
-// cancelled call waits, then takes next to no time instead of 0.1 ms a megabyte.  Its first touch takes a quarter of
-// the time where huge pages are at hand, and longer where the system (or the host of a virtual machine) has to find
-// them first.
+// Asks for huge pages where the system gives them on request, as Linux does by default. A cancelled call waits until
+// its large arrays are freed; with huge pages this takes next to no time instead of 0.1 ms a megabyte. The first touch
+// takes a quarter of the time if huge pages are at hand, and longer if the system (or the host of a virtual machine)
+// has to find them first.
 void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::uint64_t size) noexcept {
 #if defined(__linux__)
-    constexpr std::uintptr_t page = 4096; // of a system with larger ones the call is refused, and nothing happens
+    constexpr std::uintptr_t page = 4096; // a system with larger pages refuses the call, without any effect
     const auto address = reinterpret_cast<std::uintptr_t>(memory);
     const std::uintptr_t inward = (page - address % page) % page;
-    const int before = errno; // the host's
+    const int before = errno; // errno of the host
     madvise(static_cast<char*>(memory) + inward, static_cast<std::size_t>(size) - inward, MADV_HUGEPAGE);
     errno = before;
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The context's allocator with its accounting, and the owning array that uses it.
+// The context's allocator, which counts the bytes, and the owning array that uses it.
 #pragma once
 
 #include "base/status.h"
@@ -18,7 +18,7 @@ namespace hrbfnpr::base {
 using AllocateFn = void* (*)(void* user, std::uint64_t size, std::uint64_t alignment);
 using DeallocateFn = void (*)(void* user, void* memory, std::uint64_t size, std::uint64_t alignment);
 
-// Thread-safe.  Everything of a size that depends on the data comes from here.
+// Memory is thread-safe.  Every object whose size depends on the data is allocated here.
 class Memory {
 public:
     static constexpr std::uint64_t alignment = 64; // a cache line, and the widest vector
@@ -99,7 +99,7 @@ public:
         size_ = size;
     }
 
-    // Elements that it adds hold whatever was there: for arrays that are about to be filled, on all threads.
+    // The elements that it adds are uninitialized: for arrays that are about to be filled on all threads.
     void resize_for_overwrite(std::int64_t size) {
         reserve(size);
         size_ = size;
@@ -115,7 +115,7 @@ public:
         data_[size_++] = value;
     }
 
-    // Gives the memory back.
+    // Deallocates the memory.
     void release() noexcept {
         if (data_ != nullptr) memory_->deallocate(data_, byte_count(capacity_));
         data_ = nullptr;
@@ -141,7 +141,8 @@ private:
     std::int64_t capacity_ = 0;
 };
 
-// One object from a Memory: working memory of a task that the small stack of a host's thread has no room for.
+// Boxed holds one object from a Memory: the working memory of a task, which may be too large for the small stack of a
+// host's thread.
 template <class T>
 class Boxed {
 public:

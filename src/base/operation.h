@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Progress and cancelling of one long call, and the part of it that a stage sees.
+// Progress and cancelling of one long call, and the share of it that a stage sees.
 #pragma once
 
 #include "base/clock.h"
@@ -15,7 +15,7 @@ using ProgressFn = std::int32_t (*)(void* user, double progress);
 
 class Operation {
 public:
-    // Called by the boundary when a long call enters; throws Error{cancelled} if cancelled before.
+    // The API calls this when a long call enters. It throws Error{cancelled} if the operation is already cancelled.
     void begin();
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     [[nodiscard]] bool is_cancelled() const noexcept {
@@ -27,14 +27,14 @@ public:
         user_ = user;
     }
 
-    // Makes this a part of another operation: a cancel of that one cancels this one.  Call it before begin(); `whole`
-    // outlives this.
+    // Makes this a part of another operation: a cancel of `whole` also cancels this one.  Call it before begin().
+    // `whole` must outlive this.
     void be_part_of(const Operation* whole) noexcept { whole_ = whole; }
 
-    // From any thread.  Progress never falls; the callback runs only on the thread of begin().
+    // Any thread may call this.  Progress never falls; the callback runs only on the thread of begin().
     void report(double progress) noexcept;
-    // From any thread.  On that of begin() the callback is called again if it has not been for a while, so that a host
-    // hears of a call where its progress stands still, too, and may cancel it there.
+    // Any thread may call this. On the thread of begin() it calls the callback again if the last call is a while ago,
+    // so that a host still hears from a call whose progress stands still, and may cancel it.
     void remind() noexcept;
 
 private:
@@ -46,30 +46,31 @@ private:
     ProgressFn callback_ = nullptr;
     void* user_ = nullptr;
     std::thread::id entered_;
-    Stopwatch silence_; // since the callback was last called; of the thread of begin()
+    Stopwatch silence_; // Time since the last call of the callback; used only on the thread of begin().
 };
 
 template <class Number>
 class Watched;
 
-// A stage's share [from, to] of an operation's progress.  Copied freely; default: nobody watches.
+// A stage's share [from, to] of an operation's progress.  Copies are cheap. By default there is no operation to watch
+// it.
 class Progress {
 public:
     Progress() noexcept = default;
     explicit Progress(Operation* operation) noexcept : operation_(operation) {}
 
     [[nodiscard]] bool is_watched() const noexcept { return operation_ != nullptr; }
-    // The part of this stage between two fractions of it.
+    // Returns the part of this stage between the fractions `from` and `to`.
     [[nodiscard]] Progress part(double from, double to) const noexcept;
-    // For steps whose share nobody knows: they look for a cancel, and progress stands still.
+    // For steps whose share is not known: they check for a cancel, and the progress stands still.
     [[nodiscard]] Progress standing() const noexcept { return part(0.0, 0.0); }
-    // Reports that `fraction` of this stage is done and throws Error{cancelled} after a cancel.
+    // Reports that `fraction` of this stage is done, and throws Error{cancelled} after a cancel.
     void update(double fraction) const;
-    // Looks for a cancel; reports no progress.
+    // Throws Error{cancelled} after a cancel; reports no progress.
     void check() const {
         if (operation_ != nullptr) look();
     }
-    // The numbers from `begin` to end - 1, for a loop on one thread that looks for a cancel now and then.
+    // Returns the numbers from `begin` to end - 1, for a loop on one thread that checks for a cancel now and then.
     template <class Number>
     [[nodiscard]] Watched<Number> over(Number begin, Number end) const noexcept {
         return {*this, begin, end};
@@ -87,8 +88,8 @@ private:
     double to_ = 1.0;
 };
 
-// A range of numbers that looks for a cancel after each `stride` of them. A body that takes 10 us or less is left
-// within 10 ms of a cancel; a longer one looks itself.
+// A range of numbers that checks for a cancel after each `stride` of them. A loop whose body takes 10 us or less ends
+// within 10 ms of a cancel. A longer body must check for a cancel itself.
 template <class Number>
 class Watched {
 public:

@@ -13,14 +13,14 @@
 namespace hrbfnpr::base {
 namespace {
 
-// One for_each: keeps the exception of the lowest index, since one that leaves an OpenMP region, a
-// worker or a host's job would end the process.
+// The tasks of one for_each. It keeps the exception of the lowest index, because an exception that leaves an OpenMP
+// region, a worker or a host's job would end the process.
 class Caught {
 public:
     Caught(std::int64_t count, TaskFn task, void* context) noexcept : count_(count), task_(task), context_(context) {}
 
     static void run_task(void* caught, std::int64_t index) noexcept { static_cast<Caught*>(caught)->run(index); }
-    // The same for a host, whose calls are counted.
+    // Does the same for a host's job system, and counts the calls.
     static void run_task_of_host(void* caught, std::int64_t index) noexcept {
         auto& self = *static_cast<Caught*>(caught);
         if (index < 0 || index >= self.count_) {
@@ -36,7 +36,7 @@ public:
         if (error_) std::rethrow_exception(error_);
     }
 
-    // Each index once, and all of them before run_tasks returned?
+    // Checks that the host ran each index exactly once, and all of them before run_tasks returned.
     void check_host() const {
         const std::int64_t calls = calls_.load(std::memory_order_acquire);
         if (stray_.load(std::memory_order_relaxed) != 0)
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    // Two multisets of as many indices and of the same sum of these are, but for one in 2^64, the same
+    // Two multisets of indices with equal counts and equal sums of weights are the same, except for one case in 2^64
     // (SplitMix64: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
     static std::uint64_t weight(std::int64_t index) noexcept {
         std::uint64_t z = (static_cast<std::uint64_t>(index) + 1) * 0x9E3779B97F4A7C15U;
@@ -82,11 +82,11 @@ private:
     std::int64_t count_;
     TaskFn task_;
     void* context_;
-    // Lower indices go on after a failure, so that the same one is reported whatever the order.
+    // Lower indices still run after a failure, so that the same failure is reported in any order of the tasks.
     std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::atomic<std::int64_t> calls_{0}, stray_{0}; // of a host
+    std::atomic<std::int64_t> calls_{0}, stray_{0}; // calls by a host
     std::atomic<std::uint64_t> sum_{0};
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Work on all threads, by a pool of our own, by OpenMP or by the host's job system.
+// Runs work on all threads, by a pool of the library, by OpenMP or by the host's job system.
 //
-// The result must not depend on the thread count: cut work by size (for_chunks),
-// never by thread, and combine partial results in the order of the chunks.
+// The result must not depend on the thread count. Cut work by size (for_chunks), never by thread, and combine partial
+// results in the order of the chunks.
 #pragma once
 
 #include "base/operation.h"
@@ -19,25 +19,24 @@ using RunTasksFn = void (*)(void* user, TaskFn task, void* task_context, std::in
 
 enum class ThreadBackend : std::uint32_t { automatic = 0, pool = 1, openmp = 2, run_tasks = 3, serial = 4 };
 
-// Copies share their pool, which ends with the last of them.
+// Copies share their pool, which ends with the last copy.
 class Parallel {
 public:
     Parallel() noexcept = default; // serial
-    // threads: 0 = all processors, 1 = serial.  run_tasks may be NULL: a pool.
+    // threads: 0 = all processors, 1 = serial.  If run_tasks is NULL, a pool is used.
     Parallel(int threads, RunTasksFn run_tasks, void* user);
-    // The pool of the OpenMP runtime; serial in a build without one (openmp_is_built_in).
+    // Uses the pool of the OpenMP runtime; serial in a build without OpenMP (openmp_is_built_in).
     [[nodiscard]] static Parallel openmp(int threads) noexcept;
 
-    // From now on a cancel of that operation ends whatever runs, before its next task; Progress() ends the watch.  Not
-    // while it runs; copies are watched apart.
+    // From now on a cancel of the operation of `progress` ends each loop before its next task. Progress() ends the
+    // watch. Do not call this while a loop runs. Copies of this object are not affected.
     void watch(const Progress& progress) noexcept { watch_ = progress; }
 
     [[nodiscard]] int threads() const noexcept { return threads_; }
     [[nodiscard]] ThreadBackend backend() const noexcept { return backend_; }
 
-    // Calls f(i) once for each i in [0, count), concurrently, and returns when all have
-    // ended.  If some throw, the exception of the lowest such index is rethrown here and
-    // higher indices that had not been started are skipped.
+    // Calls f(i) once for each i in [0, count), concurrently, and returns when all calls have ended.  If some calls
+    // throw, the exception of the lowest index is rethrown here, and higher indices that have not started are skipped.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         using Function = std::remove_reference_t<F>;
@@ -46,14 +45,14 @@ public:
             const_cast<void*>(static_cast<const void*>(std::addressof(f))));
     }
 
-    // Calls f(begin, end) on consecutive pieces of [0, count) of at most `grain` elements.
+    // Calls f(begin, end) on consecutive chunks of [0, count) of at most `grain` elements.
     template <class F>
     void for_chunks(std::int64_t count, std::int64_t grain, F&& f) const {
         for_each((count + grain - 1) / grain,
                  [&](std::int64_t chunk) { f(chunk * grain, std::min(count, (chunk + 1) * grain)); });
     }
 
-    // The same with a look for a cancel before each of them.
+    // The same, with a check for a cancel before each call.
     template <class F>
     void for_each(std::int64_t count, const Progress& progress, F&& f) const {
         for_each(count, [&](std::int64_t i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OpenMP as a thread backend.  parallel_openmp.cpp is the only file that names it.
+// OpenMP as a thread backend.  parallel_openmp.cpp is the only file that uses OpenMP.
 #pragma once
 
 #include "base/thread_pool.h"
@@ -10,8 +10,8 @@ namespace hrbfnpr::base {
 
 [[nodiscard]] bool openmp_is_built_in() noexcept;
 
-// Calls task(context, i) once for each i in [0, count) on a team of `threads`, or fewer.  Serial in
-// a forked child, and without OpenMP.  No task may throw.
+// Calls task(context, i) once for each i in [0, count) on at most `threads` threads.  It is serial in a forked child,
+// and without OpenMP.  No task may throw.
 void run_openmp(int threads, std::int64_t count, TaskFn task, void* context) noexcept;
 
 } // namespace hrbfnpr::base

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counter-based random numbers: the number for (seed, index, purpose) is the same
-// whoever asks and in whatever order.
+// Counter-based random numbers: the number for (seed, index, purpose) is the same on every thread and in any order of
+// calls.
 //
 // Philox4x32-10: Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as
 // 1, 2, 3", SC 2011.
@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// What a number is used for.  Numbers of different purposes are independent.
+// The use of a number.  Numbers of different purposes are independent.
 enum class Purpose : std::uint32_t {
     box_jitter = 1,
     stipple_jitter = 2,
@@ -45,7 +45,7 @@ using Philox = std::array<std::uint32_t, 4>;
     return counter;
 }
 
-// Four independent uniform numbers in [0,1) with 32 bits each.  `stream` picks further ones.
+// Four independent uniform numbers in [0,1) with 32 bits each.  Other values of `stream` give further numbers.
 [[nodiscard]] inline std::array<double, 4> uniform4(std::uint64_t seed, std::uint64_t index, Purpose purpose,
                                                     std::uint32_t stream = 0) noexcept {
     const Philox bits = philox(seed, {static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32U),

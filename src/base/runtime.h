@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every stage is given of the context: memory, threads, instruction set, log.
+// The memory, threads, instruction set and log of the context, which every stage receives.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -15,7 +15,7 @@ enum class LogLevel : std::int32_t { debug = 0, info = 1, warning = 2 };
 using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 
 class Runtime {
-    Memory own_; // comes first, since `memory` may be it
+    Memory own_; // comes first, because `memory` may refer to it
 
 public:
     Runtime() = default; // all threads, no log
@@ -23,7 +23,7 @@ public:
             InstructionSet highest, LogFn log_function, void* log_user, LogLevel least = LogLevel::debug) noexcept
         : own_(allocate, deallocate, allocator_user), parallel(std::move(threads)),
           instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user), least_(least) {}
-    // The memory and log of another one, which outlives it, with threads that may be watched apart from its.
+    // Uses the memory and log of `host`, which must outlive this, and threads that are watched separately.
     Runtime(const Runtime& host, Parallel threads) noexcept
         : memory(host.memory), parallel(std::move(threads)), instruction_set(host.instruction_set), log_(host.log_),
           log_user_(host.log_user_), least_(host.least_) {}
@@ -31,7 +31,7 @@ public:
     Runtime& operator=(const Runtime&) = delete;
     ~Runtime() = default;
 
-    // Call from the thread that entered the library only.  What is below the least level is not even put into words.
+    // Call this only from the thread that entered the library.  Messages below the least level are not even formatted.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
 
     Memory& memory{own_};

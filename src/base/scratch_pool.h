@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Scratch memory for calls that take a const handle: each call takes a piece of its own, and gives it back to be
-// used again, so that nothing is allocated once warm.
+// Scratch memory for calls that take a const handle. Each call takes one scratch object from the pool and returns it at
+// the end, so that later calls allocate nothing.
 #pragma once
 
 #include "base/runtime.h"
@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// As many T, each made from the Runtime, as there were ever calls at the same time.
+// Holds objects of type T, each made from the Runtime: as many as calls ever ran at the same time.
 template <class T>
 class ScratchPool {
     struct Node {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Shared objects that must stay while threads run in their code.
+// Shared objects that must stay loaded while threads run their code.
 #pragma once
 
 namespace hrbfnpr::base {
 
-// Holds the shared object that `address` lies in: unloaded by the host, it stays until release().
-// NULL if it is none, or the system cannot.
+// Keeps the shared object that contains `address` loaded until release_shared_object(), even if the host unloads it.
+// Returns NULL if no shared object contains it, or if the system cannot do this.
 [[nodiscard]] void* hold_shared_object(const void* address) noexcept;
-void release_shared_object(void* held) noexcept; // NULL is ignored
+void release_shared_object(void* held) noexcept; // does nothing for NULL
 
-// The same for as long as the process lives.  A second time changes nothing.
+// Keeps the shared object loaded until the process ends.  A second call has no effect.
 void keep_shared_object(const void* address) noexcept;
 
 } // namespace hrbfnpr::base

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Loops that are compiled once for each instruction set, by Highway, and chosen between at run time.
+// Loops that Highway compiles once for each instruction set, and that are chosen between at run time.
 //
-// Such a file defines HWY_TARGET_INCLUDE as its own name, includes this header, puts its loops into
-// HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and ends with HRBFNPR_CHOOSE.  It keeps the
-// standard library, GLM and Eigen out: of an inline function that is compiled for several processors the linker keeps
-// one, which may be the wrong one.
+// A file with such loops defines HWY_TARGET_INCLUDE as its own name, includes this header, puts its loops into
+// HWY_NAMESPACE between HWY_BEFORE_NAMESPACE() and HWY_AFTER_NAMESPACE(), and ends with HRBFNPR_CHOOSE.  It must not
+// use the standard library, GLM or Eigen: if an inline function is compiled for several processors, the linker keeps
+// only one copy, which may be the wrong one.
 
 #if !defined(HWY_DISABLED_TARGETS)
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SSE4 | HWY_AVX3_DL)
@@ -29,7 +29,7 @@
 #else
 #define HRBFNPR_PICK_AVX2(set, name)
 #endif
-// What `name` is in the namespace of the instruction set `set`, or of what the build was compiled for.
+// Names `name` in the namespace of the instruction set `set`, or else of the one that the build was compiled for.
 #define HRBFNPR_PICK(set, name)                                                                                        \
     (HRBFNPR_PICK_AVX512(set, name) HRBFNPR_PICK_AVX2(set, name) HWY_CONCAT(N_, HWY_STATIC_NAME)::name)
 #if HWY_STATIC_TARGET == HWY_SCALAR
@@ -47,7 +47,8 @@
 #endif
 #endif
 
-// Once, in `space`: the function `name` of an instruction set, which gives what `pick` gives in that one's namespace.
+// Use it once. It defines in `space` the function `name`, which takes an instruction set and returns the result of
+// `pick` from the namespace of that set.
 #undef HRBFNPR_CHOOSE
 #if HWY_ONCE
 #define HRBFNPR_CHOOSE(space, type, name, pick)                                                                        \

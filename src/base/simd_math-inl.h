@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors of doubles, and what Highway lacks for them; compiled once for each instruction set.
+// Vectors of doubles, and functions on them that Highway lacks; compiled once for each instruction set.
 #if defined(HRBFNPR_SIMD_MATH_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef HRBFNPR_SIMD_MATH_INL
 #undef HRBFNPR_SIMD_MATH_INL
@@ -17,11 +17,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 
-// Squared distances are not taken as smaller: what is multiplied with the inverse root vanishes by itself.
-// inverse_root() begins in floats, whose smallest is 1.2e-38.
+// Squared distances are clamped to at least this, because inverse_root() starts in floats, whose smallest is 1.2e-38.
+// The clamp does not change results: the factor that multiplies the inverse root vanishes there.
 constexpr double smallest_r2 = 1e-37;
 
-// One step from y = (1 - e)^(1/2) / sqrt(x), by the series of (1 - e)^(-1/2); what is left out is 35/128 e^4.
+// One step from y = (1 - e)^(1/2) / sqrt(x), by the series of (1 - e)^(-1/2). The first omitted term is 35/128 e^4.
 HWY_INLINE V polish_inverse_root(V x, V y) {
     const D d;
     const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
@@ -30,7 +30,7 @@ HWY_INLINE V polish_inverse_root(V x, V y) {
     return hn::MulAdd(hn::Mul(y, e), p, y);
 }
 
-// With a term more: what is left out is 63/256 e^5.
+// The same with one more term. The first omitted term is 63/256 e^5.
 HWY_INLINE V polish_rough_inverse_root(V x, V y) {
     const D d;
     const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
@@ -40,8 +40,9 @@ HWY_INLINE V polish_rough_inverse_root(V x, V y) {
     return hn::MulAdd(hn::Mul(y, e), p, y);
 }
 
-// 1 / sqrt(x), smallest_r2 <= x < 1e38, in two steps: what the processor's estimate is, if it has one; and, from that,
-// to two units in the last place.  Division and square root would take longer than all the rest of a pair.
+// Computes 1 / sqrt(x) for smallest_r2 <= x < 1e38 in two steps. rough_inverse_root() gives the processor's estimate,
+// if the processor has one. finish_inverse_root() refines it to two units in the last place.  A division and a square
+// root would take longer than all other work on a pair.
 HWY_INLINE V rough_inverse_root(V x) {
 #if HWY_TARGET == HWY_AVX3
     return V{_mm512_rsqrt14_pd(x.raw)};
@@ -56,7 +57,7 @@ HWY_INLINE V finish_inverse_root(V x, [[maybe_unused]] V rough) {
 #if HWY_TARGET == HWY_AVX3
     return polish_inverse_root(x, rough);
 #elif HWY_TARGET == HWY_AVX2
-    return polish_rough_inverse_root(x, rough); // |e| is 1.5 / 2^11 at most, so that e^5 is 2^-52
+    return polish_rough_inverse_root(x, rough); // |e| is at most 1.5 / 2^11, so e^5 is 2^-52
 #else
     return hn::Div(hn::Set(D(), 1.0), hn::Sqrt(x));
 #endif

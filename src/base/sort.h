@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sorting of so many elements that it takes long: a cancel is seen meanwhile.
+// Sorts and merges long arrays, and checks for a cancel meanwhile.
 #pragma once
 
 #include "base/operation.h"
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::base {
 
-// As std::sort.  No two elements may be equal, so that there is one order only, the same with any standard library.
+// Does what std::sort does. No two elements may be equal, so that the order is the same with any standard library.
 template <class T, class Less>
 void sort_long(T* begin, T* end, const Less& less, const Progress& progress = {}) {
     constexpr std::ptrdiff_t at_once = 65536;
@@ -24,7 +24,7 @@ void sort_long(T* begin, T* end, const Less& less, const Progress& progress = {}
     std::sort(begin, end, less);
 }
 
-// As std::merge, into an array of its own.
+// Does what std::merge does. `to` must not overlap the inputs.
 template <class T, class Less>
 void merge_long(const T* a, const T* a_end, const T* b, const T* b_end, T* to, const Less& less,
                 const Progress& progress = {}) {

@@ -19,11 +19,11 @@ namespace {
 
 #if HRBFNPR_HAS_THREADS
 
-// The fit's dense products want 276 KiB (docs/hosts.md), more under sanitizers; not every system's default is that
-// large.
+// The fit's dense products need 276 KiB (docs/hosts.md), and more under sanitizers. The default of some systems is
+// smaller.
 constexpr std::size_t stack_size = std::size_t{2} << 20U;
 
-// Blocks signals for as long as it lives; threads inherit what is blocked.
+// Blocks signals while it lives. New threads inherit the blocked signals.
 class SignalsBlocked {
 public:
 #if defined(HRBFNPR_IS_POSIX)
@@ -109,7 +109,7 @@ void leave_processor(int processor) noexcept {
     cpu_set_t others = allowed;
     CPU_CLR(static_cast<unsigned>(processor), &others);
     if (CPU_COUNT(&others) == 0) return;
-    // The first call moves the thread, the second one lets it stay there.
+    // The first call moves the thread. The second call restores the affinity, and the thread stays where it is.
     if (sched_setaffinity(0, sizeof others, &others) == 0) sched_setaffinity(0, sizeof allowed, &allowed);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A thread of the library's own.  thread.cpp is the only file that names the system's threads.
+// A thread that the library starts.  thread.cpp is the only file that calls the system's thread functions.
 #pragma once
 
 #include <cstdint>
@@ -21,13 +21,13 @@ public:
     Thread(const Thread&) = delete;
     Thread& operator=(const Thread&) = delete;
 
-    // Runs work(user) on a thread of this name (15 characters at most).  False if the system
-    // gives no thread; nothing is allocated but by the system.
+    // Runs work(user) on a new thread with this name (at most 15 characters).  Returns false if the system gives no
+    // thread. Only the system allocates memory for it.
     //
-    // The thread takes none of the host's signals, but for those that a fault of its own raises and
-    // a profiler's: a host that waits for signals on threads of its own goes on getting them there.
+    // The thread blocks all signals of the host, except those that its own faults raise and a profiler's. So a host
+    // that waits for signals on its own threads still gets them there.
     [[nodiscard]] bool start(const char* name, Work work, void* user) noexcept;
-    // To be called once after a start that was true.
+    // Call this once after each start that returned true.
     void join() noexcept;
 
 private:
@@ -41,17 +41,17 @@ private:
 #endif
 };
 
-// Processors that this process may run on: its affinity, where the system tells.
+// The number of processors that this process may run on: its affinity, where the system tells it.
 [[nodiscard]] int processor_count() noexcept;
 
-// The processor that this thread runs on; -1 where the system does not tell.
+// The processor that this thread runs on, or -1 where the system does not tell it.
 [[nodiscard]] int current_processor() noexcept;
 
-// Moves this thread to another processor that it may run on, if there is one; later the system may
-// move it wherever it could before.
+// Moves this thread to another processor that it may run on, if there is one. Afterwards the system may move it to any
+// processor that was allowed before.
 void leave_processor(int processor) noexcept;
 
-// Differs between a process and its forked children.  Always the same where there is no fork().
+// Differs between a process and its forked children.  It is always the same where there is no fork().
 [[nodiscard]] std::int64_t process_id() noexcept;
 
 } // namespace hrbfnpr::base

@@ -12,8 +12,8 @@
 namespace hrbfnpr::base {
 namespace {
 
-// Long enough for the steps of one frame or one solver to follow each other without a call of the
-// system, too short to be missed by anybody else.
+// Long enough for the steps of one frame or of one solver to follow each other without a system call, and too short for
+// other processes to miss the processor.
 constexpr std::int64_t patience_nanoseconds = 20'000;
 
 void relax() noexcept {
@@ -24,10 +24,10 @@ void relax() noexcept {
 #endif
 }
 
-// True once it has come, false when patience is at its end.
+// Returns true as soon as the condition holds, or false when the patience has run out.
 template <class Condition>
 bool comes_soon(const Condition& condition) noexcept {
-    constexpr int looks = 16; // between two looks at the clock
+    constexpr int looks = 16; // between two readings of the clock
     for (const Stopwatch watch; watch.nanoseconds() < patience_nanoseconds;)
         for (int look = 0; look < looks; ++look) {
             if (condition()) return true;
@@ -41,8 +41,8 @@ bool comes_soon(const Condition& condition) noexcept {
 // ---- Job -----------------------------------------------------------------------------------
 
 void Job::open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept {
-    // Closed, under a new number, before anything else changes: whoever reads what is written below
-    // cannot claim by the old number any more.
+    // Closes the job under a new number before it changes anything else: a thread that reads the members written below
+    // can no longer claim a task under the old number.
     const std::uint64_t number = ((next_.load(std::memory_order_relaxed) >> index_bits) + 1) << index_bits;
     next_.store(number | index_mask, std::memory_order_release);
     count_.store(static_cast<std::uint64_t>(count), std::memory_order_release);
@@ -62,7 +62,7 @@ bool Job::work() noexcept {
         if (index >= count_.load(std::memory_order_acquire)) break;
         const TaskFn task = task_.load(std::memory_order_acquire);
         void* const context = context_.load(std::memory_order_acquire);
-        // What was read belongs to the job of this number if that is still the job's.
+        // If this succeeds, the job still has this number, so `task` and `context` belong to it.
         if (!next_.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
             continue;
         task(context, static_cast<std::int64_t>(index));
@@ -70,7 +70,7 @@ bool Job::work() noexcept {
         next = next_.load(std::memory_order_acquire);
     }
     if (done == 0) return false;
-    // Sequentially consistent, as is await(): one of the two sees the other.
+    // This is sequentially consistent, like await(): one of the two threads sees the other's change.
     if (left_.fetch_sub(done) == done && awaited_.load()) {
         const std::lock_guard lock(mutex_);
         ended_.notify_all();
@@ -81,8 +81,9 @@ bool Job::work() noexcept {
 bool Job::help() noexcept {
     const std::uint64_t index = next_.load(std::memory_order_acquire) & index_mask;
     if (index >= count_.load(std::memory_order_acquire)) return false;
-    // A system whose other processors are busy wakes a worker on its caller's, where the two take turns and
-    // gain nothing; it leaves them there for long.  Beside a busy process half a processor is to be had.
+    // A system whose other processors are busy wakes a worker on its caller's processor and leaves it there for long.
+    // There the two take turns and gain nothing. On another busy processor the worker still gets about half of the
+    // time.
     const int processor = processor_.load(std::memory_order_relaxed);
     if (processor >= 0 && processor == current_processor()) leave_processor(processor);
     return work();
@@ -155,10 +156,10 @@ bool Team::within_a_task(std::thread::id self) const noexcept {
 }
 
 void Team::wake(std::int64_t tasks) noexcept {
-    news_.fetch_add(1); // sequentially consistent, as is wait_for_news(): one of the two sees the other
+    news_.fetch_add(1); // sequentially consistent, like wait_for_news(): one of the two threads sees the other's change
     const int asleep = asleep_.load();
     if (asleep == 0) return;
-    { const std::lock_guard lock(mutex_); } // nobody is between his last look at the news and his sleep
+    { const std::lock_guard lock(mutex_); } // After this, no worker is between its last look at news_ and its sleep.
     if (tasks >= asleep) {
         woken_.notify_all();
     } else {
@@ -174,7 +175,8 @@ void Team::main(void* worker) noexcept {
 
 void Team::serve() noexcept {
     for (;;) {
-        // The end is told before its news: whoever has seen these sees it, and nobody awaits news that came before.
+        // The destructor sets `ending_` before it bumps `news_`. Reading `news_` first means that this thread either
+        // sees `ending_` or wakes at once from its wait.
         const std::uint32_t seen = news_.load();
         if (ending_.load()) return;
         if (!work_on_any()) wait_for_news(seen);
@@ -219,7 +221,7 @@ int ThreadPool::workers() const noexcept {
 Team& ThreadPool::team() noexcept {
     const std::int64_t self = process_id();
     for (std::int64_t owner = owner_.load(std::memory_order_acquire); owner != self;) {
-        if (owner == -self) { // another thread of this process is at it
+        if (owner == -self) { // another thread of this process makes the team
             std::this_thread::yield();
             owner = owner_.load(std::memory_order_acquire);
         } else if (owner_.compare_exchange_weak(owner, -self, std::memory_order_acquire)) {

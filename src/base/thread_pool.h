@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Threads that share the tasks of a job: the built-in backend of base::Parallel.
 //
-// Whoever is free claims the next task, the caller of the job too.  It waits in the end for the tasks
-// that others have claimed, and never for a thread that has claimed none: where the system lets a
-// worker wait for a processor, the caller does the work meanwhile.
+// Every free thread claims the next task, the caller of the job too.  In the end the caller waits for the tasks that
+// other threads have claimed, but never for a thread that has claimed none: if the system lets a worker wait for a
+// processor, the caller does the work meanwhile.
 //
-// Workers are started by the first job.  One that finds nothing to do looks on for 20 microseconds
-// and then sleeps.  Any number of threads may run jobs at the same time; a job within a task of
-// the same pool is run by its caller alone.
+// The first job starts the workers.  A worker that finds nothing to do keeps looking for 20 microseconds and then
+// sleeps.  Any number of threads may run jobs at the same time. A job that starts within a task of the same pool is run
+// by its caller alone.
 #pragma once
 
 #include "base/thread.h"
@@ -25,15 +25,15 @@ namespace hrbfnpr::base {
 
 using TaskFn = void (*)(void* task_context, std::int64_t index);
 
-// The tasks of one caller.  Jobs are kept and used again, so that a worker that comes late looks at
-// the next one's memory and at nobody else's.
+// The tasks of one caller.  Jobs are kept and used again, so that a worker that comes late reads the memory of the next
+// job, which is still valid.
 class alignas(64) Job {
 public:
-    // By the caller: opens the job for claims; works on it, and waits for what others have claimed.
+    // The caller calls these: open() lets threads claim tasks; finish() works on them and waits for the claimed ones.
     void open(std::int64_t count, TaskFn task, void* context, std::thread::id caller) noexcept;
     void finish() noexcept;
 
-    // By a worker: runs tasks until none is left to claim.  False if there was none.
+    // A worker calls this: it runs tasks until none is left to claim.  Returns false if it ran none.
     bool help() noexcept;
 
     [[nodiscard]] bool called_by(std::thread::id thread) const noexcept {
@@ -44,8 +44,8 @@ private:
     bool work() noexcept;
     void await() noexcept;
 
-    // The next task to claim in the lower bits, and above them the number of the job, so that
-    // nobody claims a task of one job by what he has read of another.
+    // The lower bits hold the next task to claim, the higher bits the number of the job, so that no thread claims a
+    // task of one job with data that it has read from another.
     static constexpr unsigned index_bits = 36;
     static constexpr std::uint64_t index_mask = (std::uint64_t{1} << index_bits) - 1;
 
@@ -54,27 +54,27 @@ private:
     std::atomic<TaskFn> task_{nullptr};
     std::atomic<void*> context_{nullptr};
     std::atomic<std::thread::id> caller_{};
-    std::atomic<int> processor_{-1};                 // the caller's
+    std::atomic<int> processor_{-1};                 // the caller's processor
     alignas(64) std::atomic<std::uint64_t> left_{0}; // tasks that have not ended
     std::atomic<bool> awaited_{false};
     std::mutex mutex_;
     std::condition_variable ended_;
 
 public:
-    // More tasks than this are none of a job's.
+    // A job has at most this many tasks.
     static constexpr std::int64_t most_tasks = std::int64_t{index_mask} - 1;
 };
 
-// The workers, and the jobs that they look at.
+// The workers, and the jobs that they work on.
 class Team {
 public:
-    // Starts workers; as many as the system gives.
+    // Starts `workers` threads, or fewer if the system does not give them all.
     explicit Team(int workers) noexcept;
     ~Team();
     Team(const Team&) = delete;
     Team& operator=(const Team&) = delete;
 
-    // False if the job has to be run by its caller alone: within a task, or where too many others run.
+    // Returns false if the caller has to run the job alone: within a task, or if too many other jobs run.
     [[nodiscard]] bool run(std::int64_t count, TaskFn task, void* context) noexcept;
 
     [[nodiscard]] int workers() const noexcept { return started_; }
@@ -99,8 +99,8 @@ private:
     [[nodiscard]] int take_job() noexcept;
 
     std::array<Job, most_jobs> jobs_;
-    std::atomic<std::uint32_t> taken_{0};            // a bit for each job that has a caller
-    alignas(64) std::atomic<std::uint32_t> news_{0}; // counts jobs that were opened, and the end
+    std::atomic<std::uint32_t> taken_{0};            // one bit for each job that has a caller
+    alignas(64) std::atomic<std::uint32_t> news_{0}; // counts the jobs that were opened, plus one at the end
     std::atomic<bool> ending_{false};
     std::atomic<int> asleep_{0};
     std::mutex mutex_;
@@ -113,31 +113,31 @@ class ThreadPool {
 public:
     static constexpr int most_threads = Team::most_workers + 1;
 
-    // threads: the caller's among them, 1 to most_threads.
+    // `threads` counts the caller's thread too: 1 to most_threads.
     explicit ThreadPool(int threads) noexcept;
     // Ends the workers.  No job may be running.
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    // Calls task(context, i) once for each i in [0, count), and returns when all have ended.  No task may throw.
+    // Calls task(context, i) once for each i in [0, count), and returns when all calls have ended.  No task may throw.
     void run(std::int64_t count, TaskFn task, void* context) noexcept;
 
-    // How many the system has given; 0 before the first job.
+    // The number of workers that the system has given; 0 before the first job.
     [[nodiscard]] int workers() const noexcept;
 
 private:
-    // The team of this process.  A forked child has none of its parent's threads, and locks that
-    // may be held for ever: it gets a new team in the place of the old one.
+    // Returns the team of this process.  A forked child has no threads of its parent, and its copy of the locks may be
+    // held for ever, so it gets a new team in the place of the old one.
     [[nodiscard]] Team& team() noexcept;
     [[nodiscard]] Team& room() noexcept { return *std::launder(reinterpret_cast<Team*>(room_)); }
     [[nodiscard]] const Team& room() const noexcept { return *std::launder(reinterpret_cast<const Team*>(room_)); }
 
     int threads_;
-    // Held as long as workers may run in it.  Not by the team: in a child that was forked while another thread made
-    // one, the loader's locks may be held for ever.
+    // Keeps this library loaded while workers may run its code. The team must not do this itself: in a child that was
+    // forked while another thread made a team, the loader's locks may be held for ever.
     void* library_;
-    std::atomic<std::int64_t> owner_{0}; // the process whose team it is; negative while that starts
+    std::atomic<std::int64_t> owner_{0}; // the process that owns the team; negative while the team starts
     alignas(Team) std::byte room_[sizeof(Team)];
 };
 

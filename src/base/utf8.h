@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text from outside.
+// Checks text that comes from outside the library.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace hrbfnpr::base {
 
-// Whether the bytes are characters of Unicode, each in its shortest form, and none of them is NUL.
+// Tells whether the bytes are Unicode characters, each in its shortest form, without NUL.
 [[nodiscard]] constexpr bool is_utf8(std::string_view text) noexcept {
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<std::uint8_t>(text[i++]);

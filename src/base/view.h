@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Strided views of caller's memory, read as and written from doubles.  src/api checks
-// them before anything below sees one.
+// Strided views of the caller's memory. They convert every scalar type from and to double. src/api checks a view before
+// any lower room sees it.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ namespace detail {
 template <class T>
 [[nodiscard]] inline double read_as(const std::byte* from) noexcept {
     T value;
-    std::memcpy(&value, from, sizeof value); // caller's elements need not be aligned
+    std::memcpy(&value, from, sizeof value); // the caller's elements need not be aligned
     return static_cast<double>(value);
 }
 
@@ -53,7 +53,7 @@ struct InView {
         }
         return 0.0;
     }
-    // Of views of integers, exactly.
+    // For views of integers; exact for int64 too.
     [[nodiscard]] std::int64_t get_integer(std::int64_t i, std::uint32_t component) const noexcept {
         if (scalar != Scalar::int64) return static_cast<std::int64_t>(get(i, component));
         std::int64_t value = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a stage of a call is given: memory, threads, instruction set and log of the context, and its share of the call's
-// progress, with a look for a cancel.
+// Work gives a stage of a call the memory, threads, instruction set and log of the context, the stage's share of the
+// call's progress, and a check for a cancel.
 #pragma once
 
 #include "base/operation.h"
@@ -11,10 +11,10 @@
 
 namespace hrbfnpr::base {
 
-// Copied freely; the runtime outlives it.
+// Copies are cheap. The runtime must outlive them.
 class Work {
 public:
-    // Without progress nothing is reported, and nothing cancels the work.
+    // Without a progress nothing is reported, and nothing cancels the work.
     Work(const Runtime& runtime, const Progress& progress = {}) noexcept
         : memory(runtime.memory), instruction_set(runtime.instruction_set), runtime_(&runtime), progress_(progress) {}
 
@@ -23,30 +23,30 @@ public:
     [[nodiscard]] const Runtime& runtime() const noexcept { return *runtime_; }
     [[nodiscard]] const Progress& progress() const noexcept { return progress_; }
 
-    // The same work with the share of its progress between two fractions of it.
+    // Returns the same work with the part of its progress between the fractions `from` and `to`.
     [[nodiscard]] Work part(double from, double to) const noexcept {
         Work work = *this;
         work.progress_ = progress_.part(from, to);
         return work;
     }
-    // The same work, of which no progress is reported.
+    // Returns the same work, which checks for a cancel and reports no progress.
     [[nodiscard]] Work standing() const noexcept { return part(0.0, 0.0); }
     [[nodiscard]] int threads() const noexcept { return one_thread_ ? 1 : runtime_->parallel.threads(); }
     void update(double fraction) const { progress_.update(fraction); }
     void check() const { progress_.check(); }
-    // The numbers from 0 or `begin` to end - 1, for a loop on one thread that looks for a cancel now and then.
+    // Returns the numbers from 0 or `begin` to end - 1, for a loop on one thread that checks for a cancel now and then.
     template <class... Numbers>
     [[nodiscard]] auto over(Numbers... numbers) const noexcept {
         return progress_.over(numbers...);
     }
 
-    // The same work on the calling thread alone, for functions of the caller.
+    // Returns the same work on the calling thread alone, for callbacks of the caller.
     [[nodiscard]] Work on_one_thread() const noexcept {
         Work work = *this;
         work.one_thread_ = true;
         return work;
     }
-    // Parallel::for_each and Parallel::for_chunks with a look for a cancel before each task.
+    // Do what Parallel::for_each and Parallel::for_chunks do, with a check for a cancel before each task.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         const auto watched = [&](std::int64_t i) {
