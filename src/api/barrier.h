@@ -9,8 +9,8 @@
 
 namespace hrbfnpr::api {
 
-// Call inside a catch block: turns the exception into a status and, where the caller's struct
-// has room for it, words.  Never throws.
+// Call this inside a catch block. It turns the exception into a status, and into a message if the caller's struct has
+// room. It never throws.
 hrbfnpr_status report_exception(hrbfnpr_error* error) noexcept;
 
 // Runs body() in the default floating-point state.

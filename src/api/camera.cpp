@@ -40,7 +40,7 @@ glm::dvec3 vector(const double* components, const char* name) {
     return {components[0], components[1], components[2]};
 }
 
-// change(camera) on a copy, so that a failure changes nothing.
+// Calls body(full) on a copy of the camera, so that a failure changes nothing.
 template <class F>
 hrbfnpr_status change(hrbfnpr_camera* camera, hrbfnpr_error* error, F&& body) noexcept {
     return guarded(error, [&] {

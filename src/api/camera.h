@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the public camera to the frame's, and the defaults of both.
+// Converts the public camera to the frame's camera.
 #pragma once
 
 #include "api/descriptor.h"
@@ -12,7 +12,7 @@ namespace hrbfnpr::api {
 template <>
 hrbfnpr_camera defaults() noexcept;
 
-// The struct was read by read_struct(); the frame checks its numbers.
+// read_struct() must have read the struct. The frame checks its numbers.
 [[nodiscard]] frame::Camera to_camera(const hrbfnpr_camera& camera);
 
 [[nodiscard]] inline glm::dmat4 to_matrix(const double* column_major) noexcept {

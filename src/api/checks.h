@@ -13,7 +13,7 @@ namespace hrbfnpr::api {
 
 class Checks {
 public:
-    // owner: what the fields belong to, such as "fit_desc"; lives as long as this.
+    // `owner` is the name of the fields' struct, such as "fit_desc". It must outlive this object.
     explicit Checks(const char* owner) noexcept : owner_(owner) {}
 
     void finite(const char* field, double value) const {
@@ -36,13 +36,13 @@ public:
             fail(Status::invalid_argument, "%s.%s is %g; it must be between %g and %g, and neither", owner_, field,
                  value, low, high);
     }
-    // An enumeration 0 .. count - 1.
+    // The value must be an enumerator 0 .. count - 1.
     void one_of(const char* field, std::int64_t value, std::uint32_t count, const char* names) const {
         if (value < 0 || value >= static_cast<std::int64_t>(count))
             fail(Status::invalid_argument, "%s.%s is %lld; it must be one of %s (0 to %u)", owner_, field,
                  static_cast<long long>(value), names, count - 1);
     }
-    // Or-ed flags.
+    // The value must have no bits but the known flags.
     void flags(const char* field, std::uint32_t value, std::uint32_t known) const {
         if ((value & ~known) != 0)
             fail(Status::invalid_argument, "%s.%s is 0x%X; only the bits of 0x%X have a meaning", owner_, field, value,

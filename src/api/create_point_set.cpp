@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Making point sets from the caller's arrays.
+// Makes point sets from the caller's arrays.
 #include "marks/assemble.h"
 
 #include "api/barrier.h"

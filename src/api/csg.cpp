@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solids put together from others.
+// Makes solids from other solids.
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
@@ -22,7 +22,7 @@ using implicit::CsgNode;
 using Node = hrbfnpr_csg_node;
 using Desc = hrbfnpr_csg_desc;
 
-// Most numbers are checked where the kind has a use for them.
+// Most numbers are checked later, for the kinds that use them.
 constexpr auto node_fields() noexcept {
     return FieldTable{field("kind", &Node::kind, &CsgNode::kind, rule::OneOf{HRBFNPR_CSG_TORUS, "HRBFNPR_CSG_..."}),
                       field("parent", &Node::parent, &CsgNode::parent, rule::Any{}),
@@ -70,7 +70,7 @@ hrbfnpr_csg_info defaults() noexcept {
 
 namespace {
 
-constexpr double smallest_box = 1e-100; // its diagonal, as of custom models
+constexpr double smallest_box = 1e-100; // smallest diagonal, as for custom models
 
 void set_transform(const char* name, const Node& given, CsgNode& node) {
     const double(&m)[16] = given.transform;
@@ -90,7 +90,7 @@ CsgNode checked(const Node& given, const char* name) {
     return node;
 }
 
-// In the order of the nodes: a leaf that is a tree has its place taken by that.
+// Adds the nodes to the solid in their order. If a leaf's model is a tree, the tree takes the leaf's place.
 class Reader {
 public:
     Reader(CsgSolid& solid, const base::Runtime& runtime, const Desc& desc)
@@ -131,7 +131,7 @@ private:
 
     CsgSolid& solid_;
     List<Node> list_;
-    base::Array<std::int64_t> number_; // of each node of the list in the solid
+    base::Array<std::int64_t> number_; // each node's index in the solid
     implicit::CsgTree given_;
 };
 
@@ -156,7 +156,8 @@ geometry::Bounds given_bounds(const Desc& desc) {
     return bounds;
 }
 
-// What models are drawn in, and so much more that the search box, which is larger by a margin, has all of the surface.
+// Returns the box that the models are drawn in, enlarged so that the search box, which adds a margin, holds the whole
+// surface.
 geometry::Bounds found_bounds(const implicit::CsgPlan& plan) {
     const implicit::CsgBox whole = plan.whole;
     if (whole.empty())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What makes nodes a tree: those of a caller and those of a file.
+// Checks that nodes, of a caller or of a file, form a tree.
 #include "api/checks.h"
 #include "api/csg_solid.h"
 #include "api/lists.h"
@@ -10,7 +10,7 @@ namespace {
 using implicit::CsgKind;
 using implicit::CsgNode;
 
-constexpr double most_stretch = 1e4; // of a transform, in its least
+constexpr double most_stretch = 1e4; // largest stretch of a transform, as a multiple of its least
 
 void check_transform(const char* name, const CsgNode& node) {
     const implicit::Stretch stretch = implicit::stretch_of(node.linear);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A CSG tree of a model's: the nodes, the models that are its leaves, and the function that they make.
+// The CSG tree of a model: the nodes, the models that are its leaves, and the function that they make.
 #pragma once
 
 #include "base/operation.h"
@@ -14,8 +14,8 @@ struct hrbfnpr_model;
 
 namespace hrbfnpr::api {
 
-// Whether nodes are a tree, and their numbers in their ranges.  Throws Error{invalid_argument} that names the node.
-// list: "csg_desc.nodes".
+// Checks that the nodes form a tree and that their numbers are in range.  Throws Error{invalid_argument} that names the
+// node in the list, such as "csg_desc.nodes[2]".
 void check_csg_tree(const char* list, const implicit::CsgTree& tree);
 
 class CsgSolid {
@@ -26,19 +26,19 @@ public:
     CsgSolid& operator=(const CsgSolid&) = delete;
     ~CsgSolid();
 
-    // First the nodes are added, each after its parent; the first has none, whatever it says.  A tree takes the place
-    // of a leaf.  Returns the index of the first new one.
+    // First add the nodes, each after its parent. The first node is the root, whatever its parent says.  A tree takes
+    // the place of a leaf.  Both return the index of the first new node.
     std::int64_t add(const CsgSolid& of, const implicit::CsgNode& in_place_of);
     std::int64_t add(const implicit::CsgNode& node);
-    // `model` of a node: keeps it; the same one has one number.
+    // Returns the number for CsgNode::model, and keeps the model. A model has only one number.
     [[nodiscard]] std::int64_t leaf(const hrbfnpr_model& model);
 
-    // Then they are made a function.
+    // Then these make a function of the nodes.
     void plan();
     [[nodiscard]] const implicit::CsgPlan& planned() const noexcept { return *plan_; }
     void finish(const geometry::Bounds& bounds);
 
-    // From then on:
+    // These are valid after finish():
     [[nodiscard]] const implicit::Csg& own() const noexcept { return *own_; }
     [[nodiscard]] const implicit::Implicit& implicit_for(double evaluations, const base::Progress& progress) const;
     [[nodiscard]] const implicit::CsgTree& tree() const noexcept { return tree_; }
@@ -55,10 +55,10 @@ private:
     std::unique_ptr<implicit::CsgPlan> plan_;
     std::unique_ptr<implicit::Csg> own_;
     mutable std::mutex preparing_;
-    mutable std::vector<std::unique_ptr<implicit::Csg>> prepared_; // with some leaves prepared
+    mutable std::vector<std::unique_ptr<implicit::Csg>> prepared_; // functions with some leaves prepared
 };
 
-// bounds: null: those that the tree has, if it has some.
+// If `bounds` is null, takes the tree's bounds, and throws if it has none.
 [[nodiscard]] hrbfnpr_model* make_csg_model(hrbfnpr_context& context, std::unique_ptr<CsgSolid> solid,
                                             const geometry::Bounds* bounds);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Structs that begin with struct_size and grow at their end.
 //
-// A caller may be older than the library (its struct is shorter: the rest has defaults) or newer
-// (longer: refused only if it uses what we do not know).  All structs have a member of 8 bytes, so
-// a shorter struct ends on such a boundary, too, and no pointer or double is ever cut in two.
+// A caller may be older than the library: its struct is shorter, and the missing fields get their defaults. Or it may
+// be newer: its struct is longer, and is refused only if it sets fields that the library does not know.  All structs
+// have a member of 8 bytes, so a shorter struct also ends on an 8-byte boundary, and no pointer or double is cut in
+// two.
 #pragma once
 
 #include "base/status.h"
@@ -19,9 +20,9 @@
 namespace hrbfnpr::api {
 
 inline constexpr std::uint32_t smallest_struct = 8;
-inline constexpr std::uint32_t largest_struct = 65536; // beyond it a struct was not set up at all
+inline constexpr std::uint32_t largest_struct = 65536; // a larger size means that the struct was not set up
 
-// The defaults of each struct; struct_size need not be set.  Specialised beside its `_init`.
+// Returns a struct's defaults; struct_size need not be set.  The specialisation stands beside the `_init` function.
 template <class T>
 [[nodiscard]] T defaults() noexcept;
 
@@ -33,7 +34,7 @@ void check_struct_size(std::uint32_t size, const char* name) {
              name, size);
 }
 
-// A struct's `_init` function.
+// Implements a struct's `_init` function.
 template <class T>
 hrbfnpr_status init_struct(T* given, std::uint32_t size) noexcept {
     if (given == nullptr) return HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -46,7 +47,7 @@ hrbfnpr_status init_struct(T* given, std::uint32_t size) noexcept {
     return HRBFNPR_STATUS_OK;
 }
 
-// The caller's struct in full: what it lacks has defaults.
+// Returns the caller's struct in full: missing fields have their defaults.
 template <class T>
 [[nodiscard]] T read_struct(const T* given, const char* name) {
     if (given == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
@@ -65,13 +66,13 @@ template <class T>
     return full;
 }
 
-// ... or all defaults where it may be NULL and is.
+// The same for a struct that may be NULL: then it has all defaults.
 template <class T>
 [[nodiscard]] T read_optional_struct(const T* given, const char* name) {
     return given != nullptr ? read_struct(given, name) : defaults<T>();
 }
 
-// Whether `out` can take a result; call before any work is done.
+// Checks that `out` can take a result. Call it before any work.
 template <class T>
 void check_output_struct(const T* out, const char* name) {
     if (out == nullptr) fail(Status::invalid_argument, "%s is NULL", name);
@@ -88,7 +89,7 @@ void write_struct(T* out, const T& full) noexcept {
     out->struct_size = size;
 }
 
-// Sets one number of a result struct, which read_struct() has read before, if it has room for it.
+// Sets one number of a result struct that read_struct() has read, if the struct has room for it.
 template <class T, class Number>
 void write_number(T* out, Number T::*member, Number number) noexcept {
     auto* const to = reinterpret_cast<std::byte*>(&(out->*member));

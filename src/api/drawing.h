@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing as a handle: the value, and the point sets that it reads.
+// A drawing as a handle, and the point sets that it reads.
 #pragma once
 
 #include "api/handles.h"

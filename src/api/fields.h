@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One table of a struct's fields in the place of three lists: defaults, checks, and the copy into what the room below
-// takes.  A row has a field's name, its member, the member of the room's settings that keeps it, and a rule:
+// One table of a struct's fields replaces three lists: defaults, checks, and the copy into the settings of the room
+// below.  A row has a field's name, its member, the settings' member that keeps it, and a rule:
 //
 //   constexpr auto project_fields() noexcept {
 //       return FieldTable{
@@ -9,8 +9,8 @@
 //   }
 //   static_assert(project_fields().covers<hrbfnpr_project_desc>());
 //
-// Rules between fields are written out beside the table.  A function, because GCC puts a tuple that is a constant
-// among the writable ones.
+// Rules between fields are written out beside the table.  The table is a function, because GCC puts a constant tuple
+// into writable memory.
 #pragma once
 
 #include "api/checks.h"
@@ -23,10 +23,10 @@
 
 namespace hrbfnpr::api {
 
-// What a field may be.  A rule is called with the checks, the field's name, and its value.
+// The values that a field may have.  A rule is called with the checks, the field's name, and its value.
 namespace rule {
 
-struct Any { // or checked with others
+struct Any { // any value, or one that is checked with other fields
     template <class T>
     void operator()(const Checks& /*checks*/, const char* /*field*/, const T& /*value*/) const noexcept {}
 };
@@ -64,7 +64,7 @@ struct PositiveUpTo {
     }
 };
 
-struct Between { // or one of the ends
+struct Between { // both ends are allowed
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
@@ -72,7 +72,7 @@ struct Between { // or one of the ends
     }
 };
 
-struct Inside { // and neither end
+struct Inside { // neither end is allowed
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
@@ -99,7 +99,7 @@ struct Zero {
     void operator()(const Checks& checks, const char* field, std::uint32_t value) const { checks.zero(field, value); }
 };
 
-struct Given { // a pointer
+struct Given { // a pointer that must not be NULL
     template <class T>
     void operator()(const Checks& checks, const char* field, T* value) const {
         checks.given(field, value != nullptr);
@@ -107,7 +107,7 @@ struct Given { // a pointer
 };
 
 template <class Rule>
-struct All { // numbers of an array, under one name
+struct All { // the numbers of an array, all under the field's name
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
@@ -118,7 +118,7 @@ template <class Rule>
 All(Rule) -> All<Rule>;
 
 template <class Rule>
-struct Each { // ... each under its own, "field[2]"
+struct Each { // the numbers of an array, each under its own name, "field[2]"
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
@@ -134,7 +134,7 @@ Each(Rule) -> Each<Rule>;
 
 } // namespace rule
 
-// Between a struct's number, or array of numbers, and what a room keeps of it.
+// Copies a number, or an array of numbers, between a struct and the settings of a room.
 template <class To, class From>
 constexpr void assign_field(To& to, const From& from) noexcept {
     if constexpr (std::is_array_v<To> || std::is_array_v<From>) {
@@ -161,7 +161,7 @@ struct KeptField {
     void copy(const Struct& from, Settings& to) const noexcept { assign_field(to.*kept, from.*member); }
 };
 
-// A field that is looked at here and nowhere else, or copied by hand; 0 by default.
+// A field that is only checked here, or that is copied by hand. Its default is 0.
 template <class Struct, class Value, class Rule>
 struct CheckedField {
     // NOLINTNEXTLINE(bugprone-sizeof-expression): the field may be a pointer
@@ -197,11 +197,11 @@ template <class Struct>
 template <class... Fields>
 class FieldTable {
 public:
-    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // of its fields
+    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // of all fields together
 
     constexpr explicit FieldTable(Fields... fields) noexcept : fields_(fields...) {}
 
-    // Whether no field of the struct was forgotten: where pointers have 8 bytes, public structs have no gaps.
+    // Checks that no field of the struct was forgotten: where pointers have 8 bytes, public structs have no gaps.
     template <class Struct>
     [[nodiscard]] constexpr bool covers() const noexcept {
         std::size_t size = bytes;
@@ -209,20 +209,20 @@ public:
         return size == sizeof(Struct) || sizeof(void*) != 8;
     }
 
-    // The struct's fields as the settings are.
+    // Sets the struct's fields to the values of the settings.
     template <class Settings, class Struct>
     constexpr void set_defaults(const Settings& from, Struct& to) const noexcept {
         std::apply([&](const auto&... row) { (row.set_default(from, to), ...); }, fields_);
     }
 
-    // owner: what the fields belong to, as in Checks.
+    // `owner` is the name of the struct, as in Checks.
     template <class Struct>
     void check(const char* owner, const Struct& given) const {
         const Checks checks(owner);
         std::apply([&](const auto&... row) { (row.check(checks, given), ...); }, fields_);
     }
 
-    // After check().
+    // Call check() before this.
     template <class Struct, class Settings>
     void copy(const Struct& from, Settings& to) const noexcept {
         std::apply([&](const auto&... row) { (row.copy(from, to), ...); }, fields_);

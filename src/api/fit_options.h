@@ -7,8 +7,8 @@
 
 namespace hrbfnpr::api {
 
-// A fit's kernel, solver and regularization, for samples that the library chooses.  Throws Error{invalid_argument}
-// where samples, or what says how to choose them, are given.
+// Returns kernel, solver and regularization of a fit whose samples the library chooses.  Throws Error{invalid_argument}
+// if samples, or settings for their choice, are given.
 [[nodiscard]] fit::FitInput checked_options(const hrbfnpr_fit_desc& desc);
 
 } // namespace hrbfnpr::api

@@ -24,12 +24,12 @@ public:
     Counted& operator=(const Counted&) = delete;
 
     void add_reference() const noexcept { references_.fetch_add(1, std::memory_order_relaxed); }
-    // True if that was the last one.
+    // Returns true if it was the last reference.
     [[nodiscard]] bool remove_reference() const noexcept {
         return references_.fetch_sub(1, std::memory_order_acq_rel) == 1;
     }
 
-    // Nobody else can add one to it meanwhile: the caller holds it.
+    // No other thread can add a reference meanwhile: the caller holds the only one.
     [[nodiscard]] bool has_one_reference() const noexcept { return references_.load(std::memory_order_acquire) == 1; }
 
 protected:
@@ -39,7 +39,7 @@ private:
     mutable std::atomic<std::int64_t> references_{1};
 };
 
-// Scratch of the calls that read a drawing: they take a const handle, and may run on several threads at once.
+// Scratch of the calls that read a drawing. They take a const handle, and may run on several threads at once.
 struct Readers {
     explicit Readers(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime) {}
 
@@ -53,7 +53,7 @@ struct hrbfnpr_context : hrbfnpr::api::Counted {
     explicit hrbfnpr_context(const hrbfnpr_context_desc& desc);
     ~hrbfnpr_context() = default;
 
-    hrbfnpr::base::AllocateFn allocate; // what the context itself came from; NULL = default
+    hrbfnpr::base::AllocateFn allocate; // the allocator of the context itself; NULL = default
     hrbfnpr::base::DeallocateFn deallocate;
     void* allocator_user;
     hrbfnpr::base::Runtime runtime;
@@ -62,7 +62,7 @@ struct hrbfnpr_context : hrbfnpr::api::Counted {
 
 namespace hrbfnpr::api {
 
-void release_context(const hrbfnpr_context* context) noexcept; // NULL is ignored
+void release_context(const hrbfnpr_context* context) noexcept; // ignores NULL
 
 class Child : public Counted {
 public:
@@ -76,7 +76,7 @@ private:
     hrbfnpr_context* context_;
 };
 
-// A T with one reference.
+// Makes a T with one reference.
 template <class T, class... Arguments>
 [[nodiscard]] T* make_handle(hrbfnpr_context& context, Arguments&&... arguments) {
     base::Memory& memory = context.runtime.memory;
@@ -89,12 +89,12 @@ template <class T, class... Arguments>
     }
 }
 
-// Takes a reference away and destroys the handle with the last one; NULL is ignored.
+// Removes a reference, and destroys the handle with the last one; ignores NULL.
 template <class T>
 void release_handle(const T* handle) noexcept {
     if (handle == nullptr || !handle->remove_reference()) return;
     const hrbfnpr_context& context = handle->context();
-    context.add_reference(); // it has to outlive the handle's memory
+    context.add_reference(); // the context must outlive the handle's memory
     handle->~T();
     context.runtime.memory.deallocate(const_cast<T*>(handle), sizeof(T));
     release_context(&context);

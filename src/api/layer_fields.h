@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of hrbfnpr_layer_desc, and what the rooms that make layers of marks keep of each.
+// The fields of hrbfnpr_layer_desc, and the settings of the rooms that make layers of marks.
 #pragma once
 
 #include "api/fields.h"
@@ -18,7 +18,7 @@ static_assert(static_cast<int>(hatching::Guide::sections) == HRBFNPR_HATCH_GUIDE
 static_assert(static_cast<int>(hatching::Guide::light) == HRBFNPR_HATCH_GUIDE_LIGHT);
 static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUIDE_SILHOUETTE);
 
-// A table for each room's settings has the fields that this room keeps.
+// Each table has the fields that the settings of one room keep.
 [[nodiscard]] constexpr auto layer_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
     using To = generate::LayerSettings;

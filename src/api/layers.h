@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of marks as callers name them.
+// Kinds and names of layers of marks, as callers give them.
 #pragma once
 
 #include "api/descriptor.h"
@@ -15,7 +15,7 @@ static_assert(static_cast<int>(hrbfnpr::marks::Kind::hatch) == HRBFNPR_LAYER_KIN
 
 namespace hrbfnpr::api {
 
-// "<owner>.name"; empty where it is NULL.
+// Checks "<owner>.name". Returns an empty name for NULL.
 [[nodiscard]] inline marks::LayerName checked_name(const char* given, const char* owner) {
     marks::LayerName name{};
     if (given == nullptr) return name;

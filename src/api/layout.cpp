@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hrbfnpr_layout: texts that the compiler writes, so that nothing is allocated and nothing can fail.
+// hrbfnpr_layout: the compiler writes the texts, so that nothing is allocated and nothing can fail.
 #include "api/struct_fields.h"
 
 #include <array>
@@ -23,7 +23,7 @@ constexpr std::array layouts{
 #undef HRBFNPR_LAYOUT
 };
 
-// Without a place to write to, it only counts.
+// Writes characters to `to`, or only counts them if `to` is NULL.
 class Text {
 public:
     constexpr explicit Text(char* to) noexcept : _to(to) {}
@@ -78,10 +78,10 @@ constexpr std::size_t length() noexcept {
     Text text(nullptr);
     write_all(text);
     for (const StructLayout& layout : layouts) write(text, layout);
-    return text.size() + 1 + layouts.size(); // with an end each
+    return text.size() + 1 + layouts.size(); // each text ends with a NUL
 }
 
-// Of the list of all, then of each struct.
+// The text of the list of all structs, followed by the text of each struct.
 struct Texts {
     std::array<char, length()> characters;
     std::array<std::size_t, layouts.size() + 1> begins;

@@ -39,11 +39,11 @@ hrbfnpr_line_set_info defaults() noexcept {
 
 namespace {
 
-// Frames trace curves again and again: worth preparing for.
+// Frames trace curves again and again, so preparing the model pays.
 constexpr double expected_evaluations = 1e6;
 constexpr std::int64_t most_lines = 65536;
 
-// What the requests of a descriptor refer to, until the set is made.
+// Owns the arrays that the requests refer to, until the line set is made.
 struct Requests {
     explicit Requests(base::Memory& memory) noexcept : memory_(memory) {}
 
@@ -123,7 +123,7 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     requests_.push_back(request);
 }
 
-// What says where the surface ends, until the set is made.
+// Owns the samples that say where the surface ends, until the line set is made.
 struct SupportArrays {
     SupportArrays(base::Memory& memory, const hrbfnpr_line_set_desc& desc)
         : points(finite_numbers(memory, desc.support_points, "line_set_desc.support_points", points_type)),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lists of the caller's: pointer, count and stride of structs that each begin with a size of their own.
+// Lists of the caller: pointer, count and stride of structs that each begin with their own size.
 #pragma once
 
 #include "api/descriptor.h"
@@ -19,7 +19,7 @@ struct ElementName {
     char text[96];
 };
 
-// What the names of a list's count and stride begin with: "style.line_" of "style.lines".
+// The prefix of the names of a list's count and stride: "style.line_" for "style.lines".
 struct CountPrefix {
     explicit CountPrefix(const char* list) noexcept {
         const auto length = static_cast<int>(std::strlen(list));
@@ -31,7 +31,7 @@ struct CountPrefix {
 template <class T>
 class List {
 public:
-    // Throws Error{invalid_argument, unsupported_struct}; name lives as long as this.
+    // Throws Error{invalid_argument, unsupported_struct}. `name` must outlive this object.
     List(const T* first, std::int64_t count, std::int64_t stride, std::int64_t most, const char* name)
         : first_(reinterpret_cast<const std::byte*>(first)), count_(count), stride_(stride), name_(name) {
         if (count < 0 || count > most)
@@ -50,7 +50,7 @@ public:
     }
 
     [[nodiscard]] std::int64_t count() const noexcept { return count_; }
-    // In full: what the caller's lacks has defaults.
+    // Returns the struct in full: missing fields have their defaults.
     [[nodiscard]] T operator[](std::int64_t i) const {
         return read_struct(reinterpret_cast<const T*>(first_ + i * stride_), ElementName(name_, i).text);
     }

@@ -82,7 +82,7 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_mesh_fit = 0.95; // of its progress; then the surface is ended
+constexpr double end_of_mesh_fit = 0.95; // of the progress; the trim follows
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -98,7 +98,7 @@ void check_smallest(const char* owner, const char* name, double value, double sm
              smallest);
 }
 
-// What the samples of a model bear out; null if it has none, or nobody asks.
+// The support of the model's samples, or null if `limit` is 0.
 std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double limit, const base::Progress& progress) {
     if (!(limit > 0.0)) return nullptr;
     const std::span<const double> p = model.samples().position;

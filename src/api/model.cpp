@@ -74,8 +74,8 @@ const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const 
         const std::scoped_lock lock(preparing_);
         if (ready.tried) return ready.implicit != nullptr ? *ready.implicit : implicit();
     }
-    // Not under the lock: the caller's callbacks, which this calls, may come back.  Of two that are made at a time,
-    // which are the same, one stays.
+    // Prepare without the lock, because the caller's callbacks run here and may call this function again. If two
+    // threads prepare at the same time, the results are the same, and one is kept.
     std::unique_ptr<implicit::Implicit> made = prepare(way, progress.part(0.0, 0.0));
     const std::scoped_lock lock(preparing_);
     if (!ready.tried) ready.implicit = std::move(made);
@@ -162,9 +162,10 @@ hrbfnpr_model_info defaults() noexcept {
 
 namespace {
 
-// Diagonals as of fits: squares and cubes of lengths stay far from the ends of a double's range.
+// The smallest diagonal of a box, as for fits: squares and cubes of lengths stay far from the ends of a double's range.
 constexpr double smallest_fit_box = 1e-100;
-constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
+// Shares of the progress that the fit and the search for the box end at; the trim follows.
+constexpr double end_of_fit = 0.9;
 constexpr double end_of_bounds = 0.91;
 
 fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
@@ -219,9 +220,9 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
                     static_cast<long long>(report.rescaled_normals));
 }
 
-// The fitted model, in a box that holds its surface where that closes around samples along curves.
+// Returns the fitted model with a box that also holds its surface where that closes around samples along curves.
 hrbfnpr_model* reaching_all(hrbfnpr_model* fitted, const geometry::VecArray& samples, const base::Progress& progress) {
-    const Hold<hrbfnpr_model> whole(fitted); // from here on
+    const Hold<hrbfnpr_model> whole(fitted); // owns the model from here on
     release_handle(fitted);
     auto& surface = *std::get_if<implicit::Hrbf>(&fitted->surface);
     surface.set_bounds(generate::closed_bounds({fitted->runtime(), progress}, surface, samples));

@@ -28,11 +28,11 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         : Child(context),
           surface(std::in_place_type<hrbfnpr::implicit::Pieces>, context.runtime.instruction_set, std::move(pieces)),
           report(fit), history(context.runtime.memory) {}
-    // The same function, whose surface ends where the trim says; null: nowhere else.  Trims of a trimmed model are
-    // of the whole one.
+    // Makes a trimmed model: the function of `of`, whose surface ends where the trim says, if there is one. If `of` is
+    // trimmed, its own trim does not count.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, hrbfnpr::generate::FoundTrim&& found);
     ~hrbfnpr_model();
-    // From here on the caller's release function will be called.
+    // From here on the model calls the caller's release function at its end.
     hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr::implicit::CustomFunction& custom) noexcept
         : Child(context), surface(std::in_place_type<hrbfnpr::implicit::Custom>, custom),
           history(context.runtime.memory) {}
@@ -47,18 +47,18 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         if (const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&surface)) return *made;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
-    // nullptr for others, and for those that end.
+    // nullptr for a model that is no tree, and for a trimmed one.
     [[nodiscard]] const hrbfnpr::api::CsgSolid* csg() const noexcept {
         const auto* solid = std::get_if<std::unique_ptr<hrbfnpr::api::CsgSolid>>(&surface);
         return solid != nullptr ? solid->get() : nullptr;
     }
-    // Without its end.
+    // The model without the trim: itself, if it is not trimmed.
     [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
-    // That there is none, as of a closed surface.  Before others know of the model.
+    // Records that no end of the surface was found, as for a closed one.  Call it before other threads know the model.
     void looked_for_end(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
-    // The same function for so many evaluations: prepared for them where that takes less time, which the first such
-    // call does.  Any thread.
+    // Returns the same function, prepared if that saves time for this number of evaluations. The first such call
+    // prepares it.  Any thread may call this.
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit_for(double evaluations,
                                                                   const hrbfnpr::base::Progress& progress) const;
     // nullptr for a model that is not one fit.
@@ -85,21 +85,21 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
 
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Pieces, hrbfnpr::implicit::Custom,
                  std::unique_ptr<hrbfnpr::api::CsgSolid>, std::monostate>
-        surface; // nothing: of whole()
-    // Of whole():
+        surface; // std::monostate in a trimmed model: see whole()
+    // These two are valid in whole() only.
     hrbfnpr::fit::FitReport report;
-    hrbfnpr::base::Array<double> history; // of a fit's residual; empty for others than a fit
+    hrbfnpr::base::Array<double> history; // of a fit's residual; empty if the model is not a fit
 
 private:
-    // Ways to prepare: an HRBF, or zones of pieces; those and their sheets.
+    // The number of ways to prepare. Way 0 prepares an HRBF, or the zones of pieces; way 1 their zones and sheets.
     static constexpr std::size_t ways = 2;
-    // The one that pays for so many evaluations; `ways`: none.
+    // Returns the way that saves time for this number of evaluations, or `ways` if none does.
     [[nodiscard]] std::size_t way_for(double evaluations) const noexcept;
     [[nodiscard]] std::unique_ptr<hrbfnpr::implicit::Implicit> prepare(std::size_t way,
                                                                        const hrbfnpr::base::Progress& progress) const;
     [[nodiscard]] const hrbfnpr::implicit::Implicit& trimmed(const hrbfnpr::implicit::Implicit& prepared) const;
 
-    const hrbfnpr_model* whole_ = nullptr; // that it is the same function as
+    const hrbfnpr_model* whole_ = nullptr; // the model that this one trims; null: not trimmed
     hrbfnpr::generate::FoundTrim trim_;
     std::optional<hrbfnpr::implicit::Trimmed> trimmed_;
     mutable std::mutex preparing_;
@@ -108,6 +108,6 @@ private:
         std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null: it would not be accurate
     };
     mutable std::array<Ready, ways> ready_;
-    // Of whole()'s, at the same place.
+    // The prepared functions of whole(), each with this model's trim, at the same index as in ready_.
     mutable std::array<std::optional<hrbfnpr::implicit::Trimmed>, ways> ready_trimmed_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saving and loading models.
+// Saves and loads models.
 #include "api/barrier.h"
 #include "api/model.h"
 #include "api/streams.h"
@@ -12,7 +12,7 @@ using namespace hrbfnpr;
 namespace hrbfnpr::api {
 namespace {
 
-// Only ever grows at its end: older files hold fewer numbers.
+// Add numbers of the report at the end only: older files hold fewer numbers.
 using Numbers = std::array<double, 32>;
 
 Numbers numbers_of(const fit::FitReport& report) noexcept {
@@ -50,7 +50,7 @@ Numbers numbers_of(const fit::FitReport& report) noexcept {
             static_cast<double>(report.peak_bytes)};
 }
 
-// A count out of a file may be any number.
+// Turns a number from a file, which may be anything, into a count.
 std::int64_t count_of(double number) noexcept {
     constexpr double largest = 9007199254740992.0; // 2^53
     return number >= 0.0 && number <= largest ? static_cast<std::int64_t>(number) : 0;
@@ -60,7 +60,7 @@ std::int32_t small_count_of(double number) noexcept {
     return static_cast<std::int32_t>(std::min<std::int64_t>(count_of(number), 1000000));
 }
 
-// What version 0.1 did not store is left as it is by default.
+// Reads the numbers that version 0.1 did not store. Without them the report keeps its defaults.
 void read_rest(std::span<const double> stored, const Numbers& n, fit::FitReport& report) noexcept {
     if (stored.size() < n.size()) return;
     if (n[16] == static_cast<double>(fit::SolverKind::iterative)) report.solver = fit::SolverKind::iterative;
@@ -106,7 +106,8 @@ fit::FitReport report_of(std::span<const double> stored) noexcept {
     return report;
 }
 
-// Of the samples as they were given: in the support's own order another would come of them, and with it another file.
+// Packs the vectors in the order of the given samples. From the support's own order, loading would make another
+// support, and saving that support another file.
 void pack(base::Array<double>& packed, const surface::Support& support, const geometry::VecArray& vectors) {
     packed.resize(3 * vectors.size());
     for (std::int64_t at = 0; at < vectors.size(); ++at)
@@ -179,7 +180,7 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     io::save_model({data, pieces, numbers_of(model.whole().report)}, &trim, writer);
 }
 
-// Takes the data out of the file.
+// Makes a model of the file's data, and moves the data out of the file.
 hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
     const fit::FitReport report = report_of(file.report.span());
     if (file.pieces) return make_handle<hrbfnpr_model>(context, std::move(*file.pieces), report);
@@ -187,7 +188,7 @@ hrbfnpr_model* model_of(hrbfnpr_context& context, io::FitFile& file) {
         context, fit::FitResult{std::move(file.data), report, base::Array<double>(context.runtime.memory)});
 }
 
-// What the nodes of a file are not is no fault of the caller's.
+// Reports invalid nodes as a damaged file, because they are no fault of the caller.
 hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
     try {
         check_csg_tree("nodes", file.tree);
@@ -210,7 +211,7 @@ hrbfnpr_model* read_model(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
     auto* const model = file.tree.empty() ? model_of(context, file) : tree_of(context, file);
     if (file.trim.position.empty()) return model;
-    const Hold<hrbfnpr_model> whole(model); // from here on, and the trimmed one
+    const Hold<hrbfnpr_model> whole(model); // owns the model from here on
     release_handle(model);
     return make_handle<hrbfnpr_model>(context, *model, trim_of(context.runtime, file.trim));
 }

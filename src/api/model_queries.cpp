@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Batched evaluation, projection and curvature.
+// Evaluation, projection and curvature of many points at a time.
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
@@ -55,7 +55,7 @@ hrbfnpr_curvature defaults() noexcept {
 
 namespace {
 
-// Of a Hessian with the gradient, in evaluations of value and gradient.
+// The cost of a Hessian with the gradient, in evaluations of value and gradient.
 constexpr double hessian_cost = 2.5;
 
 constexpr std::int64_t block_size = 262144;
@@ -63,7 +63,7 @@ struct FieldOutputs {
     base::OutView value, gradient, hessian;
 };
 
-// One block's fields, structure of arrays.
+// The fields of one block, as a structure of arrays.
 class FieldBlock {
 public:
     FieldBlock(base::Memory& memory, const FieldOutputs& out, std::int64_t size)
@@ -131,7 +131,7 @@ struct ProjectionOutputs {
     base::OutView position, normal, status;
 };
 
-// Returns how many converged.
+// Returns how many points converged.
 std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first,
                    const base::Progress& progress) {
     std::int64_t converged = 0;

@@ -70,7 +70,7 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
          static_cast<long long>(i));
 }
 
-// Normals that nobody gave are the samples', or the surface's own.
+// Normals that are not given are those of the samples, or else the surface's own.
 geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc,
                               const geometry::VecArray& points, const base::Progress& progress) {
     base::Memory& memory = model.runtime().memory;
@@ -137,10 +137,10 @@ hrbfnpr_trim_info describe_trim(const hrbfnpr_model& model) noexcept {
     return info;
 }
 
-// Of fewer samples nobody knows how far they are apart.
+// The spacing of fewer samples than this is not known.
 constexpr std::int64_t fewest = 10;
 
-// None where it cannot be told.
+// Returns an empty result if the end of the surface cannot be found.
 generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::VecArray& position,
                                 const geometry::VecArray& normal, const generate::TrimSettings& settings,
                                 const base::Progress& progress) {
@@ -159,7 +159,7 @@ generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::Vec
 
 hrbfnpr_model* ended_model(hrbfnpr_model* fitted, const geometry::VecArray& position, const geometry::VecArray& normal,
                            const generate::TrimSettings& settings, const base::Progress& progress) {
-    const Hold<hrbfnpr_model> whole(fitted); // from here on, and the model that ends
+    const Hold<hrbfnpr_model> whole(fitted); // owns the model from here on
     release_handle(fitted);
     generate::FoundTrim found = trim_of_fit(*fitted, position, normal, settings, progress);
     progress.update(1.0);

@@ -13,10 +13,10 @@ struct hrbfnpr_operation : hrbfnpr::api::Child {
 
 namespace hrbfnpr::api {
 
-// Serves one call with a nullable operation; holds it, so that it may be released meanwhile.
+// Lets one call use an operation, which may be NULL, and keeps it alive if the caller releases it meanwhile.
 class OperationUse {
 public:
-    // Throws Error{cancelled} after a cancel, Error{invalid_argument} if another call uses it.
+    // Throws Error{cancelled} after a cancel, Error{invalid_argument} if another call uses the operation.
     explicit OperationUse(hrbfnpr_operation* operation);
     ~OperationUse();
     OperationUse(const OperationUse&) = delete;
@@ -25,9 +25,9 @@ public:
     [[nodiscard]] base::Progress progress() const noexcept {
         return handle_ != nullptr ? base::Progress(&handle_->operation) : base::Progress();
     }
-    // The work is done: progress 1, and the last chance to cancel.
+    // Reports that the work is done: progress 1, and the last check for a cancel.
     void finish() const { progress().update(1.0); }
-    // The same where a handle has been made by then: a cancel releases it.
+    // The same for a call that has already made a handle: a cancel releases the handle.
     template <class T>
     [[nodiscard]] T* finish_with(T* handle) const {
         try {

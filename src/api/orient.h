@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a fit does about its normals first.
+// Finds or repairs the normals of the samples before a fit.
 #pragma once
 
 #include "base/operation.h"
@@ -9,21 +9,21 @@
 
 namespace hrbfnpr::api {
 
-// Whether a HRBFNPR_NORMALS_... needs no normals.
+// Tells whether a HRBFNPR_NORMALS_... mode needs no normals.
 [[nodiscard]] bool may_lack_normals(std::uint32_t mode) noexcept;
 
-// The normals that a mode makes, for as long as it lives, and what was found.
+// Owns the normals that a mode makes, and reports what was found.
 class NormalsOfFit {
 public:
-    // Puts them into the input.
+    // Puts the normals into `input`.
     NormalsOfFit(const base::Work& work, std::uint32_t mode, fit::FitInput& input);
 
-    // What is left of the progress.
+    // Returns the part of the progress that remains for the fit.
     [[nodiscard]] base::Progress rest(const base::Progress& progress) const noexcept;
     void report(fit::FitReport& report) const noexcept;
 
 private:
-    static constexpr double share = 0.5; // of the progress
+    static constexpr double share = 0.5; // of the progress, for the normals
 
     bool made_ = false;
     bool inward_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages of drawings, written as vectors.
+// Writes pages of drawings as vector files.
 #include "output/vector/page.h"
 #include "api/barrier.h"
 #include "api/drawing.h"
@@ -187,7 +187,7 @@ PageSettings settings_of(const PageDesc& desc) noexcept {
     return settings;
 }
 
-// What a page is made of, read and checked before a byte is written.
+// Reads and checks all parts of a page before a byte is written.
 class PageReader {
 public:
     PageReader(base::Memory& memory, const PageDesc& desc, const base::Progress& progress)

@@ -14,7 +14,7 @@ struct hrbfnpr_point_set : hrbfnpr::api::Child {
 
 namespace hrbfnpr::api {
 
-// Makes a finished set ready for frames, and a handle of it.
+// Prepares a finished set for frames, and makes a handle of it.
 [[nodiscard]] hrbfnpr_point_set* adopt(hrbfnpr_context& context, marks::PointSet&& set);
 
 } // namespace hrbfnpr::api

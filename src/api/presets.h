@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The named styles, as constants in the terms of the public header.
+// The named styles, as constants of the public header's types.
 #pragma once
 
 #include "api/checks.h"
@@ -17,12 +17,12 @@ struct Preset {
     std::span<const hrbfnpr_layer_desc> marks;
 };
 
-// All of them, by their numbers.
+// All presets, in the order of the HRBFNPR_PRESET_... constants.
 [[nodiscard]] std::span<const Preset> presets() noexcept;
 
 namespace rule {
 
-// One row of the table of styles. The rows stand in the order of HRBFNPR_PRESET_...
+// The value must be the number of a preset.
 struct OnePreset {
     void operator()(const Checks& checks, const char* field, std::int64_t value) const {
         checks.one_of(field, value, static_cast<std::uint32_t>(presets().size()), "HRBFNPR_PRESET_...");

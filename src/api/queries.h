@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A caller's points or vectors to ask a model about, checked once and read in blocks, so that the
-// scratch of a call of any size stays small.
+// The points or vectors that a caller asks a model about. They are checked once and read in blocks, which keeps the
+// scratch of a call small.
 #pragma once
 
 #include "api/barrier.h"
@@ -18,21 +18,21 @@
 namespace hrbfnpr::api {
 
 inline constexpr std::int64_t copy_grain = 4096;
-// In diagonals from the model's bounds.
+// Largest distance of a query from the model's bounds, in diagonals.
 inline constexpr double farthest_query = 1e50;
 
 class Queries {
 public:
-    // name: the argument's in messages; lives as long as this.
+    // `name` is the argument's name in messages. It must outlive this object.
     Queries(const base::Runtime& runtime, const hrbfnpr_array* array, const char* name)
         : runtime_(runtime), view_(in_view(deref(array, name), name, points_type)), name_(name) {}
 
     [[nodiscard]] std::int64_t count() const noexcept { return view_.count; }
 
-    // After all arguments are known to be right; takes a pass over the points.
-    // Finite, and so near the model that f and its derivatives are finite there.
+    // Call the checks after those of all other arguments, because they read all points.
+    // Checks that f and its derivatives are finite at the points: these are finite and near enough to the model.
     void check_near(const implicit::Implicit& implicit) const {
-        // The bounds of a file may be narrower than what its samples' coordinates are rounded to.
+        // The bounds from a file may be narrower than the rounding of the samples' coordinates.
         const geometry::Bounds& bounds = implicit.bounds();
         const double rounding = 1e-9 * std::max(glm::length(bounds.min), glm::length(bounds.max));
         const geometry::Bounds near = bounds.grown(std::max(farthest_query * implicit.diagonal(), rounding));
@@ -83,7 +83,7 @@ private:
     const char* name_;
 };
 
-// work(begin, end, progress) for each block of [0, count).
+// Calls work(begin, end, progress) for each block of [0, count).
 template <class F>
 void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progress& progress, F&& work) {
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(count); };
@@ -93,7 +93,7 @@ void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progres
     }
 }
 
-// Sets an answer; one that is finite, but not as the caller's float, is refused.
+// Writes a number. Throws if it is finite but too large for the caller's float.
 class Answer {
 public:
     explicit Answer(const char* name) noexcept : name_(name) {}
@@ -120,7 +120,7 @@ inline void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec
         out.set(i, first_component + axis, v[static_cast<glm::length_t>(axis)]);
 }
 
-// What does not fit is found before anything is written.
+// Throws if a number does not fit into the output. Call it before anything is written.
 inline void check_fits(double number, std::int64_t element, const base::OutView& to, const char* name) {
     constexpr double most = 3.4028234663852886e38;
     if (to.scalar == base::Scalar::float32 && std::isfinite(number) && std::abs(number) > most)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays cast on a model, and which points lie inside it.
+// Casts rays on a model, and tells which points lie inside it.
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
@@ -56,7 +56,7 @@ hrbfnpr_ray_hits defaults() noexcept {
 
 namespace {
 
-constexpr std::int64_t rays_at_once = 65536; // of points, or of places for hits
+constexpr std::int64_t rays_at_once = 65536; // points, or places for hits, in one block
 
 RaySettings checked(const hrbfnpr_cast_desc& desc) {
     cast_fields().check("cast_desc", desc);

@@ -34,7 +34,7 @@ namespace {
 
 constexpr std::int64_t most_drawn_items = 1000000;
 constexpr std::int64_t most_poses = 65536;
-// Drawings that a renderer keeps to be filled again: one that is shown, one that is being made, and some in between.
+// A renderer keeps this many drawings for reuse: one that is shown, one that is being made, and some in between.
 constexpr std::int64_t most_kept = 4;
 
 using Items = List<hrbfnpr_item>;
@@ -50,7 +50,7 @@ public:
         renderer_.line_styles.clear();
         renderer_.poses.clear();
         for (std::int64_t i = 0; i < items_.count(); ++i) read(items_[i], items_.name(i).text);
-        // The arrays do not move any more.
+        // From here on the arrays do not move, so spans of them stay valid.
         std::size_t style = 0;
         std::size_t line = 0;
         std::size_t pose = 0;
@@ -137,8 +137,8 @@ private:
     const Items& items_;
 };
 
-// A drawing that nobody else holds, or a new one; with a reference for the caller.  All such ones let their sets go, so
-// that those of one drawing at most are kept for nobody.
+// Returns an idle drawing (only the renderer holds it) or a new one, with a reference for the caller.  All idle
+// drawings release their point sets.
 hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     hrbfnpr_drawing* idle = nullptr;
     for (hrbfnpr_drawing* drawing : renderer.drawings) {

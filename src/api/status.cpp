@@ -28,7 +28,7 @@ static_assert(is_number<hrbfnpr::Status::internal>(HRBFNPR_STATUS_INTERNAL));
 static_assert(sizeof(hrbfnpr_error) == 256);
 static_assert(sizeof(hrbfnpr_error::message) == hrbfnpr::Error::message_capacity);
 
-// An error struct that is not set up is left alone: its memory may be anything.
+// Leaves an error struct alone that is not set up: its memory may be anything.
 hrbfnpr_status write_error(hrbfnpr_error* error, hrbfnpr::Status status, const char* message) noexcept {
     const auto number = static_cast<hrbfnpr_status>(status);
     if (error != nullptr && error->struct_size >= sizeof(hrbfnpr_error)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's stream callbacks and memory as the streams of src/io.
+// Adapts the caller's stream callbacks and memory to the streams of src/io.
 #pragma once
 
 #include "api/barrier.h"
@@ -40,7 +40,7 @@ private:
     void* user_;
 };
 
-// save(writer) into the caller's memory, or BUFFER_TOO_SMALL with the size needed.
+// Runs save(writer) into the caller's memory, or throws BUFFER_TOO_SMALL. *size is the size needed.
 template <class F>
 void save_to_memory(void* destination, std::int64_t capacity, std::int64_t* size, F&& save) {
     require_pointer(size, "size");

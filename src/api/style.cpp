@@ -52,7 +52,7 @@ void add_layers(const Style& style, const char* owner, base::Array<frame::LayerS
     }
 }
 
-// The caller's, which are packed and are read while the call lasts.
+// Returns the caller's own numbers, which must be packed. They are read while the call lasts.
 std::span<const double> levels_of(const LineStyle& style, const char* owner) {
     char name[112];
     std::snprintf(name, sizeof name, "%.95s.levels", owner);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the public style to the frame's.
+// Converts the public style to the frame's style.
 #pragma once
 
 #include "api/descriptor.h"
@@ -10,8 +10,8 @@
 
 namespace hrbfnpr::api {
 
-// Checks every field; `owner` names the struct in messages, such as "items[2].style".  The style's layers and lines
-// are added to arrays; its own spans of them are left empty, as the arrays may still move.
+// Checks every field; `owner` names the struct in messages, such as "items[2].style".  Appends the style's layers and
+// lines to the arrays. The returned style has empty spans, because the arrays may still move.
 [[nodiscard]] frame::Style checked_style(const hrbfnpr_style& style, const char* owner,
                                          base::Array<frame::LayerStyle>& layers, base::Array<frame::LineStyle>& lines);
 

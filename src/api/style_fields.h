@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of styles, and what the frame keeps of each: rows that check them, copy them and have their defaults.
+// The fields of styles: rows that check them, copy them to the frame's settings and have their defaults.
 #pragma once
 
 #include "api/fields.h"
@@ -34,7 +34,7 @@ inline constexpr rule::Between pixels{0.0, largest_radius};
 inline constexpr rule::PositiveUpTo radius{largest_radius};
 inline constexpr rule::Between share{0.0, 1.0};
 inline constexpr rule::PositiveUpTo some{1.0};
-inline constexpr rule::Between factor{0.0, 16.0}; // of a line's width or a pen
+inline constexpr rule::Between factor{0.0, 16.0}; // multiplies a line's or a pen's width
 inline constexpr auto ink = rule::Each{share};
 
 } // namespace style_rule

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From hrbfnpr_array to the views that the rooms below take.  Nothing below checks them again.
+// Converts hrbfnpr_array to the views that the rooms below take. Those rooms do not check them again.
 #pragma once
 
 #include "base/memory.h"
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::api {
 
-// Allowed scalar types, or-ed.
+// Sets of allowed scalar types, with one bit for each type.
 inline constexpr unsigned float_types = 1U << HRBFNPR_SCALAR_FLOAT32 | 1U << HRBFNPR_SCALAR_FLOAT64;
 inline constexpr unsigned float32_only = 1U << HRBFNPR_SCALAR_FLOAT32;
 inline constexpr unsigned uint8_only = 1U << HRBFNPR_SCALAR_UINT8;
@@ -25,15 +25,15 @@ struct ArrayType {
 inline constexpr ArrayType points_type{3, float_types};
 inline constexpr ArrayType number_type{1, float_types};
 
-// Throw Error{invalid_argument} that names the array.  One that is not given (data NULL, count 0)
-// or has no elements gives an empty view.
+// These throw Error{invalid_argument} that names the array.  An array without elements, or not given (data NULL, count
+// 0), gives an empty view.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type);
-// ... of exactly `count` elements, or not given.
+// The array must have exactly `count` elements, or not be given.
 [[nodiscard]] base::InView in_view(const hrbfnpr_array& array, const char* name, ArrayType type, std::int64_t count);
-// Element by element, all of them finite.
+// Copies the numbers element by element. All must be finite.
 [[nodiscard]] base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name,
                                                  ArrayType type);
-// array may be NULL: not wanted.
+// `array` may be NULL if the caller does not want it.
 [[nodiscard]] base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type,
                                      std::int64_t count);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Invariants that hold unless the library itself is wrong. Debug and sanitizer builds check them; release builds do not
-// compile them. A mistake that a caller can make is not an invariant: it is always checked, and fails with a message.
+// Invariants that hold unless the library itself is wrong: debug and sanitizer builds check them, release builds do
+// not. A caller's possible mistake is no invariant: it is always checked, and fails with a message.
 #pragma once
 
 #if defined(NDEBUG) && !defined(HRBFNPR_ASSERTS)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Guards the floating-point state. The library computes with the default state (round to nearest, keep subnormals, trap
-// nothing) and restores the caller's state at the end.
+// The floating-point state: the library computes with the default one (round to nearest, subnormals kept, nothing
+// trapped) and restores the caller's.
 #pragma once
 
 #include <cfenv>

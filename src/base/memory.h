@@ -18,7 +18,7 @@ namespace hrbfnpr::base {
 using AllocateFn = void* (*)(void* user, std::uint64_t size, std::uint64_t alignment);
 using DeallocateFn = void (*)(void* user, void* memory, std::uint64_t size, std::uint64_t alignment);
 
-// Memory is thread-safe.  Every object whose size depends on the data is allocated here.
+// Thread-safe.  Everything whose size depends on the data is allocated here.
 class Memory {
 public:
     static constexpr std::uint64_t alignment = 64; // a cache line, and the widest vector
@@ -141,8 +141,7 @@ private:
     std::int64_t capacity_ = 0;
 };
 
-// Boxed holds one object from a Memory: the working memory of a task, which may be too large for the small stack of a
-// host's thread.
+// One object from a Memory: the working memory of a task, which may be too large for the stack of a host's thread.
 template <class T>
 class Boxed {
 public:

@@ -33,8 +33,8 @@ public:
 
     // Any thread may call this.  Progress never falls; the callback runs only on the thread of begin().
     void report(double progress) noexcept;
-    // Any thread may call this. On the thread of begin() it calls the callback again if the last call is a while ago,
-    // so that a host still hears from a call whose progress stands still, and may cancel it.
+    // Any thread may call this. On the thread of begin() it calls the callback if the last call is a while ago, so that
+    // a host hears from a call whose progress stands still, and may cancel it.
     void remind() noexcept;
 
 private:

@@ -16,7 +16,7 @@ inline void prefetch(const T* data, std::int64_t count) noexcept {
     __asm__ volatile("");
 }
 
-// Prefetches into the second-level cache, for more elements than the first level can hold until they are used.
+// Prefetches into the second-level cache: for more elements than the first level can hold until they are used.
 template <class T>
 inline void prefetch_many(const T* data, std::int64_t count) noexcept {
     const auto* const bytes = reinterpret_cast<const char*>(data);

@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::base {
 
-// Holds objects of type T, each made from the Runtime: as many as calls ever ran at the same time.
+// The pool makes each T from the Runtime. It ends up with one T for each call that runs at the same time.
 template <class T>
 class ScratchPool {
     struct Node {

@@ -47,8 +47,8 @@
 #endif
 #endif
 
-// Use it once. It defines in `space` the function `name`, which takes an instruction set and returns the result of
-// `pick` from the namespace of that set.
+// Use it once. It defines in `space` the function `name`, which takes an instruction set and returns the result of that
+// set's `pick`.
 #undef HRBFNPR_CHOOSE
 #if HWY_ONCE
 #define HRBFNPR_CHOOSE(space, type, name, pick)                                                                        \

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Work gives a stage of a call the memory, threads, instruction set and log of the context, the stage's share of the
-// call's progress, and a check for a cancel.
+// A stage of a call gets memory, threads, instruction set and log of the context, its share of the call's progress, and
+// a check for a cancel.
 #pragma once
 
 #include "base/operation.h"
