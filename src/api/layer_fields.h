@@ -79,7 +79,7 @@ static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().byte
                                             sizeof(hrbfnpr_layer_desc::struct_size) ==
                                         sizeof(hrbfnpr_layer_desc));
 
-// The defaults, as a constant.
+// Returns the defaults as a constant.
 [[nodiscard]] constexpr hrbfnpr_layer_desc default_layer_desc() noexcept {
     const generate::LayerSettings settings;
     hrbfnpr_layer_desc desc{};

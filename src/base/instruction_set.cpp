@@ -26,8 +26,8 @@ namespace {
 }
 
 [[nodiscard]] InstructionSet best() noexcept {
-    constexpr unsigned ymm = 0x6;  // and xmm
-    constexpr unsigned zmm = 0xe6; // and mask registers
+    constexpr unsigned ymm = 0x6;  // XMM and YMM registers
+    constexpr unsigned zmm = 0xe6; // also ZMM and mask registers
     unsigned a = 0;
     unsigned b = 0;
     unsigned c = 0;

@@ -31,7 +31,7 @@ void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::uin
 }
 
 void* default_allocate(void* /*user*/, std::uint64_t size, std::uint64_t alignment) {
-    if (size > std::numeric_limits<std::size_t>::max()) return nullptr; // with 32-bit pointers
+    if (size > std::numeric_limits<std::size_t>::max()) return nullptr; // possible with 32-bit pointers
     void* const memory = ::operator new (static_cast<std::size_t>(size),
                                          std::align_val_t{static_cast<std::size_t>(alignment)}, std::nothrow);
     if (memory != nullptr && size >= large) ask_for_huge_pages(memory, size);
