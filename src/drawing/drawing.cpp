@@ -25,7 +25,8 @@ constexpr std::int64_t digits = std::int64_t{1} << digit_bits;
     return length > 0.0F ? v / length : glm::vec3(0.0F);
 }
 
-// The linear part, scaled so that squares of the vectors that it gives are floats; their lengths do not matter.
+// Returns the linear part of a matrix, scaled so that vectors it transforms can be squared in floats. The caller
+// ignores their lengths.
 [[nodiscard]] glm::mat3 of_moderate_scale(const glm::dmat4& m) noexcept {
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(m))));
     return glm::mat3(glm::dmat3(m) / geometry::unit_for(scale));
@@ -62,7 +63,7 @@ std::int64_t Drawing::bytes() const noexcept {
     return bytes;
 }
 
-// Runs without marks begin where the next one does, which is the one that is found.
+// A run without marks has the same first id as the next run. The search finds the last run with that id.
 std::int64_t Drawing::place_of(std::uint32_t id) const noexcept {
     return std::upper_bound(runs.begin(), runs.end(), id,
                             [](std::uint32_t a, const Run& r) { return a < r.first_id; }) -

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which discs touch which square tile of a picture, each tile's in the order of the discs.
+// Finds the discs that touch each square tile of a picture. Each tile lists its discs in ascending order.
 #pragma once
 
 #include "base/assert.h"
@@ -17,7 +17,7 @@
 
 namespace hrbfnpr::drawing {
 
-// Consecutive elements of an array that has gaps.
+// A range of consecutive elements in an array that has gaps.
 struct Piece {
     std::int64_t begin = 0, end = 0;
 };
@@ -25,11 +25,11 @@ struct Piece {
 // The side of a tile, pixels.
 inline constexpr std::int32_t tile_size = 64;
 
-// The bins are the same for any thread count: they are counted and filled in parts of the discs. Discs over very many
-// tiles stand in one list that every tile looks through, so that memory is bounded.
+// Sorts discs into tiles. Fixed parts of the discs are counted and filled, so the number of threads does not matter.
+// Discs over very many tiles are in one list that every tile searches, so memory is bounded.
 class Tiles {
 public:
-    // A rectangle in pixels of the binned picture. One with NaN touches no tile.
+    // A rectangle in pixels of the binned picture. A rectangle with NaN touches no tile.
     struct Footprint {
         float left, top, right, bottom;
         [[nodiscard]] static Footprint of_disc(float x, float y, float radius) noexcept {
@@ -41,8 +41,8 @@ public:
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
           pieces_(memory), starts_(memory) {}
 
-    // footprint(i, out) is asked once for each i of the pieces, which ascend; it returns false if i is not to be
-    // binned.
+    // Fills the tiles with the elements i of the pieces, which ascend. footprint(i, out) is called once for each i and
+    // returns false to leave i out.
     template <class F>
     void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
                const F& footprint) {
@@ -86,7 +86,7 @@ public:
     [[nodiscard]] std::int32_t columns() const noexcept { return columns_; }
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
-    // No tile is touched by more discs.
+    // Returns an upper bound for the number of discs of a tile.
     [[nodiscard]] std::int64_t most_of_a_tile() const noexcept {
         std::int64_t most = 0;
         for (std::int64_t tile = 0; tile < tiles(); ++tile)
@@ -98,7 +98,7 @@ public:
                pieces_.bytes() + starts_.bytes();
     }
 
-    // Puts each tile's discs into another order than by their numbers.
+    // Sorts the discs of each tile by `before` instead of by their numbers.
     template <class Before>
     void order(const base::Parallel& parallel, const Before& before) {
         parallel.for_each(tiles(), [&](std::int64_t tile) {
@@ -106,7 +106,7 @@ public:
         });
         std::sort(large_.begin(), large_.end(), [&](const Large& a, const Large& b) { return before(a.disc, b.disc); });
     }
-    // The places to which a tile is the nearest: those in it, and around the picture.
+    // The places to which a tile is nearest. For tiles at the border they extend beyond the picture.
     struct Extent {
         float left, top, right, bottom;
         [[nodiscard]] bool holds(float x, float y) const noexcept {
@@ -123,7 +123,7 @@ public:
         return {edge(column, columns_), edge(row, rows_), edge(column + 1, columns_), edge(row + 1, rows_)};
     }
 
-    // Calls f(disc) for the discs that touch the tile, in ascending order, or in the order of order().
+    // Calls f(disc) for each disc that touches the tile, in ascending order. After order(), `before` must be the same.
     template <class F, class Before = std::less<>>
     void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
         for_spans(
@@ -134,7 +134,7 @@ public:
             before);
     }
 
-    // Calls f(discs) for consecutive parts of the discs that for_tile() runs through.
+    // Calls f(discs) with spans that together have the discs of for_tile(), in the same order.
     template <class F, class Before = std::less<>>
     void for_spans(std::int64_t tile, F&& f, const Before& before = {}) const {
         const auto column = static_cast<std::uint16_t>(tile % columns_);
@@ -154,11 +154,11 @@ public:
     }
 
 private:
-    static constexpr std::int64_t least_grain = 8192; // discs a task
-    static constexpr std::int64_t most_parts = 16;    // each keeps a count for each tile
+    static constexpr std::int64_t least_grain = 8192; // the least number of discs in a part
+    static constexpr std::int64_t most_parts = 16;    // each part has a counter for each tile
     static constexpr std::int64_t most_tiles_of_one = 64;
 
-    // Half-open, in tiles; empty by default.
+    // A half-open range of columns and rows of tiles. It is empty by default.
     struct Rect {
         std::uint16_t left = 0, top = 0, right = 0, bottom = 0;
         [[nodiscard]] std::int64_t tiles() const noexcept {
@@ -172,7 +172,7 @@ private:
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
         if (!(print.left <= print.right && print.top <= print.bottom)) return {};
-        // Clamped as floats: radii may be larger than any integer, or not numbers at all.
+        // The numbers are clamped as floats, because they may be larger than any integer.
         const float scale = 1.0F / static_cast<float>(tile_size_);
         const auto cell = [scale](float at, std::int32_t limit) {
             return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
@@ -186,7 +186,7 @@ private:
                 static_cast<std::uint16_t>(bottom)};
     }
 
-    // Calls f(number, disc) for the discs of these numbers: the pieces' elements one after the other.
+    // Calls f(number, disc) for a range of numbers. They count the elements of all pieces.
     template <class F>
     void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
         const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
@@ -206,9 +206,9 @@ private:
         }
     }
 
-    // Fills the tiles by the counts of each part.
+    // Fills the tiles from the counts of the parts.
     void distribute(const base::Parallel& parallel) {
-        // Counts become the place of each part's first entry, relative to its tile's.
+        // Each count becomes the index of the part's first entry, relative to the first entry of the tile.
         const std::int64_t parts = (total_ + grain_ - 1) / grain_;
         base::resize_scratch(offsets_, tiles() + 1);
         std::int64_t total = 0;
@@ -237,13 +237,13 @@ private:
     std::int32_t rows_ = 0;
     std::int64_t total_ = 0;
     std::int64_t grain_ = 1;             // number of discs in a part
-    base::Array<Rect> rects_;            // the tiles that each disc touches, by the disc's number
-    base::Array<std::uint32_t> counts_;  // how many discs of a part are in each tile, part after part
-    base::Array<std::int64_t> offsets_;  // place of each tile's first entry, and the end
-    base::Array<std::uint32_t> entries_; // discs
-    base::Array<Large> large_;           // discs that are in no tile's entries
+    base::Array<Rect> rects_;            // the tiles that each disc touches, indexed by the disc's number
+    base::Array<std::uint32_t> counts_;  // the number of discs in each tile, part after part
+    base::Array<std::int64_t> offsets_;  // the index of each tile's first entry, and the end
+    base::Array<std::uint32_t> entries_; // the discs of each tile, tile after tile
+    base::Array<Large> large_;           // discs that touch too many tiles; they are not in `entries_`
     base::Array<Piece> pieces_;
-    base::Array<std::int64_t> starts_; // number of each piece's first disc, and the end
+    base::Array<std::int64_t> starts_; // the number of each piece's first disc, and the end
 };
 
 } // namespace hrbfnpr::drawing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models that are CSG trees.
+// Saves and loads models that are CSG trees.
 #include "io/check.h"
 #include "io/model_sections.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading a file of docs/file-format.md.  Nothing that the file says is believed before it is
-// checked, and memory grows only as bytes arrive: a hostile length costs nothing.
+// Reads the files of docs/file-format.md. Contents are checked before they are used. Memory grows only as bytes arrive,
+// so a false length costs nothing.
 #pragma once
 
 #include "base/memory.h"
@@ -16,14 +16,14 @@ namespace hrbfnpr::io {
 
 class Decoder {
 public:
-    // Reads and checks the header. Versions from `oldest` to `newest` can be read. `what` names the kind in messages:
-    // "model".
+    // Reads and checks the header. It accepts versions from `oldest` to `newest`. `what` names the kind of file in
+    // messages, such as "model".
     Decoder(Reader& reader, std::uint32_t kind, std::uint32_t oldest, std::uint32_t newest, const char* what);
 
-    // Of the file.
+    // Returns the format version of the file.
     [[nodiscard]] std::uint32_t version() const noexcept { return version_; }
 
-    // A section of exactly elements.size() elements.
+    // Reads a section of exactly elements.size() elements.
     template <class T>
     void section(std::uint32_t tag, std::span<T> elements) {
         const std::int64_t count = begin_section(tag, element_type<T>(), sizeof(T));
@@ -31,7 +31,7 @@ public:
         read_elements(elements);
     }
 
-    // A section of any number of elements.
+    // Reads a section of any length.
     template <class T>
     void section(std::uint32_t tag, base::Array<T>& elements) {
         const std::int64_t count = begin_section(tag, element_type<T>(), sizeof(T));
@@ -45,20 +45,20 @@ public:
         }
     }
 
-    // ... and of `count` of them, which the file must agree to.
+    // Reads a section of exactly `count` elements.
     template <class T>
     void section(std::uint32_t tag, base::Array<T>& elements, std::int64_t count) {
         section(tag, elements);
         expect_count(tag, elements.size(), count);
     }
 
-    // Whether there are further sections: those that files without them leave out.
+    // Tells whether more sections follow. Optional sections are at the end of a file.
     [[nodiscard]] bool more() const noexcept { return remaining_ >= section_header_size; }
 
-    // After the last section: the payload is used up and its checksum is right.
+    // Checks, after the last section, that the payload ends and that its checksum is right.
     void finish();
 
-    // Throws Error{corrupt_data}: "this model file is damaged: ..."
+    // Throws Error{corrupt_data}: "this model file is damaged: " and the formatted text.
     [[noreturn]] [[gnu::format(printf, 2, 3)]] void damaged(const char* format, ...) const;
 
 private:
@@ -87,8 +87,8 @@ private:
     const char* what_;
     Crc32 crc_;
     std::uint32_t version_ = 0;
-    std::uint64_t remaining_ = 0; // of the payload
-    std::uint64_t position_ = 0;  // in the file
+    std::uint64_t remaining_ = 0; // bytes left in the payload
+    std::uint64_t position_ = 0;  // bytes read from the file
 };
 
 } // namespace hrbfnpr::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing a file of docs/file-format.md: the payload is encoded twice, first to learn its length.
+// Writes the files of docs/file-format.md. The payload is encoded twice, because the header needs its length.
 #pragma once
 
 #include "io/crc32.h"
@@ -14,7 +14,7 @@ namespace hrbfnpr::io {
 
 class Encoder {
 public:
-    // writer nullptr: only counts.
+    // With a null writer the encoder only counts bytes.
     explicit Encoder(Writer* writer) noexcept : writer_(writer) {}
 
     template <class T>
@@ -50,7 +50,7 @@ private:
 void write_header(Writer& writer, std::uint32_t kind, std::uint32_t version, std::uint64_t payload_length);
 void write_trailer(Writer& writer, std::uint32_t checksum);
 
-// encode(encoder) writes the payload's sections; it must do the same both times.
+// Writes a file. encode(encoder) writes the sections. It is called twice and must do the same both times.
 template <class F>
 void write_file(Writer& writer, std::uint32_t kind, std::uint32_t version, F&& encode) {
     Encoder measure(nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Model and point-set files: magic, version, endianness, length, checksum.  docs/file-format.md
+// Saves and loads models and point sets in the format of docs/file-format.md.
 #pragma once
 
 #include "base/memory.h"
@@ -15,26 +15,26 @@
 
 namespace hrbfnpr::io {
 
-// Where the surface of a trimmed model ends (surface/support_domain.h).
+// The end of a trimmed model's surface (surface/support_domain.h).
 struct TrimFile {
     explicit TrimFile(base::Memory& memory) noexcept
         : report(memory), position(memory), normal(memory), kept(memory), ends(memory) {}
     double limit = 0.0, closest = 0.0;
     geometry::CellGrid grid;
-    base::Array<double> report; // opaque, as that of a model
+    base::Array<double> report; // not interpreted here
     base::Array<double> position, normal;
     base::Array<std::int64_t> kept, ends; // cells, packed
 };
 
-// Of one fit, or of sheets.
+// A single fit, or a model of sheets.
 struct FitFile {
     explicit FitFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
     implicit::HrbfData data;
     std::optional<implicit::PiecesData> pieces = std::nullopt;
-    base::Array<double> report; // numbers in the order of fit::FitReport, opaque to this room
+    base::Array<double> report; // in the order of fit::FitReport; not interpreted here
 };
 
-// Any number of them, in the context's memory.
+// A growing list of FitFiles in the context's memory.
 class FitFiles {
 public:
     explicit FitFiles(base::Memory& memory) noexcept : files_(memory) {}
@@ -61,25 +61,25 @@ private:
 
 struct ModelFile : FitFile {
     explicit ModelFile(base::Memory& memory) noexcept : FitFile(memory), trim(memory), tree(memory), leaves(memory) {}
-    TrimFile trim; // without samples: the model is not trimmed
-    // With nodes: the model is a tree, and no fit.  That its nodes make one is for others to check.
+    TrimFile trim; // has no samples if the model is not trimmed
+    // With nodes the model is a CSG tree, not a fit. The caller checks that they form a tree.
     implicit::CsgTree tree;
     geometry::Bounds bounds;
     FitFiles leaves;
 };
 
-// One of the two.
+// A fit or a model of sheets: either `data` or `pieces` is not null.
 struct FitToSave {
     const implicit::HrbfData* data = nullptr;
     const implicit::PiecesData* pieces = nullptr;
     std::span<const double> report;
 };
 
-// trim: null or without samples where the model is not trimmed.
+// If the model is not trimmed, `trim` is null or has no samples.
 void save_model(const FitToSave& fit, const TrimFile* trim, Writer& writer);
 void save_csg(const implicit::CsgTree& tree, const geometry::Bounds& bounds, std::span<const FitToSave> leaves,
               const TrimFile* trim, Writer& writer);
-// Throws Error{corrupt_data, version_mismatch, io, out_of_memory}; reads no byte beyond the file's end.
+// Reads a model file, and no byte beyond its end. Throws Error{corrupt_data, version_mismatch, io, out_of_memory}.
 [[nodiscard]] ModelFile load_model(base::Memory& memory, Reader& reader);
 
 void save_point_set(const marks::PointSet& set, Writer& writer);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The frame that models and point sets share.                        docs/file-format.md
+// Defines the frame of model and point-set files (docs/file-format.md):
 //
-//   header     magic, kind, version, byte order, reserved, payload length, CRC-32 of all that
+//   header     magic, kind, version, byte order, reserved, payload length, CRC-32 of the header
 //   payload    sections {tag, scalar, count, elements}
 //   trailer    CRC-32 of the payload
 //
-// Everything is little-endian, whatever the machine.
+// Files are little-endian on every machine.
 #pragma once
 
 #include "base/bits.h"
@@ -17,17 +17,17 @@
 
 namespace hrbfnpr::io {
 
-// Like PNG's: the top bit finds 7-bit transfers, the line ends find text mode, 1A ends a DOS listing.
+// As in PNG, the top bit detects 7-bit transfers, the line ends detect text mode, and 1A ends a DOS listing.
 inline constexpr std::array<std::uint8_t, 8> magic{0x89, 'H', 'R', 'B', 0x0D, 0x0A, 0x1A, 0x0A};
-// The newest of each kind.
+// The newest format version of each kind of file.
 inline constexpr std::uint32_t model_version = 2;
-inline constexpr std::uint32_t fit_version = 1;       // of a model that is one fit: older readers know it
-inline constexpr std::uint32_t point_set_version = 3; // older ones, of before the first release, are not read
+inline constexpr std::uint32_t fit_version = 1;       // for models that are a single fit, so that older readers know it
+inline constexpr std::uint32_t point_set_version = 3; // older versions, from before the first release, are not read
 inline constexpr std::uint32_t byte_order_mark = 0x01020304U;
 inline constexpr std::size_t header_size = 40;
 inline constexpr std::size_t section_header_size = 16;
 
-// Four letters, readable in a hex dump.
+// Returns a tag: four letters that are readable in a hex dump.
 [[nodiscard]] constexpr std::uint32_t tag(const char (&letters)[5]) noexcept {
     std::uint32_t number = 0;
     for (unsigned i = 0; i < 4; ++i)
@@ -38,7 +38,7 @@ inline constexpr std::size_t section_header_size = 16;
 inline constexpr std::uint32_t kind_model = tag("MODL");
 inline constexpr std::uint32_t kind_point_set = tag("PSET");
 
-// Types of a section's elements.
+// The types that the elements of a section can have.
 enum class ElementType : std::uint32_t { float32 = 1, float64 = 2, uint8 = 3, uint32 = 4, int64 = 5 };
 
 template <class T>
@@ -64,7 +64,7 @@ using Bits = std::conditional_t<
     std::conditional_t<size == 2, std::uint16_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>>;
 } // namespace detail
 
-// One path for every byte order: compilers make a plain copy of it where the machine is little-endian.
+// These work for every byte order. On little-endian machines compilers make them plain copies.
 template <class T>
 constexpr void store(std::uint8_t* to, T value) noexcept {
     const auto bits = base::bit_cast<detail::Bits<sizeof(T)>>(value);

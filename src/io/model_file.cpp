@@ -15,7 +15,7 @@ constexpr std::uint32_t tag_beta[3] = {tag("BETX"), tag("BETY"), tag("BETZ")};
 constexpr std::uint32_t tag_polynomial = tag("POLY");
 constexpr std::uint32_t tag_report = tag("RPRT");
 
-// At the end, if the model is trimmed.
+// These sections are at the end of the file if the model is trimmed.
 constexpr std::uint32_t tag_trim = tag("TRIM");
 constexpr std::uint32_t tag_trim_report = tag("TRRP");
 constexpr std::uint32_t tag_trim_position = tag("TPOS");
@@ -26,13 +26,13 @@ constexpr std::uint32_t tag_trim_ends = tag("TEND");
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
-// What a fit accepts, and what can come of it: samples as far from each other as 1e-9 diagonals.
+// Limits for the inputs and results of a fit. It merges samples nearer to each other than 1e-9 diagonals.
 constexpr double smallest_side = 1e-110;
-constexpr double most_scales = 1e12; // in a side of the bounds
+constexpr double most_scales = 1e12; // the largest ratio of the bounds' longest side to the scale
 constexpr double radius_limit = 1e30;
-constexpr double weight_limit = 1e120; // a radius to the third, times what a solver still resolves
+constexpr double weight_limit = 1e120; // the cube of the largest radius, times 1e30, which a solver still resolves
 
-// Terms of a polynomial of a degree from -1 to 3 in three variables.
+// Returns the number of terms of a polynomial in three variables. The degree is from -1 to 3.
 constexpr std::int64_t term_count(std::int32_t degree) noexcept {
     return std::int64_t{degree + 1} * (degree + 2) * (degree + 3) / 6;
 }
@@ -66,7 +66,7 @@ void set_numbers(implicit::HrbfData& data, const ModelNumbers& n) noexcept {
 } // namespace
 
 void encode_hrbf(Encoder& encoder, const implicit::HrbfData& data) {
-    // The degree is -1 at least.
+    // The degree is at least -1.
     const ModelKind kind{static_cast<std::uint32_t>(data.kernel),
                          static_cast<std::uint32_t>(data.polynomial_degree + 1)};
     encoder.section<std::uint32_t>(tag_kind, kind);
@@ -142,7 +142,7 @@ void check_extent(const Decoder& decoder, const implicit::HrbfData& data) {
     const double side = longest_side(data.bounds);
     if (side > 0.0 && side < smallest_side) decoder.damaged("its bounds are smaller than 1e-110");
     if (data.spacing > 2.0 * side) decoder.damaged("its sample spacing is larger than its bounds");
-    // Of a single sample the scale is 1, whatever the bounds.
+    // A fit to a single sample has the scale 1, whatever its bounds are.
     if (data.count() > 1 ? data.scale > 2.0 * side || data.scale < side / most_scales : data.scale != 1.0)
         decoder.damaged("its scale does not fit its bounds");
 }
@@ -155,7 +155,7 @@ void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
         decoder.damaged("its kernel radius is not positive");
     if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");
     check_extent(decoder, data);
-    // A radius of the bounds' size is one that the fit chose.
+    // The fit itself may choose a radius as large as the bounds.
     if (data.kernel != kernel::Kind::triharmonic &&
         (data.kernel_radius < 1.0 / radius_limit ||
          data.kernel_radius > std::max(radius_limit, 2.0 * longest_side(data.bounds) / data.scale)))
@@ -171,7 +171,7 @@ void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const
             decoder.damaged("%s[%lld] is larger than a fit's", name, static_cast<long long>(i));
 }
 
-// Centres are where their samples are, but for rounding.
+// Checks that each centre is at its sample, except for rounding.
 void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
     for (std::int64_t i = 0; i < data.count(); ++i) {
         const glm::dvec3 centre = data.centre_position[i];

@@ -35,10 +35,10 @@ constexpr std::uint32_t tag_level = tag("LEVL");
 constexpr std::uint32_t tag_stroke = tag("STRK");
 constexpr std::uint32_t tag_width = tag("WIDT");
 
-// Numbers of a LevelReport.
+// The number of counts in a LevelReport.
 constexpr std::size_t level_numbers = 6;
 
-constexpr std::int64_t most_level = 255; // of a mark
+constexpr std::int64_t most_level = 255; // the highest level of a mark
 
 using SetNumbers = std::array<double, 12>;
 using LevelNumbers = std::array<std::int64_t, level_numbers>;
@@ -182,7 +182,7 @@ void decode_layer(Decoder& decoder, marks::PointSet& set) {
     decoder.section(tag_stroke_order, layer.stroke_order);
 }
 
-// Files of sets that have none leave them out.
+// Reads the normals for tone, if the file has any.
 void decode_tone_normals(Decoder& decoder, marks::PointSet& set) {
     if (!decoder.more()) return;
     for (marks::Layer& layer : set.layers) {
@@ -197,7 +197,7 @@ void decode_layers(Decoder& decoder, std::uint32_t count, marks::PointSet& set) 
     decode_tone_normals(decoder, set);
 }
 
-// Each mark once, and the strokes in the order of their numbers: they are searched for by these.
+// Checks that the order has each mark once, and that strokes ascend by their numbers, as searches need.
 void check_order(const Decoder& decoder, const marks::Layer& layer) {
     const std::int64_t count = layer.count();
     if (layer.stroke_order.size() != count) decoder.damaged("the order of a layer's strokes is not that of its marks");
@@ -245,7 +245,7 @@ void check_layer(const Decoder& decoder, const marks::Layer& layer) {
     check_strokes(decoder, layer);
 }
 
-// Positions are floats about the middle of the box of all marks, which lie in it; but for their rounding.
+// Checks that all marks are inside the bounds, except for rounding. Positions are floats relative to the origin.
 void check_places(const Decoder& decoder, const marks::PointSet& set) {
     constexpr double float_max = std::numeric_limits<float>::max();
     check_bounds(decoder, set.bounds);
@@ -261,7 +261,7 @@ void check_places(const Decoder& decoder, const marks::PointSet& set) {
         }
 }
 
-// A set without marks has no box, and once had no origin and no spacing.
+// Checks a set without marks, which has no box. Sets its origin and spacing to 0, because older files have none.
 void check_empty(const Decoder& decoder, marks::PointSet& set) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::isinf(set.bounds.min[axis]) && set.bounds.min[axis] > 0.0 && std::isinf(set.bounds.max[axis]) &&

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where bytes come from and go to.
+// Defines streams of bytes for reading and writing.
 #pragma once
 
 #include <algorithm>
@@ -25,11 +25,11 @@ public:
     Reader(const Reader&) = delete;
     Reader& operator=(const Reader&) = delete;
     virtual ~Reader() = default;
-    // Reads up to `size` bytes; 0 at the end.  Throws Error{io}.
+    // Reads up to `size` bytes and returns their number, or 0 at the end. Throws Error{io}.
     virtual std::uint64_t read(void* data, std::uint64_t size) = 0;
 };
 
-// From plain memory.
+// Reads from plain memory.
 class MemoryReader final : public Reader {
 public:
     explicit MemoryReader(std::span<const std::byte> bytes) noexcept : rest_(bytes) {}
@@ -46,7 +46,7 @@ private:
     std::span<const std::byte> rest_;
 };
 
-// To plain memory: writes what fits and counts everything.
+// Writes to plain memory. Blocks that do not fit are only counted.
 class MemoryWriter final : public Writer {
 public:
     explicit MemoryWriter(std::span<std::byte> room) noexcept : room_(room) {}

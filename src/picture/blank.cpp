@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The picture is rasterized, and pixels that differ from the paper are counted.  The counts of the drawing tell why
-// marks are not shown.
+// Rasterizes the picture, and counts the pixels that differ from the paper. The counts of the drawing tell why marks
+// are not shown.
 #include "picture/blank.h"
 
 #include "picture/look.h"

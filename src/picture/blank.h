@@ -19,7 +19,7 @@ struct Blank {
 };
 
 // Tells why hardly anything of a drawing can be seen. Returns nullopt if enough can be seen. `bounds` is the box of
-// everything that is drawn. `camera` and `style` are those of the drawing. `is_flipped` tells whether the caller had
+// everything that is drawn. `camera` and `style` belong to the drawing. `is_flipped` tells whether the caller had
 // all normals turned.
 [[nodiscard]] std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& bounds,
                                              const hrbfnpr_camera& camera, const hrbfnpr_style& style, bool is_flipped,

@@ -21,8 +21,8 @@ struct Change {
     String value;
 };
 
-// A list of changes. Two paths name no field of a struct. The steps that use them read them by value():
-//   style.ink            the colour of all layers, lines and contours
+// A list of changes. The path "style.ink" names no field of a struct: it is the colour of all layers, lines and
+// contours, which plan.cpp reads by colour().
 class Changes {
 public:
     // Reads and checks the caller's list. Throws Error{invalid_argument} that names the path and the allowed values.

@@ -34,7 +34,7 @@ struct FaceEdges {
 // Finds the edges of triangles. All vertex numbers of the triangles are below `vertices`.
 [[nodiscard]] FaceEdges find_edges(const Vector<Triangle>& triangles, std::size_t vertices, Pool& pool);
 
-// The number of an edge of exactly two faces, with these.
+// The number of an edge of exactly two faces, and the two faces.
 struct PlainEdge {
     std::size_t edge;
     std::size_t one, other; // faces

@@ -15,7 +15,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::size_t most_digits = 64; // Longer texts are no numbers.
+constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
 
 [[nodiscard]] char small_letter(char letter) noexcept {
     if (letter >= 'A' && letter <= 'Z') return static_cast<char>(letter - 'A' + 'a');

@@ -44,7 +44,7 @@ public:
     }
     ~Handle() { release(handle_); }
 
-    // Adds a reference to a handle that belongs to somebody else.
+    // Shares a handle that has another owner, by adding a reference.
     [[nodiscard]] static Handle shared(const T* handle) noexcept {
         auto* const own = const_cast<T*>(handle);
         retain(own);

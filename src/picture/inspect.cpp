@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Points and meshes are looked at in the order in which a picture uses them: what stands for no data and strays are
-// left out, then come places, duplicates, the topology of a mesh, normals, and up.  A note says what a picture would
-// repair, a warning what may go wrong.
+// Inspects points and meshes in the order in which a picture uses them. Values that stand for missing data and strays
+// are removed. Then follow positions, duplicates, the topology of a mesh, normals, and the up direction. A note tells a
+// repair that a picture would make, and a warning tells what may go wrong.
 #include "picture/inspect.h"
 
 #include "api/barrier.h"
@@ -25,10 +25,10 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Samples by which the normals and the up of a surface are looked at.
+// The samples from which the normals and the up direction of a surface are inspected.
 struct InspectedSamples {
     Points points;
-    Points normals; // unit, as many as the points; zeros where the source has none
+    Points normals; // one unit vector for each point; all zero if the source has no normals
 };
 
 bool has_finite_place(const glm::dvec3& p) noexcept {
@@ -49,7 +49,7 @@ void give_bounds(const geometry::Bounds& bounds, hrbfnpr_source_info& info) noex
 
 // ---- Places
 
-// Leaves out what a picture does not use.
+// Removes points that a picture does not use: missing data, and strays of a source without faces.
 void leave_out_unused(const Call& call, Shape& shape, hrbfnpr_source_info& info) {
     Pool& pool = call.pool;
     const NoData no_data = leave_out_no_data(shape, pool);
@@ -96,7 +96,7 @@ void inspect_places(const Call& call, const Shape& shape, hrbfnpr_source_info& i
 
 // ---- Normals
 
-// Says which way normals look, and warns if it is not outward.
+// Finds which way normals point, and warns if they do not point outward.
 void inspect_orientation(const Call& call, const InspectedSamples& samples, bool of_mesh, hrbfnpr_source_info& info) {
     Report& report = call.report;
     const NormalsLook look = look_at_normals(samples.points, samples.normals, of_mesh, call.pool);
@@ -131,7 +131,7 @@ std::uint32_t look_of_found(std::uint32_t found) noexcept {
     }
 }
 
-// The same of points along curves, where neighbours and winding numbers tell nothing.
+// Does the same for points along curves, where neighbours and winding numbers say nothing about normals.
 void inspect_orientation_on_curves(const Call& call, const InspectedSamples& samples, hrbfnpr_source_info& info) {
     Report& report = call.report;
     std::uint32_t found = HRBFNPR_NORMALS_GIVEN;
@@ -159,7 +159,7 @@ std::int64_t count_at_place_of_another(Points points) {
     return points.end() - std::unique(points.begin(), points.end());
 }
 
-// The points that a picture can use, with unit normals.  Counts the others.
+// Returns the points that a picture can use, with unit normals. Counts normals that cannot be used.
 InspectedSamples usable_points(const Call& call, const Shape& shape, hrbfnpr_source_info& info) {
     HRBFNPR_ASSERT(shape.normals.size() == shape.points.size());
     InspectedSamples usable{Points(&call.pool), Points(&call.pool)};
@@ -201,7 +201,7 @@ void tell_unusable_normals(const Call& call, const hrbfnpr_source_info& info, st
                               count_of(static_cast<std::int64_t>(usable), "point", pool).c_str()));
 }
 
-// Leaves one sample at each place.
+// Leaves at most one sample at each place. Samples with opposite normals at one place are removed.
 void join_at_places(const Call& call, InspectedSamples& samples) {
     const SharedPlaces places = agreed(samples.points, samples.normals, call.pool);
     if (places.joined != 0)
@@ -327,7 +327,7 @@ void tell_inside_out(const Call& call, const MeshFacts& facts) {
     }
 }
 
-// Says of edges of more than two faces what a fit does with them.  left: those that it has, too.
+// Reports how a fit treats edges of more than two faces. `left` is the number of them that the mended mesh still has.
 void tell_nonmanifold(const Call& call, std::int64_t found, std::int64_t left, bool has_repeated_faces) {
     if (left < found)
         call.report.note(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(found - left)},
@@ -364,19 +364,19 @@ void tell_contrary_and_parts(const Call& call, const MeshFacts& facts) {
             "others are left out; {parts=all} keeps them");
 }
 
-// Whether the source is to blame for a failure, and not the call.
+// Tells whether the source caused an error, rather than the call.
 bool is_of_source(const Error& error) noexcept {
     return error.status() == Status::invalid_argument || error.status() == Status::singular_system ||
            error.status() == Status::not_converged;
 }
 
-// A mesh, or why there is none.
+// A mesh, or the error that prevented it.
 struct MendedMesh {
     Mesh mesh;
     std::optional<Error> error;
 };
 
-// Mends a mesh as a fit does, with all its parts.
+// Mends a mesh as a fit does, and keeps all its parts.
 MendedMesh mend(const Call& call, const Shape& shape) {
     Stage stage(call.report, HRBFNPR_STAGE_MESH);
     auto desc = defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a source holds, what is wrong with it, and what a picture would repair; nothing is fitted or drawn.
+// Inspects a source: its contents, its defects, and the repairs that a picture would make. It fits and draws nothing.
 #pragma once
 
 #include "picture/report.h"
@@ -7,8 +7,8 @@
 
 namespace hrbfnpr::picture {
 
-// Looks at a source, and tells the report what it finds; what makes a source useless is told as a failure.  Throws only
-// what is not the source's fault.
+// Inspects a source and reports the findings. A defect that makes the source useless is reported as a failure. Only
+// errors that the source did not cause are thrown.
 [[nodiscard]] hrbfnpr_source_info inspect_source(hrbfnpr_context& context, Source&& source, Report& report);
 
 } // namespace hrbfnpr::picture

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The standard library's containers in the context's memory.  std::pmr would do, but not every toolchain has it:
-// Emscripten's and Apple's came late to it.
+// Defines standard containers that use the context's memory. std::pmr is not used, because the toolchains of Emscripten
+// and Apple got it late.
 #pragma once
 
 #include "base/memory.h"
@@ -60,7 +60,7 @@ private:
     Pool* pool_ = nullptr;
 };
 
-// Hands its pool on to what a container holds.
+// Passes its pool on to the elements of a container.
 template <class T>
 using Allocator = std::scoped_allocator_adaptor<PoolAllocator<T>>;
 

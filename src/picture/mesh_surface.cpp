@@ -239,7 +239,7 @@ void tell_facing(const Call& call, mesh::Facing facing) {
 
 // ---- Coarse meshes
 
-// What became of coarse faces.
+// The result of dividing coarse faces.
 struct Divided {
     using Choice = mesh::CoarsePlan::Choice;
 
@@ -251,8 +251,8 @@ struct Divided {
     double coarseness = -1.0;
 };
 
-// Tells whether a fit keeps some edges sharp, as it does on machine parts and polyhedra. If none stand out on the whole
-// mesh, those of a single part still may. A caller sees the same in the sheets of a rough fit.
+// Tells whether a fit keeps some edges sharp, as it does on machine parts and polyhedra. If the whole
+// mesh has no creases, a rough fit still shows creases of single parts.
 bool has_creases(const Mesh& mesh, const base::Progress& progress) {
     if (info_of(mesh).creases != 0) return true;
     const hrbfnpr_mesh& made = *mesh.get();
@@ -268,7 +268,7 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
     return most;
 }
 
-// Divides the faces of a welded mesh as planned, and judges what came out.
+// Divides the faces of a welded mesh as planned, and judges the result.
 Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::SaidOfEdges said,
                const mesh::MeshWishes& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
@@ -332,7 +332,7 @@ void tell_divided(const Call& call, const Divided& found) {
 }
 
 // Makes a mesh round where it is coarse but stands for a round shape, and keeps its sharp edges, as far as the two can
-// be told apart.
+// be distinguished.
 Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     Pool& pool = call.pool;
     const Options& options = call.options;

@@ -26,13 +26,13 @@ struct NormalsLook {
 
 // Describes the result of look_at_normals().
 [[nodiscard]] String normals_in_words(const NormalsLook& look, Pool& pool);
-// Warns if normals that were not turned look wrong. `of_mesh` tells that they are those of faces. With `advice_apart`
+// Warns if normals that were not turned look wrong. `of_mesh` tells that they are normals of faces. With `advice_apart`
 // the remedy becomes the note's advice; otherwise it ends the note's text.
 void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh,
                         bool advice_apart = false);
 
-// Tells whether finite points lie along curves, where neighbours say nothing about normals. It is false without a test
-// for very many points.
+// Tells whether finite points lie along curves, where neighbours say nothing about normals. Very many points are not
+// tested, and the result is false.
 [[nodiscard]] bool lie_along_curves(const Points& points, Pool& pool);
 
 // Counts the places with several samples whose normals differ.

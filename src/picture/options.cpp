@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The descriptor of a picture: its defaults, its checks, and what settings add to it.
+// Implements the descriptor of a picture: its defaults, its checks, and the values that settings add.
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/lists.h"

@@ -131,7 +131,7 @@ void change_all_layers(const Call& call, Style& style) {
     }
 }
 
-// Applies "style.F". An ink for everything is applied before the ink of contours, which is also that of lines.
+// Applies "style.F". An ink for everything is applied before the ink of contours, which lines use, too.
 void change_style(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     changes.apply("style", style.base);
@@ -314,8 +314,8 @@ void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double want
                   name_of_layer(layer), wanted, most, 100.0 * (made / wanted), kind, wanted));
 }
 
-// Gives an evenly spread layer as many marks as fill the darkest tone, unless its number is given. `radius` is that of
-// its marks, in pixels.
+// Gives an evenly spread layer as many marks as fill the darkest tone, unless its number is given. `radius` is the
+// radius of its marks in pixels.
 void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     const auto [area, pixels, seeds] = canvas;
     hrbfnpr_layer_desc& desc = layer.desc;
@@ -396,7 +396,7 @@ void set_open_budget(LayerPlan& layer, std::uint32_t distribution) noexcept {
     if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED || says_itself(layer)) layer.desc.budget = 0;
 }
 
-// Applies "marks.F", and the seeds and the random number of the descriptor.
+// Applies "marks.F", and the seed points and the random seed of the descriptor.
 void set_base(const Call& call, Marks& marks) {
     const Options& options = call.options;
     options.changes.apply("marks", marks.base);

@@ -13,8 +13,9 @@ namespace hrbfnpr::picture {
 // It is 1 for a style of the caller's own.
 [[nodiscard]] double pen_of(const Call& call, double width, double height);
 
-// Returns the style for a picture: a named style, that of settings, or the caller's own. Its marks and lines are sized
-// for the picture; the caller's changes come last. `has_end` tells that a surface ends, so that its border is drawn.
+// Returns the style for a picture: a named style, the style of settings, or the caller's own. Its marks and lines are
+// sized for the picture; the caller's changes come last. `has_end` tells that a surface ends, so that its border is
+// drawn.
 [[nodiscard]] Style plan_style(const Call& call, double width, double height, bool has_end);
 
 // Plans the layers of marks that the style wants. Where the caller gives no number, the marks fill the darkest tone.

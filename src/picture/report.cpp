@@ -273,7 +273,7 @@ hrbfnpr_picture_event described(const FinishedStage& finished) noexcept {
 Stage::Stage(Report& report, std::uint32_t stage)
     : report_(report), stage_(stage), exceptions_(std::uncaught_exceptions()), says_(report.pool_),
       operation_(*report.context_) {
-    // The end of the stage needs no memory then.
+    // Memory is reserved now, so that the end of the stage needs none.
     if (report.kept_before(stage) == nullptr) report.stages.reserve(report.stages.size() + 1);
     operation_.operation.set_callback(on_progress, this);
     if (report.operation_ != nullptr) operation_.operation.be_part_of(&report.operation_->operation);

@@ -120,7 +120,8 @@ public:
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    // Returns the operation for a call of the library. The progress of the stage is that of its current call.
+    // Returns the operation for a call of the library. The progress of the current call becomes the progress of the
+    // stage.
     [[nodiscard]] hrbfnpr_operation* operation() noexcept { return &operation_; }
     // Reports the progress of a stage that makes many calls. Throws Error{cancelled} after a cancellation.
     void update(double fraction);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads settings. The table of fields of its section checks each key of the document, and a message names a mistake by
-// its path.
+// Reads settings. Each key of the document must be in the table of fields of its section. A message names a mistake by
+// its path in the document.
 #include "picture/settings.h"
 
 #include "base/assert.h"

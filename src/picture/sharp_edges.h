@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds which edges of a mesh are sharp according to the normals of its file.
 //
-// Modelling programs shade them this way: faces share normals along edges that bend by up to some angle ("auto smooth",
-// "smoothing groups"), and have their own normals along other edges.
+// Modelling programs shade edges this way: faces share normals along edges that bend by up to some angle ("auto
+// smooth", "smoothing groups"), and have their own normals along other edges.
 #pragma once
 
 #include "mesh/plan.h"

@@ -127,7 +127,7 @@ PointMask far_from_most(const Points& points, Pool& pool) {
     for (std::size_t i = 0; i < points.size(); ++i)
         if (is_finite_point(points[i])) distance[i] = glm::length(points[i] - middle);
 
-    // The largest distances, ascending: those of the few far points, and one more.
+    // From `last` on, these are the largest distances, ascending: one for each of the few far points, and one more.
     const auto few = static_cast<std::size_t>(strays_tuning.few * static_cast<double>(finite));
     numbers = distance;
     const auto last = numbers.end() - static_cast<std::ptrdiff_t>(few + 1);

@@ -16,12 +16,13 @@ struct UpTuning {
     double terrain_upward = 0.7;
     // At least this share of a terrain's samples faces one side along its axis. Larger: fewer overhangs are allowed.
     double terrain_one_side = 0.99;
-    // A normal with a smaller z component than this is ignored. Larger: more shapes count as seen from all sides.
+    // A normal with a z component smaller than this, up or down, is ignored. Larger: more shapes count as seen from all
+    // sides.
     double side_told = 0.05;
     // A shape may be a view from one side only if more than this share of its normals is not ignored.
     double view_share = 0.98;
-    // In a view from one side these normals are at least this one-sided, from 0 to 1. Larger: fewer shapes are such
-    // views.
+    // In a view from one side the mean sign of the normals' z components exceeds this in magnitude. Larger: fewer
+    // shapes are such views.
     double view_one_sided = 0.95;
     // Samples lower than this, as a share of the height, may belong to a flat end. Larger: thicker ends are flat.
     double end_height = 0.02;
@@ -29,7 +30,8 @@ struct UpTuning {
     double end_outward = 0.9;
     // A base holds at least this share of the samples. Larger: only broad bases count.
     double base_share = 0.05;
-    // A base is this many times as large as any other flat end, and a top as the feet. Larger: fewer shapes are clear.
+    // A base has at least this many times the samples of any other flat end. An object stands on its feet if its top
+    // has more than this many times their samples. Larger: fewer shapes are clear.
     double base_over_others = 4.0;
     // Eastings and northings are at least this, in units of the source. Larger: only places far from 0 are on a map.
     double map_least = 10000.0;

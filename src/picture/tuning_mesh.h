@@ -19,7 +19,7 @@ struct MeshTuning {
     // normals of samples beside edges lean towards the other face.
     double crease_angle = 60.0;
 
-    // The places are compared at this percentile. Larger: a single fold counts.
+    // The heights of a divided mesh above the given faces are judged at this percentile. Larger: a single fold counts.
     double raised_percentile = 99.0;
     // A rough fit with this tolerance, in diagonals, shows whether a coarse mesh has edges. Larger: more of its faces
     // may be round.
@@ -33,7 +33,7 @@ struct MeshTuning {
     // A fit that misses its tolerance had too few centres if it used more than this share of the limit. Larger: more
     // centres are proposed less often.
     double nearly_all_centres = 0.9;
-    // The limits of the centres of a fit, and of those for each sheet of a fit with sharp edges, as in
+    // The limits for the number of centres of a fit, and of each sheet of a fit with sharp edges, as in
     // hrbfnpr_model_fit_mesh.
     std::int64_t most_centres = 8000;
     std::int64_t centres_a_sheet = 32;
@@ -56,9 +56,9 @@ struct ApartTuning {
     double near = 0.02;
     // Borders nearer than this, in diagonals, may be a single edge that the file has twice. Larger: fewer groups.
     double seam = 0.002;
-    // They are one edge if this share of the border of either part is that near. Larger: more groups.
+    // Two borders are one edge if this share of the border of either part is nearer than `seam`. Larger: more groups.
     double seam_share = 0.2;
-    // The cosine between the normals of the faces there is at least this. Larger: more groups.
+    // The cosine between the normals of the faces beside such an edge exceeds this in magnitude. Larger: more groups.
     double seam_cosine = 0.7;
     // About this many places are spread over all parts. Larger: no contact is missed, in more time.
     double places = 40'000.0;

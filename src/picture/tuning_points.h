@@ -103,8 +103,8 @@ struct StraysTuning {
     // The cell size is chosen so that half of all points share their cell with this many. Larger: coarser cells, fewer
     // strays.
     double crowd = 24.0;
-    // A point is a stray if its cell and the cells around it hold at most this many points. Half of all points see a
-    // hundred or more.
+    // A point is a stray if its cell and the cells around it hold at most this many points. For half of all points
+    // these cells hold a hundred or more.
     std::int64_t alone = 3;
     // If more than this share would be strays, none is removed, because the points are simply uneven.
     double most = 0.1;

@@ -83,11 +83,12 @@ struct ViewOrderTuning {
     double straight = 0.99;
     // Directions are the same if they differ by less than this, in degrees.
     double alike_degrees = 25.0;
-    // A part that is hidden or visible for less than this length takes the state of its neighbours, unless it advances
-    // by less than `onward` of its length: a line that turns back at a cusp continues like another line.
+    // A part that is hidden or visible for less than this length takes the state of its neighbours, if its ends are
+    // farther apart than `onward` of its length. A part that turns back at a cusp keeps its state, because the line
+    // continues like another line.
     double flicker = 2.0;
     double onward = 0.7;
-    // A line may come near to itself beyond this distance along it, in reaches.
+    // Places of one line count as different lines if they are farther apart than this along it, in reaches.
     double own_part = 4.0;
     // The shortest parts that are drawn: of outlines, of hidden lines, of lines that are not sharp.
     double shortest_outline = 0.8;

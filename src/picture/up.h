@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds which direction is up: as the caller says, by the format's convention, by the shape where that is clear, else
-// y.
+// Finds which direction is up: the caller's choice, the convention of the file format, the shape where it is clear, or
+// else y.
 #pragma once
 
 #include "picture/call.h"

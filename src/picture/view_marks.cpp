@@ -108,7 +108,8 @@ std::array<glm::dvec2, 5> rectangle(const SheetBox& box) noexcept {
 
 std::string_view name_of(Projection projection) noexcept { return projection == Projection::first ? "first" : "third"; }
 
-// Draws a truncated cone seen from its side and from its smaller end, at the place of that view [ISO 5456-2].
+// Draws the symbol of the projection [ISO 5456-2]: a truncated cone seen from its side, and seen from its smaller end
+// on the side where the projection places that view.
 void add_projection_symbol(SheetContent& content, const glm::dvec2& middle, Projection projection) {
     constexpr double large = 5.0; // radii
     constexpr double small = 2.5;

@@ -110,7 +110,7 @@ void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
             std::fill(free.begin() + static_cast<std::ptrdiff_t>(runs[i].begin),
                       free.begin() + static_cast<std::ptrdiff_t>(runs[i].end), std::uint8_t{1});
     }
-    // Another line that begins where this one is left out comes near to it before that place.
+    // The line that replaces this one is within reach already before they meet, so free parts are extended by `reach`.
     const auto more = static_cast<std::size_t>(std::ceil(reach / tuned.step));
     for (const Run& run : runs_of(free, pool)) {
         if (!run.value) continue;

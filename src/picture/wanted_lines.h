@@ -34,7 +34,7 @@ struct WantedLine {
 // Tells whether the line set of a style must hold curvatures.
 [[nodiscard]] bool needs_curvature(const Style& style) noexcept;
 
-// Sets the lines of a style to its own or those that the caller asks for, and scales them by the radius of the pen.
+// Sets the lines of a style: its own, or the lines that the caller asks for. Scales them by the radius of the pen.
 // `has_end` tells that a surface ends, so that its border is drawn.
 void size_lines(const Call& call, Style& style, double pen, bool has_end);
 

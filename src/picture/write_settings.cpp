@@ -116,7 +116,7 @@ void write_kind_style(JsonDocument& to, Record record, const Struct& style, cons
     to.end();
 }
 
-// Returns the plain tone below a painted one, which is a function.
+// Returns the plain tone under a painted tone. A painted tone is a function.
 [[nodiscard]] std::uint32_t plain_tone(const Options& options, std::uint32_t tone) noexcept {
     if (tone != HRBFNPR_TONE_CALLBACK) return tone;
     if (const std::optional<double> given = options.changes.number("style.tone"))
@@ -256,7 +256,7 @@ void write_marks(JsonDocument& to, const Options& options, const Marks& marks, P
 }
 
 // Adds the fields that choose samples, for both kinds of fit. A change of such a field takes precedence. The flags tell
-// whether there is one.
+// whether a change of the tolerance or of the limit exists.
 void put_choice(const Options& options, bool has_tolerance, bool has_limit, GivenFields& fields, Pool& pool) {
     if (options.desc.tolerance > 0.0 && !has_tolerance)
         fields.put("tolerance", decimals_of(options.desc.tolerance, pool));
