@@ -20,24 +20,24 @@ geometry::VecArray positions_of_centres(const Samples& samples, const base::Arra
     return positions;
 }
 
-// How far a fit is off at each sample.
+// The errors of a fit at each sample.
 struct Misfits {
     explicit Misfits(base::Memory& memory, std::int64_t count)
         : error(memory, count), score(memory, count), to_centre(memory, count), spacing(memory, count) {}
 
     base::Array<double> error;     // distance from the surface
-    base::Array<double> score;     // the higher, the worse
+    base::Array<double> score;     // higher is worse
     base::Array<double> to_centre; // distance to the nearest centre
-    base::Array<double> spacing;   // distance of that centre from the next one
+    base::Array<double> spacing;   // distance from that centre to the nearest other centre
 };
 
 Misfits misfits_of(const base::Work& work, const Samples& samples, const base::Array<std::int64_t>& centres,
                    const Distances& distances, const CandidateOptions& options) {
     const geometry::PointTree tree(positions_of_centres(samples, centres), work);
-    base::Array<double> spacing(work.memory, centres.size()); // by place in the tree
+    base::Array<double> spacing(work.memory, centres.size()); // by index in the tree
     for (std::int64_t at = 0; at < centres.size(); ++at)
         spacing[at] = std::min(tree.nearest_other(at), samples.bounds.diagonal());
-    // 0 where the gradient is along the normal, 2 where it is against it.
+    // Returns 0 where the gradient points along the normal, and 2 where it points against it.
     const auto deviation = [&](std::int64_t i) {
         const glm::dvec3 gradient = distances.gradient[i];
         const double slope = glm::length(gradient);
@@ -45,7 +45,7 @@ Misfits misfits_of(const base::Work& work, const Samples& samples, const base::A
     };
     Misfits found(work.memory, samples.position.size());
     const auto measure = [&](std::int64_t i) {
-        // The noise of one sample says nothing about the surface; the mean of some does.
+        // The noise of a single sample says nothing about the surface, but the mean over neighbours does.
         double distance = distances.distance[i];
         double off = deviation(i);
         if (options.neighbours != nullptr) {
@@ -62,7 +62,7 @@ Misfits misfits_of(const base::Work& work, const Samples& samples, const base::A
             samples.position[i], 1, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, &nearest);
         found.to_centre[i] = glm::distance(samples.position[i], tree.points()[nearest]);
         found.spacing[i] = spacing[nearest];
-        // Where f grows inward the distance is that from another sheet, or from none.
+        // Where f grows inward, the distance is that to another sheet, or to no sheet.
         const bool wrong_side = off > 1.4142135623730951;
         found.error[i] = wrong_side ? std::max(std::abs(distance), adaptive_tuning.wrong_side * options.tolerance)
                                     : std::abs(distance);
@@ -95,7 +95,7 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
     const base::Stopwatch watch;
     const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& held,
                                const Smoothing& smooth) {
-        // The number of rounds is not known; each is longer than the one before.
+        // The number of rounds is not known in advance, so each round gets a quarter of the remaining progress.
         const base::Work part = work.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
         return fit_centres(part, input, centres_of(work, candidates, centres, held), smooth);
     };
@@ -194,17 +194,17 @@ Candidates worst_candidates(const base::Work& work, const Samples& samples, cons
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
         return misfit.score[a] > misfit.score[b] || (misfit.score[a] == misfit.score[b] && a < b);
     });
-    base::Array<std::int64_t> place(work.memory, count); // in the tree
+    base::Array<std::int64_t> place(work.memory, count); // index in the tree of each sample
     for (std::int64_t at = 0; at < tree.size(); ++at) place[tree.index(at)] = at;
 
     const auto take = [&](double share) {
-        base::Array<std::uint8_t> covered(work.memory, count); // by place in the tree
+        base::Array<std::uint8_t> covered(work.memory, count); // by index in the tree
         for (const std::int64_t i : order) {
             if (result.chosen.size() >= options.most) return;
             const double radius = std::max(share * misfit.spacing[i], options.least_distance);
             if (covered[place[i]] != 0 || misfit.to_centre[i] < radius) continue;
             const std::int64_t added = options.typical != nullptr ? (*options.typical)[i] : i;
-            // A sample that is near enough to share its typical one with another is not tried again.
+            // A sample whose typical one is a centre already is covered too, so that it is not tried again.
             if (is_centre[added] == 0) result.chosen.push_back(added);
             tree.within(samples.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
             work.check();
@@ -213,7 +213,7 @@ Candidates worst_candidates(const base::Work& work, const Samples& samples, cons
     for (double share = adaptive_tuning.apart; share >= adaptive_tuning.least_apart && result.chosen.empty();
          share *= 0.5) {
         take(share);
-        if (options.neighbours != nullptr) break; // noise is not chased
+        if (options.neighbours != nullptr) break; // smaller distances would fit the noise
     }
     return result;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The one loop that chooses the centres of a fit among candidates: samples of a scan, places on a mesh, or places on
-// one of its patches. The greedy choice is that of Carr et al., "Reconstruction and representation of 3D objects with
-// radial basis functions", 2001, in batches.
+// The loop that chooses the centres of every adaptive fit among candidates: samples of a scan, places on a mesh, or
+// places on one of its patches. The greedy choice is that of Carr et al., "Reconstruction and representation of 3D
+// objects with radial basis functions", 2001, in batches.
 //
-//   even_choice       the first centres, spread evenly over the candidates
-//   fit_centres       a fit with all centres (fit_centres.h)
-//   oracle            the caller measures how far the fit is off, and tells what the next round gets
-//   worst_candidates  finds for the oracle the candidates that the fit is worst at, apart from centres and each other
+//   even_choice       returns the first centres, spread evenly over the candidates
+//   fit_centres       makes a fit with all given centres (fit_centres.h)
+//   oracle            is the caller's: it measures how far the fit is off, and chooses what the next round adds
+//   worst_candidates  helps the oracle: it finds the candidates with the largest errors that are apart from centres and
+//                     from each other
 #pragma once
 
 #include "fit/distance.h"
@@ -18,21 +19,20 @@
 
 namespace hrbfnpr::fit {
 
-// A fit and the centres that it has.
 struct AdaptiveFit {
     CentreFit fit;
-    base::Array<std::int64_t> centres; // numbers of candidates, ascending
-    Samples held;                      // centres off the surface, where f is held to values
-    std::int32_t rounds = 0;           // the number of fits that were made
-    double seconds_fit = 0.0;          // the time that these took
-    double seconds_before = 0.0;       // from the beginning of the loop to that of the last fit
+    base::Array<std::int64_t> centres; // indices of candidates, ascending
+    Samples held;                      // centres off the surface, at which f has given values
+    std::int32_t rounds = 0;           // the number of fits made
+    double seconds_fit = 0.0;          // the time that the fits took
+    double seconds_before = 0.0;       // the time from the start of the loop to the start of the last fit
 };
 
-// What the next round gets besides the centres that there are.
+// What the next round adds to the centres of the last fit.
 struct Growth {
     Growth(base::Memory& memory, const Smoothing& smooth) noexcept : centres(memory), held(memory), smoothing(smooth) {}
 
-    bool goes_on = false; // false: the fit is as good as it gets, and the rest does not count
+    bool goes_on = false; // false: the loop ends, and the other members are ignored
     base::Array<std::int64_t> centres;
     Samples held;
     Smoothing smoothing;
@@ -41,36 +41,36 @@ using Oracle = std::function<Growth(const AdaptiveFit&)>;
 
 struct AdaptiveSettings {
     std::int32_t most_rounds = 0;
-    // Where a fit with more centres cannot be solved, the last one is the result; else that is an error. The first fit
-    // has to be solved.
+    // If a fit with more centres cannot be solved, the last fit is the result instead of an error. The first fit must
+    // always be solvable.
     bool keeps_last = false;
 };
 
-// Fits in rounds until the oracle is content.
+// Fits in rounds until the oracle ends the loop, or until most_rounds.
 [[nodiscard]] AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                                          base::Array<std::int64_t> first, const Smoothing& smoothing,
                                          const AdaptiveSettings& settings, const Oracle& oracle);
 
-// Numbers of at most `count` candidates in ascending order, chosen by farthest points.
+// Returns the indices of at most `count` candidates in ascending order, chosen by farthest points.
 [[nodiscard]] base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count,
                                                     const base::Progress& progress);
 
-// The samples that a fit has for centres: candidates, then those that are held.
+// Returns the samples that become centres: the chosen candidates, then the held ones.
 [[nodiscard]] Samples centres_of(const base::Work& work, const Samples& candidates,
                                  const base::Array<std::int64_t>& centres, const Samples& held);
 
-// The most centres that a round adds to this many: half as many, or as many while nearly all that are added are needed,
-// as more than a quarter of the candidates is outside the tolerance. `outside` is their share.
+// Returns how many centres a round may add: half as many as there are, or as many while more than a quarter of the
+// candidates is `outside`, since nearly all added ones are needed then.
 [[nodiscard]] std::int64_t batch_of(std::int64_t centres, double outside) noexcept;
 
 // ---- What to add
 
 struct CandidateOptions {
     double tolerance = 0.0;      // 0: all samples are candidates
-    double least_distance = 0.0; // No new centre is nearer to another than this.
-    std::int64_t most = 0;       // to be added
-    // Not null for noisy samples: the mean over a sample and these counts for it, and its typical one is added in its
-    // stead.
+    double least_distance = 0.0; // No new centre is nearer to another centre than this.
+    std::int64_t most = 0;       // the number of centres to add at most
+    // Set for noisy samples: a sample is judged by the mean over it and these neighbours, and its typical sample
+    // (typical.h) is added in its place.
     const geometry::Neighbours* neighbours = nullptr;
     const base::Array<std::int64_t>* typical = nullptr;
 };
@@ -82,7 +82,7 @@ struct Candidates {
     std::int64_t outside = 0;         // the number of samples beyond the tolerance
 };
 
-// tree: the samples. centres: numbers of samples, not empty.
+// `tree` holds the samples. `centres` holds indices of samples, and is not empty.
 [[nodiscard]] Candidates worst_candidates(const base::Work& work, const Samples& samples,
                                           const geometry::PointTree& tree, const base::Array<std::int64_t>& centres,
                                           const Distances& distances, const CandidateOptions& options);

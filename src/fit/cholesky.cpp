@@ -14,7 +14,7 @@ constexpr std::int64_t side_limit = std::int64_t{1} << 24; // tiles along a side
 
 using Tile = Eigen::Map<Eigen::Matrix<double, side, side>, Eigen::Aligned64>;
 using ConstTile = Eigen::Map<const Eigen::Matrix<double, side, side>, Eigen::Aligned64>;
-using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // of the caller's vector, however it is aligned
+using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // part of the caller's vector, of any alignment
 
 [[nodiscard]] std::int64_t tiles_for(std::int64_t size) noexcept { return (size + side - 1) / side; }
 
@@ -24,14 +24,14 @@ using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // of the caller's vect
     Eigen::Ref<Dynamic> tile(map);
     const Eigen::LLT<Eigen::Ref<Dynamic>> factor(tile); // in place
     if (factor.info() != Eigen::Success) return false;
-    return map.diagonal().allFinite(); // a NaN is not "not positive" to LLT
+    return map.diagonal().allFinite(); // LLT does not report NaN
 }
 
 } // namespace
 
 TiledCholesky::TiledCholesky(base::Memory& memory, std::int64_t size)
     : size_(size), tiles_(tiles_for(size)), tiles_data_(memory) {
-    // Clearing gigabytes on one thread would take as long as assembling them on all.
+    // The memory is not cleared: on one thread this would take as long as assembling the matrix on all threads.
     tiles_data_.reserve(tile_count() * side * side);
 }
 
@@ -60,7 +60,7 @@ double TiledCholesky::norm(const base::Parallel& parallel, const base::Progress&
 
 bool TiledCholesky::factor(const base::Parallel& parallel, const base::Progress& progress) {
     for (std::int64_t k = 0; k < tiles_; ++k) {
-        // What is left of the work goes with the cube of what is left of the matrix.
+        // The remaining work is proportional to the cube of the remaining size.
         const double left = static_cast<double>(tiles_ - k) / static_cast<double>(tiles_);
         const double next = static_cast<double>(tiles_ - k - 1) / static_cast<double>(tiles_);
         const base::Progress panel = progress.part(1.0 - left * left * left, 1.0 - next * next * next);
@@ -79,12 +79,12 @@ bool TiledCholesky::factor(const base::Parallel& parallel, const base::Progress&
     return true;
 }
 
-// Subtracts panel's outer product from all tiles to its right.
+// Subtracts the panel's outer product from all tiles to its right.
 void TiledCholesky::update(const base::Parallel& parallel, std::int64_t panel, const base::Progress& progress) {
     const std::int64_t left = tiles_ - panel - 1;
     const std::int64_t count = left * (left + 1) / 2;
     parallel.for_each(count, [&](std::int64_t t) {
-        if (t % 16 == 0) // some 5 ms
+        if (t % 16 == 0) // about every 5 ms
             progress.update(static_cast<double>(t) / static_cast<double>(count));
         else
             progress.check();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A symmetric positive definite matrix, its lower triangle in square tiles that stand one after
-// the other in memory, and its Cholesky factor in the same place.
+// A symmetric positive definite matrix, stored as the square tiles of its lower triangle one after the other, and its
+// Cholesky factor in the same memory.
 #pragma once
 
 #include "base/operation.h"
@@ -12,39 +12,39 @@ namespace hrbfnpr::fit {
 
 class TiledCholesky {
 public:
-    // Numbers along a tile's side: its multiplications run in the second-level cache, and rows
-    // of samples (4 numbers each) are never cut.
+    // The number of rows of a tile. Products of two tiles run in the second-level cache, and the 4 rows of a sample are
+    // never split between tiles.
     static constexpr std::int64_t side = 128;
 
-    // Not cleared: every tile must be written whole, rows and columns from `size` on, up to the
-    // next multiple of `side`, as the identity's.  Throws Error{out_of_memory}.
+    // The memory is not cleared: the caller must write every tile whole. Rows and columns from `size` on, up to the
+    // next multiple of `side`, must be those of the identity. Throws Error{out_of_memory}.
     TiledCholesky(base::Memory& memory, std::int64_t size);
 
-    // Bytes of the matrix, or -1 if they are beyond any memory.
+    // Returns the bytes of the matrix, or -1 if no memory could hold it.
     [[nodiscard]] static std::int64_t bytes(std::int64_t size) noexcept;
 
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
     [[nodiscard]] std::int64_t padded() const noexcept { return tiles_ * side; }
-    [[nodiscard]] std::int64_t tiles() const noexcept { return tiles_; } // along a side
+    [[nodiscard]] std::int64_t tiles() const noexcept { return tiles_; } // the number of tiles along a side
 
-    // Tile of rows side * i... and columns side * j..., i >= j, column-major.
+    // Returns the tile of rows side * i... and columns side * j..., i >= j, column-major.
     [[nodiscard]] double* tile(std::int64_t i, std::int64_t j) noexcept { return tiles_data_.data() + offset(i, j); }
     [[nodiscard]] const double* tile(std::int64_t i, std::int64_t j) const noexcept {
         return tiles_data_.data() + offset(i, j);
     }
 
-    // The tile with the running number t of (0,0), (1,0), (1,1), (2,0), ...
+    // The row and column of the tile with running number t, in the order (0,0), (1,0), (1,1), (2,0), ...
     struct Position {
         std::int64_t i, j;
     };
     [[nodiscard]] static Position position(std::int64_t t) noexcept;
     [[nodiscard]] std::int64_t tile_count() const noexcept { return tiles_ * (tiles_ + 1) / 2; }
 
-    // 1-norm of the matrix, before factor().
+    // Returns the 1-norm of the matrix. Call it before factor().
     [[nodiscard]] double norm(const base::Parallel& parallel, const base::Progress& progress) const;
-    // False if the matrix is not (numerically) positive definite.
+    // Returns false if the matrix is not (numerically) positive definite.
     [[nodiscard]] bool factor(const base::Parallel& parallel, const base::Progress& progress);
-    // x, padded() long with zeros from size() on, becomes the inverse times x.  After factor().
+    // Replaces x by the inverse times x. x has padded() elements, with zeros from size() on. Call it after factor().
     void solve(const base::Parallel& parallel, double* x, const base::Progress& progress) const;
 
 private:

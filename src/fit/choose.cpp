@@ -22,7 +22,7 @@ base::Array<std::int64_t> all_of(base::Memory& memory, std::int64_t count) {
     return all;
 }
 
-// Noise over the variance of f; see CentreFit.
+// Returns the noise divided by the variance of f; see CentreFit::variance.
 Smoothing smoothing_of(const Noise& noise, double diagonal, double variance) noexcept {
     const double position = noise.position / diagonal;
     return {position * position / variance, noise.normal * noise.normal / variance};
@@ -48,7 +48,7 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
     const bool automatic = input.regularization_mode == RegularizationMode::automatic && noise.position > 0.0;
     const bool noisy = automatic || input.regularization > 0.0;
 
-    std::optional<geometry::Neighbours> neighbours; // of noisy samples
+    std::optional<geometry::Neighbours> neighbours; // only set for noisy samples
     base::Array<std::int64_t> typical(work.memory);
     if (noisy && count >= fewest_to_clean) {
         neighbours.emplace(work.runtime().parallel, samples.position, choice_tuning.averaged, work);
@@ -58,7 +58,7 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
     base::Array<std::int64_t> centres = first < count ? even_choice(samples, first, work) : all_of(work.memory, count);
     if (first < count && neighbours) {
         for (std::int64_t& i : centres) i = typical[i];
-        std::sort(centres.begin(), centres.end()); // two samples may have the same typical one
+        std::sort(centres.begin(), centres.end()); // different samples may have the same typical sample
         centres.resize(std::unique(centres.begin(), centres.end()) - centres.begin());
     }
 
@@ -93,7 +93,7 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
         measure(now);
         if (keeps_all || now.centres.size() >= most) return growth;
         if (!tree) tree.emplace(samples.position, work);
-        // The surface may be off the mean of some samples by less than a single one may.
+        // The surface may miss the mean of neighbouring samples by less than it may miss a single one.
         const double tolerance = std::max(input.tolerance - choice_tuning.noise_allowed * noise.position,
                                           choice_tuning.least_tolerance * input.tolerance);
         CandidateOptions options{tolerance, choice_tuning.noise_apart * noise.position,

@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::int64_t neighbours_each = 16;
 
-// Near duplicates: nearer than this share of the spacing, which is where so many neighbours reach, and in
-// normals that agree within 15 degrees.
+// Near duplicates are nearer to each other than this share of the local spacing, with normals within 15 degrees. The
+// local spacing is the distance to the 16th neighbour divided by `spacings_of_farthest`.
 constexpr double duplicate = 1e-3;
-constexpr double spacings_of_farthest = 2.26; // sqrt(16 / pi): of 16 neighbours on an even sheet
+constexpr double spacings_of_farthest = 2.26; // sqrt(16 / pi), for 16 neighbours on an even sheet
 constexpr double agreement = 0.965925826289;
 
 [[nodiscard]] double duplicate_distance(const Samples& samples, const geometry::Neighbours& neighbours,
@@ -23,7 +23,7 @@ constexpr double agreement = 0.965925826289;
     return duplicate / spacings_of_farthest * glm::distance(samples.position[i], farthest);
 }
 
-// How well a normal fits to those around the sample.
+// Returns how well a normal fits its neighbours': the sum of the cosines.
 [[nodiscard]] double support(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
     double sum = 0.0;
     for (const std::int64_t j : neighbours.of(i)) sum += glm::dot(samples.normal[i], samples.normal[j]);
@@ -33,8 +33,8 @@ constexpr double agreement = 0.965925826289;
 struct Duplicates {
     explicit Duplicates(base::Memory& memory) noexcept : representative(memory), odd(memory) {}
 
-    base::Array<std::int64_t> representative; // which sample each is merged into, or itself
-    base::Array<std::uint8_t> odd;            // 1: so near to another that one of them must be wrong, and this one is
+    base::Array<std::int64_t> representative; // the sample that each is merged into, or itself
+    base::Array<std::uint8_t> odd;            // 1: the worse of two near samples with different normals
     std::int64_t merged = 0;
 };
 
@@ -62,7 +62,6 @@ struct Duplicates {
     return result;
 }
 
-// Without the marked samples.
 void drop(Samples& samples, const base::Array<std::uint8_t>& marked) {
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
@@ -78,7 +77,7 @@ void drop(Samples& samples, const base::Array<std::uint8_t>& marked) {
     return std::count(marked.begin(), marked.end(), std::uint8_t{1});
 }
 
-// What is merged away takes its mark along.
+// Returns the marks of the samples that remain after merging.
 [[nodiscard]] base::Array<std::uint8_t> without_merged(const Duplicates& duplicates) {
     base::Array<std::uint8_t> odd(duplicates.odd.memory());
     for (std::int64_t i = 0; i < duplicates.odd.size(); ++i)
@@ -86,7 +85,7 @@ void drop(Samples& samples, const base::Array<std::uint8_t>& marked) {
     return odd;
 }
 
-// Drops or turns what was found; true if samples were dropped.
+// Drops or turns the suspects. Returns true if samples were dropped.
 bool repair(Samples& samples, const Suspects& suspects, Repair outliers, Repair flipped_normals, Cleaning& report) {
     base::Array<std::uint8_t> dropped(samples.position.memory(), samples.position.size());
     for (std::int64_t i = 0; i < dropped.size(); ++i) {

@@ -12,7 +12,7 @@ namespace detail {
 
 struct Peak {
     std::int64_t at = 0;
-    double sum = 0.0; // of magnitudes
+    double sum = 0.0; // sum of magnitudes
 };
 
 [[nodiscard]] inline Peak peak(const double* x, std::int64_t size) noexcept {
@@ -26,7 +26,7 @@ struct Peak {
 
 } // namespace detail
 
-// solve(x) replaces x by the inverse times x.  x: room for `size` numbers.
+// solve(x) replaces x by the inverse times x. `x` has room for `size` numbers.
 template <class Solve>
 [[nodiscard]] double inverse_norm(std::int64_t size, double* x, Solve&& solve) {
     if (size == 0) return 0.0;
@@ -46,7 +46,7 @@ template <class Solve>
         column = best;
         for (std::int64_t i = 0; i < size; ++i) x[i] = i == column ? 1.0 : 0.0;
     }
-    // A vector of rising, alternating elements catches matrices on which the walk above is fooled.
+    // The iteration above underestimates some matrices. A vector of growing, alternating elements catches these.
     for (std::int64_t i = 0; i < size; ++i)
         x[i] = (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + static_cast<double>(i) / std::fmax(1.0, n - 1.0));
     solve(x);

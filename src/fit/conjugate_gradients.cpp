@@ -10,15 +10,15 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Numbers that are handled in one go: sums do not depend on the number of threads.
+// Vectors are processed in chunks of this many numbers, so sums do not depend on the number of threads.
 constexpr std::int64_t grain = 16384;
 
-// The recursion's coefficients make Lanczos' tridiagonal matrix (Golub, Van Loan, section 10.2.5).
+// Collects the recursion's coefficients, which form Lanczos' tridiagonal matrix (Golub, Van Loan, section 10.2.5).
 class Lanczos {
 public:
     explicit Lanczos(base::Memory& memory) noexcept : diagonal_(memory), beside_(memory) {}
 
-    // alpha: the step's length; beta: how much of the direction before it the step's direction keeps.
+    // alpha is the length of the step, and beta the share of the previous direction in the step's direction.
     void add(double alpha, double beta) {
         if (!diagonal_.empty()) beside_.push_back(std::sqrt(beta) / alpha_);
         diagonal_.push_back(1.0 / alpha + (diagonal_.empty() ? 0.0 : beta / alpha_));
@@ -72,7 +72,7 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
     double rho = 0.0;
     while (!(outcome.residual <= tolerance) && outcome.iterations < limit) {
         preconditioner_.apply(r, z_.data(), progress);
-        polynomials_.take_out(z_.data()); // the factor's floats leave a trace of them
+        polynomials_.take_out(z_.data()); // the factor's floats leave a small polynomial part
         progress.check();
         const double rho_next = dot(r, z_.data());
         const double beta = outcome.iterations > 0 ? rho_next / rho : 0.0;
@@ -87,7 +87,7 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
         polynomials_.explain(ap_.data(), q.data());
         progress.check();
         const double curvature = dot(p_.data(), ap_.data());
-        if (!(curvature > 0.0) || !std::isfinite(rho)) break; // not definite: the caller's fallbacks go on
+        if (!(curvature > 0.0) || !std::isfinite(rho)) break; // the matrix is not definite; the caller falls back
         const double alpha = rho / curvature;
         runtime_.parallel.for_chunks(size_, grain, [&](std::int64_t begin, std::int64_t end) {
             Map(w + begin, end - begin) += alpha * Map(p_.data() + begin, end - begin);

@@ -11,11 +11,12 @@ namespace hrbfnpr::fit {
 struct CgOutcome {
     bool converged = false;
     std::int32_t iterations = 0;
-    double residual = 0.0;  // relative, of the recursion
+    double residual = 0.0;  // the relative residual that the recursion updates
     double condition = 0.0; // of the preconditioned matrix, from the recursion's coefficients (Lanczos)
 };
 
-// What CG improves: w, orthogonal to the polynomials, c, and r = h - A w - P c, orthogonal to them too.
+// The state that the iterations improve: w, which is orthogonal to the polynomials, c, and r = h - A w - P c, which is
+// orthogonal to them too.
 struct CgState {
     double* w;
     double* r;
@@ -27,7 +28,8 @@ public:
     ConjugateGradients(const base::Runtime& runtime, HermiteProduct& product, Preconditioner& preconditioner,
                        const PolynomialSpace& polynomials, std::int64_t size);
 
-    // Until |r| <= tolerance * scale.  Each iteration's |r| / scale is added to history.
+    // Iterates until |r| <= tolerance * scale, or `limit` iterations. Each iteration's |r| / scale is added to
+    // `history`.
     CgOutcome run(const CgState& state, double scale, double tolerance, std::int32_t limit,
                   base::Array<double>& history, const base::Progress& progress);
 

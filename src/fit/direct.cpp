@@ -12,8 +12,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// A larger relative residual than this is no solution: what remains of it after refinement is
-// the error of value and gradient at the samples.
+// A solution with a larger relative residual is rejected. The residual after refinement is the error of value and
+// gradient at the samples.
 constexpr double residual_limit = 1e-6;
 
 using Vector = Eigen::Map<Eigen::VectorXd>;
@@ -28,7 +28,7 @@ public:
         system.constraints(constraints_.data());
     }
 
-    // Solves, and then solves for the residual as long as that makes it smaller.
+    // Solves the system, then solves for the residual and adds that solution as long as the residual shrinks.
     template <class Solver>
     void run(const Solver& solver, std::int32_t limit, Solution& solution, const base::Progress& progress) {
         const std::int64_t size = system_.unknowns();
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    // residual = rhs - K x with the matrix as it is defined, not as it was factored; its 2-norm.
+    // Computes residual = rhs - K x with the exact matrix instead of its factors, and returns its 2-norm.
     [[nodiscard]] double measure(const Eigen::Ref<const Eigen::VectorXd>& x, base::Array<double>& residual,
                                  const base::Progress& progress) const {
         const std::int64_t rows = system_.rows();
@@ -84,7 +84,7 @@ private:
 
 [[nodiscard]] bool solved(const Solution& solution) noexcept { return solution.residual <= residual_limit; }
 
-// False if the matrix is not definite, or too badly conditioned to solve without pivoting.
+// Returns false if the matrix is not definite, or too badly conditioned to solve without pivoting.
 [[nodiscard]] bool solve_on_null_space(const base::Work& work, const HermiteSystem& system, Refinement& refinement,
                                        std::int32_t limit, Solution& solution) {
     base::Stopwatch watch;

@@ -8,8 +8,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// |grad f| is near 1 at the surface.  Where it is less than this, a first-order distance means nothing, and is
-// bounded instead.
+// Near the surface |grad f| is about 1. A gradient smaller than this counts as this, since the first-order distance
+// would be meaningless there.
 constexpr double least_slope = 0.1;
 
 [[nodiscard]] Distances of_size(base::Memory& memory, std::int64_t count) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far samples are from a fitted surface.
+// Distances of samples from a fitted surface.
 #pragma once
 
 #include "base/operation.h"
@@ -14,18 +14,19 @@ struct Distances {
 
     base::Array<double> value; // f at each sample
     geometry::VecArray gradient;
-    // Signed, to first order: f / |grad f| (Taubin, "Estimation of planar curves, surfaces, and nonplanar space
+    // The signed first-order distance f / |grad f| (Taubin, "Estimation of planar curves, surfaces, and nonplanar space
     // curves defined by implicit equations", 1991).
     base::Array<double> distance;
 };
 
-// misfit: 0 - f(x_i), in normalised units, and n_i - grad f(x_i), 4 numbers a sample, as a solver knows them.
+// Computes the distances from the misfit that a solver returns: 0 - f(x_i) in normalised units, and n_i - grad f(x_i),
+// 4 numbers per sample.
 [[nodiscard]] Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
                                             const Samples& samples);
 
 [[nodiscard]] Distances measure_distances(const base::Work& work, const implicit::HrbfData& data,
                                           const Samples& samples);
-// The same of any function of which the surface is 0.
+// Measures the distances from the zero level of any implicit.
 [[nodiscard]] Distances measure_distances(const base::Work& work, const implicit::Implicit& implicit,
                                           const Samples& samples);
 

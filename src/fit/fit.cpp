@@ -34,9 +34,9 @@ void check(const FitInput& input) {
              static_cast<long long>(input.points.count), static_cast<long long>(input.normals.count));
 }
 
-// How far f(x_i) is from 0 and grad f(x_i) from n_i at the centres, of the finished function.
+// Reports how far f(x_i) is from 0 and grad f(x_i) from n_i at the centres.
 void report_residuals(const Choice& choice, const Samples& samples, FitReport& report) {
-    const double unit = choice.fit.result.data.scale; // no underflow in small units
+    const double unit = choice.fit.result.data.scale; // avoids underflow in small units
     double value_sum = 0.0;
     double gradient_sum = 0.0;
     for (const std::int64_t i : choice.centres) {
@@ -52,7 +52,7 @@ void report_residuals(const Choice& choice, const Samples& samples, FitReport& r
     report.gradient_residual_rms = std::sqrt(gradient_sum / count);
 }
 
-// How far all samples are from the surface.  given: as many as there were before some were dropped.
+// Reports how far all samples are from the surface. `given` is the number of samples before any were dropped.
 void report_distances(const Choice& choice, double tolerance, std::int64_t given, FitReport& report) {
     const double unit = choice.fit.result.data.scale;
     double sum = 0.0;

@@ -14,8 +14,8 @@
 
 namespace hrbfnpr::fit {
 
-// Same meaning as hrbfnpr_fit_desc, whose message names the fields are checked under.
-// Views have 3 components, float32 or float64, equal counts >= 1 (the boundary checks).
+// The fields mean the same as those of hrbfnpr_fit_desc, and messages use that struct's names. Views have 3 components,
+// float32 or float64, and equal counts >= 1 (the boundary checks this).
 enum class Repair : std::uint32_t { keep = 0, drop = 1, reorient = 2 };
 enum class RegularizationMode : std::uint32_t { given = 0, automatic = 1 };
 
@@ -35,7 +35,7 @@ struct FitInput {
     SolverKind solver = SolverKind::automatic;
     std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
     double solver_tolerance = 0.0;               // 0 = automatic
-    double automatic_tolerance = 0.0;            // what that is; 0 = as the number of centres has it
+    double automatic_tolerance = 0.0;            // the tolerance that 0 stands for; 0 = by the number of centres
     std::int32_t iteration_limit = 200;
 };
 
@@ -64,15 +64,15 @@ struct FitReport {
     double noise_estimate = std::numeric_limits<double>::quiet_NaN(); // caller's unit; NaN: not measured
     double input_distance_max = 0.0;
     double input_distance_rms = 0.0;
-    double input_share_within = std::numeric_limits<double>::quiet_NaN(); // NaN: without a tolerance
+    double input_share_within = std::numeric_limits<double>::quiet_NaN(); // NaN: no tolerance was given
     std::int32_t choice_rounds = 0;
-    SolverKind solver = SolverKind::direct; // the one used
+    SolverKind solver = SolverKind::direct; // the solver that was used
     SolverReason solver_reason = SolverReason::small;
     double seconds_clean = 0.0;
     double seconds_choose = 0.0;
     double seconds_precondition = 0.0;
     std::int64_t peak_bytes = 0;
-    // What was done about the normals before the fit, by whoever called it.
+    // What the caller of fit() did to the normals before the fit.
     std::uint32_t normals_found = 0;
     bool normals_inward = false;
     std::int64_t normals_turned = 0;
@@ -84,7 +84,7 @@ struct FitResult {
     implicit::HrbfData data;
     FitReport report;
     base::Array<double> history; // relative residual after each iteration of the iterative solver; else empty
-    std::optional<Samples> samples = std::nullopt; // of fit(): all, repaired
+    std::optional<Samples> samples = std::nullopt; // fit() sets all samples, repaired
 };
 
 // Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.

@@ -11,22 +11,20 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Kernel radii where the caller gives none, from fits of a sphere, a torus, a bumpy ball and scans
-// (256 to 1024 samples).
-// Gaussian, in mean spacings: the error at the surface falls fast with sigma (torus of 512 samples:
-// 7e-4 at 0.8, 1e-4 at 0.9, 2e-5 at 1), but the condition grows ten times with every tenth, and on
-// uneven samples (bunny of 256) the sign beside the surface begins to fail from 1 on.
+// Automatic kernel radii, set on fits of a sphere, a torus, a bumpy ball and scans (256 to 1024 samples).
+// The Gaussian's is in mean spacings. The error at the surface falls fast with sigma (torus of 512 samples: 7e-4 at
+// 0.8, 1e-4 at 0.9, 2e-5 at 1). But the condition grows ten times with every tenth, and on uneven samples (bunny of
+// 256) the sign beside the surface begins to be wrong from 1 on.
 constexpr double automatic_gaussian = 0.9;
-// Wendland, in mean spacings: the error falls by (radius)^-3 and the condition grows only by
-// (radius)^3 (1e5 at 10).  A support that does not reach the middle of the shape leaves the
-// polynomial alone there, whose sign is wrong inside; so at least half a diagonal.
+// Wendland's is in mean spacings. The error falls by (radius)^-3, and the condition grows only by (radius)^3 (1e5 at
+// 10). Where the support does not reach the middle of the shape, only the polynomial is left, whose sign is wrong
+// inside. So the radius is at least half a diagonal.
 constexpr double automatic_wendland = 10.0;
 constexpr double automatic_wendland_diagonals = 0.5;
 
-// Beyond these (in spacings) powers of the radius leave a double's range.
+// Powers of larger radii (in spacings), or of radii below the reciprocal, leave a double's range.
 constexpr double radius_limit = 1e30;
 
-// The radius in normalised coordinates.
 [[nodiscard]] double normalised_radius(const FitInput& input, const implicit::HrbfData& data) {
     if (input.kernel == kernel::Kind::triharmonic) return 0.0;
     if (input.kernel_radius == 0.0)
@@ -40,9 +38,8 @@ constexpr double radius_limit = 1e30;
     return radius;
 }
 
-// Regularization is defined in coordinates whose diagonal is 1.  From there to normalised ones,
-// k times as large, alpha's row and column scale by k^(m/2) each and beta's by k^(m/2 - 1), where
-// phi scales as k^m.
+// Returns k, by which normalised coordinates are larger than those whose diagonal is 1, in which regularization is
+// defined. There phi scales as k^m, alpha's row and column by k^(m/2) each, and beta's by k^(m/2 - 1).
 [[nodiscard]] double growth(const implicit::HrbfData& data) {
     const double diagonal = data.bounds.diagonal();
     return diagonal > 0.0 ? diagonal / data.scale : 1.0;
@@ -56,8 +53,8 @@ constexpr double radius_limit = 1e30;
             smoothing.gradient * std::pow(k, m - 2)};
 }
 
-// See CentreFit.  With K as it was solved, h^T K^-1 h = w . h over the degrees of freedom that the polynomial
-// leaves; the scaling is that of the system's rows.
+// Computes CentreFit::variance. With K as it was solved, h^T K^-1 h = w . h, divided by the degrees of freedom that the
+// polynomial leaves. It is scaled as the rows of the system are.
 [[nodiscard]] double variance(const HermiteSystem& system, const double* rhs, const Solution& solution,
                               const implicit::HrbfData& data) {
     double energy = 0.0;
@@ -94,7 +91,8 @@ constexpr double radius_limit = 1e30;
     return data;
 }
 
-// f(x_i) = 0, or the value of x_i, grad f(x_i) = n_i; normals are the same in normalised coordinates.
+// The conditions are f(x_i) = 0, or the value of x_i, and grad f(x_i) = n_i. Normals are the same in normalised
+// coordinates.
 [[nodiscard]] base::Array<double> right_hand_side(base::Memory& memory, const HermiteSystem& system,
                                                   const Samples& centres, double scale) {
     base::Array<double> rhs(memory, system.unknowns());
@@ -109,7 +107,7 @@ constexpr double radius_limit = 1e30;
     options.solver = input.solver;
     options.refinement_steps = input.refinement_steps;
     options.neighbours = static_cast<std::int32_t>(input.preconditioner_neighbours);
-    // Chosen centres are judged by how far all samples are from the surface, not by the residual.
+    // Chosen centres are judged by the distances of all samples from the surface, not by the residual.
     if (input.tolerance > 0.0 || input.maximum_centres > 0) options.acceptable = 1e-3;
     options.tolerance = input.automatic_tolerance;
     if (input.solver_tolerance > 0.0) options.tolerance = options.acceptable = input.solver_tolerance;

@@ -7,22 +7,23 @@
 
 namespace hrbfnpr::fit {
 
-// What regularization adds to the diagonal at a value and at a gradient, in coordinates whose diagonal is 1.
+// What regularization adds to the diagonal at values and at gradients, in coordinates whose bounding box has a diagonal
+// of 1.
 struct Smoothing {
     double value = 0.0;
     double gradient = 0.0;
 };
 
 struct CentreFit {
-    FitResult result;           // of the report, what concerns kernel and solver
-    base::Array<double> misfit; // see Solution
-    // Most likely s^2 if f is a random function of covariance s^2 phi (in coordinates whose diagonal is 1) with
-    // noise of variance s^2 times the smoothing: Rasmussen and Williams, "Gaussian Processes for Machine
-    // Learning", 2006, 5.4.1.
+    FitResult result;           // its report holds only the fields about kernel and solver
+    base::Array<double> misfit; // see Solution::misfit
+    // The most likely s^2 if f is a random function of covariance s^2 phi (in coordinates whose diagonal is 1) with
+    // noise of variance s^2 times the smoothing: Rasmussen and Williams, "Gaussian Processes for Machine Learning",
+    // 2006, 5.4.1.
     double variance = 0.0;
 };
 
-// The bounds of `centres` need not be those of its positions: they are the model's.
+// `centres.bounds` are the model's bounds, and may differ from those of the centres' positions.
 [[nodiscard]] CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres,
                                     const Smoothing& smoothing);
 

@@ -79,7 +79,7 @@ double HermiteEnergy::solved(const geometry::VecArray& normal, geometry::VecArra
     std::array<double, PolynomialSpace::terms_max> c{};
     solver.polynomials.explain(solver.r.data(), c.data());
     const double scale = std::sqrt(static_cast<double>(size()));
-    // How far the iterations are is no part of the progress: there are many such solves.
+    // The iterations do not count as progress, since there are many such solves.
     solver.cg.run({solver.w.data(), solver.r.data(), c.data()}, scale, tolerance, most_iterations, solver.history,
                   progress.part(0.0, 0.0));
     return unload(normal, solver.w.data(), beta);

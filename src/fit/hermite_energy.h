@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The energy of a Hermite interpolant as a function of its normals: the positions stay, and are factored once.
+// The energy of a Hermite interpolant as a function of its normals. The positions are fixed, and are factored once.
 //
-// f with f(x_i) = 0 and grad f(x_i) = n_i has the energy n . beta, beta its gradient weights: a quadratic form in the
-// normals.  Which normals are right is a question of its least value (Huang, Carr, Ju, "Variational implicit point set
-// surfaces", 2019).  The sparse factor of the preconditioner makes a sparse sum of squares of it, as near as the
-// preconditioned system is to the identity.
+// The f with f(x_i) = 0 and grad f(x_i) = n_i has the energy n . beta, where beta are its gradient weights. It is a
+// quadratic form in the normals, and the right normals give it a low value (Huang, Carr, Ju, "Variational implicit
+// point set surfaces", 2019). The sparse factor of the preconditioner turns the energy into a sparse sum of squares,
+// which is as accurate as the preconditioned system is near the identity.
 #pragma once
 
 #include "fit/preconditioner.h"
@@ -16,12 +16,13 @@ namespace hrbfnpr::fit {
 class HermiteEnergy {
 public:
     struct Options {
-        double ridge = 0.0; // on values, in spacings cubed: noise's variance over that of f
+        double ridge = 0.0; // added at values, in spacings cubed: the noise's variance divided by that of f
         std::int32_t neighbours = 16;
     };
 
-    // Of the tree's points, which should be about 1 apart, in the tree's order, as all vectors below.  rank: of each in
-    // a farthest-first order.  Refers to both.  Throws Error{out_of_memory, cancelled, singular_system}.
+    // The samples are the tree's points, which should be about 1 apart. All vectors below are in the tree's order.
+    // `rank` is each point's place in a farthest-first order. The object refers to both. Throws Error{out_of_memory,
+    // cancelled, singular_system}.
     HermiteEnergy(const base::Work& work, const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
                   const Options& options);
     ~HermiteEnergy();
@@ -30,20 +31,21 @@ public:
 
     [[nodiscard]] std::int64_t size() const noexcept { return system_.samples(); }
 
-    // By the sparse factor; beta (half the derivative) is written.
+    // Returns the energy by the sparse factor, and writes beta (half the derivative).
     double sparse(const geometry::VecArray& normal, geometry::VecArray& beta, const base::Progress& progress = {});
-    // By conjugate gradients, to this relative residual.
+    // Returns the energy by conjugate gradients, to this relative residual.
     double solved(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
                   const base::Progress& progress);
 
-    // The sparse energy is the sum of squares of vectors; what each normal adds to each of these.
+    // The sparse energy is the sum of the squares of some vectors. These terms are what each normal adds to each
+    // vector.
     struct Terms {
         Preconditioner::Blocks blocks;
-        base::Array<float> add;         // 4 numbers for each element of blocks.set
-        base::Array<double> coarse_add; // blocks.coarse_columns for each of the dense block's samples
+        base::Array<float> add;         // 4 numbers per element of blocks.set
+        base::Array<double> coarse_add; // blocks.coarse_columns numbers per sample of the dense block
     };
     [[nodiscard]] Terms terms(const geometry::VecArray& normal, const base::Progress& progress = {}) const;
-    // Second derivatives by one normal, halved: trace of the 3 x 3 block, by the sparse factor.
+    // Returns half the trace of the second derivatives by each normal, by the sparse factor.
     [[nodiscard]] base::Array<double> stiffness(const base::Progress& progress = {}) const;
 
 private:

@@ -14,13 +14,14 @@ namespace hrbfnpr::fit {
 namespace {
 
 constexpr int starts = 8;
-constexpr double headroom = 0.8; // of the tolerance, for the recursion's residual: the rest is for what it misses
+// The recursion's residual must reach this share of the tolerance. The rest covers its drift.
+constexpr double headroom = 0.8;
 
-// Of more samples than `few`, the recursion's residual is compared with the true one at `some` of them.
+// Above `few_samples` the recursion's residual is compared with the true one at `some_samples` of the samples only.
 constexpr std::int64_t few_samples = 2048;
 constexpr std::int64_t some_samples = 512;
 
-// The system in the k-d tree's order, in which neighbours in space are neighbours in memory.
+// The system in the k-d tree's order, in which samples that are near in space are near in memory.
 class Arranged {
 public:
     Arranged(const base::Work& work, const HermiteSystem& system)
@@ -74,7 +75,7 @@ public:
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
         run_until_confirmed(options, solution, progress);
-        // What was found last is an approximate product's own residual: whoever judges it needs the true one.
+        // The last residual used the approximate product. Callers that judge the solution need the true one.
         if (!solution.converged && solution.residual <= hopeless_residual) confirm(options, solution, progress);
         solution.x.resize(size_ + polynomials_.terms());
         std::copy_n(c_.data(), polynomials_.terms(), solution.x.data() + size_);
@@ -85,7 +86,7 @@ public:
     }
 
 private:
-    // False if the iterations ended short of the goal.
+    // Returns false if the iterations ended before they reached the goal.
     bool iterate(double goal, const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const CgOutcome outcome = cg_.run({w_.data(), r_.data(), c_.data()}, scale_, goal,
                                           options.iterations - solution.iterations, solution.history, progress);
@@ -95,8 +96,8 @@ private:
         return outcome.converged;
     }
 
-    // Again from the true residual where that and the recursion's have drifted apart: by rounding, or by the error of
-    // an approximate product, which is refined.  One that is not even definite is, too.
+    // Iterates, and starts again from the true residual where the recursion's has drifted from it, by rounding or by
+    // the error of an approximate product. Such a product is refined, also if it is not definite.
     void run_until_confirmed(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         for (int start = 0; start < starts && solution.iterations < options.iterations; ++start) {
             const double before = solution.residual;
@@ -113,7 +114,7 @@ private:
         }
     }
 
-    // The true residual: of few samples it takes the recursion's place.
+    // Checks the residual. With few samples it computes the true one, which replaces the recursion's.
     bool confirm(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const bool few = size_ <= 4 * few_samples;
         if (few) find_residual(progress);
@@ -122,23 +123,23 @@ private:
         return solution.converged;
     }
 
-    // To where the last iterations began: with a product that is not definite they lead away.
+    // Returns to the start of the last iterations, since a product that is not definite leads away.
     void go_back(const base::Progress& progress) {
         std::swap(w_, w_before_);
         find_residual(progress);
     }
 
-    // r = h - A w - P c with the c that makes it least.
+    // Computes r = h - A w - P c with the c that makes r smallest.
     void find_residual(const base::Progress& progress) {
         product_.multiply(w_.data(), r_.data(), progress);
         progress.check();
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         c_.fill(0.0);
         polynomials_.explain(r_.data(), c_.data());
-        polynomials_.explain(r_.data(), c_.data()); // what rounding left
+        polynomials_.explain(r_.data(), c_.data()); // removes the rest that rounding left
     }
 
-    // How far r is from the true residual, relative and in the 2-norm, as some of the samples tell.
+    // Estimates how far r is from the true residual (relative, 2-norm) from some of the samples.
     [[nodiscard]] double unseen_residual(const base::Progress& progress) {
         const std::int64_t stride = std::max<std::int64_t>(1, size_ / 4 / some_samples);
         const base::Array<double> product = product_.multiply_some(w_.data(), stride, progress);

@@ -13,19 +13,19 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// One lane is one system: no step needs another lane, and all instruction sets do the same arithmetic.
+// Each lane solves one system. No step needs another lane, so all instruction sets do the same arithmetic.
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 
-// Rows of a 4 x 4 block that are updated at a time, as registers allow.
+// The number of rows of a 4 x 4 block that are updated together, limited by the number of registers.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
 constexpr int rows_at_once = 4;
 #else
 constexpr int rows_at_once = 2;
 #endif
 
-// A pivot is not let fall below this share of its diagonal element: the factor stays finite, and definite, where
-// samples are nearly dependent.
+// A pivot is at least this share of its diagonal element. This keeps the factor finite and definite where samples are
+// nearly dependent.
 constexpr double smallest_pivot = 1e-13;
 
 HWY_INLINE V set(double x) { return hn::Set(D(), x); }
@@ -75,14 +75,14 @@ HWY_INLINE void pair_block(const LocalSystems& systems, const V* p, const V* q, 
     }
 }
 
-// A sample of the set, in coordinates about the reference, and the kernel between the two.
+// A sample of the set in coordinates relative to the reference, and the kernel between the two.
 struct Place {
     V x[3];
     Radial to_reference;
 };
 
-// block -= M, or M^T, with M = A_p0 T_q^T and T_q = [[1, q^T], [0, I]]: what the Taylor expansion of q's
-// functionals about the reference, at 0, takes away.
+// Computes block -= M, or M^T, with M = A_p0 T_q^T and T_q = [[1, q^T], [0, I]]. This subtracts the Taylor expansion of
+// q's functionals about the reference, which is at 0.
 HWY_INLINE void take_expansion(const Place& p, const Place& q, bool transposed, Block& block) {
     const auto take = [&](int r, int c, V m) HWY_ATTR {
         V& at = transposed ? block.v[c][r] : block.v[r][c];
@@ -90,7 +90,7 @@ HWY_INLINE void take_expansion(const Place& p, const Place& q, bool transposed, 
     };
     const Radial& k = p.to_reference;
     const V s = hn::MulAdd(p.x[2], q.x[2], hn::MulAdd(p.x[1], q.x[1], hn::Mul(p.x[0], q.x[0])));
-    const V along = hn::NegMulAdd(k.b, s, k.a); // of p, in M's first column
+    const V along = hn::NegMulAdd(k.b, s, k.a); // the factor of p in M's first column
     take(0, 0, hn::NegMulAdd(k.a, s, k.phi));
     for (int r = 0; r < 3; ++r) {
         const V ap = hn::Mul(k.a, p.x[r]);
@@ -104,7 +104,7 @@ HWY_INLINE void take_expansion(const Place& p, const Place& q, bool transposed, 
     }
 }
 
-// block += T_p R T_q^T, R = diag(value, gradient, gradient, gradient).
+// Computes block += T_p R T_q^T, with R = diag(value, gradient, gradient, gradient).
 HWY_INLINE void add_reference_diagonal(const LocalSystems& systems, const V* p, const V* q, Block& block) {
     const V value = set(systems.value_diagonal);
     const V gradient = set(systems.gradient_diagonal);
@@ -118,7 +118,8 @@ HWY_INLINE void add_reference_diagonal(const LocalSystems& systems, const V* p, 
     block.v[0][0] = hn::Add(block.v[0][0], hn::MulAdd(gradient, dot, value));
 }
 
-// The block of Theta, or of its part beside the linear polynomials; positions are relative to the reference.
+// Computes a block of Theta, or of its part orthogonal to the linear polynomials. Positions are relative to the
+// reference.
 HWY_INLINE void theta_block(const LocalSystems& systems, const Place& p, const Place& q, bool diagonal, Block& block) {
     pair_block(systems, p.x, q.x, block);
     if (systems.beside_linear) {
@@ -132,11 +133,11 @@ HWY_INLINE void theta_block(const LocalSystems& systems, const Place& p, const P
     for (int c = 1; c < 4; ++c) block.v[c][c] = hn::Add(block.v[c][c], set(systems.gradient_diagonal));
 }
 
-// In memory: numbers from one element of a block to the next, and from block to block.
+// Strides in memory: from one element of a block to the next, and from block to block.
 HWY_INLINE std::int64_t element_stride() { return static_cast<std::int64_t>(hn::Lanes(D())); }
 HWY_INLINE std::int64_t block_stride() { return 16 * element_stride(); }
 
-// Lower block triangle, row by row, in memory.
+// The lower block triangle, row by row.
 struct Triangle {
     double* data;
     HWY_INLINE double* block(int i, int j) const { return data + (i * (i + 1) / 2 + j) * block_stride(); }
@@ -145,7 +146,7 @@ struct Triangle {
 HWY_INLINE V load(const double* block, int r, int c) { return hn::Load(D(), block + (4 * r + c) * element_stride()); }
 HWY_INLINE void store(V v, double* block, int r, int c) { hn::Store(v, D(), block + (4 * r + c) * element_stride()); }
 
-// s -= sum_k<j L_ik L_jk^T
+// Computes s -= sum_k<j L_ik L_jk^T.
 HWY_INLINE void update(const Triangle& l, int i, int j, Block& s) {
     for (int r0 = 0; r0 < 4; r0 += rows_at_once) {
         V sum[rows_at_once][4];
@@ -167,9 +168,9 @@ HWY_INLINE void update(const Triangle& l, int i, int j, Block& s) {
     }
 }
 
-// Diagonal blocks keep the inverses of their pivots on the diagonal.
+// The diagonal of a diagonal block holds the inverses of the pivots.
 
-// s = s L_jj^-T
+// Computes s = s L_jj^-T.
 HWY_INLINE void solve_right(const double* diagonal, Block& s) {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r) {
@@ -194,7 +195,7 @@ HWY_INLINE void factor_diagonal(const V* full, Block& s) {
     }
 }
 
-// x = L_jj^-T x
+// Computes x = L_jj^-T x.
 HWY_INLINE void solve_transposed(const double* diagonal, Block& x) {
     for (int c = 0; c < 4; ++c)
         for (int r = 3; r >= 0; --r) {
@@ -224,7 +225,7 @@ HWY_INLINE void factor_triangle(const LocalSystems& systems, const Place* p, int
         }
 }
 
-// The last block column X of C^-T, from its last block upwards: X_j = -C_jj^-T sum_k>j C_kj^T X_k.
+// Computes the last block column X of C^-T, from its last block upwards: X_j = -C_jj^-T sum_k>j C_kj^T X_k.
 HWY_INLINE void last_columns(const Triangle& l, int blocks, double* columns) {
     for (int j = blocks - 1; j >= 0; --j) {
         Block x;
@@ -244,7 +245,7 @@ HWY_INLINE void last_columns(const Triangle& l, int blocks, double* columns) {
     }
 }
 
-// What the expansions put on the reference: -sum_j T_j^T X_j.
+// Computes what the expansions add at the reference: -sum_j T_j^T X_j.
 HWY_INLINE void reference_columns(const Place* p, int blocks, const double* columns, double* reference) {
     Block sum;
     for (int r = 0; r < 4; ++r)
@@ -261,7 +262,7 @@ HWY_INLINE void reference_columns(const Place* p, int blocks, const double* colu
     put(sum, reference);
 }
 
-// Systems [first, first + count), count <= lanes; what is left of the lanes repeats the last of them.
+// Loads the positions of systems [first, first + count), count <= lanes. The remaining lanes repeat the last system.
 HWY_INLINE void load_positions(const LocalSystems& systems, const double* position, std::int64_t first, int count,
                                Place* p) {
     const D d;
@@ -275,7 +276,8 @@ HWY_INLINE void load_positions(const LocalSystems& systems, const double* positi
             }
             p[m].x[c] = hn::Load(d, gathered);
         }
-    // Relative to the reference, which is then at 0: small numbers, and no difference is taken twice.
+    // Positions are taken relative to the reference, which is then at 0. This keeps numbers small, and takes no
+    // difference twice.
     for (int m = systems.set_size - 1; m >= 0; --m) {
         for (int c = 0; c < 3; ++c) p[m].x[c] = hn::Sub(p[m].x[c], p[0].x[c]);
         const V r2 = hn::MulAdd(p[m].x[2], p[m].x[2], hn::MulAdd(p[m].x[1], p[m].x[1], hn::Mul(p[m].x[0], p[m].x[0])));

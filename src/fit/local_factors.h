@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The columns of a sparse factor of a Hermite system's inverse, one small dense system for each sample.
+// The columns of a sparse factor of a Hermite system's inverse, one small dense system per sample.
 //
-// For sample i with the set s = (its coarser neighbours, i), i last, and Theta the block of A for s, the
-// columns that minimise the Kullback-Leibler divergence from A^-1 among all with that sparsity are
+// For sample i, let s be the set of its coarser neighbours followed by i, and Theta the block of A for s. The columns
+// that minimise the Kullback-Leibler divergence from A^-1 among all with that sparsity are
 //   L_s = Theta^-1 E (E^T Theta^-1 E)^(-1/2),    E: the four columns of i
-// (Schaefer, Katzfuss, Owhadi, SIAM J. Sci. Comput. 43, 2021).  With Theta = C C^T they are the last four
-// columns of C^-T.  Where A is only definite beside the linear polynomials, every functional of s is taken
-// less its Taylor expansion about the first neighbour, so that the columns are orthogonal to them.
+// (Schaefer, Katzfuss, Owhadi, SIAM J. Sci. Comput. 43, 2021). With Theta = C C^T they are the last four columns of
+// C^-T. Where A is definite only on vectors orthogonal to the linear polynomials, the Taylor expansion about the first
+// neighbour is subtracted from every functional of s, which makes the columns orthogonal to them.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -19,22 +19,22 @@ namespace hrbfnpr::fit {
 struct LocalSystems {
     kernel::Kind kernel;
     double radius;
-    double value_diagonal; // regularization
+    double value_diagonal; // added by regularization
     double gradient_diagonal;
-    bool beside_linear;    // take the linear polynomials out
+    bool beside_linear;    // make the columns orthogonal to the linear polynomials
     std::int32_t set_size; // samples in each set, 2 to largest_set
-    std::int64_t count;    // sets
+    std::int64_t count;    // number of sets
 
     static constexpr std::int32_t largest_set = 49;
 };
 
-// Room that one call needs, in doubles.
+// Returns the working memory that one call needs, in doubles.
 [[nodiscard]] std::int64_t local_factor_room(base::InstructionSet set, std::int32_t set_size) noexcept;
-// Sets that are factored together; calls with multiples of it waste nothing.
+// Returns how many sets are factored together. Calls with a multiple of it waste nothing.
 [[nodiscard]] std::int64_t local_factor_batch(base::InstructionSet set) noexcept;
 
-// position: of set k's sample m, coordinate c, at [(k * set_size + m) * 3 + c].
-// factor:   16 numbers for each sample of each set, [k][m][row of the sample][column], rows value, x, y, z.
+// position: coordinate c of sample m of set k is at [(k * set_size + m) * 3 + c].
+// factor:   16 numbers per sample of each set, [k][m][row of the sample][column], rows value, x, y, z.
 using FactorLocalSystems = void (*)(const LocalSystems& systems, const double* position, double* room, float* factor);
 
 [[nodiscard]] FactorLocalSystems local_factors(base::InstructionSet set) noexcept;

@@ -55,7 +55,7 @@ void DenseLu::factor(const base::Progress& progress) {
     }
 }
 
-// The columns [begin, end) below row `begin`.
+// Factors the columns [begin, end) below row `begin`.
 void DenseLu::factor_panel(std::int64_t begin, std::int64_t end, const base::Progress& progress) {
     for (std::int64_t k = begin; k < end; ++k) {
         progress.check();
@@ -75,7 +75,7 @@ void DenseLu::factor_panel(std::int64_t begin, std::int64_t end, const base::Pro
     }
 }
 
-// Exchanges the panel's rows in all other columns and updates those to its right.
+// Exchanges the panel's rows in all other columns, and updates the columns to its right.
 void DenseLu::update(std::int64_t begin, std::int64_t end, const base::Progress& progress) {
     const std::int64_t width = end - begin;
     const std::int64_t below = size_ - end;

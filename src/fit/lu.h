@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LU with row pivoting of the whole, indefinite system: what is left when the matrix is not
-// definite on the null space of its side constraints.
+// LU with row pivoting of the whole, indefinite system. It is the fallback for a matrix that is not definite on the
+// null space of its side constraints.
 #pragma once
 
 #include "fit/system.h"
@@ -12,9 +12,10 @@ public:
     // Assembles and factors.  Throws Error{singular_system, out_of_memory, cancelled}.
     DenseLu(const base::Work& work, const HermiteSystem& system);
 
-    // They look for a cancel only.
+    // Both use `progress` only to check for a cancel.
     [[nodiscard]] double condition(const base::Progress& progress) const;
-    void solve(double* x, const base::Progress& progress) const; // x, unknowns() long, becomes the inverse times x
+    // Replaces x (unknowns() long) by the inverse times x.
+    void solve(double* x, const base::Progress& progress) const;
 
 private:
     void assemble(const HermiteSystem& system, const base::Progress& progress);

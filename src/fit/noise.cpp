@@ -10,26 +10,28 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Which of the neighbours of a sample are in a group.  More than one, because which of some that are nearly as near as
-// each other is the nearest the noise decides, and then it is one whose noise is alike.
+// A group of a sample's neighbours, by rank in distance. It has several: among nearly equally near ones the noise
+// decides which is nearest, and favours similar noise.
 struct Group {
     std::size_t begin;
     std::size_t end;
 };
 constexpr std::array<Group, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {24, 32}}};
-constexpr std::int64_t looked_at = 32768; // samples, evenly taken, are enough for a median
+constexpr std::int64_t looked_at = 32768; // samples, evenly taken; enough for a median
 constexpr std::size_t terms = 3;          // a, b, c
 
-constexpr double gaussian_median = 0.6744897501960817; // of the absolute value, in standard deviations
-constexpr double turn_median = 1.6651092223153954;     // of the distance of two unit vectors: 2 sqrt(ln 2)
-// Pairs across an edge or of two sheets tell nothing.
+// The median of a Gaussian's absolute value, in standard deviations.
+constexpr double gaussian_median = 0.6744897501960817;
+// The median distance of two noisy unit vectors, in standard deviations: 2 sqrt(ln 2).
+constexpr double turn_median = 1.6651092223153954;
+// Pairs whose normals have a smaller cosine are ignored: they are across an edge, or on two sheets.
 constexpr double same_side = 0.5;
-// What is less of the variance of nearest neighbours than this may well be an error of the model above.
+// Noise with a smaller share of the nearest neighbours' variance may be an error of the model (noise.h).
 constexpr double least_share = 0.5;
-// In diagonals: as much comes from storing coordinates as floats.
+// Smaller noise (in diagonals) may come from storing coordinates as floats.
 constexpr double rounding = 1e-7;
 
-// Typical distance and spread of the pairs of one group.
+// The typical distance, variance and turn of the pairs of one group.
 struct Pairs {
     double distance = 0.0;
     double variance = 0.0;
@@ -62,9 +64,9 @@ struct Pairs {
 }
 
 using Coefficients = std::array<double, terms>;
-using Rows = std::array<Coefficients, groups.size()>; // each times the coefficients should be 1
+using Rows = std::array<Coefficients, groups.size()>; // the product of each row and the coefficients should be 1
 
-// Least squares with 0 <= x <= most, by coordinate descent, which for three coefficients is fast enough.
+// Solves least squares with 0 <= x <= most by coordinate descent, which is fast enough for three coefficients.
 [[nodiscard]] Coefficients bounded_least_squares(const Rows& rows, const Coefficients& most) {
     constexpr int sweeps = 2000;
     Coefficients x{};
@@ -93,24 +95,24 @@ Noise measure_noise(const base::Work& work, const Samples& samples) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
         work.check();
         pairs[k] = measure(samples, neighbours, groups[k]);
-        // Exactly flat, or no two normals agree.
+        // The samples are exactly flat, or no two normals agree.
         if (!(pairs[k].variance > 0.0 && pairs[k].distance > 0.0)) return {};
     }
     Rows rows;
     const double unit = pairs[0].distance;
     for (std::size_t k = 0; k < groups.size(); ++k) {
         const double d2 = (pairs[k].distance / unit) * (pairs[k].distance / unit);
-        const double share = pairs[0].variance / pairs[k].variance; // relative errors count
+        const double share = pairs[0].variance / pairs[k].variance; // weights, so that relative errors count
         rows[k] = {share, share * d2, share * d2 * d2 * d2};
     }
-    // Where the noise is not small beside the spacing, near pairs are those whose noise is alike, so that their
-    // variance grows with the distance, as if the normals were off.  But these are known, too.
+    // Where the noise is not small beside the spacing, the nearest pairs have similar noise. Their variance then grows
+    // with the distance as if the normals were noisy, so the measured turn of the normals bounds b.
     const double turned = pairs[0].turn * unit;
     const Coefficients most{HUGE_VAL, turned * turned / pairs[0].variance, HUGE_VAL};
     const Coefficients x = bounded_least_squares(rows, most);
     const double position = std::sqrt(0.5 * x[0] * pairs[0].variance);
     if (x[0] < least_share || position < rounding * samples.bounds.diagonal()) return {};
-    // Not all of b is noise, nor is all of how the normals turn: fine detail is in both.
+    // Both b and the turn contain fine detail besides noise, so the smaller estimate is taken.
     const double normal = std::sqrt(2.0 * x[1] * pairs[0].variance) / unit;
     return {position, std::min(normal, pairs[0].turn / turn_median)};
 }

@@ -6,8 +6,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// A column of P whose part orthogonal to the columns before it is smaller than this is a
-// polynomial that vanishes, with its gradient, on all samples.
+// If the part of a column of P orthogonal to the columns before it is smaller than this share, a polynomial vanishes,
+// with its gradient, at all samples.
 constexpr double independence = 1e-10;
 
 [[noreturn]] void fail_undetermined(const HermiteSystem& system) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The orthogonal change of coordinates that takes the side constraints away.
+// The orthogonal change of coordinates that eliminates the side constraints.
 //
-// P = Q [0; R] by Householder reflections that work upwards from the last row, so that the first
-// rows() - terms() coordinates of Q^T w are free and the last ones are fixed by P^T w.  Row
-// rows() - 1 - k of Q^T P is row k of R.  Reflections do not care how P's columns are scaled.
+// P = Q [0; R] by Householder reflections that work upwards from the last row. The first rows() - terms() coordinates
+// of Q^T w are free, and the last ones are fixed by P^T w. Row rows() - 1 - k of Q^T P is row k of R. Reflections do
+// not depend on how P's columns are scaled.
 #pragma once
 
 #include "fit/system.h"
@@ -15,7 +15,7 @@ namespace hrbfnpr::fit {
 class NullSpace {
 public:
     static constexpr int terms_max = 20;
-    // Of P's columns: small enough to live on the stack.
+    // Matrices with as many rows as P has columns. They are small enough for the stack.
     using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, terms_max, terms_max>;
     using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, terms_max, 1>;
     using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>>;

@@ -36,8 +36,8 @@ NullSpaceSolver::NullSpaceSolver(const base::Work& work, const HermiteSystem& sy
 }
 
 // With Q = I - V T V^T and Y = A V T, B = Q^T A Q is A less a product of low rank,
-//   B = A - X V^T - V X^T,   X = Y - V (T^T V^T Y) / 2,
-// so each tile of B is made on its own and A is never stored.
+//   B = A - X V^T - V X^T,   X = Y - V (T^T V^T Y) / 2.
+// So each tile of B is made on its own, and A is never stored.
 void NullSpaceSolver::assemble(const HermiteSystem& system, const base::Progress& progress) {
     const std::int64_t rows = space_.rows();
     const std::int64_t terms = space_.terms();
@@ -80,7 +80,7 @@ void NullSpaceSolver::assemble_tile(const HermiteSystem& system, const double* x
         map.noalias() -= x.middleRows(i * tile_side, height) * v.middleRows(j * tile_side, width).transpose();
         map.noalias() -= v.middleRows(i * tile_side, height) * x.middleRows(j * tile_side, width).transpose();
     }
-    // The fixed rows are not part of the matrix, and it ends with the identity.
+    // The fixed rows and columns are not part of the matrix: those of the identity replace them, as padding.
     const std::int64_t free_height = std::clamp<std::int64_t>(space_.free() - i * tile_side, 0, tile_side);
     const std::int64_t free_width = std::clamp<std::int64_t>(space_.free() - j * tile_side, 0, tile_side);
     Matrix whole(tile, tile_side, tile_side, Eigen::OuterStride<>(tile_side));
@@ -92,7 +92,7 @@ void NullSpaceSolver::assemble_tile(const HermiteSystem& system, const double* x
 void NullSpaceSolver::assemble_border(const HermiteSystem& system, const double* x_data) {
     const std::int64_t rows = space_.rows();
     const std::int64_t terms = space_.terms();
-    const std::int64_t first = space_.free() / 4; // sample
+    const std::int64_t first = space_.free() / 4; // the first sample that has fixed rows
     base::Array<double> columns(runtime_.memory, rows * (rows - 4 * first));
     runtime_.parallel.for_chunks(system.samples(), samples_per_tile, [&](std::int64_t begin, std::int64_t end) {
         system.block(begin, end, first, system.samples(), columns.data() + 4 * begin, rows);
@@ -112,7 +112,7 @@ void NullSpaceSolver::assemble_border(const HermiteSystem& system, const double*
 
 bool NullSpaceSolver::factor(const base::Progress& progress) { return cholesky_.factor(runtime_.parallel, progress); }
 
-// In Q's coordinates w = Q (z, u), with h = Q^T r for the first rows of the right-hand side:
+// In Q's coordinates w = Q (z, u), with h = Q^T r for the first rows r of the right-hand side, and s for its last:
 //   R^T u = s,   B_zz z = h_z - B_zu u,   R c = h_u - B_uz z - B_uu u.
 void NullSpaceSolver::solve(double* x, const base::Progress& progress) const {
     const std::int64_t rows = space_.rows();

@@ -12,12 +12,13 @@ public:
     // Assembles Q^T A Q.  Throws Error{invalid_argument, out_of_memory, cancelled}.
     NullSpaceSolver(const base::Work& work, const HermiteSystem& system);
 
-    // False if the matrix is not positive definite there.
+    // Returns false if the matrix is not positive definite there.
     [[nodiscard]] bool factor(const base::Progress& progress);
 
-    // Both after factor().  They look for a cancel only.
+    // Call both after factor(). They use `progress` only to check for a cancel.
     [[nodiscard]] double condition(const base::Progress& progress) const;
-    void solve(double* x, const base::Progress& progress) const; // x, unknowns() long, becomes the inverse times x
+    // Replaces x (unknowns() long) by the inverse times x.
+    void solve(double* x, const base::Progress& progress) const;
 
 private:
     void assemble(const HermiteSystem& system, const base::Progress& progress);
@@ -26,8 +27,8 @@ private:
 
     const base::Runtime& runtime_;
     NullSpace space_;
-    TiledCholesky cholesky_;     // of the free rows and columns of B = Q^T A Q
-    base::Array<double> border_; // rows() x terms(): column k is column rows() - 1 - k of B
+    TiledCholesky cholesky_;     // the free rows and columns of B = Q^T A Q
+    base::Array<double> border_; // rows() x terms(); column k is column rows() - 1 - k of B
     double norm_ = 0.0;
 };
 

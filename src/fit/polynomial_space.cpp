@@ -10,7 +10,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Rows whose sums are taken in one go: the result does not depend on the number of threads.
+// Sums are taken over chunks of this many rows, so the result does not depend on the number of threads.
 constexpr std::int64_t rows_a_task = 16384;
 
 using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;

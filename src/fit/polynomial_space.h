@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The polynomials at the samples, orthonormalised: for staying orthogonal to them, and for finding the one
-// that explains a residual best.
+// The polynomials at the samples, orthonormalised. It serves to make vectors orthogonal to them, and to find the
+// polynomial that explains a residual best.
 #pragma once
 
 #include "fit/system.h"
@@ -11,22 +11,22 @@
 
 namespace hrbfnpr::fit {
 
-// Vectors have 4 numbers a sample, as HermiteSystem's.
+// Vectors have 4 numbers per sample, as those of HermiteSystem.
 class PolynomialSpace {
 public:
     static constexpr int terms_max = 20;
 
-    // P = Q R by Cholesky's factor of P^T P, taken twice (CholeskyQR2: Fukaya and others 2014), with P's columns
-    // scaled first.  Throws Error{invalid_argument} if the samples do not determine the polynomial.
+    // Computes P = Q R by Cholesky's factor of P^T P, taken twice (CholeskyQR2: Fukaya and others 2014), after scaling
+    // P's columns. Throws Error{invalid_argument} if the samples do not determine the polynomial.
     PolynomialSpace(const base::Work& work, const HermiteSystem& system);
 
     [[nodiscard]] std::int64_t terms() const noexcept { return terms_; }
 
     // x -= Q Q^T x
     void take_out(double* x) const;
-    // The coefficients c for which P c is nearest to x, added to c; and x -= P c.
+    // Adds to c the coefficients for which their polynomial is nearest to x, and subtracts that polynomial from x.
     void explain(double* x, double* c) const;
-    // P c at one sample.
+    // Returns P c at one sample.
     [[nodiscard]] std::array<double, 4> at(std::int64_t sample, const double* c) const noexcept;
 
 private:

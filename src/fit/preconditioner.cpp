@@ -13,15 +13,16 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Samples of the dense block: enough for every later sample to have all its neighbours, and few enough for the
-// block to cost nothing.
+// Returns the size of the dense block: large enough for every later sample to have all its neighbours, and small enough
+// for the block to cost nothing.
 [[nodiscard]] std::int64_t coarse_count(std::int64_t samples, std::int32_t neighbours) noexcept {
     return std::min<std::int64_t>(samples, std::max<std::int64_t>(32, neighbours));
 }
 
 constexpr std::int64_t corrections_a_task = 256; // samples
 
-// Functionals of `at` less their Taylor expansions about sample 0: Z^T with Z's first rows for sample 0.
+// Returns Z, whose transpose subtracts from the functionals of `at` their Taylor expansions about sample 0. Sample 0
+// has the first rows.
 [[nodiscard]] Eigen::MatrixXd beside_linear(const geometry::PointTree& tree, const base::Array<std::int64_t>& at) {
     const auto count = static_cast<Eigen::Index>(at.size());
     Eigen::MatrixXd z = Eigen::MatrixXd::Zero(4 * count, 4 * (count - 1));
@@ -78,7 +79,7 @@ void Preconditioner::find_sets(const geometry::PointTree& tree, const base::Arra
 
 void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::PointTree& tree,
                                  const base::Progress& progress) {
-    factor_.resize_for_overwrite(set_.size() * 16); // hundreds of megabytes: each task makes its own part 0
+    factor_.resize_for_overwrite(set_.size() * 16); // hundreds of megabytes, so each task clears its own part
     const HermiteSystem::Options& options = system.options();
     const base::InstructionSet isa = runtime_.instruction_set;
     const FactorLocalSystems factor = local_factors(isa);
@@ -88,7 +89,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
         base::Array<double> room(runtime_.memory, local_factor_room(isa, set_size_));
         base::Array<double> position(runtime_.memory, batch * set_size_ * 3);
         for (std::int64_t k = begin * set_size_; k < end * set_size_; ++k) {
-            // A coarse sample's columns are not used: any points will do.
+            // The columns of a coarse sample are not used, so any points will do.
             const std::int64_t first = set_[k - k % set_size_];
             const glm::dvec3 p = first < 0 ? glm::dvec3(static_cast<double>(k % set_size_)) : tree.points()[set_[k]];
             for (glm::length_t c = 0; c < 3; ++c) position[3 * (k - begin * set_size_) + c] = p[c];
@@ -101,7 +102,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
     progress.update(1.0);
 }
 
-// L_0 = Z C^-T with C C^T = Z^T A Z.
+// Computes L_0 = Z C^-T with C C^T = Z^T A Z.
 void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::PointTree& tree) {
     const std::int64_t count = coarse_.size();
     geometry::VecArray position(runtime_.memory, count);
@@ -125,7 +126,7 @@ void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::
         cholesky.matrixU().solve<Eigen::OnTheRight>(z);
 }
 
-// A sample's uses: the elements of all sets that are this sample, in ascending order.
+// Lists for each sample the elements of all sets that are this sample, in ascending order.
 void Preconditioner::index_uses(const base::Progress& progress) {
     use_begin_.resize(samples_ + 1);
     for (const std::int64_t at : progress.over(samples_)) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// An approximate inverse of a Hermite system beside its polynomials, as a product L L^T of sparse factors.
+// An approximate inverse of a Hermite system on vectors orthogonal to its polynomials, as a product L L^T of sparse
+// factors.
 //
-// Samples stand in coarse-to-fine (farthest-first) order.  The coarsest few are one dense block; every later
-// one has four columns, whose rows are its own and those of its nearest coarser samples (local_factors.h).
-// Schaefer, Katzfuss, Owhadi 2021; for Green's functions Chen, Schaefer, Desbrun, ACM TOG 43, 2024.
+// Samples are in coarse-to-fine (farthest-first) order. The coarsest few form one dense block. Every later sample has
+// four columns, with rows for itself and for its nearest coarser samples (local_factors.h). Schaefer, Katzfuss, Owhadi
+// 2021; for Green's functions Chen, Schaefer, Desbrun, ACM TOG 43, 2024.
 #pragma once
 
 #include "fit/system.h"
@@ -13,17 +14,17 @@ namespace hrbfnpr::fit {
 
 class Preconditioner {
 public:
-    // `system` is of the tree's points in the tree's order, and so are all vectors, 4 numbers a sample.
-    // neighbours: of each sample, at most LocalSystems::largest_set - 1.  Throws Error{out_of_memory, cancelled,
-    // singular_system} (the last if the coarsest block is not definite).
+    // `system` is made of the tree's points in the tree's order. All vectors are in this order too, with 4 numbers per
+    // sample. `neighbours` is the number of neighbours per sample, at most LocalSystems::largest_set - 1. Throws
+    // Error{out_of_memory, cancelled, singular_system} (the last if the coarsest block is not definite).
     Preconditioner(const base::Work& work, const HermiteSystem& system, const geometry::PointTree& tree,
                    const base::Array<std::int64_t>& rank, std::int32_t neighbours);
 
     // z = L L^T r
     void apply(const double* r, double* z, const base::Progress& progress = {});
 
-    // The factor itself: column block i has set_size blocks of 4 x 4, row-major, rows set[i * set_size + k]; -1 first:
-    // none, since the sample is one of the dense block's.
+    // The factor itself. Column block i has set_size blocks of 4 x 4, row-major, with rows set[i * set_size + k]. If
+    // the first of these is -1, the column block is empty, since the sample is in the dense block.
     struct Blocks {
         std::int64_t set_size;
         const std::int32_t* set;
@@ -32,8 +33,7 @@ public:
         std::int64_t coarse_count;
         const double* coarse_factor; // 4 coarse_count x coarse_columns, column-major
         std::int64_t coarse_columns;
-        const std::int64_t*
-            use_begin; // of each sample: where it is in set, use[use_begin[j]] ... use[use_begin[j + 1] - 1]
+        const std::int64_t* use_begin; // sample j is at the elements use[use_begin[j]] ... of set
         const std::int64_t* use;
     };
     [[nodiscard]] Blocks blocks() const noexcept {
@@ -54,14 +54,15 @@ private:
 
     const base::Runtime& runtime_;
     std::int64_t samples_;
-    std::int32_t set_size_; // neighbours, and the sample itself, which is the last
+    std::int32_t set_size_; // the neighbours, then the sample itself
     bool beside_linear_;
     base::Array<std::int64_t> coarse_; // the samples of the dense block
     std::int64_t coarse_columns_ = 0;
-    base::Array<double> coarse_factor_;   // 4 coarse_.size() x coarse_columns_, column-major
-    base::Array<std::int32_t> set_;       // set_size_ for each sample; -1 first: a coarse one
-    base::Array<float> factor_;           // 16 for each element of set_
-    base::Array<std::int64_t> use_begin_; // of each sample's uses: where it stands in set_
+    base::Array<double> coarse_factor_; // 4 coarse_.size() x coarse_columns_, column-major
+    base::Array<std::int32_t> set_;     // set_size_ per sample; a first element of -1 marks a coarse sample
+    base::Array<float> factor_;         // 16 numbers per element of set_
+    // Where each sample's part of use_ begins, which lists the elements of set_ that are the sample.
+    base::Array<std::int64_t> use_begin_;
     base::Array<std::int64_t> use_;
     base::Array<double> t_; // L^T r
 };

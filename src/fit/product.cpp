@@ -7,12 +7,13 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t targets_a_task = 128; // targets of a task: their sums stay in the first-level cache
+constexpr std::int64_t targets_a_task = 128; // their sums stay in the first-level cache
 
-// Samples that are in or out of reach together: few, as they are neighbours in the caller's order.
+// Boxes hold this many samples, which are in or out of reach together. It is small, as they are neighbours in the
+// caller's order.
 constexpr std::int64_t box_samples = 32;
 
-// Beyond it the kernel and its derivatives are 0, or below a double's rounding.
+// Returns the distance beyond which the kernel and its derivatives are 0, or below a double's rounding.
 [[nodiscard]] double reach(const HermiteSystem::Options& options) noexcept {
     switch (options.kernel) {
     case kernel::Kind::wendland_c2: return options.radius;
@@ -27,10 +28,10 @@ constexpr std::int64_t box_samples = 32;
     return glm::dot(gap, gap);
 }
 
-// From so many samples on the fast sum is the faster one (measured: docs/fitting.md).
+// From this number of samples on, the fast sum is faster than the sum over all pairs (measured: docs/fitting.md).
 constexpr std::int64_t far_field_from = 40000;
 
-// Times that the accuracy may be refined: beyond, all pairs are faster.
+// The accuracy may be refined at most this often. Beyond that, summing all pairs is faster.
 constexpr int finest = 4;
 
 } // namespace
@@ -54,7 +55,7 @@ void HermiteProduct::make_boxes() {
     }
 }
 
-// Calls sum(begin, end) for the runs of samples in reach of a box.
+// Calls sum(begin, end) for each run of samples in reach of a box.
 template <class Sum>
 void HermiteProduct::for_runs_in_reach(const geometry::Bounds& box, const Sum& sum) const {
     const double limit = reach(options_) * reach(options_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// y = A x of a Hermite system, without A.  Where the kernel ends, or is 0 to rounding, pairs are left out.
+// The product y = A x of a Hermite system, without A. Pairs where the kernel is 0, or below rounding, are left out.
 #pragma once
 
 #include "fit/system.h"
@@ -10,23 +10,23 @@
 
 namespace hrbfnpr::fit {
 
-// Not thread-safe: it keeps its vectors.
+// It is not thread-safe, since it keeps working vectors.
 class HermiteProduct {
 public:
-    // tolerance: relative to the right-hand side, for which a fast product is accurate enough.
+    // A fast product is accurate enough for this `tolerance`, relative to the right-hand side.
     HermiteProduct(const base::Work& work, const geometry::VecArray& position, const HermiteSystem::Options& options,
                    double tolerance);
 
-    // 4 numbers a sample: value, x, y, z.  x and y do not overlap.
+    // Vectors have 4 numbers per sample: value, x, y, z. x and y must not overlap.
     void multiply(const double* x, double* y, const base::Progress& progress);
-    // The exact product's elements for samples 0, stride, 2 stride, ...
+    // Returns the elements of the exact product for samples 0, stride, 2 stride, ...
     [[nodiscard]] base::Array<double> multiply_some(const double* x, std::int64_t stride,
                                                     const base::Progress& progress);
-    // What regularization adds to the product.
+    // Adds to y what regularization adds to the product.
     void add_diagonal(const double* x, double* y) const noexcept;
-    // Whether multiply() is fast and only accurate enough for conjugate gradients to converge.
+    // Tells whether multiply() is fast and only accurate enough for conjugate gradients to converge.
     [[nodiscard]] bool approximate() const noexcept { return far_ != nullptr; }
-    // Makes it ten times as accurate; false if it can't be.
+    // Makes the fast product ten times as accurate. Returns false if that is not possible.
     bool refine(const base::Progress& progress);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -48,8 +48,8 @@ private:
     geometry::VecArray beta_;
     base::Array<double> value_;
     geometry::VecArray gradient_;
-    std::unique_ptr<implicit::FarField> far_; // none: all pairs, one by one
-    base::Array<geometry::Bounds> boxes_;     // of box_samples consecutive samples each
+    std::unique_ptr<implicit::FarField> far_; // null: pairs are summed one by one
+    base::Array<geometry::Bounds> boxes_;     // each bounds box_samples consecutive samples
 };
 
 } // namespace hrbfnpr::fit

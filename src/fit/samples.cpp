@@ -9,7 +9,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Squares and cubes of what is accepted stay far from the ends of a double's range.
+// Larger coordinates are rejected, so that squares and cubes stay far from the ends of a double's range.
 constexpr double coordinate_limit = 1e100;
 
 constexpr double coincidence = 1e-9;           // in diagonals
@@ -38,7 +38,6 @@ constexpr double rescaled_by = 1e-4;
     return p;
 }
 
-// Unit length, whatever the length was.
 [[nodiscard]] glm::dvec3 checked_normal(const base::InView& normals, std::int64_t i, std::int64_t& rescaled) {
     const glm::dvec3 n = read(normals, i);
     const auto index = static_cast<long long>(i);
@@ -46,14 +45,14 @@ constexpr double rescaled_by = 1e-4;
     const double size = largest(n);
     if (size == 0.0)
         fail(Status::invalid_argument, "normals[%lld] is zero; give it a direction or remove that sample", index);
-    const glm::dvec3 scaled = n / size; // so that the square of a tiny normal is not zero
+    const glm::dvec3 scaled = n / size; // keeps the square of a tiny normal above zero
     const double length = glm::length(scaled);
     if (!(std::abs(length * size - 1.0) <= rescaled_by)) ++rescaled;
     return scaled / length;
 }
 
-// The samples along a fixed direction.  Only samples that are close in space are close in this
-// order (but for planes across that direction, which is why no axis or diagonal is taken).
+// A sample's position along a fixed direction. Samples that are close in this order are mostly close in space too. The
+// exception is samples on a plane across the direction, so it is neither an axis nor a diagonal.
 struct Along {
     double key;
     std::int64_t index;
@@ -81,7 +80,7 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
          degrees * std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
 
-// For each sample, the one that stands for all that coincide with it.
+// Returns for each sample the one that represents all samples that coincide with it.
 [[nodiscard]] base::Array<std::int64_t> representatives(const Samples& samples, const base::Progress& progress) {
     base::Memory& memory = samples.position.memory();
     const double tolerance = coincidence * samples.bounds.diagonal();
@@ -107,7 +106,7 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     return representative;
 }
 
-// Distance from order[at] to its nearest other sample.
+// Returns the distance from order[at] to the nearest other sample.
 [[nodiscard]] double nearest(const geometry::VecArray& position, const base::Array<Along>& order, std::int64_t at) {
     double best = HUGE_VAL;
     const glm::dvec3 p = position[order[at].index];
@@ -136,8 +135,8 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
 void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
     base::Memory& memory = samples.position.memory();
     const std::int64_t count = samples.position.size();
-    base::Array<std::int64_t> slot(memory, count);  // 1 + where a representative's average is
-    base::Array<std::int64_t> share(memory, count); // how many samples are in it
+    base::Array<std::int64_t> slot(memory, count);  // 1 + the index of a representative's average
+    base::Array<std::int64_t> share(memory, count); // the number of samples in each average
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < count; ++i) {
         std::int64_t& at = slot[representative[i]];
@@ -153,7 +152,7 @@ void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
     }
     for (std::int64_t k = 0; k < kept; ++k) {
         if (share[k] == 1) continue;
-        // Not out of the bounds, where rounding would have it.
+        // Rounding must not move the mean out of the bounds.
         const glm::dvec3 mean = samples.position[k] / static_cast<double>(share[k]);
         samples.position.set(k, glm::clamp(mean, samples.bounds.min, samples.bounds.max));
         samples.normal.set(k, glm::normalize(samples.normal[k]));

@@ -12,9 +12,9 @@ namespace hrbfnpr::fit {
 struct Samples {
     explicit Samples(base::Memory& memory) noexcept : position(memory), normal(memory), value(memory) {}
 
-    geometry::VecArray position; // the caller's coordinates
-    geometry::VecArray normal;   // unit
-    base::Array<double> value;   // what f is held to, in the caller's unit; empty: 0, as on the surface
+    geometry::VecArray position; // in the caller's coordinates
+    geometry::VecArray normal;   // of unit length
+    base::Array<double> value;   // the value of f, in the caller's unit; empty: 0, as on the surface
     geometry::Bounds bounds;
     double spacing = 0.0; // mean distance to the nearest other sample; 0 for one sample
     std::int64_t merged = 0;
@@ -24,11 +24,11 @@ struct Samples {
 // Throws Error{invalid_argument} naming "points" or "normals" and the index.
 [[nodiscard]] Samples read_samples(const base::Work& work, const base::InView& points, const base::InView& normals);
 
-// Replaces samples by the average of all that have the same representative (one of them), in the order of
-// the first of each.
+// Replaces all samples that have the same representative (one of them) by their average, in the order of the first
+// sample of each group.
 void merge(Samples& samples, const base::Array<std::int64_t>& representative);
 
-// Bounds and spacing of the samples as they are now.
+// Measures bounds and spacing of the samples as they are now.
 void measure_extent(const base::Work& work, Samples& samples);
 
 } // namespace hrbfnpr::fit

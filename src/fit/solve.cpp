@@ -10,41 +10,42 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Fewer samples than this are solved directly: that is no slower, and exact.
+// Fewer samples than this are solved directly, which is no slower, and exact.
 constexpr std::int64_t crossover = 192;
-// More than this are not solved directly without being told to: 64 N^2 bytes and N^3 flops.
+// More samples than this are solved directly only on request, since this takes 64 N^2 bytes and N^3 flops.
 constexpr std::int64_t most_direct = 6000;
 
-// Up to so many samples each one's own residual is below 1e-8, not only their mean, at the price of two iterations.
+// Up to this many samples each sample's own residual is below 1e-8, and not only their mean. This costs two iterations.
 constexpr std::int64_t small = 2048;
 
-// Of so few the direct solver takes some tenths of a second, and gives more than iterations that rounding ends above
-// this residual.  Of more it takes up to a minute: what is good enough where the iterative solver is asked for by name
-// is good enough here.
+// Up to this many samples the direct solver takes some tenths of a second, and is more accurate than iterations that
+// rounding stops above `exact_enough`. For more samples it takes up to a minute, so any acceptable residual is
+// accepted.
 constexpr std::int64_t quickly_direct = 512;
 constexpr double exact_enough = 1e-8;
 
 constexpr std::int32_t second_neighbours = 48;
 
-// Found by trying the Stanford dragon's 435 545 vertices: with less the iterations break down, with much more the
-// preconditioner does not know the system.
+// Set on the Stanford dragon's 435 545 vertices. Smaller: the iterations break down. Much larger: the preconditioner
+// does not match the system.
 constexpr double softening_of_values = 1.0;
 constexpr double softening_of_gradients = 1e-6;
 constexpr double softened_tolerance = 3e-4;
 
-// More neighbours cost setup of k^3 a sample and save iterations, whose cost grows with N (measured: 7, 8 and 10
-// iterations of 4096, 16 384 and 65 536 even samples; of 5182 that were chosen for a mesh 19 with 16, 14 with 24).
+// More neighbours cost setup of k^3 per sample and save iterations, whose cost grows with N (measured: 7, 8 and 10
+// iterations for 4096, 16 384 and 65 536 even samples; for 5182 samples chosen for a mesh 19 with 16 neighbours, 14
+// with 24).
 [[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
-    if (kernel == kernel::Kind::gaussian) return 40; // whose far samples are not screened by near ones
+    if (kernel == kernel::Kind::gaussian) return 40; // near samples do not screen far ones
     return samples < 3000 ? 16 : samples < 12000 ? 24 : samples < 40000 ? 28 : 32;
 }
 
-// The preconditioner needs the system to be definite beside the linear polynomials.
+// Tells whether the system is definite on vectors orthogonal to the linear polynomials, as the preconditioner needs.
 [[nodiscard]] bool definite(const HermiteSystem::Options& options) noexcept {
     return options.degree + 1 >= kernel::order(options.kernel);
 }
 
-// Whether the iterations came near the goal and then no further.
+// Tells whether the iterations stopped near the goal, and the result is good enough.
 [[nodiscard]] bool rounding_ends(const HermiteSystem& system, const SolveOptions& options,
                                  const Solution& solution) noexcept {
     if (solution.converged || solution.iterations >= options.iterations) return false;
@@ -53,12 +54,12 @@ constexpr double softened_tolerance = 3e-4;
     return !direct_is_better && solution.residual <= options.acceptable;
 }
 
-// Again with a little regularization, which bounds the weights of samples that contradict each other, and to what the
-// product of these weights resolves.
+// Solves again with a little regularization, which bounds the weights of samples that contradict each other, and to a
+// tolerance that the product of these weights can reach.
 void soften(const base::Work& work, const HermiteSystem& system, const double* rhs, SolveOptions options,
             std::int32_t neighbours, Solution& solution) {
     HermiteSystem::Options soft = system.options();
-    if (soft.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return; // as the caller said
+    if (soft.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return; // the caller's choice stays
     soft.value_diagonal = solution.value_diagonal = softening_of_values;
     soft.gradient_diagonal = softening_of_gradients;
     options.product_tolerance = options.tolerance; // a looser product would not be definite
@@ -73,7 +74,7 @@ void soften(const base::Work& work, const HermiteSystem& system, const double* r
     solve_iteratively(work, HermiteSystem(system.positions(), soft), rhs, options, neighbours, solution);
 }
 
-// Starts again with more neighbours if need be.
+// Iterates, and starts again with more neighbours if necessary.
 void iterate(const base::Work& work, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
              Solution& solution) {
     const std::int32_t first =
@@ -143,7 +144,7 @@ Solution solve(const base::Work& work, const HermiteSystem& system, const double
                                solution.residual);
         }
     }
-    solution.misfit.clear(); // the attempt's
+    solution.misfit.clear(); // left by the iterative attempt
     solution.history.clear();
     solve_directly(work, system, rhs, options, solution);
     return solution;

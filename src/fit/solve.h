@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solves the Hermite system by the fitting method.
+// Solves the Hermite system, by the solver that the options or the number of samples ask for.
 #pragma once
 
 #include "fit/solver_kind.h"
@@ -11,28 +11,29 @@ struct SolveOptions {
     SolverKind solver = SolverKind::automatic;
     std::int32_t refinement_steps = 2;
     double tolerance = 0.0;         // of the iterative solver: relative residual, 2-norm; 0 = automatic
-    double acceptable = 1e-6;       // ... where rounding, or an approximate product, lets it come no further
-    double product_tolerance = 0.0; // that a fast product is made for; 0: as tolerance
+    double acceptable = 1e-6;       // accepted where rounding or an approximate product stops the iterations
+    double product_tolerance = 0.0; // the tolerance that a fast product is made for; 0: `tolerance`
     std::int32_t iterations = 200;
-    std::int32_t neighbours = 0; // of its preconditioner; 0 = automatic
+    std::int32_t neighbours = 0; // of the preconditioner; 0 = automatic
 };
 
-// Iterations that end with a relative residual above it have met samples that contradict each other, as slivers of a
-// mesh do in single precision: a finer product or more neighbours don't help.
+// If the iterations end with a relative residual above this, samples contradict each other, as slivers of a mesh do in
+// single precision. A finer product or more neighbours do not help then.
 inline constexpr double hopeless_residual = 100.0;
 
 struct Solution {
     explicit Solution(base::Memory& memory) noexcept : x(memory), misfit(memory), history(memory) {}
 
-    base::Array<double> x;      // unknowns(): w, then c
-    base::Array<double> misfit; // the conditions less what the function takes there, 4 a sample; may be empty
+    base::Array<double> x; // unknowns(): w, then c
+    // The right-hand side minus the function's values and gradients, 4 per sample. It may be empty.
+    base::Array<double> misfit;
     SolverKind solver = SolverKind::direct;
     SolverReason reason = SolverReason::requested;
-    double residual = 0.0;       // relative, 2-norm, of the whole system
-    double condition = 0.0;      // 1-norm estimate, of the factored matrix; of the preconditioned one, 2-norm
-    std::int32_t iterations = 0; // of refinement, or of CG
+    double residual = 0.0;       // of the whole system, relative, 2-norm
+    double condition = 0.0;      // direct: 1-norm estimate for the factored matrix; iterative: 2-norm, preconditioned
+    std::int32_t iterations = 0; // of the refinement, or of CG
     bool fallback = false;
-    double value_diagonal = 0.0; // where 0 was asked for, and would not do
+    double value_diagonal = 0.0; // regularization used where 0 was requested and did not work
     bool converged = false;      // the iterative solver reached its tolerance
     base::Array<double> history; // relative residual after each iteration of CG
     double seconds_assemble = 0.0;
@@ -40,7 +41,7 @@ struct Solution {
     double seconds_solve = 0.0;
 };
 
-// rhs: unknowns() long, zeros in its last terms().
+// `rhs` is unknowns() long, with zeros in its last terms() elements.
 // Throws Error{invalid_argument, singular_system, not_converged, out_of_memory, cancelled}.
 [[nodiscard]] Solution solve(const base::Work& work, const HermiteSystem& system, const double* rhs,
                              SolveOptions options);

@@ -8,8 +8,8 @@
 
 namespace hrbfnpr::fit {
 
-// Column block i has set_size blocks, rows set[i * set_size + k], numbers factor[(i * set_size + k) * 16], row-major;
-// set[i * set_size] < 0: it has none.  The blocks in row block j are those with the running numbers
+// Column block i has set_size blocks, with rows set[i * set_size + k] and numbers from factor[(i * set_size + k) * 16]
+// on, row-major. It is empty if set[i * set_size] < 0. The blocks in row block j are those with the running numbers
 // use[use_begin[j]], ..., use[use_begin[j + 1] - 1].
 struct SparseFactor {
     std::int64_t set_size;
@@ -20,7 +20,7 @@ struct SparseFactor {
 };
 
 struct SparseBlocks {
-    // t = L^T r and z = L t, elements of blocks [begin, end) of the result.
+    // These compute t = L^T r and z = L t for the blocks [begin, end) of the result.
     void (*multiply_transposed)(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* r,
                                 double* t);
     void (*multiply)(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* t, double* z);

@@ -8,44 +8,45 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// The limits below were set on clean sets (tori, knot, hearts, lamp, gargoyle, head, bunny, dragon: none is
-// found) and a raw scan.
+// The limits below were set on clean sets (tori, knot, hearts, lamp, gargoyle, head, bunny, dragon; nothing is found),
+// and on a raw scan.
 
-// An outlier is this much farther from its neighbours than they are from theirs: the statistical removal of
-// Rusu et al., "Towards 3D point cloud based object maps for household environments", 2008, but with
-// medians, which outliers do not move, and relative to the spacing on the spot, which need not be even ...
+// An outlier is this many times farther from its neighbours than they are from theirs: the statistical removal of Rusu
+// et al., "Towards 3D point cloud based object maps for household environments", 2008. But it uses medians, which
+// outliers do not move, and the local spacing, which need not be even.
 constexpr double isolated = 3.0;
-// ... or this far, in mean distances to a neighbour, above the tangent planes of most of its neighbours,
-// and this much farther than they are above each other's.
+// An outlier may also be this far (in mean distances to a neighbour) from most of its neighbours' tangent planes, if
+// that is `stray_of_neighbours` times as far as the neighbours are from theirs.
 constexpr double stray = 1.0;
 constexpr double stray_of_neighbours = 4.0;
-// But a sample with companions, neighbours that lie near its height and agree in normal, is of another
-// sheet, sparser than the one that most of its neighbours are of.
-constexpr double companion_height = 0.25; // of the median one
+// But a sample with `companions` companions is on another, sparser sheet. Companions are neighbours near its height
+// that agree in normal.
+constexpr double companion_height = 0.25; // in Local::height
 constexpr double companion_cosine = 0.5;
 constexpr int companions = 3;
 
-// A flipped normal is against at least this share of its neighbours' ...
+// A flipped normal has cosines below `against` with at least this share of its neighbours' normals.
 constexpr double share_against = 0.875;
-constexpr double against = -0.3; // cosine
-// ... is their opposite about as well as they agree with each other, and well at all ...
+constexpr double against = -0.3;
+// A flipped normal's mean cosine with all neighbours is at most -`opposite`, and at most minus this share of their
+// agreement.
 constexpr double opposite_of_neighbours = 0.6;
 constexpr double opposite = 0.5;
-// ... and its sample lies on their sheet, as near to their tangent planes as they do (the sheets of a thin
-// wall have opposite normals, too), and in their midst.
+// A flipped sample is on the same sheet, as near to the neighbours' tangent planes as they are, and in their midst. The
+// sheets of a thin wall have opposite normals, too.
 constexpr double height_of_neighbours = 2.0;
 constexpr double height = 0.02; // in mean distances to a neighbour
 constexpr double off_centre = 0.5;
-// Once some are turned, those beside them may show; a few passes find those in small groups.
+// After some normals are turned, those beside them may show. A few passes find small groups of them.
 constexpr int passes = 4;
 
 constexpr std::int64_t suspects_a_task = 512;
 
-// Of a sample and its neighbours.
+// Statistics of a sample and its neighbours.
 struct Local {
-    double distance;  // mean distance of them
-    double height;    // median distance of it from their tangent planes
-    double agreement; // mean cosine between its normal and theirs, of either sign
+    double distance;  // mean distance to the neighbours
+    double height;    // median distance from their tangent planes
+    double agreement; // mean absolute cosine with their normals
 };
 
 using Buffer = std::array<double, geometry::Neighbours::most>;
@@ -88,7 +89,7 @@ private:
                                      });
     }
 
-    // How far sample i is from the tangent plane of j.
+    // Returns the distance of sample i from the tangent plane of j.
     [[nodiscard]] double height_above(std::int64_t i, std::int64_t j) const noexcept {
         return std::abs(glm::dot(samples_.position[i] - samples_.position[j], samples_.normal[j]));
     }
@@ -113,7 +114,7 @@ private:
         return median(values, near.size());
     }
 
-    // What is usual on the spot.  Where samples are heaped, what is usual in all.
+    // Returns the local usual distance. Where samples are heaped it is that of all samples.
     [[nodiscard]] double usual_distance(std::int64_t i) const {
         return std::max(typical_distance_, median_of_neighbours(i, &Local::distance));
     }
@@ -134,7 +135,7 @@ private:
         });
     }
 
-    // With the normals as they were turned so far.
+    // Tells whether a normal is flipped, given those that are turned already.
     [[nodiscard]] bool is_against(std::int64_t i) const {
         const auto near = neighbours_.of(i);
         std::size_t count = 0;
@@ -159,7 +160,7 @@ private:
         return glm::length(offset) < off_centre * local_[i].distance * static_cast<double>(count);
     }
 
-    // Turns those that are against their neighbours; false if there is none.
+    // Turns the normals that are against their neighbours'. Returns false if it finds none.
     bool turn() {
         base::Array<std::uint8_t> turned(runtime_.memory, local_.size());
         for_each([&](std::int64_t i) { turned[i] = found_.outlier[i] == 0 && is_against(i) ? 1 : 0; });

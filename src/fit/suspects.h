@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples that do not fit to those around them.
+// Finds samples that do not fit those around them.
 #pragma once
 
 #include "base/operation.h"
@@ -12,11 +12,11 @@ namespace hrbfnpr::fit {
 struct Suspects {
     explicit Suspects(base::Memory& memory) noexcept : outlier(memory), flipped(memory) {}
 
-    base::Array<std::uint8_t> outlier; // of each sample, 1 if it is one
-    base::Array<std::uint8_t> flipped; // ... whose normal is against its neighbours'; not of outliers
+    base::Array<std::uint8_t> outlier; // 1 if the sample is an outlier
+    base::Array<std::uint8_t> flipped; // 1 if the normal is against its neighbours'; 0 for outliers
 };
 
-// neighbours: some 16 of each sample.
+// `neighbours` should be about 16 per sample.
 [[nodiscard]] Suspects find_suspects(const base::Work& work, const Samples& samples,
                                      const geometry::Neighbours& neighbours);
 

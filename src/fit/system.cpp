@@ -11,7 +11,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t product_samples = 16; // a block of A for these is 32 KiB
+constexpr std::int64_t product_samples = 16; // the block of A for this many samples is 32 KiB
 
 } // namespace
 

@@ -23,30 +23,30 @@ public:
         kernel::Kind kernel;
         double radius; // in the positions' unit
         std::int32_t degree;
-        double value_diagonal;    // what regularization adds to alpha's diagonal
-        double gradient_diagonal; // ... and to beta's
+        double value_diagonal;    // added to alpha's diagonal by regularization
+        double gradient_diagonal; // added to beta's diagonal by regularization
     };
 
-    // Reads `positions` (normalised) for as long as it lives.
+    // The object refers to `positions` (normalised) for its whole life.
     HermiteSystem(const geometry::VecArray& positions, const Options& options) noexcept
         : positions_(positions), options_(options) {}
 
     [[nodiscard]] std::int64_t samples() const noexcept { return positions_.size(); }
-    [[nodiscard]] std::int64_t rows() const noexcept { return 4 * positions_.size(); } // of A
+    [[nodiscard]] std::int64_t rows() const noexcept { return 4 * positions_.size(); } // rows of A
     [[nodiscard]] std::int64_t terms() const noexcept;                                 // columns of P
     [[nodiscard]] std::int64_t unknowns() const noexcept { return rows() + terms(); }
     [[nodiscard]] const Options& options() const noexcept { return options_; }
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return positions_; }
 
-    // Rows of samples [i0, i1) and columns of samples [j0, j1) of A, column-major.
+    // Writes the block of A with the rows of samples [i0, i1) and the columns of samples [j0, j1), column-major.
     void block(std::int64_t i0, std::int64_t i1, std::int64_t j0, std::int64_t j1, double* out,
                std::int64_t column_stride) const noexcept;
 
-    // y = A x for `columns` columns (packed, column-major) without storing A.
+    // Computes y = A x for `columns` columns (packed, column-major) without storing A.
     void multiply(const base::Parallel& parallel, const double* x, std::int64_t columns, double* y,
                   const base::Progress& progress) const;
 
-    // P, packed, column-major.
+    // Writes P, packed, column-major.
     void constraints(double* p) const noexcept;
 
 private:

@@ -15,18 +15,19 @@ struct AdaptiveTuning {
     double mostly_outside = 0.25;
     // A round may add this many centres, however few there are. Larger: fewer rounds in small fits.
     std::int64_t smallest_batch = 32;
-    // Candidates within the tolerance, but beyond this share of it, are taken along where others are outside: they
-    // would be next. Larger: more rounds.
+    // If some candidates are outside the tolerance, those beyond this share of it are added too, since they would be
+    // next. Larger: more rounds.
     double nearly_outside = 0.75;
-    // A normal that is off by an angle moves the surface by about this share of the angle times the distance to the
+    // A normal that is wrong by an angle moves the surface by about this share of the angle times the distance to the
     // next centre. Larger: more centres where normals are off.
     double lever = 0.25;
-    // New centres are at least this share of the spacing of the centres there apart, so that a batch covers what is off
-    // and does not heap where it is worst. The share is halved down to the least one while it lets none through.
-    // Larger: smaller batches.
+    // New centres are at least this share of the local spacing of the centres apart, so that a batch covers all bad
+    // regions and does not heap in the worst one. The share is halved, down to the least one, while no candidate
+    // passes. Larger: smaller batches.
     double apart = 0.5;
     double least_apart = 1e-3;
-    // A candidate at which f grows inward is off by at least this many tolerances. Larger: such candidates come first.
+    // Where f grows inward, a candidate counts as off by at least this many tolerances. Larger: such candidates come
+    // first.
     double wrong_side = 2.0;
 };
 inline constexpr AdaptiveTuning adaptive_tuning;
@@ -34,25 +35,26 @@ inline constexpr AdaptiveTuning adaptive_tuning;
 struct ChoiceTuning {
     // The number of first centres where there is a tolerance. Larger: small fits take longer.
     std::int64_t first_centres = 256;
-    // Without a tolerance the first centres are the last ones divided by this. Larger: more rounds.
+    // Without a tolerance the number of first centres is the final number divided by this. Larger: more rounds.
     std::int64_t last_of_first = 4;
-    // No end is in sight if it is not reached after this many rounds.
+    // The choice stops after this many rounds, since then it does not converge.
     std::int32_t most_rounds = 50;
-    // The smoothing that the noise calls for depends on the fit's variance, and that on the smoothing: it is settled if
-    // it changes by a smaller factor than this, or after this many fits. Larger factor: fewer fits.
+    // The smoothing for the noise depends on the fit's variance, and the variance on the smoothing. It is settled if it
+    // changes by a smaller factor than this, or after this many fits. Larger factor: fewer fits.
     double settled = 1.2;
     int settling_fits = 4;
     // The smoothing is settled on this many samples before all become centres. Larger: slower.
     std::int64_t pilot_centres = 512;
-    // The noise is averaged over this many neighbours. Larger: details are taken for noise.
+    // The noise is averaged over this many neighbours. Larger: details are mistaken for noise.
     std::int64_t averaged = 16;
     // Centres nearer to each other than this many standard deviations of the noise would follow it. Larger: less
     // detail.
     double noise_apart = 4.0;
-    // A round of noisy samples has to add one centre for this many: else what is left is noise. Larger: more rounds.
+    // With noisy samples a round must add one centre per this many existing ones, since else only noise is left.
+    // Larger: more rounds.
     std::int64_t worthwhile = 200;
-    // The surface may be off the mean of some samples by the tolerance less this many standard deviations of the noise,
-    // but by `least_tolerance` of the tolerance at least. Larger: more centres in noise.
+    // The surface may miss the mean of neighbouring samples by the tolerance less this many standard deviations of the
+    // noise, but at least by `least_tolerance` times the tolerance. Larger: more centres in noise.
     double noise_allowed = 2.0;
     double least_tolerance = 0.5;
 };

@@ -7,10 +7,11 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::size_t most_neighbours = 8; // a sample stands for no more of its neighbours than these
+constexpr std::size_t most_neighbours = 8; // a sample represents at most this many of its neighbours
 constexpr std::int64_t spacings_a_task = 512;
 
-// Mean angle between a sample and its neighbours: of its normal with theirs, and of its position above their planes.
+// Returns the sum of two mean angles between a sample and its neighbours: of its normal to theirs, and of its position
+// above their tangent planes.
 [[nodiscard]] double oddness(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
     double height = 0.0;
     double distance = 0.0;

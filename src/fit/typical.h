@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which of some neighbouring noisy samples stands for them best.
+// Finds the noisy sample that represents its neighbours best.
 #pragma once
 
 #include "base/operation.h"
@@ -9,8 +9,9 @@
 
 namespace hrbfnpr::fit {
 
-// For each sample, the one of it and its neighbours that agrees best with those around it in position and normal.
-// What is worst off a fit is the worst of the noise, too: a scan's rims have normals of all directions.
+// Returns for each sample the one among it and its neighbours that agrees best with the samples around it in position
+// and normal. The samples that a fit misses most are also the noisiest, as a scan's rims have normals of all
+// directions. So they should not become centres themselves.
 [[nodiscard]] base::Array<std::int64_t> typical_samples(const base::Work& work, const Samples& samples,
                                                         const geometry::Neighbours& neighbours);
 

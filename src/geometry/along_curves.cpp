@@ -11,13 +11,14 @@ namespace hrbfnpr::geometry {
 namespace {
 
 constexpr std::int64_t most_asked = 256;
-constexpr std::int64_t fewest = 16; // points that tell
+constexpr std::int64_t fewest = 16; // Fewer points decide nothing.
 constexpr std::int64_t thinner = 4;
 constexpr std::int64_t fewest_thinned = 256;
 constexpr std::int64_t most_thinned = 200000;
-// Nearest others, how far they may be across a line, of the deviation along it, and the share of points of which they
-// shall lie so.  More neighbours see over noise.  Of points all over a surface shares are 0.12, 0.00 and 0.00 at most
-// (a scan's layers, and 0.03 at the first of others), of wires and sections with noise of 0.001 diagonals one is above.
+// A test of a point's nearest neighbours: their deviation across a line is less than `across` times that along it.
+// Points lie along curves if it holds for more than `share` of them. More neighbours see over noise. For points all
+// over a surface the shares are at most 0.12, 0.00 and 0.00 (0.12 on a scan's layers, else at most 0.03). For wires and
+// sections with noise of 0.001 diagonals at least one share is exceeded.
 struct Look {
     std::size_t neighbours;
     double across;
@@ -26,7 +27,7 @@ struct Look {
 constexpr std::array<Look, 3> looks{{{4, 0.2, 0.2}, {12, 0.25, 0.07}, {24, 0.25, 0.07}}};
 constexpr std::size_t most = looks.back().neighbours;
 
-// Of the offsets of neighbours from a point: power iterations find the line of the largest sum of squares.
+// Tests the offsets of a point's neighbours. Power iterations find the line with the largest sum of squares.
 bool on_a_line(std::span<const glm::dvec3> offsets, double across) noexcept {
     double all = 0.0;
     for (const glm::dvec3& offset : offsets) all += glm::dot(offset, offset);
@@ -44,7 +45,7 @@ bool on_a_line(std::span<const glm::dvec3> offsets, double across) noexcept {
     return all - along < across * across * along;
 }
 
-// By each of the looks.  Points that coincide with this one tell nothing.
+// Applies each of the looks to one point, and counts those that hold. Points that coincide with it are ignored.
 void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, looks.size()>& on_lines) noexcept {
     constexpr std::size_t asked = most + 8;
     const glm::dvec3 p = tree.points()[at];
@@ -77,7 +78,8 @@ bool are_on_lines(const PointTree& tree) noexcept {
 
 } // namespace
 
-// Of fewer points, which are farther apart, noise is less.  Any of them: of a grid every fourth would lie along lines.
+// Thinned points are farther apart, so noise matters less. They are picked at random, since every fourth point of a
+// grid would lie along lines.
 bool along_curves(const PointTree& tree) {
     if (are_on_lines(tree)) return true;
     if (tree.size() > most_thinned) return false;

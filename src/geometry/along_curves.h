@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Points along curves: wires, cross sections, the lines of a scanner.  What is between them is not a hole of a
-// surface that was sampled all over.
+// Detects points along curves: wires, cross sections, the scan lines of a scanner. The gaps between such curves are not
+// holes of a surface that was sampled all over.
 #pragma once
 
 #include "geometry/point_tree.h"
 
 namespace hrbfnpr::geometry {
 
-// Whether enough points have their nearest others along a line.
+// Tells whether enough points have their nearest neighbours along a line.
 [[nodiscard]] bool along_curves(const PointTree& tree);
 
 } // namespace hrbfnpr::geometry

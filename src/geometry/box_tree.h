@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes over items in their own order, in which neighbours in number should be near each other in space.
+// A tree of boxes over items in a given order. It works best if items with consecutive numbers are near each other.
 #pragma once
 
 #include "base/assert.h"
@@ -14,11 +14,11 @@ namespace hrbfnpr::geometry {
 
 class BoxTree {
 public:
-    // bounds(i) is the box of item i; it is asked for on all threads.
+    // bounds(i) returns the box of item i. It is called on all threads.
     template <class BoundsOf>
     BoxTree(const base::Work& work, std::int64_t items, BoundsOf&& bounds);
 
-    // Calls visit(item) for all items in boxes for which meets(box) is true, and for some beside them.
+    // Calls visit(item) for all items whose box satisfies meets(box), and for some others in the same leaves.
     template <class Meets, class Visit>
     void visit(Meets&& meets, Visit&& visit) const;
 
@@ -29,7 +29,7 @@ private:
 
     std::int64_t items_;
     std::int64_t leaves_ = 1; // a power of two
-    base::Array<Bounds> box_; // of the nodes in heap order: 1 is the root, 2 i and 2 i + 1 are below i
+    base::Array<Bounds> box_; // node boxes in heap order: node 1 is the root, 2 i and 2 i + 1 are the children of i
 };
 
 template <class BoundsOf>
@@ -54,7 +54,7 @@ BoxTree::BoxTree(const base::Work& work, std::int64_t items, BoundsOf&& bounds) 
 
 template <class Meets, class Visit>
 void BoxTree::visit(Meets&& meets, Visit&& visit) const {
-    std::array<std::int64_t, 64> stack{1}; // every level has one node more
+    std::array<std::int64_t, 64> stack{1}; // at most one waiting node per level, and one more
     std::size_t depth = 1;
     while (depth > 0) {
         const std::int64_t node = stack[--depth];

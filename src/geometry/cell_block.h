@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blocks of 4 x 4 x 4 cells, and where in them and in the blocks around them the neighbours of a cell are.
+// Blocks of 4 x 4 x 4 cells, and a table that finds the neighbours of a cell in its block and in the blocks around it.
 #pragma once
 
 #include "geometry/cell_grid.h"
@@ -8,20 +8,21 @@
 namespace hrbfnpr::geometry {
 
 inline constexpr std::size_t cells_of_block = 64;
-inline constexpr int neighbour_count = 27; // a cell itself among them, in the middle
+inline constexpr int neighbour_count = 27; // includes the cell itself, in the middle
 
-// One of the 27 cells around and including a cell; the first coordinate runs fastest.
+// Returns one of the 27 cells around and including a cell. The first coordinate runs fastest.
 [[nodiscard]] constexpr CellGrid::Cell neighbour(const CellGrid::Cell& cell, int step) noexcept {
     return {cell[0] + step % 3 - 1, cell[1] + step / 3 % 3 - 1, cell[2] + step / 9 - 1};
 }
 
-// The neighbours of a cell of a block: in which of the 27 blocks, and which of its cells along the curve (morton.h).
+// The position of one neighbour of a cell: which of the 27 blocks it is in, and its Morton code in that block
+// (morton.h).
 struct InBlock {
     std::uint8_t block, cell;
 };
 using NeighboursInBlocks = std::array<InBlock, neighbour_count>;
 
-// Of each cell of a block.
+// The neighbours of each cell of a block, by the cell's Morton code.
 inline constexpr std::array<NeighboursInBlocks, cells_of_block> neighbours_in_blocks = [] {
     std::array<NeighboursInBlocks, cells_of_block> all{};
     for (std::size_t code = 0; code < all.size(); ++code) {

@@ -13,7 +13,7 @@
 
 namespace hrbfnpr::geometry {
 
-// The number as a whole one from 0 to `last`; 0 for what is no number.
+// Truncates a number to an integer in [0, last]. NaN becomes 0.
 [[nodiscard]] inline std::int64_t whole(double number, std::int64_t last) noexcept {
     const auto most = static_cast<double>(last);
     return static_cast<std::int64_t>(number > 0.0 ? (number < most ? number : most) : 0.0);
@@ -52,7 +52,7 @@ struct CellGrid {
     }
 };
 
-// The finaliser of splitmix64: every bit of a cell's number moves every bit of its place in a table.
+// The finaliser of splitmix64: every bit of a cell's packed number affects every bit of the hash.
 [[nodiscard]] inline std::uint64_t mixed_bits(std::uint64_t bits) noexcept {
     bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
     bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;

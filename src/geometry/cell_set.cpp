@@ -12,7 +12,7 @@ namespace {
 // The two lowest bits of each coordinate of a packed cell.
 constexpr std::uint64_t in_block = 3U | std::uint64_t{3} << CellGrid::bits | std::uint64_t{3} << (2 * CellGrid::bits);
 
-// The name of a cell's block, and the cell in it.
+// block_of returns the name of a cell's block, and bit_of the cell's bit in it.
 std::uint64_t block_of(std::uint64_t packed) noexcept { return (packed & ~in_block) | 1U; }
 std::uint64_t bit_of(std::uint64_t packed) noexcept {
     return std::uint64_t{1} << morton_code(CellGrid::unpack(packed & in_block));
@@ -20,7 +20,7 @@ std::uint64_t bit_of(std::uint64_t packed) noexcept {
 
 } // namespace
 
-// Where the block stands, or the free place where it would.
+// Returns the slot of the block, or the free slot where it would be inserted.
 std::int64_t CellSet::place(const base::Array<Block>& table, std::uint64_t name) noexcept {
     const auto mask = static_cast<std::uint64_t>(table.size() - 1);
     for (std::uint64_t at = mixed_bits(name) & mask;; at = (at + 1) & mask) {
@@ -67,7 +67,7 @@ bool CellSet::contains(std::uint64_t packed) const noexcept {
 
 std::uint32_t CellSet::insert_around(const CellGrid::Cell& cell, std::uint32_t wanted) {
     const NeighboursInBlocks& place = neighbours_in_blocks[morton_code({cell[0] & 3, cell[1] & 3, cell[2] & 3})];
-    std::array<std::uint64_t, neighbour_count> cells{}; // of each of the 27 blocks
+    std::array<std::uint64_t, neighbour_count> cells{}; // the wanted cells of each of the 27 blocks
     std::uint32_t blocks = 0;
     for (std::uint32_t left = wanted; left != 0; left &= left - 1) {
         const InBlock& there = place[static_cast<std::size_t>(std::countr_zero(left))];

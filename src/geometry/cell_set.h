@@ -7,33 +7,33 @@
 
 namespace hrbfnpr::geometry {
 
-// Cells that are near each other share entries: blocks of 4 x 4 x 4.
+// Neighbouring cells share an entry of the hash table: a block of 4 x 4 x 4 cells.
 class CellSet {
 public:
     explicit CellSet(base::Memory& memory) noexcept : table_(memory) {}
 
     [[nodiscard]] std::int64_t size() const noexcept { return size_; }
     [[nodiscard]] std::int64_t bytes() const noexcept { return table_.bytes(); }
-    // All of them, packed, rising.
+    // Returns all cells, packed, in ascending order.
     [[nodiscard]] base::Array<std::uint64_t> packed() const;
     [[nodiscard]] bool contains(std::uint64_t packed) const noexcept;
-    // Whether the cell was new.
+    // Returns whether the cell was new.
     bool insert(std::uint64_t packed);
-    // Of the 27 neighbours, those with their bits set; returns the bits of the new ones.
+    // Inserts the neighbours whose bits are set in `wanted`, of the 27. Returns the bits of those that were new.
     std::uint32_t insert_around(const CellGrid::Cell& cell, std::uint32_t wanted);
 
 private:
     struct Block {
-        std::uint64_t name; // its first cell, and 1 in the lowest bit; 0: a free place
+        std::uint64_t name; // the packed first cell with the lowest bit set; 0: a free slot
         std::uint64_t cells;
     };
 
     [[nodiscard]] static std::int64_t place(const base::Array<Block>& table, std::uint64_t name) noexcept;
-    // Of these cells of a block the new ones.
+    // Inserts these cells of one block, and returns those that were new.
     std::uint64_t insert(std::uint64_t name, std::uint64_t cells);
     void grow();
 
-    base::Array<Block> table_; // open addressing, a power of two, at most half full
+    base::Array<Block> table_; // open addressing; the size is a power of two, and at most half is used
     std::int64_t blocks_ = 0;
     std::int64_t size_ = 0;
 };

@@ -13,15 +13,15 @@ namespace {
 constexpr std::int64_t leaf_size = 16;
 constexpr double picked = -1.0; // below any squared distance
 
-// A k-d tree each of whose nodes knows the farthest of its points from the picked ones, so that a
-// pick is read off the root, and only nodes with a point that the pick comes near to are visited.
+// A k-d tree in which each node knows which of its points is farthest from the picked points. The next pick is read
+// from the root, and a pick visits only nodes that hold a point whose distance it may shorten.
 class FarthestTree {
 public:
     FarthestTree(const VecArray& points, const base::Progress& progress);
 
     [[nodiscard]] std::int64_t nearest_to_centre() const noexcept;
     [[nodiscard]] std::int64_t farthest() const noexcept { return nodes_[0].farthest; }
-    // Of farthest(), from the picked ones.
+    // The squared distance of farthest() from the picked points.
     [[nodiscard]] double squared_distance() const noexcept { return nodes_[0].squared_distance; }
     void pick(std::int64_t at) noexcept;
 
@@ -32,7 +32,7 @@ private:
         glm::dvec3 low{0.0};
         glm::dvec3 high{0.0};
         double squared_distance = 0.0;
-        std::int64_t farthest = 0; // place in the tree
+        std::int64_t farthest = 0; // index in the tree's order
     };
     using Range = Halves<leaf_size>;
 
@@ -41,13 +41,13 @@ private:
     void come_nearer(const Range& range, const glm::dvec3& p) noexcept;
     void scan(const Range& leaf) noexcept;
     void take_farther_child(Node& node, const Range& range) noexcept;
-    // Whether the place a, with its distance, goes before b.
+    // Tells whether point a, with its distance, is picked before point b.
     [[nodiscard]] bool before(double a_distance, std::int64_t a, double b_distance, std::int64_t b) const noexcept {
         return a_distance > b_distance || (a_distance == b_distance && index(a) < index(b));
     }
 
     PointTree tree_;
-    base::Array<double> squared_distance_; // of each place from the picked ones
+    base::Array<double> squared_distance_; // of each point in the tree's order from the picked points
     base::Array<Node> nodes_;              // in heap order
 };
 
@@ -95,7 +95,8 @@ void FarthestTree::pick(std::int64_t at) noexcept {
 void FarthestTree::come_nearer(const Range& range, const glm::dvec3& p) noexcept {
     Node& node = nodes_[range.node];
     const glm::dvec3 outside = glm::max(glm::max(node.low - p, p - node.high), glm::dvec3(0.0));
-    // `>` would do for the distances, but the node that holds p must learn that p is picked.
+    // Nodes at equal distance could be skipped too, if only distances counted. But the node that holds p must learn
+    // that p is picked.
     if (glm::dot(outside, outside) > node.squared_distance) return;
     if (!range.leaf()) {
         come_nearer(range.low(), p);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trees whose nodes halve a range of items. Nodes stand in heap order: the children of node n are 2 n + 1 and 2 n + 2.
+// Trees whose nodes halve a range of items. Nodes are numbered in heap order: the children of node n are 2 n + 1 and
+// 2 n + 2.
 #pragma once
 
 #include "base/assert.h"
@@ -10,7 +11,7 @@
 
 namespace hrbfnpr::geometry {
 
-// A node and its items. A leaf has at most `leaf_size`.
+// A node and its range of items. A leaf has at most `leaf_size` items.
 template <std::int64_t leaf_size>
 struct Halves {
     std::int64_t node;
@@ -22,7 +23,7 @@ struct Halves {
     [[nodiscard]] Halves low() const noexcept { return {2 * node + 1, begin, middle()}; }
     [[nodiscard]] Halves high() const noexcept { return {2 * node + 2, middle(), end}; }
 
-    // Returns the number of nodes over some items. Some numbers below it are of no node.
+    // Returns the number of node numbers for `count` items. Some of these numbers are unused.
     [[nodiscard]] static std::int64_t nodes(std::int64_t count) noexcept {
         std::int64_t nodes = 1;
         for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
@@ -30,7 +31,7 @@ struct Halves {
     }
 };
 
-// Every level halves its ranges, so that 2^63 items would have 60 levels.
+// Every level halves its ranges, so 2^63 items would have 60 levels.
 inline constexpr std::size_t most_levels_of_halves = 64;
 
 // Returns the axis along which a box is longest.
@@ -45,8 +46,8 @@ inline constexpr std::size_t most_levels_of_halves = 64;
     return glm::dot(outside, outside);
 }
 
-// Calls visit(at) for the items of leaves, nearer leaves first. squared(node) is the squared distance to a node's box.
-// passes(node, squared distance) tells whether a node may have items that matter.
+// Calls visit(at) for the items of leaves, nearer leaves first. squared(node) returns the squared distance to a node's
+// box. passes(node, squared distance) tells whether a node may have items that matter.
 template <std::int64_t leaf_size, class Squared, class Passes, class Visit>
 void visit_nearest_first(std::int64_t count, Squared&& squared, Passes&& passes, Visit&& visit) {
     using Range = Halves<leaf_size>;

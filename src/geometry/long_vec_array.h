@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points or vectors so many that their first touch takes long: a cancel is seen meanwhile.
+// Arrays of vectors that take long to touch for the first time. These functions check for a cancel meanwhile.
 #pragma once
 
 #include "base/long_array.h"
@@ -7,12 +7,12 @@
 
 namespace hrbfnpr::geometry {
 
-// Room for so many, which push_back then touches no more for the first time.
+// Reserves and touches room for `capacity` vectors, so that later push_backs touch no new memory.
 inline void make_room_long(VecArray& array, std::int64_t capacity, const base::Progress& progress) {
     for (base::Array<double>* of : {&array.x, &array.y, &array.z}) base::make_room_long(*of, capacity, progress);
 }
 
-// What it adds is zero.
+// Added vectors are zero.
 inline void resize_long(VecArray& array, std::int64_t size, const base::Progress& progress) {
     for (base::Array<double>* of : {&array.x, &array.y, &array.z}) base::resize_long(*of, size, progress);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers of cells along a space-filling curve (Morton 1966): the bits of three coordinates, interleaved.  Cells of
-// twice the side have the codes of the ones in them, less three bits.
+// Numbers of cells along a space-filling curve (Morton 1966): the bits of three coordinates, interleaved. A cell of
+// twice the side has the code of the cells in it without their lowest three bits.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace hrbfnpr::geometry {
 
-inline constexpr int morton_bits = 21; // of each coordinate
+inline constexpr int morton_bits = 21; // per coordinate
 
-// Two zeros between each of the lowest 21 bits.
+// Inserts two zeros between each two of the lowest 21 bits.
 [[nodiscard]] constexpr std::uint64_t morton_spread(std::uint64_t x) noexcept {
     x &= 0x1fffff;
     x = (x | x << 32) & 0x1f00000000ffff;
@@ -30,7 +30,7 @@ inline constexpr int morton_bits = 21; // of each coordinate
     return (x | x >> 32) & 0x1fffff;
 }
 
-// Coordinates in [0, 2^21).
+// The coordinates must be in [0, 2^21).
 [[nodiscard]] constexpr std::uint64_t morton_code(const std::array<std::int64_t, 3>& cell) noexcept {
     return morton_spread(static_cast<std::uint64_t>(cell[0])) |
            morton_spread(static_cast<std::uint64_t>(cell[1])) << 1U |

@@ -15,12 +15,12 @@ class Neighbours {
 public:
     static constexpr std::int64_t most = 32;
 
-    // each: how many of a point, at most `most`; fewer if there are not so many points.
+    // `each` is the number of neighbours per point, at most `most`. It is lowered if there are too few points.
     Neighbours(const base::Parallel& parallel, const VecArray& points, std::int64_t each,
                const base::Progress& progress);
 
     [[nodiscard]] std::int64_t each() const noexcept { return each_; }
-    // Of point i, without itself, nearest first.
+    // Returns the neighbours of point i, nearest first. The point itself is not among them.
     [[nodiscard]] std::span<const std::int64_t> of(std::int64_t i) const noexcept {
         return index_.span().subspan(static_cast<std::size_t>(i * each_), static_cast<std::size_t>(each_));
     }

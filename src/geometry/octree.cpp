@@ -23,13 +23,13 @@ struct Keyed {
     return true;
 }
 
-// Walks pairs of cubes of one level from the root downwards.
+// Walks pairs of cubes of the same level from the root downwards.
 class Pairs {
 public:
     Pairs(const Octree& tree, OctreeInteractions& lists, const base::Progress& progress) noexcept
         : tree_(tree), lists_(lists), progress_(progress) {}
 
-    // First how many each node has, then which.
+    // count() counts the cubes in each node's lists, and fill() then writes them.
     void count() { walk(0, 0, true); }
     void fill() { walk(0, 0, false); }
 
@@ -44,7 +44,8 @@ private:
             for (std::int64_t j = s.first_child; j < s.first_child + s.children; ++j) walk(i, j, counting);
     }
 
-    // Beginnings are held one place further on while the lists are filled.
+    // Counts go to begin[target + 2]. After summation the list of `target` begins at begin[target + 1], which filling
+    // advances.
     static void add(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list, std::int64_t target,
                     std::int64_t source, bool counting) {
         if (counting)

@@ -15,14 +15,14 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     Bounds box;
     for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
     if (points.empty()) box = {glm::dvec3(0.0), glm::dvec3(0.0)};
-    // Beyond 2^21 cells a side the last ones are shared, which is slow and right.
+    // Beyond 2^21 cells per axis all further points share the last cells, which is slow but right.
     grid_ = {box.min, std::max(2.0 * radius, 1e-6 * box.diagonal())};
     const auto buckets =
         static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(points.size(), 1))));
     base::resize_long(begin_, buckets + 1, progress);
-    base::Array<std::uint64_t> cells(points.memory()); // of the points as given
+    base::Array<std::uint64_t> cells(points.memory()); // in the order of the given points
     cells.resize_for_overwrite(points.size());
-    // Sorting by counting, which keeps the order of the points of a bucket.
+    // This counting sort keeps the order of the points within a bucket.
     for (const std::int64_t i : progress.over(points.size())) {
         cells[i] = CellGrid::pack(grid_.cell_of(points[i]));
         ++begin_[bucket(cells[i]) + 1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points sorted into the cells of a grid: for many small balls of one radius, where a tree is slow.
+// Points sorted into the cells of a grid. It is made for many small balls of one radius, for which a tree is slow.
 #pragma once
 
 #include "base/operation.h"
@@ -10,20 +10,19 @@ namespace hrbfnpr::geometry {
 
 class PointGrid {
 public:
-    // radius: of the balls that will be asked for.
+    // `radius` is the radius of all later queries.
     PointGrid(const VecArray& points, double radius, const base::Progress& progress = {});
 
     [[nodiscard]] std::int64_t size() const noexcept { return index_.size(); }
     [[nodiscard]] std::int64_t bytes() const noexcept { return begin_.bytes() + index_.bytes() + cell_.bytes(); }
-    // Which of the given points stands at place `at` of the grid's order.
+    // Returns which of the given points is at position `at` of the grid's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
-    // Values of the points in the grid's order: what is visited together then stands together.
+    // Returns the points' values in the grid's order, so that values that are visited together are close in memory.
     [[nodiscard]] VecArray in_order(const VecArray& values, const base::Progress& progress = {}) const;
 
-    // Calls visit(at) once for every point within the radius of p, and for some that are farther away.
+    // Calls visit(at) once for every point within the radius of p, and for some points farther away.
     template <class Visit>
     void around(const glm::dvec3& p, Visit&& visit) const;
-    // Whether around() visits any point.
     [[nodiscard]] bool any_around(const glm::dvec3& p) const {
         bool any = false;
         around(p, [&](std::int64_t) { any = true; });
@@ -36,10 +35,10 @@ private:
     }
 
     double radius_;
-    CellGrid grid_;                   // of cells two radii wide: a ball meets eight of them
-    base::Array<std::int64_t> begin_; // of each bucket in the order, and the end; a power of two and 1
+    CellGrid grid_;                   // cells are two radii wide, so a ball meets at most eight
+    base::Array<std::int64_t> begin_; // where each bucket begins in the order, and the end; a power of two plus 1
     base::Array<std::int64_t> index_;
-    base::Array<std::uint64_t> cell_; // of each point in the order: cells may share a bucket
+    base::Array<std::uint64_t> cell_; // the cell of each point in the order; needed because cells may share a bucket
 };
 
 template <class Visit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A balanced k-d tree over points: nearest neighbours and balls.  Unlike a grid it has no
-// cell size to get wrong when points cluster.
+// A balanced k-d tree over points, for nearest neighbours and for points in balls. Unlike a grid it has no cell size
+// that could be wrong where points cluster.
 #pragma once
 
 #include "base/assert.h"
@@ -20,9 +20,9 @@ public:
     PointTree(const VecArray& points, const base::Progress& progress);
 
     [[nodiscard]] std::int64_t size() const noexcept { return points_.size(); }
-    // The points in the tree's order, in which neighbours in space are neighbours in memory.
+    // The points in the tree's order, in which points that are near in space are near in memory.
     [[nodiscard]] const VecArray& points() const noexcept { return points_; }
-    // Which of the given points stands at place `at` of that order.
+    // Returns which of the given points is at position `at` of that order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
     [[nodiscard]] Bounds bounds() const noexcept { return size() > 0 ? bounds_[0] : Bounds{}; }
 
@@ -30,21 +30,21 @@ public:
     template <class Visit>
     void within(const glm::dvec3& p, double radius, Visit&& visit) const;
 
-    // The nearest `count` points of those that `accept_point(at)` lets pass, nearest first (ties by place in the
-    // tree's order): writes their places to `found`, and returns how many there are.  accept_node(node) is asked
-    // before a node's points are: false if it holds none that would pass.  Nodes beyond `farthest` are passed over; a
-    // point of another node may be found although it is beyond.
+    // Finds the nearest `count` points for which accept_point(at) is true, and writes their positions in the tree's
+    // order to `found`, nearest first (ties by position). Returns how many it found. accept_node(node) is called before
+    // the points of a node; it returns false if none of them would be accepted. Nodes beyond `farthest` are skipped; a
+    // point in another node may be found although it is beyond.
     template <class AcceptNode, class AcceptPoint>
     std::int64_t nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node, AcceptPoint&& accept_point,
                          std::int64_t* found, double farthest = std::numeric_limits<double>::infinity()) const;
 
-    // Nodes are numbered 0 .. nodes() - 1, children after their parents; some numbers are of no node.
+    // Nodes are numbered 0 .. nodes() - 1, children after their parents; some numbers are unused.
     [[nodiscard]] std::int64_t nodes() const noexcept { return bounds_.size(); }
-    // The smallest value(at) of the points of each node, by the node's number.
+    // Returns the smallest value(at) over the points of each node, by the node's number.
     template <class Value>
     [[nodiscard]] base::Array<std::int64_t> smallest_of_nodes(Value&& value) const;
 
-    // Calls visit(node) for the nodes that hold the point at `at`, from the root on.
+    // Calls visit(node) for the nodes that hold the point at `at`, beginning at the root.
     template <class Visit>
     void for_nodes_of(std::int64_t at, Visit&& visit) const {
         HRBFNPR_ASSERT(at >= 0 && at < size());
@@ -53,14 +53,14 @@ public:
         visit(range.node);
     }
 
-    // Distance from the point at `at` to the nearest other one; infinite if it is alone.
+    // Returns the distance from the point at `at` to the nearest other one, or infinity if it is the only one.
     [[nodiscard]] double nearest_other(std::int64_t at) const noexcept;
 
 private:
     static constexpr std::int64_t leaf_size = 8;
     using Range = Halves<leaf_size>;
 
-    // A place and its squared distance; the worse one is farther, or as far and later.
+    // A point's position in the order, and its squared distance. Ties in distance go to the earlier position.
     struct Near {
         double squared;
         std::int64_t at;
@@ -69,11 +69,11 @@ private:
             return squared < other.squared || (squared == other.squared && at < other.at);
         }
     };
-    // The best few in ascending order, in memory of the caller's.
+    // The nearest points so far, in ascending order.
     class Best;
 
-    // A point while the tree is built: they are moved, and not their numbers, so that parts of space become parts of
-    // memory.
+    // A point while the tree is built. The points themselves are moved, and not only their numbers, so that points that
+    // are near in space become near in memory.
     struct Place {
         glm::dvec3 point;
         std::int64_t index;
@@ -85,7 +85,7 @@ private:
 
     VecArray points_;
     base::Array<std::int64_t> index_;
-    base::Array<Bounds> bounds_; // of the nodes, in heap order
+    base::Array<Bounds> bounds_; // boxes of the nodes, in heap order
 };
 
 template <class Visit>

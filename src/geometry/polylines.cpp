@@ -18,7 +18,7 @@ dvec2 unit_or_zero(const dvec2& a) noexcept {
 
 } // namespace
 
-// Points that follow each other are apart, and near enough to each other for the line between them to be measured.
+// Copies the points without repetitions, and inserts at least one on each segment so that the fit is measured there.
 void CurveFit::densify(std::span<const dvec2> points) {
     points_.clear();
     const double spacing = curve_fit_tuning.spacing * std::sqrt(square_);
@@ -42,7 +42,8 @@ bool CurveFit::is_corner(std::int64_t before, std::int64_t i, std::int64_t after
     return glm::dot(a, b) < curve_fit_tuning.corner_cosine * std::sqrt(square(a) * square(b));
 }
 
-// The direction, at an end, of the parabola through it and the next two points that were given.
+// Returns the direction at an end of the parabola through it and the second and fourth points from it. Where densify()
+// inserted one point per segment, these are the next two given points.
 dvec2 CurveFit::direction_from(std::int64_t end, std::int64_t other) const noexcept {
     const std::int64_t step = other > end ? 2 : -2;
     if (std::abs(other - end) < 4) return unit_or_zero(points_[other > end ? end + 1 : end - 1] - points_[end]);
@@ -53,7 +54,7 @@ dvec2 CurveFit::direction_from(std::int64_t end, std::int64_t other) const noexc
     return unit_or_zero((1.0 / la) * a + (la / (la + lb)) * ((1.0 / la) * a - (1.0 / lb) * b));
 }
 
-// The direction, at the middle one, of the parabola through three points.
+// Returns the direction, at the middle point, of the parabola through three consecutive points.
 dvec2 CurveFit::direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept {
     const dvec2 a = points_[i] - points_[std::max(i - 1, first)];
     const dvec2 b = points_[std::min(i + 1, last)] - points_[i];
@@ -73,7 +74,7 @@ std::span<const Cubic> CurveFit::fit(std::span<const dvec2> points, double toler
     const std::int64_t last = count - 1;
     bool goes_round = closed && count > 3;
     if (goes_round) {
-        // A ring begins at its corner if it has one.
+        // A closed line begins at its corner if it has one.
         std::int64_t corner = 0;
         while (corner < last && !is_corner(corner > 0 ? corner - 1 : last - 1, corner, corner + 1)) ++corner;
         if (corner > 0 && corner < last) {
@@ -106,7 +107,7 @@ void CurveFit::set_places(std::int64_t first, std::int64_t last) noexcept {
     places_[last] = 1.0;
 }
 
-// Makes one step of Newton's method towards the nearest place.
+// Makes one step of Newton's method towards the nearest parameter of each point.
 void CurveFit::improve_places(std::int64_t first, std::int64_t last, const Cubic& c) noexcept {
     const dvec2 start = points_[first];
     const dvec2 a = c.control_1 - start, b = c.control_2 - c.control_1, d = c.end - c.control_2;
@@ -120,7 +121,7 @@ void CurveFit::improve_places(std::int64_t first, std::int64_t last, const Cubic
     }
 }
 
-// Finds the lengths of both handles; where they make no sense they are a third of the chord [Schneider 1990].
+// Finds the lengths of both handles. Where they are not usable, both are a third of the chord [Schneider 1990].
 Cubic CurveFit::least_squares(std::int64_t first, std::int64_t last, const dvec2& from,
                               const dvec2& to) const noexcept {
     const dvec2 start = points_[first], end = points_[last];

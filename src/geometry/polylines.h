@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::geometry {
 
-// The length of a line through points, where place(point) is a vector.
+// Returns the length of a polyline, where place(point) is a point's position vector.
 template <class Point, class Place>
 [[nodiscard]] auto length_along(std::span<Point> points, const Place& place) noexcept {
     decltype(glm::distance(place(points[0]), place(points[0]))) sum = 0;
@@ -20,13 +20,13 @@ template <class Point, class Place>
     return sum;
 }
 
-// The work of thinning is as the square of the number of points where all are kept, so that longer lines are thinned in
-// parts of this many points.
+// Thinning takes time quadratic in the number of points where all are kept, so longer lines are thinned in parts of
+// this many points.
 inline constexpr std::int64_t thinned_together = 1024;
 
-// Sets keeps[i] to 1 for the points that stay if no part of the line may lie farther than the tolerance from the
-// straight line that stands for it; the others have 0. Both ends stay. [Douglas and Peucker 1973, "Algorithms for the
-// reduction of the number of points required to represent a digitized line or its caricature"]
+// Sets keeps[i] to 1 for the points to keep, and to 0 for the others. The kept points are chosen so that no part of the
+// line is farther than the tolerance from the segment that replaces it. Both ends are kept. [Douglas and Peucker 1973,
+// "Algorithms for the reduction of the number of points required to represent a digitized line or its caricature"]
 template <class V>
 void thin(std::span<const V> points, typename V::value_type tolerance, base::Array<std::uint8_t>& keeps) {
     const auto count = static_cast<std::int64_t>(points.size());
@@ -35,7 +35,7 @@ void thin(std::span<const V> points, typename V::value_type tolerance, base::Arr
     keeps.clear();
     keeps.resize(count);
     keeps[0] = 1;
-    // The shorter part is split by recursion and the longer one here, so that the depth is at most the logarithm.
+    // The shorter part is split by recursion and the longer one in this loop, so that the depth is at most logarithmic.
     const auto split = [&](const auto& self, std::int64_t first, std::int64_t last) -> void {
         for (;;) {
             auto most = tolerance * tolerance;
@@ -63,10 +63,10 @@ void thin(std::span<const V> points, typename V::value_type tolerance, base::Arr
     }
 }
 
-// Follows lines from end to end. Line i begins at end 2 i and finishes at end 2 i + 1; partner[end] is the end at which
-// the line goes on there, or -1. For each chain in turn it calls enter(end) for each of its lines, by the end that the
-// chain enters it at, and then leave(closed). Chains with free ends come first, in the order of their first lines, then
-// those that go round.
+// Follows chains of lines from end to end. Line i begins at end 2 i and finishes at end 2 i + 1. partner[end] is the
+// end of another line where the chain goes on, or -1. For each line of a chain it calls enter(end) with the end at
+// which the chain enters the line, and after the chain leave(closed). Open chains come first, in the order of their
+// first lines, then closed ones.
 template <class Enter, class Leave>
 void follow_chains(const base::Array<std::int32_t>& partner, Enter&& enter, Leave&& leave) {
     HRBFNPR_ASSERT(partner.size() % 2 == 0);
@@ -98,34 +98,34 @@ struct Cubic {
 
 // The tuning constants of CurveFit. scripts/bench vector measures their effects.
 struct CurveFitTuning {
-    // A line keeps a corner where it turns by more than the angle of this cosine, 40 degrees. Larger: more corners.
+    // A line keeps a corner where it turns by more than the angle with this cosine, 40 degrees. Larger: more corners.
     double corner_cosine = 0.766;
-    // Places on a curve are improved where it is off by less than this many squares of the tolerance; else the run is
-    // halved at once. Larger: fewer curves, more time.
+    // The curve parameters of the points are improved if the squared error is less than this times the squared
+    // tolerance. Else the run is halved at once. Larger: fewer curves, more time.
     double near_enough_to_improve = 16.0;
     // A curve is improved at most this often before its run is halved. Larger: fewer curves, more time.
     int improvements = 4;
-    // The curve lies within this part of the tolerance at the points that are measured, since it may be farther off
-    // between them. Larger: fewer curves, which may exceed the tolerance.
+    // The curve lies within this share of the tolerance at the measured points, since it may be farther off between
+    // them. Larger: fewer curves, which may exceed the tolerance.
     double measured_share = 0.9;
-    // Measured points are at most this many tolerances apart. Larger: less is measured.
+    // Measured points are at most this many tolerances apart. Larger: fewer points are measured.
     double spacing = 16.0;
-    // No more points than this are measured between two given ones.
+    // At most this many points are measured between two given ones.
     double most_between = 64.0;
     // Runs that are nested more deeply than this are halved in the middle, so that the depth is bounded.
     int deepest = 24;
 };
 inline constexpr CurveFitTuning curve_fit_tuning;
 
-// Fits Bezier curves to points by least squares, and halves runs where that is not near enough [Schneider 1990, "An
-// algorithm for automatically fitting digitized curves", Graphics Gems]. It holds working memory.
+// Fits Bezier curves to points by least squares, and halves runs where the error is too large [Schneider 1990, "An
+// algorithm for automatically fitting digitized curves", Graphics Gems]. The object keeps its working memory.
 class CurveFit {
 public:
     explicit CurveFit(base::Memory& memory) noexcept : points_(memory), places_(memory), cubics_(memory) {}
 
-    // All of the line through the points lies within the tolerance of the curves, and their ends are points of it. The
-    // last point of a closed line stands where the first one does, and its curves go round without a corner unless the
-    // line has one. The result is valid until the next call, and empty if all points are in one place.
+    // Every point of the polyline is within the tolerance of the curves, and the curves' ends are points of it. The
+    // last point of a closed line equals its first, and its curves are smooth there unless the line has a corner. The
+    // result is valid until the next call. It is empty if all points coincide.
     std::span<const Cubic> fit(std::span<const glm::dvec2> points, double tolerance, bool closed);
 
 private:
@@ -141,9 +141,9 @@ private:
     [[nodiscard]] glm::dvec2 direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept;
     [[nodiscard]] bool is_corner(std::int64_t before, std::int64_t i, std::int64_t after) const noexcept;
 
-    double square_ = 0.0; // the tolerance's
+    double square_ = 0.0; // the squared tolerance at the measured points
     base::Array<glm::dvec2> points_;
-    base::Array<double> places_; // of the points on the curve that is fitted, from 0 to 1
+    base::Array<double> places_; // the curve parameter of each point, from 0 to 1
     base::Array<Cubic> cubics_;
 };
 

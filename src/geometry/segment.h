@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The place of a straight line's part that is nearest to a point.
+// The point of a segment that is nearest to a given point.
 #pragma once
 
 #include "geometry/vec.h"
@@ -8,7 +8,7 @@
 
 namespace hrbfnpr::geometry {
 
-// Its share of the way from one end to the other, 0 to 1; 0 where both ends are one place.
+// Returns the nearest point's share of the way from one end to the other, 0 to 1. It is 0 if both ends coincide.
 template <class V>
 [[nodiscard]] typename V::value_type nearest_share(const V& place, const V& from, const V& to) noexcept {
     using T = typename V::value_type;
@@ -19,7 +19,8 @@ template <class V>
 
 template <class V>
 [[nodiscard]] typename V::value_type square_from_segment(const V& place, const V& from, const V& to) noexcept {
-    const V off = (place - from) - nearest_share(place, from, to) * (to - from); // small numbers before the products
+    // Taking the differences first keeps the numbers small.
+    const V off = (place - from) - nearest_share(place, from, to) * (to - from);
     return glm::dot(off, off);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The unit of length in which very small and very large things are worked on.
+// The unit of length in which very small and very large models are processed.
 #pragma once
 
 #include <cmath>
 
 namespace hrbfnpr::geometry {
 
-// 1 for what is about as large as a float's squares and cubes allow.  For others the power of two in which `size`
-// measures 2 to 4: multiplying by it is exact, so that the scale of a model leaves no trace in its marks.
+// Returns 1 for sizes whose squares and cubes a float can hold. For others it returns the power of two that is a half
+// to a quarter of `size`. Scaling by it is exact, so the scale of a model leaves no trace in its marks.
 [[nodiscard]] inline double unit_for(double size) noexcept {
     constexpr int ordinary = 30; // powers of two: 1e-9 .. 1e9
     if (!(size > 0.0) || !std::isfinite(size)) return 1.0;

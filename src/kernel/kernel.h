@@ -6,7 +6,7 @@
 
 namespace hrbfnpr::kernel {
 
-// Same numbers as HRBFNPR_KERNEL_...
+// The numbers equal those of HRBFNPR_KERNEL_...
 enum class Kind : std::uint32_t { triharmonic = 0, gaussian = 1, wendland_c2 = 2 };
 
 // psi(d) = phi(|d|) and its derivatives are combinations of four radial functions:
@@ -25,16 +25,16 @@ struct Radial {
 // in the direction of d, so 0 is their mean over all directions.
 [[nodiscard]] Radial radial(Kind kind, double radius, double r) noexcept;
 
-// The next of these functions, c'/r, of which fourth derivatives of psi are made:
+// Returns the next of these functions, c'/r, which fourth derivatives of psi need:
 //   fourth = b (3 terms delta delta) + c (6 terms delta d d) + (c'/r) d d d d
-// For r > 0; of the triharmonic and Wendland it grows without bound towards r = 0.
+// It requires r > 0. For the triharmonic and Wendland kernels it grows without bound towards r = 0.
 [[nodiscard]] double radial_fourth(Kind kind, double radius, double r) noexcept;
 
 // phi scales as s^exponent when the points and the radius scale by s (3 for r^3, else 0).
 [[nodiscard]] constexpr int homogeneity(Kind kind) noexcept { return kind == Kind::triharmonic ? 3 : 0; }
 
-// The Hermite matrix is positive definite on what is orthogonal to all polynomials of lower degree than this
-// (Duchon 1977; 0: it is positive definite).
+// The Hermite matrix is positive definite on vectors that are orthogonal to all polynomials of lower degree than this
+// (Duchon 1977). 0 means that it is positive definite on all vectors.
 [[nodiscard]] constexpr int order(Kind kind) noexcept { return kind == Kind::triharmonic ? 2 : 0; }
 
 [[nodiscard]] const char* name(Kind kind) noexcept;

@@ -24,7 +24,7 @@ class Point {
 public:
     explicit Point(const glm::dvec3& p) noexcept : axis_{powers(p.x), powers(p.y), powers(p.z)} {}
 
-    // The monomial, differentiated `by` times along each axis.
+    // Returns the monomial, differentiated by_x, by_y and by_z times along the axes.
     [[nodiscard]] double at(const Exponents& e, int by_x, int by_y, int by_z) const noexcept {
         return factor(0, by_x, e[0]) * factor(1, by_y, e[1]) * factor(2, by_z, e[2]);
     }
@@ -50,7 +50,7 @@ void polynomial_basis(std::int32_t degree, const glm::dvec3& p, PolynomialBasis&
 
 PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept {
     PolynomialField field;
-    if (degree == 1) { // the same bits: of few centres the general way takes a tenth of the time
+    if (degree == 1) { // the same bits; with few centres the general path would take a tenth of the time
         field.value = 0.0 + coefficients[0] + coefficients[1] * p.x + coefficients[2] * p.y + coefficients[3] * p.z;
         field.gradient = 0.0 + glm::dvec3(coefficients[1], coefficients[2], coefficients[3]);
         return field;

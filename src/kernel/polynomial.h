@@ -13,7 +13,7 @@ namespace hrbfnpr::kernel {
 inline constexpr std::int32_t polynomial_degree_max = 3;
 inline constexpr int polynomial_size_max = 20;
 
-// M = C(degree + 3, 3): 0, 1, 4, 10, 20.
+// Returns the number of monomials, M = C(degree + 3, 3): 0, 1, 4, 10, 20.
 [[nodiscard]] constexpr int polynomial_size(std::int32_t degree) noexcept {
     return degree < 0 ? 0 : (degree + 1) * (degree + 2) * (degree + 3) / 6;
 }
@@ -31,10 +31,10 @@ struct PolynomialField {
     std::array<double, 6> hessian{}; // xx xy xz yy yz zz
 };
 
-// The polynomial with polynomial_size(degree) coefficients at p.
+// Evaluates the polynomial with polynomial_size(degree) coefficients at p.
 [[nodiscard]] PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept;
 
-// Its third derivatives, which are the same everywhere: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
+// Returns the polynomial's third derivatives, which are the same everywhere: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
 [[nodiscard]] std::array<double, 10> polynomial_thirds(std::int32_t degree, const double* coefficients) noexcept;
 
 } // namespace hrbfnpr::kernel

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernels as inline functions, for loops that fix the kernel outside.
+// The kernels as inline functions, for loops outside of which the kernel is fixed.
 #pragma once
 
 #include "kernel/kernel.h"
@@ -9,12 +9,12 @@
 
 namespace hrbfnpr::kernel {
 
-// Closer than this (squared, in units of the mean sample spacing) a point is at the centre:
-// nearer ones would overflow r^-3, and no double near a sample but the sample itself is.
+// Points whose squared distance from the centre is at most this, in units of the mean sample spacing, count as at the
+// centre. For nearer points r^-3 would overflow, and the only double this near to a sample is the sample itself.
 inline constexpr double at_centre = 1e-60;
 
-// Each kernel has at<order>(r2, r): phi and a always, b from order 1 on, c at order 2;
-// the rest stays 0.  r2 = r * r.  Free of branches, so that loops over points vectorise.
+// Each kernel has at<order>(r2, r) with r2 = r * r. It sets phi and a always, b from order 1 on, and c at order 2; the
+// rest stays 0. It is free of branches, so that loops over points vectorise.
 
 struct Triharmonic {
     explicit constexpr Triharmonic(double /*radius*/) noexcept {}

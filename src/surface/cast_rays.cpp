@@ -15,34 +15,34 @@ constexpr std::int64_t batch_size = implicit::batch_size;
 constexpr auto lanes = static_cast<std::size_t>(batch_size);
 using Column = std::array<double, lanes>;
 
-// What a step may change f by, beyond L times its length, for rounding.
+// A step may change f by L times its length times this, because of rounding.
 constexpr double slack = 1.0 + 1e-9;
 
-// A ray inside the search region.  s is the distance from where the search begins.
+// A ray inside the search region. s is the distance from the start of the search.
 //
-// Marching: there is no root within |f| / L of a place, so that is the step [Hart 1996], but not
-// less than a smallest one, so that the march ends.  A longer step that changes f by more than L
-// times its length shows that L is too small there: it is taken back, and L raised for that ray.
-// So a change of sign is met in smallest steps only, if L held; its ends bracket a root.
+// Marching: there is no root within |f| / L of a point, so that is the step [Hart 1996]. It is at least a smallest
+// step, so that the march ends. A longer step that changes f by more than L times its length shows that L is too small
+// there. The step is then undone, and L is raised for that ray. So if L is right, f changes its sign only in smallest
+// steps, whose ends bracket a root.
 //
-// Refining: Newton along the ray from the secant's root; a step that leaves the bracket, or does
-// not halve the one before, is replaced by bisection.
+// Refining: Newton's method along the ray from the secant's root. A step that leaves the bracket, or is more than half
+// as long as the step before it, is replaced by bisection.
 struct Ray {
     enum class Phase : std::uint8_t { march, refine, done };
 
-    glm::dvec3 start{0.0};     // where the search begins
+    glm::dvec3 start{0.0};     // start of the search
     glm::dvec3 direction{0.0}; // unit
     double length = 1.0;       // of the caller's direction
     double offset = 0.0;       // of start from the caller's origin
-    double end = 0.0;          // s of where the search ends
+    double end = 0.0;          // s at the end of the search
     double lipschitz = 0.0;
-    double at = 0.0;    // s up to which there is nothing more to find
-    double value = 0.0; // f there
-    double trial = 0.0; // s to evaluate next
-    double low = 0.0;   // the bracket of a root, and the last change of s in it
+    double at = 0.0;    // s up to which the search is complete
+    double value = 0.0; // f at `at`
+    double trial = 0.0; // s of the next evaluation
+    double low = 0.0;   // the bracket of a root [low, high], and the last change of s in it
     double high = 0.0;
     double change = 0.0;
-    double behind = 0.0; // s and f of the bracket's far end as it was found: the march goes on there
+    double behind = 0.0; // s and f of the bracket's far end as found, from which the march goes on
     double behind_value = 0.0;
     std::int32_t evaluations = 0;
     std::int32_t hits = 0;
@@ -99,7 +99,7 @@ private:
     std::int64_t begin_ = 0;
 
     std::array<Ray, lanes> rays_;
-    // The rays that go on, and those of them that are evaluated now, packed.
+    // The indices of the unfinished rays, and of those that are evaluated now.
     std::array<std::size_t, lanes> active_, packed_;
     std::size_t active_count_ = 0, packed_count_ = 0;
     Column x_, y_, z_, f_, gx_, gy_, gz_;
@@ -108,7 +108,7 @@ private:
 Ray Batch::start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept {
     Ray ray;
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    const glm::dvec3 scaled = direction / largest; // its square neither overflows nor vanishes
+    const glm::dvec3 scaled = direction / largest; // its square neither overflows nor underflows
     ray.length = largest * glm::length(scaled);
     ray.direction = scaled / glm::length(scaled);
     const double last = settings_.t_max * ray.length;
@@ -116,7 +116,7 @@ Ray Batch::start(const glm::dvec3& origin, const glm::dvec3& direction) const no
     double to = last;
     ray.offset = settings_.t_min * ray.length;
     bool meets = clip(region_, origin, ray.direction, ray.offset, to);
-    // From a far origin, rounding must not carry the ray to where f need not be defined: clip it again from here.
+    // From a far origin, rounding could carry the ray to where f need not be defined. So it is clipped again from here.
     ray.start = glm::clamp(origin + ray.offset * ray.direction, region_.min, region_.max);
     ray.end = last - ray.offset;
     meets = meets && clip(region_, ray.start, ray.direction, from, ray.end);
@@ -155,7 +155,7 @@ void Batch::take_step(std::size_t i, double f) noexcept {
     go_on(i, ray.trial, f);
 }
 
-// Nothing (more) is to be found up to `at`, where f is known: chooses the next step.
+// Ends the ray, or chooses the next step. The search is complete up to `at`, where f is known.
 void Batch::go_on(std::size_t i, double at, double f) noexcept {
     Ray& ray = rays_[i];
     ray.at = at;
@@ -167,7 +167,7 @@ void Batch::go_on(std::size_t i, double at, double f) noexcept {
     ray.phase = Ray::Phase::march;
 }
 
-// f changes its sign between `at` and the trial.
+// Starts to refine a root: f changes its sign between `at` and the trial.
 void Batch::bracket(std::size_t i, double f) noexcept {
     Ray& ray = rays_[i];
     if (ray.hits == settings_.maximum_hits) return end_with(i, RayStatus::truncated);
@@ -185,7 +185,7 @@ void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) {
     const double slope = glm::dot(g, ray.direction);
     if (!counted(i, std::isfinite(f) && std::isfinite(glm::length(g)))) return;
     ((f < 0.0) == ray.inside ? ray.low : ray.high) = ray.trial;
-    const double newton = ray.trial - f / slope; // NaN or infinite where there is no slope
+    const double newton = ray.trial - f / slope; // NaN or infinite if the slope is 0
     const bool within = newton >= ray.low && newton <= ray.high;
     const double change = std::abs(newton - ray.trial);
     if (within && change <= tolerance_) return hit(i, newton, g);
@@ -199,7 +199,7 @@ void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) {
 
 void Batch::hit(std::size_t i, double s, const glm::dvec3& g) {
     Ray& ray = rays_[i];
-    if (!implicit_.holds(ray.start + s * ray.direction, g)) { // f changes its sign, but there is no surface
+    if (!implicit_.holds(ray.start + s * ray.direction, g)) { // f changes its sign, but the surface is trimmed here
         ray.inside = !ray.inside;
         return go_on(i, ray.behind, ray.behind_value);
     }
@@ -214,7 +214,7 @@ void Batch::hit(std::size_t i, double s, const glm::dvec3& g) {
     go_on(i, ray.behind, ray.behind_value);
 }
 
-// Picks the active rays of a phase, and their trials.
+// Collects the active rays of a phase, and the points of their trials.
 void Batch::pack(Ray::Phase phase) noexcept {
     packed_count_ = 0;
     for (std::size_t k = 0; k < active_count_; ++k) {

@@ -14,8 +14,8 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// Below this confidence the principal directions go over, smoothly, into the combing field:
-// at an umbilic they are noise.
+// Below this confidence the principal directions blend smoothly into the combing field, since at an umbilic they are
+// noise.
 constexpr double sure = 0.02;
 
 struct Symmetric3 {
@@ -27,8 +27,8 @@ struct Symmetric3 {
     }
 };
 
-// The first direction, as an angle in the combing frame itself, where the field is the angle 0.
-// Directions have no sign, so they are averaged as vectors of twice their angle.
+// Returns the first direction in the combing frame, in which the combing field has the angle 0. Directions have no
+// sign, so they are averaged as vectors of twice their angle.
 glm::dvec2 blended(double cosine, double sine, double confidence) noexcept {
     if (confidence >= sure) return {cosine, sine};
     const double weight = glm::smoothstep(0.0, 1.0, confidence / sure);
@@ -63,7 +63,7 @@ Curvature principal_curvature(const glm::dvec3& gradient, const std::array<doubl
     Curvature result;
     result.k1 = eigen.high;
     result.k2 = eigen.low;
-    // The last term makes 0 of what is flat at the scale of the model.
+    // The last term makes the confidence 0 where the surface is flat at the scale of the model.
     const double scale = std::abs(eigen.high) + std::abs(eigen.low) + 1e-3 / diagonal;
     result.confidence = std::clamp((eigen.high - eigen.low) / scale, 0.0, 1.0);
     const glm::dvec2 first = blended(eigen.cosine, eigen.sine, result.confidence);
@@ -77,7 +77,7 @@ void principal_curvatures(const base::Work& work, const implicit::Implicit& impl
     const std::int64_t count = points.size();
     const double diagonal = implicit.diagonal();
     base::Array<double> columns(work.memory);
-    base::resize_long(columns, 9 * count, work); // each batch of points would touch it all over for the first time
+    base::resize_long(columns, 9 * count, work); // otherwise each batch would touch new memory in all columns
     implicit::FieldBatch fields;
     for (std::int64_t k = 0; k < 3; ++k) fields.gradient[static_cast<std::size_t>(k)] = columns.data() + k * count;
     for (std::int64_t k = 0; k < 6; ++k) fields.hessian[static_cast<std::size_t>(k)] = columns.data() + (3 + k) * count;

@@ -12,8 +12,8 @@
 
 namespace hrbfnpr::surface {
 
-// The symmetric 2 x 2 eigenproblem [a b; b c].
-// high >= low; (cosine, sine) is the unit eigenvector of `high`.
+// The eigenvalues of the symmetric 2 x 2 matrix [a b; b c], with high >= low, and the unit eigenvector (cosine, sine)
+// of `high`.
 struct Eigen2 {
     double high;
     double low;
@@ -21,8 +21,8 @@ struct Eigen2 {
     double sine;
 };
 
-// The difference of the eigenvalues is exact to rounding even where they nearly agree:
-// it is never the difference of two large squares.
+// The difference of the eigenvalues is exact to rounding even where they nearly agree, since it is never the difference
+// of two large squares.
 [[nodiscard]] inline Eigen2 symmetric_eigen2(double a, double b, double c) noexcept {
     const double mean = 0.5 * (a + c);
     const double half_difference = 0.5 * std::hypot(a - c, 2.0 * b);
@@ -39,11 +39,11 @@ struct Curvature {
     glm::dvec3 d2{0.0};
 };
 
-// hessian: xx xy xz yy yz zz.  `diagonal` sets the curvature below which a surface counts as flat.
+// `hessian` holds xx xy xz yy yz zz. `diagonal` sets the curvature below which a surface counts as flat.
 [[nodiscard]] Curvature principal_curvature(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                                             double diagonal) noexcept;
 
-// For all points, on all threads; result is resized.
+// Computes the curvatures at all points on all threads, and resizes `result`.
 void principal_curvatures(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
                           base::Array<Curvature>& result);
 

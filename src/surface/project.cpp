@@ -16,7 +16,7 @@ namespace {
 constexpr std::int64_t projected_at_once = implicit::batch_size;
 using Column = std::array<double, static_cast<std::size_t>(projected_at_once)>;
 
-// Below this share of the Newton step a trial no longer moves a point by more than rounding.
+// Below this share of the Newton step a trial moves a point no more than rounding does.
 constexpr double smallest_share = 1e-14;
 
 // Steepest descent on phi = f^2, whose gradient is 2 f g with g = grad f:
@@ -30,7 +30,7 @@ constexpr double smallest_share = 1e-14;
 //               = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
 class ProjectedBatch {
 public:
-    // order: of the points, or null for their own.
+    // `order` is the order in which to process the points. Null: their own order.
     ProjectedBatch(const implicit::Implicit& implicit, const ProjectionSettings& settings,
                    const std::int32_t* order) noexcept
         : implicit_(implicit), settings_(settings), order_(order), diagonal_(implicit.diagonal()),
@@ -49,12 +49,12 @@ private:
         const std::int64_t at = begin_ + static_cast<std::int64_t>(i);
         return order_ != nullptr ? order_[at] : at;
     }
-    // Too long a gradient counts as infinite.
+    // A gradient that is too long counts as infinite.
     [[nodiscard]] static bool finite(double f, const glm::dvec3& g) noexcept {
         const double slope = glm::length(g);
         return std::isfinite(f) && (is_slope(slope) || slope < 1.0);
     }
-    // Armijo's rule, f^2 <= v^2 part; by their ratio where a square would not do.
+    // Tests Armijo's rule, f^2 <= v^2 part. It tests the ratio where a square would overflow or underflow.
     [[nodiscard]] static bool lowers(double f, double v, double part) noexcept {
         const double square = v * v;
         if (square >= 1e-280 && square <= 1e280) return f * f <= square * part;
@@ -76,7 +76,7 @@ private:
     Column share_; // s of the next trial; 0 before the first evaluation
     std::array<std::int32_t, static_cast<std::size_t>(projected_at_once)> evaluations_;
 
-    // The points that still move, packed, and what was evaluated for them.
+    // The indices of the points that still move, and the values evaluated for them.
     std::array<std::size_t, static_cast<std::size_t>(projected_at_once)> active_;
     std::size_t active_count_ = 0;
     Column x_, y_, z_, f_, gx_, gy_, gz_;
@@ -89,7 +89,7 @@ void ProjectedBatch::end_with(Projection& points, std::size_t i, ProjectionStatu
     points.status[at] = status;
 }
 
-// Looks at a new iterate: ends its search, or picks the first trial from it.
+// Ends the search at a new iterate, or picks the first trial from it. Returns whether it ended.
 bool ProjectedBatch::finished(Projection& points, std::size_t i) noexcept {
     const double slope = glm::length(gradient_[i]);
     if (!is_slope(slope)) {
@@ -100,8 +100,8 @@ bool ProjectedBatch::finished(Projection& points, std::size_t i) noexcept {
         end_with(points, i, ProjectionStatus::converged);
         return true;
     }
-    // Near a critical point the Newton step is arbitrarily long, but the surface is not
-    // farther away than this; beyond it f need not even be defined.
+    // Near a critical point the Newton step is arbitrarily long, but the surface is at most this far away. Beyond it f
+    // need not be defined.
     const double longest = diagonal_ + glm::length(position_[i] - centre_);
     const double newton = std::abs(value_[i]) / slope;
     share_[i] = newton > longest ? longest / newton : 1.0;
@@ -127,7 +127,7 @@ void ProjectedBatch::evaluate(const base::Progress& progress) {
     implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(active_count_)}, fields);
 }
 
-// Judges the evaluated trial of a lane.  Returns whether the point goes on.
+// Accepts or rejects the evaluated trial of a lane. Returns whether the search goes on for the point.
 bool ProjectedBatch::take_trial(Projection& points, std::size_t lane) noexcept {
     const std::size_t i = active_[lane];
     const double f = f_[lane];

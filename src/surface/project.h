@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Projection onto the surface by steepest descent on f^2 with Armijo's rule.   [NPAR 4.2]
-// At a crease descent goes to and fro between sheets, by steps that become shorter: what has not come to an end by it
-// goes on with the sheets that meet there.  Minima and maxima of parts have least |f| off the surface, too, as between
-// two parts of an intersection: from there, and where a bound on |grad f| is known, the surface is searched for.
+// At a crease descent goes to and fro between sheets, with ever shorter steps. Points that it does not bring onto the
+// surface are then projected onto the sheets that meet there (project_creases.h). Minima and maxima of parts also have
+// local minima of |f| off the surface, as between two parts of an intersection. The surface is searched for around such
+// points, and also where a bound on |grad f| is known (project_search.h).
 #pragma once
 
 #include "base/memory.h"
@@ -13,7 +14,7 @@
 
 namespace hrbfnpr::surface {
 
-// Same numbers as HRBFNPR_PROJECTION_...
+// The numbers equal those of HRBFNPR_PROJECTION_...
 enum class ProjectionStatus : std::uint8_t { converged = 0, not_converged = 1, zero_gradient = 2, not_finite = 3 };
 
 struct ProjectionSettings {
@@ -23,11 +24,11 @@ struct ProjectionSettings {
     double armijo_factor = 0.5;
 };
 
-// Whether that is the length of a gradient: others are lost when they are squared.
+// Tells whether a gradient of this length can be used: the squares of others underflow or overflow.
 [[nodiscard]] inline bool is_slope(double length) noexcept { return length >= 1e-150 && length <= 1e150; }
 
-// position: in, where to start; out, the last iterate.  gradient and status: out, resized.
-// gradient is that of f (not unit) at the last iterate.
+// `position` is the start on input, and the last iterate on output. `gradient` and `status` are resized. `gradient` is
+// that of f (not unit) at the last iterate.
 struct Projection {
     explicit Projection(base::Memory& memory) noexcept : position(memory), gradient(memory), status(memory) {}
 
@@ -36,7 +37,7 @@ struct Projection {
     base::Array<ProjectionStatus> status;
 };
 
-// Projects all points on all threads.  The bits of a point do not depend on the others.
+// Projects all points on all threads. A point's result does not depend on the other points, bit for bit.
 void project(const base::Work& work, const implicit::Implicit& implicit, const ProjectionSettings& settings,
              Projection& points);
 

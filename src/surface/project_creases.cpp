@@ -16,8 +16,8 @@ public:
     Walker(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
         : implicit_(implicit), sheets_(*implicit.sheets()), tolerance_(settings.tolerance * implicit.diagonal()) {}
 
-    // Whether the surface was reached: where sheets meet, or by going from one to the next, as where those that were
-    // met first are parallel.
+    // Returns whether the surface was reached. It first tries where sheets meet, then goes from one sheet to the next,
+    // which helps if the first sheets are parallel.
     [[nodiscard]] bool run(const glm::dvec3& from) { return run(from, true) || run(from, false); }
 
     glm::dvec3 place{0.0}, gradient{0.0};

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Projection where descent does not come to an end: on the sheets that meet at a crease.
+// Projection of points for which descent does not converge: onto the sheets that meet at a crease.
 #pragma once
 
 #include "surface/project.h"
 
 namespace hrbfnpr::surface {
 
-// Of the points that have not converged: from their last iterates, by Newton's steps on the active sheet and, where
-// another one is active after a step, on both and on a third one.  Those that do not come onto the surface by it stay
-// as they are.  For implicits that have sheets.
+// Projects the points that have not converged, from their last iterates. Newton's steps go to the zero level of the
+// active sheet. If another sheet is active after a step, they go to the zero levels of both, and of a third sheet
+// likewise. Points that do not reach the surface stay as they are. The implicit must have sheets.
 void project_onto_creases(const base::Work& work, const implicit::Implicit& implicit,
                           const ProjectionSettings& settings, Projection& points);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the surface of an implicit is looked for, how steep f is there, and which points lie inside.
+// The region in which the surface of an implicit is searched for, how steep f is there, and which points are inside.
 #pragma once
 
 #include "base/operation.h"
@@ -9,17 +9,18 @@
 
 namespace hrbfnpr::surface {
 
-// The bounds grown on every side by this share of the diagonal: samples do not reach the extremes
-// of the surface that goes through them.  Beyond it there is no surface, whatever f is.
+// The region is the bounds grown on every side by this share of the diagonal, since samples do not reach the extremes
+// of the surface through them. Beyond the region the surface counts as absent, whatever f is.
 inline constexpr double region_margin = 0.05;
 [[nodiscard]] geometry::Bounds search_region(const implicit::Implicit& implicit) noexcept;
 
-// The largest |grad f| of a grid of 24^3 points over the region, times 1.5: an estimate of f's
-// Lipschitz constant there, and no proof; or a bound that the implicit knows.  Positive; the same bits for any thread
-// count.
+// Returns the implicit's own bound on |grad f| if it has one. Otherwise it estimates f's Lipschitz constant in the
+// region, without proof: 1.5 times the largest |grad f| of a grid of 24^3 points. The result is positive, and has the
+// same bits for any number of threads.
 [[nodiscard]] double lipschitz_estimate(const base::Work& work, const implicit::Implicit& implicit);
 
-// 1 where a point lies in the region and f < 0, else 0; inside is resized.  f is evaluated in the region only.
+// Sets inside[i] to 1 where a point is in the region and f < 0, else to 0, and resizes `inside`. f is evaluated in the
+// region only.
 void contains(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
               base::Array<std::uint8_t>& inside);
 

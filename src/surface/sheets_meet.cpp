@@ -8,11 +8,11 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// The square of the sine of the least angle between sheets that meet.
+// Sheets that meet at an angle whose squared sine is less than this count as parallel.
 constexpr double parallel = 1e-10;
 constexpr int steps_to_meet = 20;
-// Steps below so many tolerances that do not become shorter are rounding: of sheets of thousands of centres with large
-// weights it is above 1e-9 of a cell.
+// Steps below this many tolerances that do not become shorter are rounding. For sheets of thousands of centres with
+// large weights, rounding exceeds 1e-9 of a cell.
 constexpr double rounded = 1e3;
 
 implicit::PointBatch one(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
@@ -31,7 +31,8 @@ std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place) 
     return sheet;
 }
 
-// Gram and Schmidt's way: what each adds is perpendicular to those before, so that they stay as they are.
+// By Gram and Schmidt's method, what each sheet adds is perpendicular to the sheets before it, so these keep their
+// values.
 glm::dvec3 way_to_zero(std::span<const SheetValue> values) noexcept {
     std::array<glm::dvec3, 3> across{};
     std::size_t count = 0;
@@ -78,7 +79,7 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
         const double length = glm::length(way);
         if (!(glm::distance(place.position + way, from) <= farthest)) return place;
         const bool rounding = length <= rounded * tolerance && length > 0.5 * last;
-        // Parallel sheets, of which not all count, need not be 0.
+        // Parallel sheets were partly ignored, so their values need not be 0 and are checked here.
         if (length <= tolerance || rounding) {
             const double near = 2.0 * std::max(tolerance, length);
             place.found =

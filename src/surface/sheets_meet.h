@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places where two or three sheets of an implicit meet: Newton's steps of least length on all of them.
+// Finds points where two or three sheets of an implicit meet: Newton's steps of least length to the zero levels of all.
 #pragma once
 
 #include "geometry/vec.h"
@@ -18,27 +18,28 @@ struct SheetValue {
 [[nodiscard]] SheetValue sheet_at(const implicit::Sheets& sheets, std::int32_t sheet, const glm::dvec3& place);
 [[nodiscard]] std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place);
 
-// The shortest way to where all are 0, as far as they are linear.  What is parallel to others counts for nothing.
+// Returns the shortest step to where all values are 0, by their linear approximations. Gradients parallel to others are
+// ignored.
 [[nodiscard]] glm::dvec3 way_to_zero(std::span<const SheetValue> values) noexcept;
 
-// Up to three sheets.
+// A set of up to three sheets.
 struct Meeting {
     std::array<std::int32_t, 3> sheet{};
     std::size_t count = 0;
 
     [[nodiscard]] bool has(std::int32_t wanted) const noexcept;
-    // In the place of the first, where there are three.
+    // Adds a sheet. If there are three already, it replaces the first.
     void add(std::int32_t other) noexcept;
 };
 
 struct MeetingPlace {
     glm::dvec3 position{0.0};
-    std::array<glm::dvec3, 3> gradient{}; // of the sheets there
+    std::array<glm::dvec3, 3> gradient{}; // of the sheets at `position`
     bool found = false;
 };
 
-// From a place, by steps until one is shorter than the tolerance, or as short as rounding makes it, and no farther away
-// than `farthest`.
+// Searches from a point. Succeeds when a step is shorter than the tolerance, or as short as rounding allows, and all
+// sheets are 0 there. Fails if it goes farther away than `farthest`.
 [[nodiscard]] MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting, const glm::dvec3& from,
                                         double tolerance, double farthest);
 

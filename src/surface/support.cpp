@@ -12,25 +12,27 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// The spacing around a sample: how far its sixth neighbour is, and the median of that over these neighbours.
+// The spacing around a sample comes from the distance to its sixth neighbour, and the median of that over its
+// neighbours.
 constexpr std::int64_t sixth = 6;
 constexpr std::int64_t around = 17;
 constexpr std::int64_t supported_a_task = 64;
-// Of s; and the width of a kernel in spacings, or in `closest` where samples are denser than that, so that all of the
-// nearest count fully.
+// `scale` multiplies s. `width` is a kernel's width in spacings. `width_of_dense` is its least width, in `closest`, so
+// that all nearest samples count where samples are denser.
 constexpr double scale = 3.0;
 constexpr double width = 0.9;
 constexpr double width_of_dense = 0.8;
-// Of the limit: s where the surface goes on whatever the samples say.
+// In kept cells s is this share of the limit where it would exceed the limit.
 constexpr double borne_out = 0.9;
 
-// Of a few samples the one in the middle: the last may be all across.
+// Returns the distance to the sixth neighbour. With fewer neighbours it takes the middle one, since the last may be on
+// the far side.
 double distance_to_sixth(const geometry::VecArray& position, const geometry::Neighbours& neighbours, std::int64_t i) {
     const std::int64_t place = neighbours.each() >= sixth ? sixth - 1 : (neighbours.each() - 1) / 2;
     return glm::distance(position[i], position[neighbours.of(i)[static_cast<std::size_t>(place)]]);
 }
 
-// The geometric mean of a sample's own and the median of its neighbours': serves even samples and uneven ones.
+// Returns the geometric mean of a sample's own distance and the median of its neighbours', for even and uneven samples.
 double own_and_median(const base::Array<double>& distance, std::span<const std::int64_t> neighbours, std::int64_t i) {
     std::array<double, around> of{};
     std::size_t count = 0;
@@ -41,15 +43,15 @@ double own_and_median(const base::Array<double>& distance, std::span<const std::
 
 } // namespace
 
-// The nearest samples of a place, and -ln of their weights: the least of these is taken out of the sums, so that they
-// do not vanish far away.
+// The nearest samples of a point, and -ln of their weights. The least of these is factored out of the sums, so that
+// they do not vanish far away.
 struct Support::Near {
     std::array<std::int64_t, nearest> at;
     std::array<double, nearest> facing; // (1 + n_j . m) / 2
     std::array<double, nearest> loss;
     std::size_t count = 0;
     double least = std::numeric_limits<double>::infinity();
-    double sum = 0.0;       // of exp(least - loss)
+    double sum = 0.0;       // sum of exp(least - loss)
     glm::dvec3 middle{0.0}; // c
 
     [[nodiscard]] double weight(std::size_t k) const noexcept { return std::exp(least - loss[k]); }
@@ -74,7 +76,7 @@ void Support::keep(const geometry::CellGrid& grid, geometry::CellSet kept, geome
 
 template <class Visit>
 bool Support::for_cells(const glm::dvec3& place, double half, Visit&& visit) const {
-    constexpr std::int64_t most = 8; // cells along an axis that are looked at
+    constexpr std::int64_t most = 8; // cells along an axis
     const geometry::CellGrid::Cell low = grid_.cell_of(place - half);
     const geometry::CellGrid::Cell high = grid_.cell_of(place + half);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -90,7 +92,8 @@ bool Support::may_end_near(const glm::dvec3& place, double half) const noexcept 
     return !(limit_ > 0.0) || !for_cells(place, half, [&](std::uint64_t cell) { return !ends_.contains(cell); });
 }
 
-// All distances are at least that to the nearest sample, so the sum is at most that of as many as are nearest.
+// All samples are at least as far as the nearest one, so the sum of weights is at most `nearest` times the largest
+// possible.
 bool Support::has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept {
     const double left = nearest_sample(place).distance - std::sqrt(3.0) * half;
     const double most = std::log(static_cast<double>(nearest));
@@ -103,7 +106,7 @@ void Support::measure_spacing(const base::Work& work, double closest) {
     const std::int64_t count = position.size();
     const geometry::Neighbours neighbours(work.runtime().parallel, position, around, work);
     base::Array<double> distance(work.memory, count);
-    // A sample without others, or on top of them, has any spacing but 0.
+    // A sample that is alone, or coincides with others, gets a small spacing above 0.
     const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), 1e-100);
     for (std::int64_t i = 0; i < count; ++i)
         distance[i] = std::max(smallest, neighbours.each() > 0 ? distance_to_sixth(position, neighbours, i) : smallest);
@@ -189,7 +192,8 @@ Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gra
         const std::int64_t j = near.at[k];
         const glm::dvec3 q = away(j, place);
         const double weight = scale * near.weight(k) / near.sum;
-        const double change = 1.0 + 2.0 * (middle - glm::dot(near.middle, q)); // of -s, by the weight's own
+        // The relative change of -s by this sample's weight.
+        const double change = 1.0 + 2.0 * (middle - glm::dot(near.middle, q));
         answer.by_place += 2.0 * weight * std::sqrt(sharpness_[j]) * (near.middle + change * q);
         answer.by_normal -= weight * change / near.facing[k] * normal_[j];
     }

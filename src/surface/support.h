@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How well the samples of a surface bear out a place of it: the surface of an implicit goes on where they end, and
-// what lies there is an invention.
+// Support: how well the samples around a point of the surface confirm it. The zero level of an implicit continues
+// beyond its samples, and the surface there is invented.
 //
 //   s(x) = 3 (|c|^2 - ln sum_j w_j),   w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,   q_j = (x - p_j) / (0.9 h_j)
 //
-// over the samples p_j nearest to x, n_j their normals, h_j the spacing around each, m the unit normal at x, and
-// c = sum_j w_j q_j / sum_j w_j: how far x is from the middle of its neighbours (Adamson and Alexa 2004), which does
-// not go by how many there happen to be.  s is near -4.7 among samples, and grows away from them and where they face
-// another way.
+// The sums are over the samples p_j nearest to x. n_j are their normals, h_j is the spacing around each, m is the unit
+// normal at x, and c = sum_j w_j q_j / sum_j w_j. c tells how far x is from the middle of its neighbours (Adamson and
+// Alexa 2004), and does not depend on how many there are. s is near -4.7 among samples. It grows away from them, and
+// where they face another way.
 #pragma once
 
 #include "base/operation.h"
@@ -25,54 +25,54 @@ class Support {
 public:
     static constexpr std::int64_t nearest = 24;
 
-    // s at a place with a normal, and how it changes with both.
+    // The value of s at a point with a normal, and its derivatives by both.
     struct Answer {
-        double value;         // infinite where no sample is near or faces the same way
-        glm::dvec3 by_place;  // its gradient for a normal that stays as it is
-        glm::dvec3 by_normal; // by the normal, perpendicular to it
+        double value;         // infinite if no sample is near or faces the same way
+        glm::dvec3 by_place;  // its gradient for a fixed normal
+        glm::dvec3 by_normal; // its derivative by the normal, perpendicular to the normal
     };
 
-    // position and normal (unit) of the same samples, one or more.  No spacing is taken to be less than the closest:
-    // what a dense sample of a shape shall bear out is as near to it as that, and not as its samples to each other.
+    // `position` and `normal` (unit) belong to the same samples, one or more. Spacings below `closest` are raised to
+    // it, so that dense samples of a coarser shape support all within `closest`.
     Support(const base::Work& work, const geometry::VecArray& position, const geometry::VecArray& normal,
             double closest);
 
-    // From here on s is below `limit` in the cells that are kept: holes that shall stay closed are.  ends: those that
-    // the surface may end in, of all that it is known to pass.
+    // Keeps s below `limit` in the `kept` cells from now on, so that holes there stay closed. `ends` are the cells in
+    // which the surface may end, among all that it is known to pass.
     void keep(const geometry::CellGrid& grid, geometry::CellSet kept, geometry::CellSet ends, double limit);
     [[nodiscard]] bool may_end_at(const glm::dvec3& place) const noexcept {
         return !(limit_ > 0.0) || !kept_.contains(geometry::CellGrid::pack(grid_.cell_of(place)));
     }
     [[nodiscard]] bool has_kept() const noexcept { return limit_ > 0.0; }
-    // Whether it may end in a cube around the place.
+    // Tells whether the surface may end in a cube around the point.
     [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept;
 
-    // On the calling thread; const, for any number of threads.
+    // These run on the calling thread, and may be called from any number of threads at once.
     [[nodiscard]] double value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
     [[nodiscard]] Answer evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
-    // At many places, by grad f there, which need not be unit; value: resized.  The same bits for any thread count.
+    // Computes s at many points from grad f there, which need not be unit, and resizes `value`. The result has the same
+    // bits for any number of threads.
     void evaluate_all(const base::Work& work, const geometry::VecArray& place, const geometry::VecArray& gradient,
                       base::Array<double>& value) const;
 
-    // How far it is to the nearest sample, the spacing there, and whether others surround it (surface/surrounded.h).
+    // The nearest sample's distance, its spacing, and whether others surround it (surface/surrounded.h).
     struct Nearest {
         double distance, spacing;
         bool surrounded;
     };
     [[nodiscard]] Nearest nearest_sample(const glm::dvec3& place) const noexcept;
     [[nodiscard]] double median_spacing() const;
-    // Whether in all of a cube around the place s is above `limit` for any normal, and the surface may end: then there
-    // is none of it.  False where that is not certain.
+    // Tells whether a cube surely holds no surface: s is above `limit` in all of it for any normal, and no cell is
+    // kept. Returns false if that is not certain.
     [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
-    // Whether they stand along curves, with nothing between these.
+    // Tells whether the samples are along curves, with nothing between these.
     [[nodiscard]] bool along_curves() const { return geometry::along_curves(tree_); }
-    // Those that are not surrounded.
     [[nodiscard]] geometry::VecArray not_surrounded() const;
 
-    // Of the samples, in an order of its own.
+    // The samples' positions and normals, in this object's own order.
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
     [[nodiscard]] const geometry::VecArray& normals() const noexcept { return normal_; }
-    // Which of the given samples stands at place `at` of that order.
+    // Returns which of the given samples is at position `at` of that order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return tree_.index(at); }
     [[nodiscard]] const geometry::CellGrid& grid() const noexcept { return grid_; }
     [[nodiscard]] const geometry::CellSet& kept() const noexcept { return kept_; }
@@ -83,22 +83,23 @@ public:
 private:
     struct Near;
 
-    // visit(packed cell) for the cells of the grid in a cube, until it returns false; false where they are many.
+    // Calls visit(packed cell) for the cells of the grid in a cube, until it returns false. Returns false then, and if
+    // there are too many cells.
     template <class Visit>
     [[nodiscard]] bool for_cells(const glm::dvec3& place, double half, Visit&& visit) const;
     void measure_spacing(const base::Work& work, double closest);
-    // From a sample to a place, in widths of its kernel.
+    // Returns the vector from a sample to a point, in widths of the sample's kernel.
     [[nodiscard]] glm::dvec3 away(std::int64_t j, const glm::dvec3& place) const noexcept;
     [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
 
     geometry::PointTree tree_;
-    geometry::VecArray normal_;     // in the tree's order, as the next
+    geometry::VecArray normal_;     // in the tree's order, as the arrays below
     base::Array<double> spacing_;   // h
     base::Array<double> sharpness_; // 1 / r^2, r the width of the kernel
     double least_sharpness_ = 0.0;
     base::Array<std::uint8_t> surrounded_;
     geometry::CellGrid grid_;
-    geometry::CellSet kept_, ends_; // where it goes on, and where it may end, if there is a limit
+    geometry::CellSet kept_, ends_; // where the surface goes on, and where it may end, if limit_ > 0
     double limit_ = 0.0;
 };
 

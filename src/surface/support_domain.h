@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The domain of a surface that its samples support: it ends where s(x) = limit, s of surface/support.h.
+// The domain of a surface that its samples support. It ends where s(x) = limit, with s of surface/support.h.
 #pragma once
 
 #include "base/assert.h"
@@ -14,12 +14,12 @@ namespace hrbfnpr::surface {
 
 class SupportDomain final : public implicit::Domain {
 public:
-    // closest: as the support was made with.
+    // `closest` is the value that the support was made with.
     SupportDomain(Support support, double limit, double closest) noexcept
         : support_(std::move(support)), limit_(limit), closest_(closest) {}
 
-    // The border of a mesh of the surface, as places on it: farther from them than `reach`, lines and rays find no ends
-    // that the mesh does not have.
+    // Sets the border of a mesh of the surface, as points on it. Farther than `reach` from them, lines and rays find no
+    // ends, since the mesh has none there.
     void set_border(const geometry::VecArray& places, double reach) {
         HRBFNPR_ASSERT(reach > 0.0);
         border_.emplace(places, reach);

@@ -11,7 +11,7 @@
 namespace hrbfnpr::surface {
 namespace {
 
-// More would see across a hole that is as wide as three samples are apart.
+// With more neighbours, samples across a hole as wide as three spacings would count.
 constexpr std::size_t neighbours_around = 12;
 constexpr double same_way = 0.25; // cosine between normals
 constexpr double widest_gap = 2.0 / 3.0 * std::numbers::pi;
