@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Runs the steps of a plan for a block of points at a time. Each step fills a register, an intermediate result at all
-// points of the block: leaves from their own coordinates, minima, maxima and blends from two registers. Of a model only
-// those points are evaluated at which its box allows that it matters. A group evaluates, at each point, first the
-// member whose box is nearest, then those whose boxes allow a lesser value; points that need the same member go
-// together.
+// Runs the steps of a plan for a block of points at a time. Each step fills a register, which is an intermediate result
+// at all points of the block: a leaf from its own coordinates, a minimum, maximum or blend from two registers. A model
+// is evaluated only at points where its box allows that it matters. A group evaluates at each point the member whose
+// box is nearest, then those whose boxes allow a lesser value; points that need the same member are evaluated together.
 #include "implicit/csg.h"
 
 #include "implicit/lanes.h"
@@ -28,23 +27,23 @@ struct Contest {
     const CsgOp* op;
     PointBatch points;
     Register* to;
-    double sign;            // -1 where the group takes the most
-    double best[csg_block]; // the least value, of the negative function where that is
+    double sign;            // -1 if the group takes the largest value
+    double best[csg_block]; // the least value of sign * f so far
     double slack[csg_block];
-    std::int32_t winner[csg_block];           // the member that it is; -1: none yet
+    std::int32_t winner[csg_block];           // the member with that value; -1: none yet
     std::int32_t nearest[csg_block];          // the member that was evaluated first
-    std::int32_t lane[csg_block];             // those that are still looked at stand first
-    PointLanes<std::size_t{csg_block}> asked; // of the member that is evaluated
+    std::int32_t lane[csg_block];             // lanes; those still in question come first
+    PointLanes<std::size_t{csg_block}> asked; // the points at which a member is evaluated
 };
 
-// Sums scale M^T H M.
+// Returns scale M^T H M, the Hessian outside a place whose own Hessian is H; M is its to_local.
 std::array<double, 6> moved(const std::array<double, 6>& h, const CsgPlace& place) noexcept {
     const glm::dmat3 full(h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5]);
     const glm::dmat3 m = place.scale * (glm::transpose(place.to_local) * full * place.to_local);
     return {m[0][0], m[1][0], m[2][0], m[1][1], m[2][1], m[2][2]};
 }
 
-// The chain rule.
+// Returns f(a, b) with its derivatives, by the chain rule.
 Jet chained(const BlendJet& f, const Jet& a, const Jet& b) noexcept {
     Jet jet{f.value, f.by_a * a.gradient + f.by_b * b.gradient, {}};
     std::size_t at = 0;
@@ -63,11 +62,11 @@ struct CsgScratch {
     explicit CsgScratch(const base::Runtime& runtime) noexcept
         : registers(runtime.memory), contests(runtime.memory), steps(runtime.memory), pending(runtime.memory) {}
 
-    base::Array<Register> registers; // of the plan, then of groups in groups
+    base::Array<Register> registers; // registers of the plan, then those of nested groups
     base::Array<Contest> contests;
     base::Array<CsgStep> steps;
     base::Array<CsgPlan::Pending> pending;
-    PointLanes<std::size_t{csg_block}> asked; // of a model, in its own coordinates
+    PointLanes<std::size_t{csg_block}> asked; // points at which a model is evaluated, in its own coordinates
     Register answer;
 };
 
@@ -90,7 +89,7 @@ private:
     void copy(const Register& from, std::int64_t k, Register& to, std::int64_t lane) const noexcept {
         for (int c = 0; c < columns_; ++c) to.field[c][lane] = from.field[c][k];
     }
-    // Sets the jet of a leaf, given in its own coordinates.
+    // Sets the jet of a leaf. `jet` is in the leaf's own coordinates.
     void put(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place, const Jet& jet) const noexcept {
         Jet here{place.scale * jet.value + op.add, glm::dvec3(0.0), {}};
         if (columns_ > 1) here.gradient = place.scale * (jet.gradient * place.to_local);
@@ -118,8 +117,8 @@ private:
     CsgScratch& scratch_;
     int columns_;
     bool wants_sheet_;
-    Register* registers_ = nullptr; // of the steps that are being done
-    std::int64_t nested_ = 0;       // groups that these are in
+    Register* registers_ = nullptr; // registers of the steps that are being run
+    std::int64_t nested_ = 0;       // number of groups that these steps are in
 };
 
 void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {
@@ -138,7 +137,7 @@ void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
     }
 }
 
-// Whether a model can matter where it is at least `beyond`, which its box says.
+// Whether a model can matter at a point where it is at least `beyond`, according to its box.
 bool Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
                     double beyond) const noexcept {
     const CsgOp& both = plan_.ops[step.than];
@@ -150,7 +149,8 @@ bool Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place,
     return !(least > (both.blend.exponent > 0.0 ? std::max(radius, other) : other + radius));
 }
 
-// A model is the larger of its f and the distance from its box, beyond which its f may be anything.
+// Evaluates a model. Its value is the larger of its f and the distance from its box, beyond which its f may be
+// anything.
 void Run::evaluate_model(const CsgStep& step, const CsgPlace& place) {
     PointLanes<std::size_t{csg_block}>& asked = scratch_.asked;
     Register& answer = scratch_.answer;
@@ -200,7 +200,7 @@ void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
 
 void Run::pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
     Register& first = registers_[step.to];
-    if (step.sheet < 0) { // else only one of them was made
+    if (step.sheet < 0) { // otherwise only one operand was evaluated
         const Register& second = registers_[step.to + 1];
         const double sign = op.takes_least() ? 1.0 : -1.0;
         const std::int32_t sheets_of_a = plan_.ops[op.a].sheets;
@@ -250,7 +250,8 @@ void Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexce
     }
 }
 
-// The least that a member is at a point. A model's own box, which may be turned, says it exactly.
+// Returns a lower bound of a member at a point. For a model, the exact bound comes from its own box, which may be
+// rotated.
 double Run::bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept {
     const glm::dvec3 p = point_at(contest.points, lane);
     const CsgOp& op = plan_.ops[plan_.members[leaf.first].op];
@@ -261,7 +262,8 @@ double Run::bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int
     return contest.sign * (place.scale * place.beyond(place.local(p), side) + op.add);
 }
 
-// Takes over what is less. As in pairs, one after the other, the first of two equal ones wins, and NaN stays.
+// Evaluates a member at some lanes, and takes over the values that are less. As when pairs are combined one after the
+// other, the first of two equal values wins, and NaN stays.
 void Run::evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest) {
     const CsgMember& part = plan_.members[member];
     contest.asked.count = 0;
@@ -304,11 +306,11 @@ void Run::evaluate_nearest(std::int32_t root, Contest& contest) {
     }
 }
 
-// Walks down the boxes with the points at which they allow a value that is less, or as small.
+// Walks down the tree of boxes. At each box it keeps the points at which the box allows a value that is less or equal.
 void Run::evaluate_others(std::int32_t root, Contest& contest) {
     struct Part {
         std::int32_t node;
-        std::int64_t count; // of the lanes that stand first
+        std::int64_t count; // number of lanes at the front
     };
     std::array<Part, CsgBoxTree::deepest> waiting;
     std::size_t parts = 0;
@@ -379,7 +381,7 @@ int columns_of(const FieldBatch& fields) noexcept {
     return fields.wants_gradient() ? 4 : 1;
 }
 
-// take(result, first, count), for each block.
+// Calls take(result, first, count) for each block.
 template <class F>
 void for_blocks(Run run, std::span<const CsgStep> steps, const PointBatch& points, F&& take) {
     for (std::int64_t begin = 0; begin < points.count; begin += csg_block) {
@@ -423,7 +425,8 @@ void Csg::place_cells(base::Memory& memory) {
     if (cells_ > 0) boxes_root_ = boxes_.add(boxes.span());
 }
 
-// A point is of the model whose box it is farthest inside of, or nearest to: others are seldom evaluated there.
+// A point belongs to the model whose box it is farthest inside of, or nearest to: other models are seldom evaluated
+// there.
 std::int32_t Csg::cell_of(const glm::dvec3& point) const noexcept {
     if (cells_ == 0) return 0;
     const std::int32_t nearest = boxes_.nearest(boxes_root_, point, 0.0, infinity, [&](const CsgBoxTree::Node& leaf) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A solid put together from others as an implicit.
+// A solid that is put together from others, as an implicit.
 #pragma once
 
 #include "base/scratch_pool.h"
@@ -10,13 +10,13 @@ namespace hrbfnpr::implicit {
 
 struct CsgScratch;
 
-// Its sheets are those of its leaves: the smooth pieces of a primitive, the sheets of a model and the six sides of the
-// box that a model ends at. A blend of two has a sheet for each pair of theirs, the blend of both, which is smooth
-// around what the blend has rounded and also where it ends. So where one of the pair is far, sheets differ that are
-// the same function there: a crease is where gradients differ, too.
+// The sheets of a leaf are the smooth pieces of a primitive, or the sheets of a model and the six sides of the box that
+// the model ends at. A sharp minimum or maximum has the sheets of both operands. A blend has a sheet for each pair of
+// its operands' sheets: the blend of the two, which is smooth both where it rounds and where it ends. So if one sheet
+// of a pair is far away, different sheets may be the same function: there is a crease only where gradients differ, too.
 class Csg final : public Implicit, public Sheets {
 public:
-    // The plan and the leaves live as long as this, the runtime too. leaves: of each CsgModel of the plan.
+    // The plan, the leaves and the runtime must outlive this. leaves: one for each CsgModel of the plan.
     Csg(const base::Runtime& runtime, const CsgPlan& plan, base::Array<const Implicit*>&& leaves,
         const geometry::Bounds& bounds);
     ~Csg() override;
@@ -39,19 +39,19 @@ public:
 private:
     struct Celled {
         const CsgPlace* place;
-        std::int64_t first; // its cells
+        std::int64_t first; // its first cell
     };
     void place_cells(base::Memory& memory);
 
     const CsgPlan& plan_;
     base::Array<const Implicit*> leaves_;
     geometry::Bounds bounds_;
-    base::Array<Celled> celled_; // the models
-    CsgBoxTree boxes_;           // of them
+    base::Array<Celled> celled_; // the models and their cells
+    CsgBoxTree boxes_;           // boxes of the models
     std::int32_t boxes_root_ = -1;
     std::int64_t cells_ = 0;
     bool concurrent_ = true;
-    mutable base::ScratchPool<CsgScratch> scratch_; // of the calls
+    mutable base::ScratchPool<CsgScratch> scratch_; // one for each running call
 };
 
 } // namespace hrbfnpr::implicit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// 1. Frames: where each node of the tree is, and whether it is turned inside out. 2. Parts: an op for each leaf and
-// each combination of two, with the boxes that bound it. 3. Groups of chains of minima and maxima. 4. Steps, of the
-// root and of each member of a group.
+// A plan is made in these steps: 1. frames: the transform of each node of the tree, and whether it is turned inside
+// out; 2. parts: an op for each leaf and each combination of two, with the boxes that bound it; 3. groups of chains of
+// minima and maxima; 4. steps of the root and of each member of a group.
 #include "implicit/csg_plan.h"
 
 #include "base/assert.h"
@@ -14,13 +14,13 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Where a node of the tree is, and whether what is inside there is outside here.
+// The transform of a node of the tree, and whether the node is turned inside out.
 struct Frame {
     glm::dmat3 linear{1.0};
     glm::dvec3 translation{0.0};
     double scale = 1.0;
     bool turned = false;
-    std::int32_t first = -1, next = -1; // child, sibling
+    std::int32_t first = -1, next = -1; // first child, next sibling
     std::int32_t op = -1;
 };
 
@@ -48,11 +48,12 @@ base::Array<Frame> frames_of(base::Memory& memory, const CsgTree& tree) {
     return frames;
 }
 
-// An op, and the bounds of its solid: of what models are drawn in, and of all that they may have.
+// An op, and the bounds of its solid. `drawn` takes models in the boxes in which they are drawn, `whole` in their
+// regions.
 struct BoundedOp {
     CsgOp op;
     CsgReach drawn, whole;
-    std::int32_t models = 0; // leaves below it that are models
+    std::int32_t models = 0; // number of models below it
 
     template <class F>
     void set_reaches(F&& reach) noexcept(noexcept(reach(drawn))) {
@@ -133,7 +134,7 @@ BoundedOp leaf_of(const CsgNode& node, const Frame& frame, const base::Array<Csg
     return part;
 }
 
-// The parts of all nodes, the root's last.
+// Returns the parts of all nodes; the root's part is the last.
 base::Array<BoundedOp> parts_of(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
                                 base::Array<CsgPlace>& places) {
     base::Array<Frame> frames = frames_of(memory, tree);
@@ -172,7 +173,7 @@ base::Array<BoundedOp> parts_of(base::Memory& memory, const CsgTree& tree, const
     return parts;
 }
 
-// The operands of a chain of minima, or of maxima, in their order.
+// Finds the operands of a chain of minima, or of maxima, in their order.
 void find_members(const base::Array<BoundedOp>& parts, const CsgOp& of, base::Array<std::int32_t>& waiting,
                   base::Array<std::int32_t>& found) {
     found.clear();
@@ -216,11 +217,11 @@ CsgGroup group_of(CsgPlan& plan, const base::Array<BoundedOp>& parts, std::int32
     return group;
 }
 
-// always: also where pairs are quicker.
+// Makes groups where they pay; if `always`, also where pairs are faster.
 void make_groups(CsgPlan& plan, const base::Array<BoundedOp>& parts, bool always) {
     struct Task {
         std::int32_t op;
-        std::int32_t nested; // groups that it is in
+        std::int32_t nested; // number of groups that it is in
     };
     base::Memory& memory = plan.ops.memory();
     base::Array<Task> tasks(memory);
@@ -279,7 +280,8 @@ bool CsgPlan::is_finite() const noexcept {
     });
 }
 
-// The operand that needs more registers comes first, and a model comes after what may show that it is not needed.
+// The operand that needs more registers comes first. A model comes after an operand that may show that the model is not
+// needed.
 void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>& to,
                         base::Array<Pending>& pending) const {
     HRBFNPR_ASSERT(op >= 0 && op < ops.size() && only < ops[op].sheets);
@@ -321,14 +323,14 @@ void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>
     }
 }
 
-// Two halves along the axis on which their centres are farthest apart.
+// Divides the items into two halves along the axis on which their centres are farthest apart.
 std::int32_t CsgBoxTree::add(std::span<Item> items) {
     if (items.empty()) return -1;
     if (items.size() == 1) {
         nodes_.push_back({items[0].box, items[0].slope, items[0].item, -1});
         return static_cast<std::int32_t>(nodes_.size() - 1);
     }
-    // Twice the centre; 0 where a box has no end.
+    // Returns twice the centre; 0 where a box has no end.
     const auto centre = [](const Item& item, int axis) {
         const double sum = item.box.low[axis] + item.box.high[axis];
         return std::isfinite(sum) ? sum : 0.0;
@@ -353,7 +355,7 @@ std::int32_t CsgBoxTree::add(std::span<Item> items) {
     const std::int32_t second = add(items.subspan(half));
     const Node& a = nodes_[first];
     const Node& b = nodes_[second];
-    // An empty box has its faces the wrong way round, and is as near as they say.
+    // An empty box has low > high. Its distance still follows from its faces.
     const CsgBox box{glm::min(a.box.low, b.box.low), glm::max(a.box.high, b.box.high)};
     nodes_.push_back({box, std::max(a.slope, b.slope), first, second});
     return static_cast<std::int32_t>(nodes_.size() - 1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How a tree of solids is evaluated. Complements and differences become signs of leaves, offsets numbers that are
-// added, transforms one map for each leaf; what is left are minima, maxima and blends of two at a time, and shells.
-// Steps do these in an order that keeps few intermediate results, so that trees of any depth need no recursion. A chain
-// of minima, or of maxima, is a group where that pays: its members stand in a tree of boxes, and only those are
-// evaluated whose boxes allow a lesser value.
+// The plan by which a tree of solids is evaluated. Complements and differences become signs of leaves, offsets become
+// numbers that are added, and transforms become one map for each leaf. The rest are minima, maxima and blends of two
+// operands at a time, and shells. Steps evaluate these in an order that keeps few intermediate results, so that trees
+// of any depth need no recursion. A chain of minima, or of maxima, becomes a group where that pays: its members are in
+// a tree of boxes, and only members whose boxes allow a lesser value are evaluated.
 #pragma once
 
 #include "implicit/csg_shapes.h"
@@ -12,27 +12,27 @@
 
 namespace hrbfnpr::implicit {
 
-// A leaf that is a model, as the plan needs it.
+// A leaf that is a model, with the data that the plan needs.
 struct CsgModel {
-    geometry::Bounds bounds; // that its surface is drawn in
-    geometry::Bounds region; // beyond which it has none, whatever its f is
+    geometry::Bounds bounds; // the box in which its surface is drawn
+    geometry::Bounds region; // the box beyond which it has no surface, whatever its f is
     std::int32_t sheets = 1;
-    double lipschitz = 0.0; // 0 = not known
+    double lipschitz = 0.0; // 0: not known
 };
 
 struct CsgOp {
     enum class Kind : std::uint8_t { shape, model, minimum, maximum, shell_of_minimum, shell_of_maximum };
 
     Kind kind = Kind::shape;
-    std::int32_t a = -1, b = -1; // operands, earlier ops
-    std::int32_t place = -1;     // of a leaf
-    std::int32_t group = -1;     // that does the same
-    std::int32_t registers = 1;  // intermediate results that are kept at a time
+    std::int32_t a = -1, b = -1; // operands, which are earlier ops
+    std::int32_t place = -1;     // index of a leaf's place
+    std::int32_t group = -1;     // index of the group that computes the same; -1: none
+    std::int32_t registers = 1;  // number of intermediate results that are kept at a time
     std::int32_t sheets = 1;
-    bool merged = false; // the number of sheets is beyond 32 bits: all are taken for one
+    bool merged = false; // the number of sheets exceeds 32 bits: all count as one
     Blend blend;
     double thickness = 0.0;
-    double add = 0.0; // to the result
+    double add = 0.0; // added to the result
     double lipschitz = 1.0;
 
     [[nodiscard]] bool is_leaf() const noexcept { return kind <= Kind::model; }
@@ -41,19 +41,20 @@ struct CsgOp {
     [[nodiscard]] bool takes_least() const noexcept { return kind == Kind::minimum || kind == Kind::shell_of_minimum; }
 };
 
-// Where a leaf is: f = scale F(to_local x + shift).
+// The transform of a leaf: f = scale F(to_local x + shift).
 struct CsgPlace {
     glm::dmat3 to_local{1.0};
     glm::dvec3 shift{0.0};
     double scale = 1.0; // negative: turned inside out
-    CsgShape shape;     // of a model the box that it ends at
+    CsgShape shape;     // of a model: the box that it ends at
     std::int32_t model = -1;
     std::int32_t model_sheets = 0;
-    glm::dvec3 centre{0.0}; // of that box
-    CsgReach reach;         // of that box, not turned inside out
+    glm::dvec3 centre{0.0}; // centre of that box
+    CsgReach reach;         // bounds of that box, not turned inside out
 
     [[nodiscard]] glm::dvec3 local(const glm::dvec3& p) const noexcept { return to_local * p + shift; }
-    // The distance beyond a model's box, at a place of its own coordinates, and the nearest side of the box.
+    // Returns the distance beyond a model's box, at a place in the model's coordinates, and the nearest side of the
+    // box.
     [[nodiscard]] double beyond(const glm::dvec3& p, std::int32_t& side) const noexcept {
         return shape.value(p - centre, side);
     }
@@ -63,32 +64,34 @@ struct CsgStep {
     enum class Kind : std::uint8_t { leaf, combine, shell, group };
 
     Kind kind = Kind::leaf;
-    bool a_is_second = false; // in the register after `to`
+    bool a_is_second = false; // operand a is in the register after `to`
     std::int32_t op = 0;
     std::int32_t to = 0;     // register
-    std::int32_t sheet = -1; // -1: all of them
-    std::int32_t than = -1;  // op of a minimum or maximum whose other side is known, in the register before
+    std::int32_t sheet = -1; // -1: all sheets
+    // The op that combines this one with its other operand, which is in the register before; -1: none.
+    std::int32_t than = -1;
 };
 
 // An operand of a group, with steps of its own.
 struct CsgMember {
     std::int32_t op = 0;
-    std::int32_t first_sheet = 0; // of the group's
-    std::int64_t begin = 0;       // its steps
+    std::int32_t first_sheet = 0; // index of its first sheet in the group
+    std::int64_t begin = 0;       // its steps are [begin, end)
     std::int64_t end = 0;
 };
 
 struct CsgGroup {
     std::int32_t op = 0;
-    // Roots of the members' boxes: those without models, which are cheap and come first, and those with some.
+    // Roots of two trees of boxes: of the members without models, which are cheap and come first, and of those with
+    // models.
     std::array<std::int32_t, 2> boxes{-1, -1};
     double size = 0.0; // the largest coordinate of the boxes
 };
 
-// A tree of boxes that bound where items are low.
+// A tree of boxes that bound where the functions of items are low.
 class CsgBoxTree {
 public:
-    // {f <= level} is in the box grown by slope * level, for levels above 0.
+    // For levels above 0, {f <= level} is in the box grown by slope * level.
     struct Item {
         CsgBox box;
         double slope = 1.0;
@@ -97,10 +100,10 @@ public:
     struct Node {
         CsgBox box;
         double slope = 1.0;
-        std::int32_t first = -1, second = -1; // nodes; without a second one `first` is an item
+        std::int32_t first = -1, second = -1; // child nodes; if there is no second, `first` is an item
 
         [[nodiscard]] bool is_leaf() const noexcept { return second < 0; }
-        // A lower bound of f, if places and values are off by `slack` at most; -infinity: none is known.
+        // Returns a lower bound of f if places and values are off by at most `slack`; -infinity: no bound is known.
         [[nodiscard]] double least(const glm::dvec3& p, double slack) const noexcept {
             const glm::dvec3 below = box.low - p;
             const glm::dvec3 above = p - box.high;
@@ -108,14 +111,15 @@ public:
             return distance > 0.0 ? distance / slope : -std::numeric_limits<double>::infinity();
         }
     };
-    // The most nodes that wait on the way down; 2^16 items are halved 16 times.
+    // The most nodes that wait during a walk down; 2^16 items are halved 16 times.
     static constexpr std::size_t deepest = 32;
 
     explicit CsgBoxTree(base::Memory& memory) noexcept : nodes_(memory) {}
 
-    // Adds a tree of some items, which it reorders. Returns its root; -1: there are no items.
+    // Adds a tree of some items, which are reordered. Returns its root; -1: there are no items.
     std::int32_t add(std::span<Item> items);
-    // The item whose bound is least and not above `limit`; -1: all are above. bound_of(node): the bound of a leaf.
+    // Returns the item with the least bound if it is not above `limit`; -1: all bounds are above. bound_of(node)
+    // returns the bound of a leaf.
     template <class F>
     [[nodiscard]] std::int32_t nearest(std::int32_t root, const glm::dvec3& p, double slack, double limit,
                                        F&& bound_of) const noexcept;
@@ -130,8 +134,8 @@ private:
 struct CsgPlan {
     enum class Groups : std::uint8_t { never, where_they_pay, always };
 
-    // The tree is valid: parents come before their children, each inner node has a child, transforms can be undone.
-    // Groups change no bit of a result.
+    // The tree must be valid: parents come before their children, each inner node has a child, and transforms can be
+    // undone. Groups change no bit of a result.
     CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
             Groups groups = Groups::where_they_pay);
 
@@ -150,10 +154,10 @@ struct CsgPlan {
         std::int32_t to = 0;
         std::int32_t sheet = -1;
         std::int32_t than = -1;
-        bool done = false; // its operands
+        bool done = false; // the steps of its operands were added
         bool a_is_second = false;
     };
-    // Appends the steps of an op; sheet: the only one that is wanted, or -1.
+    // Appends the steps of an op. sheet: the only one that is wanted, or -1.
     void add_steps(std::int32_t op, std::int32_t sheet, base::Array<CsgStep>& to, base::Array<Pending>& pending) const;
 
     // Whether all transforms together can be undone in doubles.
@@ -162,16 +166,16 @@ struct CsgPlan {
         return ops.bytes() + places.bytes() + steps.bytes() + groups.bytes() + members.bytes() + boxes.bytes();
     }
 
-    base::Array<CsgOp> ops; // operands come before what combines them
+    base::Array<CsgOp> ops; // operands come before the ops that combine them
     base::Array<CsgPlace> places;
-    base::Array<CsgStep> steps; // the root's, then those of all members
+    base::Array<CsgStep> steps; // the steps of the root, then of all members
     base::Array<CsgGroup> groups;
     base::Array<CsgMember> members;
     CsgBoxTree boxes;
-    std::int64_t root_end = 0; // of the root's steps
+    std::int64_t root_end = 0; // end of the root's steps
     std::int32_t root_op = 0;
-    std::int32_t nested = 0; // the most groups that lie in each other
-    // Where the surface may be: of what models are drawn in, and of all that they may have.
+    std::int32_t nested = 0; // the depth of the deepest nested groups
+    // Bounds of the surface. `drawn` takes models in the boxes in which they are drawn, `whole` in their regions.
     CsgBox drawn, whole;
 };
 

@@ -8,14 +8,14 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Places are within 1e150: this is faster than std::hypot, and the same everywhere.
+// Coordinates are below 1e150, so this does not overflow. It is faster than std::hypot, and the same everywhere.
 double root_of_squares(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
 BlendJet only_a(double a) noexcept { return {a, 1.0, 0.0, 0.0, 0.0, 0.0}; }
 BlendJet only_b(double b) noexcept { return {b, 0.0, 1.0, 0.0, 0.0, 0.0}; }
 
-// min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R: twice continuously differentiable, bounded as the blends of
-// Barthe, Wyvill and de Groot ("Controllable binary CSG operators for soft objects", 2004) are.
+// Returns min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R. It is twice continuously differentiable, and ends at its
+// radius like the blends of Barthe, Wyvill and de Groot ("Controllable binary CSG operators for soft objects", 2004).
 BlendJet polynomial_minimum(double a, double b, double radius) noexcept {
     const double u = a - b;
     if (std::abs(u) >= radius) return u < 0.0 ? only_a(a) : only_b(b);
@@ -25,8 +25,8 @@ BlendJet polynomial_minimum(double a, double b, double radius) noexcept {
     return {std::min(a, b) - radius / 6.0 * h * h * h, 0.5 - slope, 0.5 + slope, -bend, bend, -bend};
 }
 
-// max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b): Ricci's super-ellipse ("A constructive
-// geometry for computer graphics", 1973) of densities that end at the distance R.
+// Returns max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b): Ricci's super-ellipse ("A
+// constructive geometry for computer graphics", 1973) of densities that end at the distance R.
 BlendJet elliptic_minimum(double a, double b, double radius, double p) noexcept {
     if (std::isnan(a) || std::isnan(b)) return only_a(a + b);
     const double big_a = std::max(0.0, radius - a);
@@ -49,7 +49,7 @@ BlendJet elliptic_minimum(double a, double b, double radius, double p) noexcept 
             -bend * t_low * s_low * s * s};
 }
 
-// Faces of an empty box count, too: it may have room once it has grown.
+// Faces of an empty box count, too, because it may have room once it has grown.
 CsgBox hull(const CsgBox& a, const CsgBox& b) noexcept {
     return {glm::min(glm::min(a.low, a.high), glm::min(b.low, b.high)),
             glm::max(glm::max(a.low, a.high), glm::max(b.low, b.high))};
@@ -64,7 +64,7 @@ struct Profile {
     double by_rho_rho = 0.0, by_rho_z = 0.0, by_z_z = 0.0;
 };
 
-// On the axis the part of the gradient across it has no direction, and is left out.
+// Returns the jet of a profile. On the axis, the part of the gradient across it has no direction, and is left out.
 Jet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
     if (rho == 0.0) return {f.value, {0.0, 0.0, f.by_z}, {0.0, 0.0, 0.0, 0.0, 0.0, f.by_z_z}};
     const double x = p.x / rho;
@@ -102,14 +102,14 @@ Profile tube(double rho, double z, double radius, double tube_radius) noexcept {
     return {length - tube_radius, u, v, v * v / length, -u * v / length, u * u / length};
 }
 
-// The extent along each axis of a disc about the z axis that is moved.
+// Returns the extent along each axis of a disc about the z axis that is moved.
 glm::dvec3 reach_of_disc(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = radius * std::hypot(linear[0][i], linear[1][i]);
     return reach;
 }
 
-// The extent along each axis of a ball that is moved.
+// Returns the extent along each axis of a ball that is moved.
 glm::dvec3 reach_of_ball(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = radius * glm::length(glm::dvec3(linear[0][i], linear[1][i], linear[2][i]));
@@ -118,7 +118,7 @@ glm::dvec3 reach_of_ball(const glm::dmat3& linear, double radius) noexcept {
 
 CsgBox about(const glm::dvec3& centre, const glm::dvec3& reach) noexcept { return {centre - reach, centre + reach}; }
 
-// {side z <= level}, moved; side: 1 or -1.
+// Returns the bounds of {side z <= level}, moved; side: 1 or -1.
 CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, double level, double side) noexcept {
     HRBFNPR_ASSERT(level >= 0.0 && std::abs(side) == 1.0);
     const glm::dvec3 n = glm::cross(linear[0], linear[1]) * (glm::determinant(linear) < 0.0 ? -1.0 : 1.0);
@@ -134,7 +134,7 @@ CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, doubl
 
 } // namespace
 
-// Singular values: columns turned until they are at right angles [Hestenes 1958].
+// Finds the singular values: columns are rotated until they are at right angles [Hestenes 1958].
 Stretch stretch_of(const glm::dmat3& linear) noexcept {
     const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
     if (!(size > 0.0 && std::isfinite(size))) return {0.0, size};
@@ -243,7 +243,7 @@ Jet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
     return around_axis(p, rho, {side(rho, p.z), slant_.x, slant_.y, 0.0, 0.0, 0.0});
 }
 
-// {f <= level}, moved.
+// Returns the bounds of {f <= level}, moved.
 CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept {
     switch (kind_) {
     case CsgKind::half_space: return half_space(linear, translation, level, 1.0);
@@ -256,7 +256,7 @@ CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, do
     }
     default: break;
     }
-    // The side moves outward by level / slant.x, and is met by the ends that have moved along it.
+    // The side moves outward by level / slant.x, and meets the ends, which have moved along it.
     const double outward = level / slant_.x;
     const double along = outward * std::abs(slant_.y);
     const glm::dvec3 up = linear[2] * (half_.z + level);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Trees of solids as plain data, and what they are made of: primitives, blends of two functions, and boxes that bound
-// where a solid may be. A primitive is the intersection of one to six smooth sheets, the largest of their signed
-// distances. Inside that is the distance to the surface; outside it is the distance where a sheet is nearest, and less
-// beside edges and corners.
+// Trees of solids as plain data, and their parts: primitives, blends of two functions, and boxes that bound a solid. A
+// primitive is the intersection of one to six smooth sheets: its f is the largest of their signed distances. Inside, f
+// is the distance to the surface. Outside, f is the distance where a sheet is nearest, and less beside edges and
+// corners.
 #pragma once
 
 #include "base/memory.h"
@@ -17,11 +17,11 @@
 
 namespace hrbfnpr::implicit {
 
-// The values equal those of the constants HRBFNPR_CSG_ of hrbfnpr.h, and saved models hold them.
+// The values are those of the HRBFNPR_CSG_ constants in hrbfnpr.h, and saved models hold them.
 enum class CsgKind : std::uint32_t {
     unite,
     intersect,
-    subtract, // all others from the first child
+    subtract, // all other children from the first
     complement,
     offset, // f - distance
     shell,  // max(f, -f - distance)
@@ -30,13 +30,13 @@ enum class CsgKind : std::uint32_t {
     box,
     sphere,
     cylinder, // about the z axis, its middle at 0
-    cone,     // the same, `second_radius` at the top
+    cone,     // like a cylinder, with `second_radius` at the top
     torus     // about the z axis, its tube of `second_radius`
 };
 inline constexpr auto last_csg_kind = static_cast<std::uint32_t>(CsgKind::torus);
 
 [[nodiscard]] constexpr bool is_leaf(CsgKind kind) noexcept { return kind >= CsgKind::model; }
-// The most children that a node may have; -1: any number from 1.
+// Returns the most children that a node may have; -1: any number from 1.
 [[nodiscard]] constexpr std::int64_t children_of(CsgKind kind) noexcept {
     if (is_leaf(kind)) return 0;
     return kind <= CsgKind::subtract ? -1 : 1;
@@ -47,8 +47,8 @@ inline constexpr std::int64_t most_csg_nodes = 65536;
 struct CsgNode {
     CsgKind kind = CsgKind::unite;
     std::int64_t parent = -1; // an earlier node; children are in the order of the nodes
-    std::int64_t model = -1;  // which leaf
-    // The node and all below it are moved by x = linear y + translation, an affine map.
+    std::int64_t model = -1;  // index of the model of a leaf
+    // The node and all nodes below it are moved by x = linear y + translation, an affine map.
     glm::dmat3 linear{1.0};
     glm::dvec3 translation{0.0};
     glm::dvec3 size{1.0};
@@ -56,14 +56,14 @@ struct CsgNode {
     double second_radius = 0.5;
     double height = 1.0;
     double distance = 0.0;
-    double blend = 0.0;    // radius; 0 = a crease
+    double blend = 0.0;    // radius; 0: a crease
     double exponent = 0.0; // 0: the polynomial blend; else the super-elliptic one
 };
 
 // The first node is the root.
 using CsgTree = base::Array<CsgNode>;
 
-// The least that a linear map stretches a vector by, and the most.
+// The least and the most that a linear map stretches a vector by.
 struct Stretch {
     double least = 1.0, most = 1.0;
 };
@@ -76,9 +76,9 @@ struct BlendJet {
     double by_aa = 0.0, by_ab = 0.0, by_bb = 0.0;
 };
 
-// How two functions become one.
+// The rule by which two functions become one.
 struct Blend {
-    double radius = 0.0;   // 0: their minimum or maximum
+    double radius = 0.0;   // 0: the minimum or maximum
     double exponent = 0.0; // 0: the polynomial blend; else the super-elliptic one
 
     [[nodiscard]] BlendJet minimum(double a, double b) const noexcept;
@@ -86,17 +86,17 @@ struct Blend {
         const BlendJet m = minimum(-a, -b);
         return {-m.value, m.by_a, m.by_b, -m.by_aa, -m.by_ab, -m.by_bb};
     }
-    // The most that a blend is below the lower of two.
+    // Returns the most that a blend is below the lower of the two functions.
     [[nodiscard]] double depth() const noexcept {
         return radius * (exponent == 0.0 ? 1.0 / 6.0 : 1.0 - std::pow(0.5, 1.0 / exponent));
     }
-    // The most that it lengthens gradients by.
+    // Returns the largest factor by which it lengthens gradients.
     [[nodiscard]] double steepness() const noexcept {
         return exponent == 0.0 || radius == 0.0 ? 1.0 : std::pow(2.0, 1.0 / exponent);
     }
 };
 
-// A box face by face: infinite where a solid has no end, and a face lies beyond its opposite where the solid is empty.
+// A box, given by its faces. A face is infinite where a solid has no end, and low > high where the solid is empty.
 struct CsgBox {
     glm::dvec3 low{-std::numeric_limits<double>::infinity()};
     glm::dvec3 high{std::numeric_limits<double>::infinity()};
@@ -105,20 +105,21 @@ struct CsgBox {
     [[nodiscard]] bool empty() const noexcept { return !glm::all(glm::lessThanEqual(low, high)); }
 };
 
-// Bounds of a solid and of what is outside it.
+// Bounds of a solid and of its complement.
 struct CsgReach {
-    CsgBox inside;      // {f <= 0} is in it
-    CsgBox outside;     // {f >= 0} is in it
-    double slope = 1.0; // {f <= level} is in `inside` grown by slope * level, for levels above 0; so is {f >= -level}
+    CsgBox inside;  // contains {f <= 0}
+    CsgBox outside; // contains {f >= 0}
+    // For levels above 0, `inside` grown by slope * level contains {f <= level}; `outside` does so for {f >= -level}.
+    double slope = 1.0;
 
     [[nodiscard]] CsgReach turned() const noexcept { return {outside, inside, slope}; }
-    // The bounds of f + add.
+    // Returns the bounds of f + add.
     [[nodiscard]] CsgReach shifted(double add) const noexcept {
         CsgReach reach = *this;
         (add < 0.0 ? reach.inside : reach.outside) = (add < 0.0 ? inside : outside).grown(slope * std::abs(add));
         return reach;
     }
-    // Where f = 0 may be.
+    // Returns the bounds of {f = 0}.
     [[nodiscard]] CsgBox surface() const noexcept {
         return {glm::max(inside.low, outside.low), glm::min(inside.high, outside.high)};
     }
@@ -131,15 +132,16 @@ class CsgShape {
 public:
     CsgShape() = default;
     explicit CsgShape(const CsgNode& node) noexcept;
-    // A box of this size about 0.
+    // Makes a box of this size about 0.
     explicit CsgShape(const glm::dvec3& size) noexcept : kind_(CsgKind::box), half_(0.5 * size) {}
 
     [[nodiscard]] std::int32_t sheets() const noexcept;
-    // f, and the sheet that f is.
+    // Returns f, and writes the sheet that f is.
     [[nodiscard]] double value(const glm::dvec3& p, std::int32_t& sheet) const noexcept;
-    // One sheet, everywhere. Where it has no gradient, as at the centre of a sphere, gradient and Hessian are 0.
+    // Returns one sheet, everywhere. Where it has no gradient, as at the centre of a sphere, gradient and Hessian are
+    // 0.
     [[nodiscard]] Jet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
-    // The bounds if the solid is moved by x -> linear x + translation, and f becomes scale f.
+    // Returns the bounds if the solid is moved by x -> linear x + translation and f becomes scale f.
     [[nodiscard]] CsgReach reach(const glm::dmat3& linear, const glm::dvec3& translation, double scale) const noexcept;
 
 private:
@@ -149,7 +151,7 @@ private:
     [[nodiscard]] CsgBox box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept;
 
     CsgKind kind_ = CsgKind::sphere;
-    glm::dvec3 half_{0.0}; // of a box; z: of a cylinder or cone
+    glm::dvec3 half_{0.0}; // half the size of a box; z: half the height of a cylinder or cone
     double radius_ = 1.0;
     double second_radius_ = 0.0;
     glm::dvec2 slant_{1.0, 0.0}; // the normal of a cylinder's or cone's side: outward, up

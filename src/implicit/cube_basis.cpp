@@ -18,7 +18,7 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     for (std::size_t k = 2; k <= static_cast<std::size_t>(degree); ++k) t[k] = 2.0 * x * t[k - 1] - t[k - 2];
 }
 
-// Extrema of T_n, n + 1 of them.
+// Returns the grid of the n + 1 extrema of T_n along each axis.
 [[nodiscard]] geometry::VecArray lobatto_grid(base::Memory& memory, int n) {
     geometry::VecArray grid(memory);
     const auto at = [n](int k) { return -std::cos(3.14159265358979323846 * k / n); };
@@ -28,7 +28,8 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     return grid;
 }
 
-// U(points), column-major with columns of `stride` rows; the rows from the points' number on are 0.
+// Returns the matrix of all terms at the points, column-major with columns of `stride` numbers; rows from `count` on
+// are 0.
 [[nodiscard]] base::Array<double> vandermonde(const geometry::VecArray& points, std::int64_t count, int degree,
                                               std::int64_t stride, const base::Progress& progress) {
     const std::int64_t columns = CubeBasis::terms(degree);
@@ -41,14 +42,14 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     return matrix;
 }
 
-// Column-major, with columns of `stride` numbers, all of which are rows.
+// A column-major matrix with `stride` rows.
 struct Matrix {
     const double* data;
     int stride;
     int columns;
 };
 
-// Adds the products with `count` vectors, which stand side by side, to consecutive columns.
+// Adds the products of the matrix with `count` interleaved vectors to consecutive columns of `to`.
 void add_product(const base::Runtime& runtime, const Matrix& matrix, const double* in, double* to, int count) {
     base::Array<double> nobody(runtime.memory, matrix.stride);
     double* out[cube_batch];
@@ -67,7 +68,7 @@ public:
         for (std::int64_t i = 0; i < rows; ++i) row_[i] = i;
     }
 
-    // Which of the rows each row was.
+    // Returns for each row its index before the exchanges.
     const base::Array<std::int64_t>& run(const base::Progress& progress) {
         for (std::int64_t begin = 0; begin < columns_; begin += panel) {
             progress.check();
@@ -103,7 +104,7 @@ private:
         for (std::int64_t i = begin; i < end; ++i) to[i] -= factor * from[i];
     }
 
-    // The columns after a panel of full width: U = L^-1 A above, A -= L U below.
+    // Updates the columns after a panel of full width: U = L^-1 A in the panel's rows, A -= L U below.
     void update(std::int64_t begin, std::int64_t end) {
         runtime_.parallel.for_chunks(columns_ - end, cube_batch, [&](std::int64_t from, std::int64_t to) {
             double in[panel * cube_batch] = {};
@@ -132,8 +133,8 @@ private:
     base::Array<std::int64_t> row_;
 };
 
-// Rows of X, column-major, become those of X (L U)^-1, with L and U in one square and L's diagonal 1.  Blocks of
-// columns take in what stands in those that are done.
+// Replaces the rows of X, which is column-major, by the rows of X (L U)^-1. L and U share one square, and the diagonal
+// of L is 1. Each block of columns first takes in the columns that are done.
 class RightSolve {
 public:
     struct Factor {
@@ -226,10 +227,10 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
                 *terms++ = t[0][a] * t[1][b] * t[2][c];
 }
 
-// Coefficients of the basis times (L U)^-1.
+// Sets to_coefficients_ to the coefficients of the basis times (L U)^-1.
 void CubeBasis::invert(const base::Work& work, const double* factor, std::int64_t factor_stride) {
     to_coefficients_ = triharmonic_coefficients(work.memory, degree_, term_stride(), work);
-    // Rows by themselves, several vectors of them at a time.
+    // Rows are independent of each other: a task solves several vectors of rows.
     work.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
         RightSolve(work.memory, cube_loops(work.instruction_set), {factor, factor_stride, size()},
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Triharmonic polynomials of a total degree on the cube [-1, 1]^3, and as many points in the cube at which values
-// determine them.  They are held as sums of Chebyshev products T_a(x) T_b(y) T_c(z), a + b + c <= degree.
+// Triharmonic polynomials up to a total degree on the cube [-1, 1]^3, and as many points in the cube, at which their
+// values determine them. Polynomials are held as sums of Chebyshev products T_a(x) T_b(y) T_c(z), a + b + c <= degree.
 #pragma once
 
 #include "base/operation.h"
@@ -27,17 +27,17 @@ public:
     [[nodiscard]] static constexpr int padded(int terms) noexcept { return (terms + 7) / 8 * 8; }
 
     [[nodiscard]] int degree() const noexcept { return degree_; }
-    // Points; Chebyshev products; and lengths of vectors of them.
+    // The numbers of points and of Chebyshev products, and the padded lengths of vectors of each.
     [[nodiscard]] int size() const noexcept { return triharmonic_size(degree_); }
     [[nodiscard]] int terms() const noexcept { return terms(degree_); }
     [[nodiscard]] int stride() const noexcept { return padded(size()); }
     [[nodiscard]] int term_stride() const noexcept { return padded(terms()); }
 
-    // The points; what pads them is at the origin.
+    // The points; padding points are at the origin.
     [[nodiscard]] const geometry::VecArray& nodes() const noexcept { return nodes_; }
-    // Values at the nodes to coefficients, column-major with columns of term_stride(); and its transpose, with columns
-    // of stride().
+    // The matrix from values at the nodes to coefficients, column-major with columns of term_stride().
     [[nodiscard]] const base::Array<double>& to_coefficients() const noexcept { return to_coefficients_; }
+    // Its transpose, with columns of stride().
     [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return transposed_; }
 
     void forget_matrices() noexcept {
@@ -45,10 +45,10 @@ public:
         transposed_.release();
     }
 
-    // All terms at a point, in the order of a, then b, then c.
+    // Writes all terms at a point, in the order of a, then b, then c.
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
-    // The matrix that takes values at this basis' nodes to values at `count` points, column-major with columns of
-    // padded(count).
+    // Returns the matrix from values at the nodes of this basis to values at `count` points, column-major with columns
+    // of padded(count).
     [[nodiscard]] base::Array<double> interpolation(const base::Work& work, const geometry::VecArray& points,
                                                     int count) const;
 

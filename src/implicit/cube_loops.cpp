@@ -18,7 +18,7 @@ using base::HWY_NAMESPACE::V;
 
 constexpr int highest_degree = 20;
 
-// Vectors whose sums are in registers at a time.
+// Number of vectors whose sums are in registers at a time.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
 constexpr int most_vectors = 16;
 #else
@@ -27,7 +27,7 @@ constexpr int most_vectors = 8;
 
 HWY_INLINE int lanes() { return static_cast<int>(hn::Lanes(D())); }
 
-// Elements of one column of a matrix that is never stored: |x_i - x_k + shift|^3.
+// Elements of a matrix that is never stored: |x_i - x_k + shift|^3.
 struct Cubes {
     const double* const* nodes;
     V target[3];
@@ -114,7 +114,8 @@ struct Chebyshev {
     V t[highest_degree + 1];
     V dt[highest_degree + 1];
 
-    // x in the cube's coordinates; derivatives by the caller's, `slope` cubes' units long.
+    // x is in the cube's coordinates. Derivatives are by the caller's coordinates, whose unit is `slope` units of the
+    // cube.
     HWY_INLINE void set(int degree, V x, V slope) {
         const D d;
         const V x2 = hn::Add(x, x);
@@ -149,7 +150,7 @@ HWY_INLINE hn::Mask<D> lanes_left(std::int64_t left) {
     return hn::FirstN(D(), static_cast<size_t>(left < lanes() ? left : lanes()));
 }
 
-// Each lane sums its own samples in `sums`, of one vector a term.
+// Each lane sums its own samples in `sums`, which has one vector for each term.
 HWY_INLINE void add_moments(int degree, const Sample& s, V alpha, const V* beta, double* sums) {
     const D d;
     for (int a = 0; a <= degree; ++a)
@@ -219,7 +220,7 @@ void evaluate(int degree, const double* terms, const CubeSamples& samples, doubl
     }
 }
 
-// Second derivatives of what is in a Chebyshev.
+// The second derivatives of the T_k in a Chebyshev.
 struct Bends {
     V d2t[highest_degree + 1];
 
@@ -264,7 +265,7 @@ void hessian(int degree, const double* terms, const CubeSamples& samples, double
     for (std::int64_t at = 0; at < samples.count; at += lanes()) {
         const auto mask = lanes_left(samples.count - at);
         sample.load(degree, samples, at, mask);
-        bends[0].set(degree, sample.x.t[1], slope, sample.x); // T_1 is the place itself
+        bends[0].set(degree, sample.x.t[1], slope, sample.x); // T_1(x) = x
         bends[1].set(degree, sample.y.t[1], slope, sample.y);
         bends[2].set(degree, sample.z.t[1], slope, sample.z);
         V field[6];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors that stand side by side for cube_loops, and where the results go.
+// Interleaved vectors for cube_loops, and the addresses of their results.
 #pragma once
 
 #include "base/memory.h"
@@ -12,7 +12,7 @@ namespace hrbfnpr::implicit {
 
 class CubeVectors {
 public:
-    // Of up to `columns` numbers each.
+    // Each vector has at most `columns` numbers.
     explicit CubeVectors(base::Memory& memory, int columns) : in_(memory, std::int64_t{columns} * cube_batch) {}
 
     void add(const double* in, int columns, double* out) noexcept {
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const double* in() const noexcept { return in_.data(); }
-    // The places beyond count() are written where nobody looks.
+    // Results of vectors beyond count() are written to `nobody`.
     [[nodiscard]] double* const* out(double* nobody) noexcept {
         std::fill(out_.begin() + count_, out_.end(), nobody);
         return out_.data();

@@ -8,8 +8,8 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Automatic steps, in diagonals: the errors of truncation (h^2) and rounding (epsilon / h for a
-// first, epsilon / h^2 for a second derivative) are then both below 1e-7 of a smooth function.
+// Automatic steps, in diagonals. For a smooth function they keep the errors of truncation (h^2) and of rounding
+// (epsilon / h for a first, epsilon / h^2 for a second derivative) below 1e-7.
 constexpr double gradient_step = 1e-4;
 constexpr double hessian_step = 1e-3;
 
@@ -18,7 +18,7 @@ constexpr auto batch = static_cast<std::size_t>(batch_size);
 // Hessian order xx xy xz yy yz zz.
 constexpr std::size_t hessian_index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
-// One batch of points on its way through the caller's function.
+// Evaluates one batch of points through the caller's function.
 class Batch {
 public:
     Batch(const CustomFunction& custom, const PointBatch& points, double diagonal) noexcept
@@ -52,7 +52,7 @@ private:
                  static_cast<int>(result));
     }
 
-    // What the caller's function provides.
+    // Writes the fields that the caller's function provides.
     void given(const FieldBatch& fields) {
         const bool gradient = fields.wants_gradient() && custom_.has_gradient;
         const bool hessian = fields.wants_hessian() && custom_.has_hessian;
@@ -84,8 +84,8 @@ private:
         }
     }
 
-    // Column `axis` of the Hessian is d grad / d axis; an element off the diagonal stands in
-    // two columns and becomes their mean.
+    // Column `axis` of the Hessian is d grad / d axis. An element off the diagonal is in two columns and becomes their
+    // mean.
     void difference_gradient_for_hessian(const FieldBatch& fields) {
         for (double* component : fields.hessian) std::fill_n(component, count_, 0.0);
         for (std::size_t axis = 0; axis < 3; ++axis) {

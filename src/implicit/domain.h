@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where a surface is: an implicit's zero level may end before its bounds do.
+// The domain of a surface: the zero level of an implicit may end before its bounds do.
 #pragma once
 
 #include "geometry/vec.h"
 
 namespace hrbfnpr::implicit {
 
-// A signed function on the zero level of f. Marks, lines and rays ask it. All calls are safe from several threads.
+// A signed function on the zero level of f. Marks, lines and rays use it. All calls are safe from several threads.
 class Domain {
 public:
     Domain() = default;
@@ -14,10 +14,10 @@ public:
     Domain& operator=(const Domain&) = delete;
     virtual ~Domain() = default;
 
-    // <= 0: the surface is there; its end is where this is 0. The place has f = 0, and its gradient need not be unit.
-    // It may evaluate the surface, so it may throw what that does.
+    // The surface exists where this is <= 0, and ends where it is 0. The place has f = 0; the gradient need not be
+    // unit. This may evaluate the surface, so it may throw whatever that throws.
     [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
-    // Whether beyond() must be asked. Far from every end a place is there, and a line that runs there does not end.
+    // Whether beyond() must be called. If not, the place is on the surface, far from every end.
     [[nodiscard]] virtual bool near_end(const glm::dvec3& /*place*/) const noexcept { return true; }
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
         return !near_end(place) || beyond(place, gradient) <= 0.0;
@@ -26,7 +26,7 @@ public:
     [[nodiscard]] virtual bool may_end_near(const glm::dvec3& /*centre*/, double /*half*/) const noexcept {
         return true;
     }
-    // Whether none of the surface is in such a cube; false where that is not certain.
+    // Whether no part of the surface is in the cube; false where that is not certain.
     [[nodiscard]] virtual bool is_nowhere_near(const glm::dvec3& /*centre*/, double /*half*/) const noexcept {
         return false;
     }

@@ -11,9 +11,9 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr std::int64_t many_cells = 64; // for each point
+constexpr std::int64_t many_cells = 64; // cells for each point
 
-// Points from all over, and their fields, side by side.
+// Points of a batch gathered from anywhere, and their fields.
 struct Gathered {
     PointLanes<std::size_t{batch_size}> points;
     FieldLanes<std::size_t{batch_size}> fields;
@@ -32,7 +32,7 @@ base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& 
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
     order.resize_for_overwrite(points.size());
-    if (cells / many_cells > points.size()) { // to pass over them all would take longer
+    if (cells / many_cells > points.size()) { // a pass over all cells would take longer
         std::iota(order.begin(), order.end(), 0);
         std::sort(order.begin(), order.end(),
                   [&](std::int32_t a, std::int32_t b) { return cell[a] != cell[b] ? cell[a] < cell[b] : a < b; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Many points at once: on all threads, and cell by cell where the implicit has cells.
+// Evaluates many points at once: on all threads, and cell by cell where the implicit has cells.
 #pragma once
 
 #include "base/operation.h"
@@ -9,11 +9,12 @@
 
 namespace hrbfnpr::implicit {
 
-// Which of the points comes first, second, ...: cell by cell.  Empty: in their own order, as there are no cells.
+// Returns the order in which points are evaluated, cell by cell. Empty if there are no cells: the points keep their own
+// order.
 [[nodiscard]] base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& implicit,
                                                       const geometry::VecArray& points);
 
-// Fields are as long as there are points.
+// Each field has one element for each point.
 void evaluate_all(const base::Work& work, const Implicit& implicit, const geometry::VecArray& points,
                   const FieldBatch& fields);
 

@@ -11,8 +11,8 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr std::int64_t chunk = 32; // cubes of a task
-// Of a translation's task, which share the elements.
+constexpr std::int64_t chunk = 32; // number of cubes in a task
+// Number of cubes in a translation's task; they share the elements of the translation.
 constexpr std::int64_t translate_cubes = 256;
 constexpr std::int64_t translate_tasks = 16;
 
@@ -32,7 +32,7 @@ double* FarField::incoming(std::int64_t node, std::int32_t level) noexcept {
     return first_incoming(level) + node * sources_.basis(level).stride();
 }
 
-// Where the vector of node 0 were if all nodes were of this level.
+// Returns the address that the vector of node 0 would have if all nodes were of this level.
 double* FarField::first_incoming(std::int32_t level) noexcept {
     return incoming_.data() + sources_.vectors_begin(level) - tree_.level_begin(level) * sources_.basis(level).stride();
 }
@@ -59,7 +59,7 @@ void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* 
     }
 }
 
-// Groups of neighbouring targets, in which those at the same offset from their source stand together.
+// Makes groups of neighbouring targets. In a group, pairs at the same offset are consecutive.
 void FarField::sort_pairs(const base::Progress& progress) {
     pairs_.resize(lists_.far.size());
     group_begin_.push_back(0);
@@ -83,7 +83,7 @@ void FarField::sort_pairs(const base::Progress& progress) {
     lists_.far.release();
 }
 
-// A task has a group of targets and some of their nodes, so that there are enough tasks on levels of few cubes.
+// A task takes a group of targets and some of their nodes, so that there are enough tasks on levels of few cubes.
 void FarField::translate(std::int32_t level, std::int64_t first_group, const base::Progress& progress) {
     const std::int64_t cubes = tree_.level_end(level) - tree_.level_begin(level);
     const std::int64_t groups = (cubes + translate_cubes - 1) / translate_cubes;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 
-// The sums of hermite_sums.h for the triharmonic kernel and many sources, at the sources, whose time grows with N, not
-// N^2: a fast multipole method on the octree of source_tree.h.
+// The sums of hermite_sums.h for the triharmonic kernel and many sources, at the sources themselves. A fast multipole
+// method on the octree of source_tree.h takes a time that grows with N, not N^2.
 #pragma once
 
 #include "implicit/source_tree.h"
@@ -10,10 +10,10 @@ namespace hrbfnpr::implicit {
 
 class FarField {
 public:
-    // Of these centres, which are targets too.  Throws Error{out_of_memory, cancelled}.
+    // The centres are the sources and the targets. Throws Error{out_of_memory, cancelled}.
     FarField(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options);
 
-    // value = sum of equation 1 and gradient at all centres, in their order.  Not thread-safe.
+    // Writes the sum of equation 1 and its gradient at all centres, in their order. Not thread-safe.
     void sum(const double* alpha, const geometry::VecArray& beta, double* value, geometry::VecArray& gradient,
              const base::Progress& progress);
 
@@ -31,10 +31,10 @@ private:
 
     const base::Runtime& runtime_;
     SourceTree sources_;
-    const geometry::Octree& tree_; // the sources'
+    const geometry::Octree& tree_; // the tree of sources_
     geometry::OctreeInteractions lists_;
-    base::Array<SourceTree::Pair> pairs_;   // by groups of targets, then direction, then target
-    base::Array<std::int64_t> group_begin_; // of each group of translate_cubes nodes, in pairs_
+    base::Array<SourceTree::Pair> pairs_;   // sorted by group of targets, then direction, then target
+    base::Array<std::int64_t> group_begin_; // for each group of translate_cubes nodes: its first pair in pairs_
     base::Array<double> incoming_;          // values at the nodes of each cube
     base::Array<double> value_;             // in the tree's order
     geometry::VecArray gradient_;

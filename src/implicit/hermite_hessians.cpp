@@ -10,11 +10,11 @@ HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::implicit::HWY_NAMESPACE {
 namespace {
 
-// With e along d and w of its own, each kernel below writes a source's term as
-//   H = factor (iso I + (e w^T + w e^T) / 2):
-// 6 products in place of the 12 of d d^T, beta d^T and d beta^T.  What is summed up has no factor yet.
+// Each kernel below writes a source's term, with e along d and a vector w of the kernel's own, as
+//   H = factor (iso I + (e w^T + w e^T) / 2).
+// This takes 6 products in place of the 12 of d d^T, beta d^T and d beta^T. The sums do not contain the factor yet.
 struct Sum {
-    V iso;        // of the diagonal
+    V iso;        // added to the diagonal
     V xx, yy, zz; // e_i w_i
     V xy, xz, yz; // e_i w_j + e_j w_i
 
@@ -114,12 +114,12 @@ struct WendlandC2 : InverseRoot {
     }
 };
 
-// The lanes of the mask only: the others are not read or written.
+// Adds in the lanes of the mask only; the others are neither read nor written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }
 
-// The targets of `n` vectors from `at` on; the last vector may be cut short by the end.
+// Evaluates the targets of `n` vectors from `at` on; the last vector may be cut short by the end.
 template <int n, class Kernel>
 HWY_INLINE void add_vectors(const Kernel& kernel, const Sources& s, const HessianTargets& t, std::int64_t at) {
     const D d;

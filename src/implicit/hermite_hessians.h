@@ -3,15 +3,15 @@
 //   hessian(x) += sum_j (a alpha_j - b q) I + (b alpha_j - c q) d d^T - b (beta_j d^T + d beta_j^T)
 // with d = x - x_j, q = d . beta_j and a, b, c of kernel/kernel.h.
 //
-// At a source itself, its b and c are 0 as in kernel/radial.h; what they add begins to fade at a distance of
-// 3e-19.  In units of the mean sample spacing, no double near a sample is that close but the sample itself.
+// At a source itself, its b and c are 0 as in kernel/radial.h. Its contribution begins to fade at a distance of 3e-19.
+// In units of the mean sample spacing, the only double that close to a sample is the sample itself.
 #pragma once
 
 #include "implicit/hermite_sums.h"
 
 namespace hrbfnpr::implicit {
 
-// The sums are added to what stands in the Hessians (xx xy xz yy yz zz), which alias nothing.
+// The sums are added to the Hessians (xx xy xz yy yz zz). No pointers alias.
 struct HessianTargets {
     const double* x;
     const double* y;
@@ -20,8 +20,8 @@ struct HessianTargets {
     std::int64_t count;
 };
 
-// Each target's sum is taken in the order of the sources, whatever stands beside it: cutting the targets
-// into several calls gives the same bits.
+// Each target's sum is taken in the order of the sources, whatever targets are beside it: cutting the targets into
+// several calls gives the same bits.
 using AddHermiteHessians = void (*)(double kernel_radius, const Sources& sources, const HessianTargets& targets);
 
 [[nodiscard]] AddHermiteHessians hermite_hessians(base::InstructionSet set, kernel::Kind kind) noexcept;

@@ -17,7 +17,7 @@ using base::HWY_NAMESPACE::inverse_root;
 using base::HWY_NAMESPACE::smallest_r2;
 using base::HWY_NAMESPACE::V;
 
-// As hermite_sums.cpp and hermite_hessians.cpp have them: with u = d / r, p = beta . u, s = beta . d,
+// The same sums as in hermite_sums.cpp and hermite_hessians.cpp: with u = d / r, p = beta . u, s = beta . d,
 //   value:         r (r^2 alpha - 3 s)
 //   gradient / 3:  (alpha r - p) d - r beta
 //   Hessian / 3:   (alpha r - p) I + (alpha r + p) u u^T - (beta u^T + u beta^T)
@@ -60,7 +60,7 @@ struct Sum {
 
 HWY_INLINE void add_to(double& at, double factor, V sum) { at += factor * hn::GetLane(hn::SumOfLanes(D(), sum)); }
 
-// Lanes beyond the end weigh nothing.
+// Adds a range of sources. Lanes beyond its end have weights of 0.
 HWY_INLINE void add_range(const Sources& s, const SourceRange& range, V px, V py, V pz, Sum& sum) {
     const D d;
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));

@@ -23,30 +23,30 @@ using base::HWY_NAMESPACE::rough_inverse_root;
 using base::HWY_NAMESPACE::smallest_r2;
 using base::HWY_NAMESPACE::V;
 
-// Vectors of targets that one source is applied to at a time, as registers allow.
+// Number of vectors of targets that one source is applied to at a time, as registers allow.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
 constexpr int unroll = 2;
 #else
 constexpr int unroll = 1;
 #endif
 
-// Sources whose radial functions are made before what they weigh is summed up.  One pair after the other is a chain of
-// 70 cycles, of which 64 waiting operations (Zen 3's scheduler) cover little more than one: 24 cycles a vector, 18 with
-// 16 sources at a time.
+// Number of sources whose radial functions are computed before their terms are summed. One pair after the other is a
+// chain of 70 cycles, and 64 waiting operations (Zen 3's scheduler) cover little more than one chain: a vector takes 24
+// cycles, and 18 with 16 sources at a time.
 #if HWY_TARGET == HWY_AVX2
 constexpr std::int64_t ahead = 16;
 #else
 constexpr std::int64_t ahead = 1;
 #endif
 
-// The radial function of kernels that are made of 1 / r.
+// The radial function 1 / r, which some kernels are made of.
 struct InverseRoot {
     static HWY_INLINE V at_least(V r2) { return hn::Max(r2, hn::Set(D(), smallest_r2)); }
     HWY_INLINE V begin(V r2) const { return rough_inverse_root(at_least(r2)); }
     HWY_INLINE V finish(V r2, V begun) const { return finish_inverse_root(at_least(r2), begun); }
 };
 
-// And of one that is made of exp(-r^2 / (2 radius^2)).
+// The radial function exp(-r^2 / (2 radius^2)), which the Gaussian is made of.
 struct Exponential {
     explicit Exponential(double radius) : falloff(1.0 / (radius * radius)) {}
     double falloff;
@@ -74,7 +74,7 @@ struct Places {
     }
 };
 
-// Sources [first, first + count), whose radial functions are made first.
+// Adds the sources [first, first + count), after computing all their radial functions.
 template <int n, class Weights, class Kernel, class Sum>
 HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t first, std::int64_t count,
                          const Places<n>& to, Sum* sum) {
@@ -96,8 +96,9 @@ HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t fi
     }
 }
 
-// All sources at the targets: what kernel.add() makes of each pair, by its distance squared, what kernel.begin() and
-// finish() make of that, and along the axes.  Sum::zero() begins, Weights::of() takes what a source weighs.
+// Sums all sources at the targets. kernel.add() adds a pair, given its squared distance, the result of kernel.begin()
+// and finish() for it, and its distances along the axes. Sum::zero() starts a sum, and Weights::of() loads the weights
+// of a source.
 template <int n, class Weights, class Kernel, class Sum>
 HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
     const Places<n> to{x, y, z};

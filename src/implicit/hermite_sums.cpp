@@ -44,7 +44,7 @@ struct Triharmonic : InverseRoot {
     }
 };
 
-// What any kernel adds, by its phi, a and b.
+// Adds a source's term for any kernel, given its phi, a and b.
 HWY_INLINE void add_radial(V phi, V a, V b, V dx, V dy, V dz, const Weights& w, Sum& sum) {
     const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
     sum.value = hn::NegMulAdd(a, s, hn::MulAdd(phi, w.alpha, sum.value));
@@ -106,7 +106,7 @@ HWY_INLINE void add_full(const Kernel& kernel, const Sources& s, const Targets& 
     }
 }
 
-// The first `count` lanes only: the others are not read or written.
+// Adds in the lanes of the mask only; the others are neither read nor written.
 HWY_INLINE void add_some(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }
@@ -144,7 +144,7 @@ struct ValueSum {
     static HWY_INLINE ValueSum zero() { return {hn::Zero(D())}; }
 };
 
-// As Triharmonic, but values only.
+// Like Triharmonic, but for values only.
 struct TriharmonicValue : InverseRoot {
     HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, ValueSum& sum) const {
         const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
@@ -153,7 +153,7 @@ struct TriharmonicValue : InverseRoot {
     }
 };
 
-// As unroll: values alone need fewer registers.
+// Like `unroll`; values alone need fewer registers.
 constexpr int values_unroll = 2;
 
 void add_values(const Sources& sources, const double* x, const double* y, const double* z, double* value,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The sums of [NPAR equation 1] and of its gradient, many sources at many targets, in the widest vectors
-// that the processor has:
+// The sums of [NPAR equation 1] and of its gradient, many sources at many targets, in the widest vectors that the
+// processor has:
 //   value(x)    += sum_j alpha_j phi(d) - a (d . beta_j)                         d = x - x_j
 //   gradient(x) += sum_j (a alpha_j - b (d . beta_j)) d - a beta_j
-// with phi, a = phi'/r, b = a'/r of kernel/kernel.h.  They are the rows of the Hermite system too, whose
-// product with (alpha, beta) is this sum at its own centres.
+// with phi, a = phi'/r, b = a'/r of kernel/kernel.h. They are the rows of the Hermite system, too: its product with
+// (alpha, beta) is this sum at its own centres.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -25,7 +25,7 @@ struct Sources {
     std::int64_t count;
 };
 
-// The sums are added to what stands in value and gradient, which alias nothing.
+// The sums are added to value and gradient. No pointers alias.
 struct Targets {
     const double* x;
     const double* y;
@@ -37,13 +37,13 @@ struct Targets {
     std::int64_t count;
 };
 
-// Each target's sum is taken in the order of the sources, whatever stands beside it: cutting the targets
-// into several calls gives the same bits.
+// Each target's sum is taken in the order of the sources, whatever targets are beside it: cutting the targets into
+// several calls gives the same bits.
 using AddHermiteSums = void (*)(double kernel_radius, const Sources& sources, const Targets& targets);
 
 [[nodiscard]] AddHermiteSums hermite_sums(base::InstructionSet set, kernel::Kind kind) noexcept;
 
-// The same of r^3, without gradients.
+// The same sums for the kernel r^3, without gradients.
 using AddTriharmonicValues = void (*)(const Sources& sources, const double* x, const double* y, const double* z,
                                       double* value, std::int64_t count);
 

@@ -77,8 +77,8 @@ struct WendlandC2 {
 };
 
 struct Sum {
-    V iso, xx, yy, zz, xy, xz, yz; // as in hermite_hessians: off the diagonal twice the Hessian's
-    V vx, vy, vz;                  // what sym(delta, .) is of
+    V iso, xx, yy, zz, xy, xz, yz; // as in hermite_hessians.cpp; off the diagonal twice the Hessian
+    V vx, vy, vz;                  // sum of v, for sym(delta, v)
     V third[10];                   // sym(w, d, d)
 };
 
@@ -140,7 +140,7 @@ HWY_INLINE void add_source(const Kernel& kernel, double smoothing, const Sources
               hn::MulSub(along, dz, hn::Mul(k.c, bz)), sum.third);
 }
 
-// The lanes of the mask only: the others are not read or written.
+// Adds in the lanes of the mask only; the others are neither read nor written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }

@@ -23,7 +23,7 @@ struct Centre {
 //   f    += alpha phi - a q                           with d = point - centre, q = beta . d
 //   grad += (alpha a - b q) d - a beta
 //   H    += (alpha a - b q) I + (alpha b - c q) d d^T - b (beta d^T + d beta^T)
-// Every point goes through the same operations, whatever stands beside it in the block.
+// Every point goes through the same operations, whatever points are beside it in the block.
 template <int order, class Kernel>
 void add_centre(const Kernel& kernel, const Centre& centre, std::int64_t count, Block& block) noexcept {
     for (std::int64_t i = 0; i < count; ++i) {

@@ -12,7 +12,7 @@ namespace hrbfnpr::implicit {
 
 // f(x) = scale * g((x - centre) / scale), where
 // g(y) = sum_j alpha_j psi(y - y_j) - beta_j . grad psi(y - y_j) + p(y).
-// Plain data: what a file holds and what a fit makes.
+// Plain data, which a fit makes and a file holds.
 struct HrbfData {
     explicit HrbfData(base::Memory& memory) noexcept
         : sample_position(memory), sample_normal(memory), centre_position(memory), beta(memory), alpha(memory),
@@ -21,9 +21,9 @@ struct HrbfData {
     kernel::Kind kernel = kernel::Kind::triharmonic;
     double kernel_radius = 0.0; // in normalised coordinates
     std::int32_t polynomial_degree = 1;
-    glm::dvec3 centre{0.0}; // of the normalisation
+    glm::dvec3 centre{0.0}; // centre of the normalisation
     double scale = 1.0;
-    geometry::Bounds bounds;             // of the samples, in the caller's coordinates
+    geometry::Bounds bounds;             // bounds of the samples, in the caller's coordinates
     double spacing = 0.0;                // mean distance to the nearest other sample, caller's unit; 0 for one sample
     base::Array<double> sample_position; // 3N, packed x y z, the caller's coordinates
     base::Array<double> sample_normal;   // 3N, unit
@@ -36,16 +36,16 @@ struct HrbfData {
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
-// How every query and every sample is normalised, one coordinate at a time.  One formula for
-// both, so that a query at a sample is exactly at its centre.
+// Normalises one coordinate of a query or a sample. Both use this formula, so that a query at a sample is exactly at
+// its centre.
 [[nodiscard]] inline double normalised(double coordinate, double centre, double scale) noexcept {
     return (coordinate - centre) / scale;
 }
 
-// What Hrbf::evaluate does, for data that no Hrbf owns yet.
+// Does the same as Hrbf::evaluate, for data that no Hrbf owns yet.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept;
-// The same, plainly: what the vectors are compared with.
+// The same as plain code, which tests compare the vectors with.
 void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& fields) noexcept;
 
 class Hrbf final : public Implicit {
@@ -55,7 +55,7 @@ public:
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
-    // Where the surface is looked for, from here on.
+    // Sets the box in which the surface is looked for from now on.
     void set_bounds(const geometry::Bounds& bounds) noexcept { data_.bounds = bounds; }
     [[nodiscard]] const HrbfData& data() const noexcept { return data_; }
 

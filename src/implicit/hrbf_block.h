@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The frame around the sums of an HRBF: normalisation and polynomial before them, and the way back after.
+// The steps around the sums of an HRBF: normalisation and polynomial before them, and the way back after.
 #pragma once
 
 #include "implicit/hermite_sums.h"
@@ -7,11 +7,11 @@
 
 namespace hrbfnpr::implicit {
 
-// Points whose results are accumulated together: they stay in the first-level cache while
-// all centres pass by.
+// Number of points whose results are accumulated together: they stay in the first-level cache while the sums go through
+// all centres.
 inline constexpr std::int64_t block_size = 64;
 
-// The centres, as the sums take them.
+// Returns the centres in the form that the sums take.
 [[nodiscard]] inline Sources sources_of(const HrbfData& data) noexcept {
     return {data.centre_position.x.data(),
             data.centre_position.y.data(),
@@ -23,7 +23,7 @@ inline constexpr std::int64_t block_size = 64;
             data.count()};
 }
 
-// Normalised points and what has been summed up for them.
+// Normalised points, and their sums so far.
 struct Block {
     double x[block_size];
     double y[block_size];
@@ -33,7 +33,7 @@ struct Block {
     double hessian[6][block_size];
 };
 
-// Normalises the points, block_size at most, and starts the sums with the polynomial.
+// Normalises at most block_size points, and starts their sums with the polynomial.
 void start(const HrbfData& data, const PointBatch& points, Block& block) noexcept;
 // Undoes the normalisation: f = scale g, so grad f = grad g and Hess f = Hess g / scale.
 void finish(const HrbfData& data, const Block& block, std::int64_t count, const FieldBatch& fields) noexcept;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An implicit function f, evaluated in batches.  Everything downstream of the fit works
-// on this interface only, so that it works on any implicit.
+// An implicit function f, evaluated in batches. Everything downstream of the fit uses this interface only, so that it
+// works on any implicit.
 #pragma once
 
 #include "base/work.h"
@@ -20,8 +20,8 @@ struct PointBatch {
     std::int64_t count = 0;
 };
 
-// Where results go; null pointers are not wanted.  A gradient or a Hessian is wanted
-// whole or not at all.  Hessian order: xx xy xz yy yz zz.
+// Where results are written; a null pointer means "not wanted". A gradient or a Hessian is wanted whole or not at all.
+// Hessian order: xx xy xz yy yz zz.
 struct FieldBatch {
     double* value = nullptr;
     std::array<double*, 3> gradient{};
@@ -44,46 +44,47 @@ public:
     Implicit& operator=(const Implicit&) = delete;
     virtual ~Implicit() = default;
 
-    // On the calling thread.  The result for a point does not depend on its batch.
-    // Outputs must not alias inputs.  Throws Error{callback} where a caller's function fails.
+    // Runs on the calling thread. The result for a point does not depend on its batch. Outputs must not alias inputs.
+    // Throws Error{callback} where a caller's function fails.
     virtual void evaluate(const PointBatch& points, const FieldBatch& fields) const = 0;
 
     // Whether evaluate() may run on several threads at once, and on other threads than the caller's.
     [[nodiscard]] virtual bool concurrent() const noexcept = 0;
 
-    // Cells of space whose points are evaluated at less cost side by side; 0: there are none.
+    // The number of cells of space; points of one cell cost less if they are evaluated side by side. 0: there are no
+    // cells.
     [[nodiscard]] virtual std::int64_t cells() const noexcept { return 0; }
-    // In [0, cells()).
+    // Returns the cell of a point, in [0, cells()).
     [[nodiscard]] virtual std::int32_t cell_of(const glm::dvec3&) const noexcept { return 0; }
 
     // The box that the surface (or its samples) lies in; never empty, finite.
     [[nodiscard]] virtual const geometry::Bounds& bounds() const noexcept = 0;
 
-    // Where the surface is within its bounds; null: all of the zero level.
+    // The part of the zero level within the bounds that is the surface; null: all of it.
     [[nodiscard]] virtual const Domain* domain() const noexcept { return nullptr; }
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
         const Domain* const its = domain();
         return its == nullptr || its->holds(place, gradient);
     }
 
-    // The smooth functions that this is made of, if it has creases; null: it is smooth.  Where they meet the gradient
-    // is that of the active one.
+    // The smooth functions that this is made of, if it has creases; null: it is smooth. On a crease the gradient is
+    // that of the active function.
     [[nodiscard]] virtual const Sheets* sheets() const noexcept { return nullptr; }
 
-    // A bound on |grad f| that holds everywhere; 0: none is known.
+    // A bound on |grad f| that holds everywhere; 0: no bound is known.
     [[nodiscard]] virtual double lipschitz() const noexcept { return 0.0; }
 
     // Length scale of tolerances: the diagonal of the bounds, positive even for one sample.
     [[nodiscard]] double diagonal() const noexcept;
 
-    // The work on all of its threads if evaluate() may run on several, else on the calling one.
+    // Returns work on all threads if evaluate() may run on several, else on the calling thread.
     [[nodiscard]] base::Work threads(const base::Work& work) const noexcept {
         return concurrent() ? work : work.on_one_thread();
     }
 };
 
-// Points that a task evaluates at a time: small enough for progress and cancelling,
-// large enough to vectorise.
+// Number of points that a task evaluates at a time: small enough for progress and cancelling, large enough to
+// vectorise.
 inline constexpr std::int64_t batch_size = 256;
 
 } // namespace hrbfnpr::implicit

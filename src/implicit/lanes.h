@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tools of evaluators of several functions: some points of a batch side by side, so that one function is
-// evaluated at all of them at once; the fields that come back; and jets, the fields at one point.
+// Tools for evaluators that combine several functions: PointLanes gathers some points of a batch, so that one function
+// is evaluated at all of them at once; FieldLanes holds the resulting fields; a Jet holds the fields at one point.
 #pragma once
 
 #include "base/assert.h"
@@ -22,8 +22,7 @@ struct PointLanes {
     [[nodiscard]] PointBatch points() const noexcept { return {at[0], at[1], at[2], count}; }
 };
 
-// Calls visit(c, column) for the columns that are wanted: 0 is the value, from 1 on the gradient, from 4 on the
-// Hessian.
+// Calls visit(c, column) for the columns that are wanted: 0 is the value, 1 to 3 are the gradient, 4 to 9 the Hessian.
 template <class Visit>
 void for_columns(const FieldBatch& fields, Visit&& visit) {
     if (fields.value != nullptr) visit(std::size_t{0}, fields.value);
@@ -37,7 +36,7 @@ struct Jet {
     glm::dvec3 gradient;
     std::array<double, 6> hessian; // in the order of FieldBatch
 
-    // The columns of for_columns.
+    // Returns column c, numbered as in for_columns.
     [[nodiscard]] double& operator[](std::size_t c) noexcept {
         HRBFNPR_ASSERT(c < 10);
         return c == 0 ? value : c < 4 ? gradient[static_cast<glm::length_t>(c) - 1] : hessian[c - 4];
@@ -61,7 +60,8 @@ struct FieldLanes {
         for (std::size_t c = 0; hessian && c < 6; ++c) fields.hessian[c] = field[4 + c];
         return fields;
     }
-    // The jet of a lane, in its first columns: 1 for the value, 4 with the gradient, 10 with the Hessian.
+    // Returns the jet of a lane. Only its first `columns` columns are set: 1 for the value, 4 with the gradient, 10
+    // with the Hessian.
     [[nodiscard]] Jet take(std::int64_t k, int columns) const noexcept {
         Jet jet{};
         jet.value = field[0][k];

@@ -13,36 +13,38 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// Cubes between a centre and a cube whose polynomial it is in: with one, the same accuracy took twice the degrees.
+// The least number of cubes between a centre and a cube whose polynomial contains that centre. With one cube, the same
+// accuracy took twice the degrees.
 constexpr int separation = 2;
 
-// Cubes with more near centres are divided, by default: about as many pairs as the polynomial costs, and a few more, as
-// cubes and polynomials have to be made, too. With many centres the cubes take longer to make than a million points to
-// evaluate.
+// Returns the default limit: cubes with more near centres are divided. The near pairs then cost about as much as the
+// polynomial, and a little more, because cubes and polynomials have to be made, too. With many centres the cubes take
+// longer to make than a million points to evaluate.
 constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
-// A cube is divided where there are centres within this many half widths of a part's middle.
+// A child of a cube is made if there are centres within this many of its half widths from its middle.
 constexpr double beside = 1.4;
-// Centres act one by one on a cube's nodes if there are fewer than its nodes times this: a translation costs more.
+// Centres act one by one on a cube's nodes if there are fewer of them than this share of the number of nodes: a
+// translation costs more.
 constexpr double worth_a_node = 0.1;
-// Centres in a cube of their own tree that is not divided.
+// The most centres in an undivided cube of the tree of centres.
 constexpr std::int64_t sources_in_leaf = 24;
-// Around the centres, of their width: a surface bulges beyond its samples.
+// The margin around the centres, as a share of their width: a surface bulges beyond its samples.
 constexpr double margin = 0.2;
 
-constexpr std::int64_t cells_a_task = 32;      // cells of a task
-constexpr std::int64_t translate_cells = 1024; // that share the elements of a translation
+constexpr std::int64_t cells_a_task = 32;      // number of cells in a task
+constexpr std::int64_t translate_cells = 1024; // number of cells that share the elements of a translation
 constexpr std::int64_t local_tasks = 24;
 
-// What sums of smooth functions' weights are off by is as these.
+// The error of the sums is proportional to this for the weights of smooth functions.
 [[nodiscard]] double root_mean_square(const double* alpha, const geometry::VecArray& beta) noexcept {
     double sum = 0.0;
     for (std::int64_t i = 0; i < beta.size(); ++i) sum += alpha[i] * alpha[i] + glm::dot(beta[i], beta[i]);
     return std::sqrt(sum / static_cast<double>(std::max<std::int64_t>(1, beta.size())));
 }
 
-// source_tree.cpp's degrees are those that weights of 0.2 need, of a rough surface; smaller ones need lower degrees.
-// The power was found by trying fits of 512 to 65 536 samples.
+// The degrees in source_tree.cpp are set for weights of 0.2, those of a rough surface; smaller weights need lower
+// degrees. The power was found by trying fits of 512 to 65 536 samples.
 [[nodiscard]] double tolerance_of(const LocalFieldOptions& options, double weight) noexcept {
     return options.tolerance * std::pow(0.2 / std::max(1e-6, weight), 0.7);
 }
@@ -113,7 +115,7 @@ private:
         });
     }
 
-    // What the polynomial of the cell above is in its children.
+    // Adds the polynomials of the cells above to those of their children.
     void pass_down(std::int32_t level, const base::Progress& progress) {
         const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
         runtime_.parallel.for_chunks(
@@ -129,7 +131,8 @@ private:
             });
     }
 
-    // Cells [first, last) of the level with what acts on them, those at the same offset together.
+    // Returns the pairs of cells [first, last) of the level and the nodes that act on them by translation; pairs at the
+    // same offset are consecutive.
     [[nodiscard]] base::Array<SourceTree::Pair> pairs_of(std::int64_t first, std::int64_t last) const {
         base::Array<SourceTree::Pair> pairs(runtime_.memory);
         for (std::int64_t k = first; k < last; ++k)
@@ -145,7 +148,7 @@ private:
         return pairs;
     }
 
-    // A task has a group of cells and some of their nodes: there are enough of them, and none takes long.
+    // A task takes a group of cells and some of their nodes, so that there are enough tasks and no task takes long.
     void translate(std::int32_t level, const base::Progress& progress) {
         const std::int64_t rows = field_.sources_.basis(level).stride();
         for (std::int64_t first = 0; first < end_ - begin_; first += translate_cells) {
@@ -161,7 +164,7 @@ private:
         }
     }
 
-    // Of few centres, on the nodes of cells that do not touch their cube.
+    // Adds the nodes that act directly, by their few centres, to the values at the nodes of cells.
     void act_directly(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         const double half = tree_.half_width(level);
@@ -182,7 +185,8 @@ private:
         });
     }
 
-    // Of the next candidates that act directly, those whose centres stand together; `i` moves behind them.
+    // Returns the centres of the next candidates that act directly, as long as they are consecutive, and moves `i` past
+    // these candidates.
     [[nodiscard]] SourceRange direct_range(std::int64_t& i, std::int64_t end) const noexcept {
         SourceRange range{0, 0};
         for (; i < end; ++i) {
@@ -195,7 +199,8 @@ private:
         return range;
     }
 
-    // Gives cells children, with what is near them as candidates; and, where they serve themselves, what is near.
+    // Gives cells children, whose candidates are the nodes near the cell. A cell that serves places itself keeps its
+    // near centres.
     void divide(std::int32_t level, const base::Progress& progress) {
         base::Array<std::int64_t> next_begin(runtime_.memory);
         base::Array<std::int64_t> next(runtime_.memory);
@@ -215,7 +220,7 @@ private:
         return count;
     }
 
-    // Whether there are centres in a cell or just beside it: where there are none, few places are asked for.
+    // Whether there are centres in a cell or just beside it. Elsewhere few places are evaluated.
     [[nodiscard]] bool is_wanted(std::int64_t parent, const Cell& cell) const noexcept {
         const glm::dvec3 middle = field_.centre(cell);
         const double reach = beside * tree_.half_width(cell.level);
@@ -238,7 +243,7 @@ private:
         const auto first = static_cast<std::int32_t>(field_.cells_.size());
         std::uint32_t octants = 0;
         for (int octant = 0; octant < 8; ++octant) {
-            progress.check(); // near the first cells are all centres
+            progress.check(); // all centres are near the first cells
             const Cell child{{2 * parent.cell[0] + (octant & 1), 2 * parent.cell[1] + (octant >> 1 & 1),
                               2 * parent.cell[2] + (octant >> 2)},
                              parent.level + 1,
@@ -257,7 +262,8 @@ private:
         field_.cells_[begin_ + k].octants = octants;
     }
 
-    // What is near a cell, for a child: cubes of the child's level, and larger ones that are not divided.
+    // Adds the nodes near a cell as candidates of a child: nodes of the child's level, and larger ones without
+    // children.
     void add_candidates(std::int64_t parent, base::Array<std::int64_t>& next, const base::Progress& progress) const {
         for (std::int64_t i = candidate_begin_[parent]; i < candidate_begin_[parent + 1]; ++i) {
             if (kind_[i] != near) continue;
@@ -284,7 +290,7 @@ private:
         cell.near_end = field_.near_.size();
     }
 
-    // The polynomials of what acts on the level's cells.
+    // Makes the polynomials of the level's cells from incoming_.
     void make_terms(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         std::int64_t size = field_.terms_.size();
@@ -312,13 +318,13 @@ private:
     CubeLoops loops_;
     bool translates_;
     std::int64_t most_near_;
-    std::int64_t above_ = 0; // the first cell of the level above, of this one, and of the one below
-    std::int64_t begin_ = 0;
-    std::int64_t end_ = 0;
-    base::Array<std::int64_t> candidate_begin_; // of each cell of the level, in candidates_
-    base::Array<std::int64_t> candidates_;      // nodes of the tree that its parent left for it
-    base::Array<Kind> kind_;                    // of each candidate
-    base::Array<double> incoming_;              // values at the nodes of each cell of the level, of what acts there
+    std::int64_t above_ = 0;                    // first cell of the level above
+    std::int64_t begin_ = 0;                    // first cell of this level
+    std::int64_t end_ = 0;                      // end of this level
+    base::Array<std::int64_t> candidate_begin_; // for each cell of the level: its first candidate
+    base::Array<std::int64_t> candidates_;      // nodes of the tree that may act on a cell, given by its parent
+    base::Array<Kind> kind_;                    // for each candidate
+    base::Array<double> incoming_; // for each cell of the level: values at its nodes of the centres that act on it
 };
 
 LocalField::LocalField(const base::Work& work, const geometry::VecArray& centres, const double* alpha,

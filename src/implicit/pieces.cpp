@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A block of points goes through five steps: 1. points that zones know one sheet of, and the cells that have a say at
-// the others; 2. the terms of these: each sheet that a cell's program asks for, and cells without a program; 3. each
-// sheet at all its points at once; 4. which sheet each cell's program ends with, and what the cells of a sheet weigh;
-// 5. the mean of the terms.
+// A block of points goes through five steps: 1. find the points whose sheet zones know, and the cells that reach the
+// others; 2. collect the terms of the others: each sheet in a cell's program, and cells without a program; 3. evaluate
+// each sheet at all its points at once; 4. find the sheet that each cell's program ends with, and sum the weights of
+// the cells of each sheet; 5. take the mean of the terms.
 #include "implicit/pieces.h"
 
 #include "implicit/lanes.h"
@@ -27,7 +27,7 @@ struct Bump {
     double w, d, h;
 };
 
-// Hessians are in the order of FieldBatch.
+// Adds a b^T + b a^T to a Hessian, which is in the order of FieldBatch.
 void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, std::array<double, 6>& h) noexcept {
     h[0] += 2.0 * a.x * b.x;
     h[1] += a.x * b.y + a.y * b.x;
@@ -57,27 +57,27 @@ Jet weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
             {x.h * y.w * z.w, x.d * y.d * z.w, x.d * y.w * z.d, x.w * y.h * z.w, x.w * y.d * z.d, x.w * y.w * z.h}};
 }
 
-// One of the functions whose mean is f at a point: a sheet, or one that stands in where no surface is near.
+// One of the functions whose mean is f at a point: a sheet, or a function that replaces it where no surface is near.
 struct Term {
     std::int32_t sheet; // -1: no sheet
     std::int32_t point;
-    std::int32_t next; // term of the sheet, or -1
+    std::int32_t next; // next term of the sheet, or -1
     Jet jet;
-    Jet weight; // of all cells that it rules
+    Jet weight; // sum over all cells that it rules
 };
 
-// A cell that has a say at a point.
+// A cell that reaches a point.
 struct Hit {
     PiecesNode cell;
     std::int32_t leaf;         // -1: the sphere far outside
     std::int32_t ruler;        // the term that the program ends with, or -1
-    const std::int32_t* begin; // of the program
+    const std::int32_t* begin; // the program is [begin, end)
     const std::int32_t* end;
 
     [[nodiscard]] std::span<const std::int32_t> program() const noexcept { return {begin, end}; }
 };
 
-// The linear function of a cell without a program.
+// Returns the linear function of a cell without a program.
 Term plain_term(const PiecesData& data, const Hit& hit, const glm::dvec3& place) noexcept {
     const double* const p = data.plain.data() + 4 * std::int64_t{hit.leaf};
     Term term{-1, 0, -1, {}, {}};
@@ -87,7 +87,7 @@ Term plain_term(const PiecesData& data, const Hit& hit, const glm::dvec3& place)
     return term;
 }
 
-// The sphere about the bounds, far outside.
+// Returns the sphere about the bounds, which f becomes far outside.
 Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
     const double radius = 0.5 * data.bounds.diagonal();
     const glm::dvec3 off = place - data.bounds.centre();
@@ -99,7 +99,7 @@ Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
     term.jet.value = distance - radius;
     term.jet.gradient = u;
     add_radial(u, 1.0, 0.0, distance, term.jet.hessian);
-    // t^3 (10 - 15 t + 6 t^2): two derivatives are 0 at both ends.
+    // The weight is t^3 (10 - 15 t + 6 t^2): its first two derivatives are 0 at both ends.
     term.weight.value = t * t * t * (10.0 + t * (6.0 * t - 15.0));
     const double d = 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
     const double h = 60.0 * t * (1.0 - t) * (1.0 - 2.0 * t) / (width * width);
@@ -112,21 +112,21 @@ class PiecesBlock {
 public:
     explicit PiecesBlock(const PiecesOf& of) noexcept : of_(of), data_(of.data()) {}
 
-    // Takes as many of the points as there is room for, one at least, and returns their number.
+    // Takes as many of the points as there is room for, at least one, and returns their number.
     std::int64_t take(const PointBatch& points) noexcept;
     void evaluate(const FieldBatch& fields);
     void active(std::int32_t* sheet);
 
 private:
     static constexpr std::int64_t most_points = PiecesTuning::points;
-    static constexpr std::int64_t most_at_point = 96; // cells, and sheets, of one point
-    static constexpr std::int64_t most_hits = 768;    // of all points
+    static constexpr std::int64_t most_at_point = 96; // cells, or sheets, of one point
+    static constexpr std::int64_t most_hits = 768;    // cells of all points
     static constexpr std::int64_t most_terms = 768;
 
-    // A sheet that is evaluated at points that it alone rules, and for terms.
+    // A sheet, the points that it alone rules, and the terms that need it.
     struct Group {
         std::int32_t sheet;
-        std::int32_t point, term; // the first of each chain, or -1
+        std::int32_t point, term; // first element of each chain, or -1
     };
 
     [[nodiscard]] std::span<Hit> hits(std::int64_t point) noexcept {
@@ -158,8 +158,8 @@ private:
     std::int64_t first_hit_[most_points + 1];
     std::int64_t first_term_[most_points + 1];
     std::int32_t alone_[most_points];      // the sheet that is known to rule each point, or -1
-    std::int32_t next_alone_[most_points]; // point of the same sheet, or -1
-    std::int32_t ruler_[most_points];      // of others, the term that rules all cells, or -1
+    std::int32_t next_alone_[most_points]; // next point of the same sheet, or -1
+    std::int32_t ruler_[most_points];      // for the other points: the term that rules all cells, or -1
     Hit hit_[most_hits];
     Term term_[most_terms];
     Group group_[most_points + most_terms];
@@ -175,7 +175,7 @@ PiecesBlock::Group& PiecesBlock::group_of(std::int32_t sheet) noexcept {
     return group_[groups_++];
 }
 
-// Visits the leaf that the place lies in, or is nearest to, before others.
+// Adds the leaves below a cell that reach a place, starting with the leaf that the place lies in, or is nearest to.
 void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept {
     const std::int32_t child = data_.child[cell.node];
     if (child < 0) {
@@ -192,7 +192,7 @@ void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std
         if (k != high && (k & high) == k && (~k & 7 & low) == (~k & 7)) find_hits(cell.child(child, k), place, limit);
 }
 
-// Cells that have a say at a place of which zones say no more than `parts`.
+// Adds the cells that reach a place of which zones know no more than `parts`.
 void PiecesBlock::look_up(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept {
     const PiecesZones* const zones = of_.zones();
     for (const PiecesZones::Part& part : parts)
@@ -205,7 +205,8 @@ void PiecesBlock::look_up(std::span<const PiecesZones::Part> parts, const glm::d
     if (glm::distance(place, data_.bounds.centre()) > begins) add_hit(root, -1, {});
 }
 
-// Each sheet that a cell of the point asks for is one term. A cell for whose sheets there is no room has no program.
+// Adds a term for each sheet in the programs of the point's cells. If there is no room for a cell's sheets, the cell
+// counts as one without a program.
 void PiecesBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcept {
     const std::int64_t first = terms_;
     bool plain = false;
@@ -267,7 +268,7 @@ void PiecesBlock::evaluate_alone(const FieldBatch& fields) {
     }
 }
 
-// Values, with gradients or not; then, on their own, Hessians of the terms that weigh something.
+// Evaluates values, with or without gradients. A separate call evaluates Hessians, only of terms with a weight.
 void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
     for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
         lanes_.count = 0;
@@ -284,7 +285,7 @@ void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
     }
 }
 
-// The term that a cell's program ends with.
+// Returns the term that a cell's program ends with.
 std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept {
     std::int32_t stack[PiecesData::most_operands + 1];
     std::size_t depth = 0;
@@ -305,7 +306,7 @@ std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept
     return depth == 1 ? stack[0] : -1;
 }
 
-// Which sheet rules each cell, and what all cells of a sheet weigh: 1 where it is all of them.
+// Finds the sheet that rules each cell, and sums the weights of the cells of each sheet: 1 if all cells have the same.
 void PiecesBlock::choose(std::int64_t point) noexcept {
     const std::span<Hit> hits = this->hits(point);
     bool one = !hits.empty();
@@ -319,11 +320,11 @@ void PiecesBlock::choose(std::int64_t point) noexcept {
         if (!one && hit.ruler >= 0) term_[hit.ruler].weight.add(weight_of(hit.cell, point_at(points_, point)));
 }
 
-// f = sum w_k f_k / sum w_k. What the weights' derivatives add is 0 where the terms agree.
+// Returns f = sum w_k f_k / sum w_k. The derivatives of the weights add 0 where the terms agree.
 Jet PiecesBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexcept {
     double total = 0.0;
     double sum = 0.0;
-    double first = std::numeric_limits<double>::quiet_NaN(); // where no term weighs anything
+    double first = std::numeric_limits<double>::quiet_NaN(); // stays NaN if no term has a weight
     bool one = true;
     for (const Term& term : terms(point)) {
         if (!(term.weight.value > 0.0)) continue;
@@ -360,7 +361,8 @@ void PiecesBlock::evaluate(const FieldBatch& fields) {
     }
 }
 
-// The sheet that weighs the most; if cells without a program weigh as much together, the last one, which is f.
+// Writes the sheet with the largest weight; if cells without a program have at least that weight together, the last
+// sheet, which is f.
 void PiecesBlock::active(std::int32_t* sheet) {
     evaluate_terms(false, false);
     for (std::int64_t point = 0; point < points_.count; ++point) {
@@ -379,7 +381,7 @@ void PiecesBlock::active(std::int32_t* sheet) {
     }
 }
 
-// work(block, first): for all points, as many at a time as a block takes.
+// Calls work(block, first) for all points, as many at a time as a block takes.
 template <class F>
 void in_blocks(const PiecesOf& of, const PointBatch& points, F&& work) {
     base::Boxed<PiecesBlock> block(of.data().child.memory(), of);
@@ -420,7 +422,7 @@ std::int64_t PiecesOf::cells() const noexcept {
 std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data, double points) noexcept {
     if (points < pieces_tuning.points_a_cell * static_cast<double>(data.leaves())) return std::nullopt;
     const auto all = static_cast<double>(data.centres());
-    for (const HrbfData& one : data.sheet) // is evaluated as often as its share of the centres
+    for (const HrbfData& one : data.sheet) // a sheet is evaluated as often as its share of the centres
         if (Prepared::pays(one, points * static_cast<double>(one.count()) / all)) return Scope::sheets;
     return Scope::zones;
 }

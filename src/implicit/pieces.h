@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // An implicit made of sheets that meet in creases, and the same prepared for many points. In each cell f is a maximum
-// or minimum of a few sheets, or, where no surface is near, a linear function that is as far from 0 as the surface is
-// away. Between cells it changes smoothly: a partition of unity as in Ohtake et al., "Multi-level partition of unity
-// implicits", 2003, whose pieces are global functions here, so that cells that are ruled by the same sheet change
-// nothing.
+// or minimum of a few sheets. Where no surface is near, it is a linear function that is as far from 0 as the surface is
+// away. Between cells f changes smoothly by a partition of unity, as in Ohtake et al., "Multi-level partition of unity
+// implicits", 2003. The pieces are global functions here, so that nothing changes between cells where f is the same
+// sheet.
 #pragma once
 
 #include "base/clock.h"
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
     [[nodiscard]] const Sheets* sheets() const noexcept override { return this; }
 
-    // The last one is f itself, which is smooth where no surface is near.
+    // The last sheet is f itself, which is smooth where no surface is near.
     [[nodiscard]] std::int32_t count() const noexcept override {
         return static_cast<std::int32_t>(data_.sheet.size()) + 1;
     }
@@ -40,7 +40,8 @@ public:
     [[nodiscard]] base::InstructionSet instruction_set() const noexcept { return set_; }
 
 protected:
-    // All outlive it. zones: null: none. prepared: for each sheet, null where it is not; empty: none is.
+    // All must outlive this. zones: null: there are none. prepared: for each sheet, null where it is not prepared;
+    // empty: none is.
     PiecesOf(base::InstructionSet set, const PiecesData& data, const PiecesZones* zones = nullptr,
              const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
         : set_(set), data_(data), zones_(zones), prepared_(prepared) {}
@@ -66,16 +67,16 @@ private:
     PiecesData own_;
 };
 
-// The same function, up to rounding and what Prepared says of its sheets, where many points are asked for.
+// The same function for many points, up to rounding and the errors of each Prepared sheet.
 class PreparedPieces final : public PiecesOf {
 public:
-    // Zones are prepared, or zones and sheets of many centres.
+    // The parts that are prepared: zones only, or zones and the sheets with many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
-    // The scope that takes less time for this number of points than it saves; nullopt: none does.
+    // Returns the scope that takes less time for this number of points than it saves; nullopt: no scope does.
     [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
 
-    // The pieces must outlive it.
+    // `of` must outlive this.
     PreparedPieces(const base::Work& work, const PiecesOf& of, Scope scope);
     ~PreparedPieces() override;
 
@@ -84,7 +85,7 @@ public:
 private:
     base::Stopwatch watch_;
     PiecesZones own_zones_;
-    base::List<std::unique_ptr<Prepared>> sheet_; // null where it would not be accurate
+    base::List<std::unique_ptr<Prepared>> sheet_; // null where a prepared sheet would not be accurate
 };
 
 } // namespace hrbfnpr::implicit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Zones are made leaf by leaf, on all threads: 1. the cells that have a say in the leaf and their sheets; 2. the
-// sheets' values at corners and middles of the leaf's zones; 3. for each zone the cells that have a say there, and
-// their programs without the sheets that cannot be the largest or smallest.
+// Zones are made leaf by leaf, on all threads, in three steps: 1. find the cells that reach the leaf, and their sheets;
+// 2. evaluate the sheets at corners and middles of the leaf's zones; 3. for each zone, find the cells that reach it,
+// and remove from their programs the sheets that cannot be the largest or smallest.
 #include "implicit/pieces_cells.h"
 
 #include "base/assert.h"
@@ -12,7 +12,7 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// A program leaves one value, and takes no more off the stack than is there.
+// Whether a program leaves one value, and never takes more off the stack than there is.
 [[nodiscard]] bool is_program(std::span<const std::int32_t> program, std::int64_t sheets) noexcept {
     std::int32_t depth = 0;
     std::int32_t operands = 0;
@@ -26,8 +26,8 @@ namespace {
     return program.empty() || (depth == 1 && operands <= PiecesData::most_operands);
 }
 
-// Children follow their parents, level by level; every node but the root is the child of one before it, and every leaf
-// is one node's.
+// Whether children follow their parents, level by level; every node but the root is the child of a node before it, and
+// every leaf belongs to one node.
 [[nodiscard]] bool is_octree(const PiecesData& data) noexcept {
     const std::int64_t nodes = data.child.size();
     if (nodes < 1 || nodes > PiecesData::most_nodes) return false;
@@ -46,16 +46,17 @@ namespace {
     return next_child == nodes && next_leaf == data.leaves() && level < PiecesData::most_levels;
 }
 
-constexpr std::size_t places = 9; // of a zone where programs are looked at: its corners and its middle
+constexpr std::size_t places = 9; // number of places in a zone where programs are evaluated: its corners and its middle
 
-// A program without the operands that cannot matter, and its values.
+// A program without the operands that cannot matter, and its values at these places.
 struct Simple {
     std::array<double, places> value{};
     std::array<std::int32_t, std::size_t{2 * PiecesData::most_operands}> code{};
     std::size_t size = 0;
 };
 
-// An operand is left out if the other is beyond it at all places by more than their difference may vary between them.
+// Joins two operands by an operation. An operand is left out if the other is beyond it at all places by more than
+// zone_tuning.margin times the range of their difference over these places.
 void join(Simple& a, const Simple& b, std::int32_t operation) noexcept {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -79,7 +80,7 @@ void join(Simple& a, const Simple& b, std::int32_t operation) noexcept {
     a.code[a.size++] = operation;
 }
 
-// Calls visit(cell, level, leaf) for the leaves that can be entered: enters(cell) holds for them and all above them.
+// Calls visit(cell, level, leaf) for the leaves for which, as for all cells above them, enters(cell) holds.
 template <class Enters, class Visit>
 void for_leaves(const PiecesData& data, const PiecesNode& at, std::int8_t level, Enters&& enters, Visit&& visit) {
     const std::int32_t first = data.child[at.node];
@@ -89,7 +90,7 @@ void for_leaves(const PiecesData& data, const PiecesNode& at, std::int8_t level,
             for_leaves(data, next, static_cast<std::int8_t>(level + 1), enters, visit);
 }
 
-// Whether a cell has a say in the cube.
+// Whether a cell reaches the cube.
 [[nodiscard]] bool reaches(const PiecesNode& cell, const PiecesNode& cube) noexcept {
     const glm::dvec3 off = glm::abs(cell.centre - cube.centre);
     return std::max({off.x, off.y, off.z}) <
@@ -106,7 +107,8 @@ template <class T>
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// Cells that have a say in a leaf, their sheets, and these at the places of its zones: corners, then middles.
+// The cells that reach a leaf, their sheets, and the values of these at the places of the leaf's zones: corners, then
+// middles.
 struct Beside {
     explicit Beside(base::Memory& memory) noexcept : leaf(memory), sheet(memory), value(memory) {}
     base::Array<std::int32_t> leaf;
@@ -134,7 +136,7 @@ struct Beside {
     return beside;
 }
 
-// Appends what is left of a program in a zone that has these places.
+// Appends a program without the operands that cannot matter in the zone that has these places.
 void simplify(std::span<const std::int32_t> program, const std::array<std::int64_t, places>& at, const Beside& beside,
               base::Array<std::int32_t>& to) {
     if (program.size() < 2) {
@@ -160,7 +162,7 @@ void simplify(std::span<const std::int32_t> program, const std::array<std::int64
     for (std::size_t i = 0; i < stack[0].size; ++i) to.push_back(stack[0].code[i]);
 }
 
-// The zones of one leaf; parts and programs are numbered from 0.
+// The zones of one leaf. Parts and programs are numbered from 0.
 struct LeafZones {
     explicit LeafZones(base::Memory& memory) noexcept : code(memory), zone(memory), part(memory), program(memory) {}
     std::int8_t cuts = -1;
@@ -170,7 +172,7 @@ struct LeafZones {
     base::Array<std::int32_t> program;
 };
 
-// Equal programs of a zone are stored once.
+// Adds a zone. Its equal programs are stored once.
 void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, const PiecesNode& at,
               const std::array<std::int64_t, places>& its, const Beside& beside, LeafZones& made) {
     using Part = PiecesZones::Part;
@@ -351,8 +353,8 @@ PiecesZones::At PiecesZones::at(const glm::dvec3& place) const noexcept {
     const Zone& zone = zone_[code];
     const std::span<const Part> parts = range(part_, zone.begin, zone.end);
     if (parts.size() == 1) return {-1, parts};
-    // Which of the parts have a say cannot be foreseen, so this has no branches. `found` is the last one; the place is
-    // `mixed` if their programs differ, or one has none.
+    // Which of the parts reach the place cannot be predicted, so this has no branches. `found` is the last that does.
+    // `mixed` is set if their programs differ, or if one has no program.
     const Part* found = nullptr;
     unsigned mixed = 0;
     for (const Part& part : parts) {

@@ -15,14 +15,14 @@ namespace hrbfnpr::implicit {
 namespace {
 
 constexpr std::int64_t fewest_centres = 512;
-// What is measured may be this much more before the field is made finer, or given up: a maximum over some hundred
-// places.
+// The measured error, a maximum over some hundred places, may be this many times the tolerance before the field is made
+// finer, or given up.
 constexpr double slack = 200.0;
-// Parts of a mesh that cross, or lie close to each other, have weights of many digits, and rounding alone is then a
-// hundred or a thousand times the tolerance: a finer field is no better.  Nor are sums over all centres, with which
-// lines and every frame take minutes, to look at.
+// The same limit where a finer field is no better. Parts of a mesh that cross, or lie close to each other, have weights
+// of many digits, and rounding alone is then a hundred or a thousand times the tolerance. Sums over all centres do not
+// look better, and with them lines and every frame take minutes.
 constexpr double slack_of_rounding = 5000.0;
-constexpr double no_better = 0.5; // of the error before
+constexpr double no_better = 0.5; // a finer field is no better if its error is above this share of the error before
 constexpr double gradients_share = 100.0;
 constexpr int finest = 2;
 constexpr std::int64_t probes = 512;
@@ -33,9 +33,9 @@ constexpr std::int64_t probes = 512;
 
 } // namespace
 
-// Measured on two cores, AVX-512: all pairs take 0.15 ns each, and a field 0.4 s and 25 us for each centre.  It is made
-// where that is twice the time of all pairs, as it is kept for later calls.  What calls get does not depend on those
-// before.
+// Measured on two cores, AVX-512: all pairs take 0.15 ns each, and a field takes 0.4 s and 25 us for each centre. A
+// field is made if it takes less than twice the time of all pairs, because it is kept for later calls. The results of a
+// call do not depend on earlier calls.
 bool Prepared::pays(const HrbfData& data, double points) noexcept {
     const auto centres = static_cast<double>(data.count());
     return data.kernel == kernel::Kind::triharmonic && data.count() >= fewest_centres &&
@@ -61,7 +61,7 @@ std::unique_ptr<Prepared> Prepared::make(const base::Work& work, const HrbfData&
             error.value, error.gradient);
         const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * options.tolerance;
         if (error.value <= allowed && error.gradient <= gradients_share * allowed) return prepared;
-        if (error.value >= before) break; // rounding is all that is left
+        if (error.value >= before) break; // only rounding is left
         before = error.value;
     }
     return nullptr;
@@ -80,7 +80,7 @@ std::int32_t Prepared::cell_of(const glm::dvec3& point) const noexcept {
     return cube >= 0 ? cube : static_cast<std::int32_t>(field_.cubes());
 }
 
-// Runs of points in one cell, as they come: evaluate_all brings them together.
+// Evaluates runs of points in one cell, in their order; evaluate_all() makes the runs long.
 void Prepared::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     std::int64_t begin = 0;
     std::int32_t cell = points.count > 0 ? cell_of({points.x[0], points.y[0], points.z[0]}) : 0;
@@ -119,7 +119,7 @@ void Prepared::evaluate_cell(std::int32_t cell, const PointBatch& points, const 
     }
 }
 
-// At places about a spacing from centres, against all centres.
+// Compares with the sums over all centres, at places about a spacing from centres.
 void Prepared::measure_error(const base::Work& work) {
     const std::int64_t count = std::min(probes, data_.count());
     geometry::VecArray places(work.memory);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An HRBF whose evaluation hardly depends on the number of its centres: with the local field of local_field.h near the
-// surface, and all centres elsewhere.
+// An HRBF whose evaluation time hardly depends on the number of its centres. It uses the local field of local_field.h
+// near the surface, and all centres elsewhere.
 #pragma once
 
 #include "implicit/hrbf.h"
@@ -12,17 +12,18 @@ namespace hrbfnpr::implicit {
 
 class Prepared final : public Implicit {
 public:
-    // What the sums are off by at most, measured beside the centres: f in diagonals, its gradient.
+    // The largest errors of the sums, measured beside the centres: of f, in diagonals, and of its gradient.
     struct Error {
         double value = 0.0;
         double gradient = 0.0;
     };
 
-    // Null where it is not for this kind of function, or would not be accurate: weights that contradict each other.
-    // The data must outlive it.  Of the options, the spacing is the data's.
+    // Returns null if there is no local field for this kind of function, or if it would not be accurate, because
+    // weights contradict each other. The data must outlive the result. options.spacing is ignored: the spacing is the
+    // data's.
     [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Work& work, const HrbfData& data,
                                                         const LocalFieldOptions& options = {});
-    // Whether for so many points preparing takes less time than it saves.
+    // Whether preparing for this number of points takes less time than it saves.
     [[nodiscard]] static bool pays(const HrbfData& data, double points) noexcept;
 
     Prepared(const base::Work& work, const HrbfData& data, const LocalFieldOptions& options);

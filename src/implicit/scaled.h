@@ -6,10 +6,11 @@
 
 namespace hrbfnpr::implicit {
 
-// g(y) = f(unit y) / unit: the same surface in that unit, with the same gradients.  A power of two is exact.
+// g(y) = f(unit y) / unit: the same surface in that unit, with the same gradients. A unit that is a power of two causes
+// no rounding.
 class Scaled final : public Implicit {
 public:
-    // `own` lives as long as this.
+    // `own` must outlive this.
     Scaled(const Implicit& own, double unit) noexcept
         : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, domain_(own, unit),
           sheets_(own, unit) {}

@@ -13,7 +13,7 @@ namespace {
 
 constexpr auto shape_batch = static_cast<std::size_t>(batch_size);
 
-// The places of hessian[j][k] among xx xy xz yy yz zz.
+// The index of hessian[j][k] in xx xy xz yy yz zz.
 constexpr std::array<std::array<std::size_t, 3>, 3> second_index = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
 
 // xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
@@ -30,7 +30,7 @@ HrbfShape::HrbfShape(base::InstructionSet set, const HrbfData& data, double smoo
     smoothing_ = smoothing * unit * (smoothing * unit);
 }
 
-// f = scale g: Hess f = Hess g / scale, and third derivatives over scale^2.
+// With f = scale g, Hess f = Hess g / scale, and third derivatives are divided by scale^2.
 void HrbfShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
     const AddHermiteThirds add = hermite_thirds(set_, data_.kernel);
     const std::array<double, 10> constant = kernel::polynomial_thirds(data_.polynomial_degree, data_.polynomial.data());
@@ -55,7 +55,8 @@ void HrbfShape::evaluate(const PointBatch& points, const ThirdBatch& out) const 
     }
 }
 
-// Of an implicit with creases each point on its own sheet: differences over a crease would tell nothing.
+// If the implicit has creases, each point is differenced on its own sheet: differences over a crease would tell
+// nothing.
 void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
     for (std::int64_t begin = 0; begin < points.count; begin += block_size) {
         ThirdBatch part = out;
@@ -69,7 +70,7 @@ void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out)
     }
 }
 
-// Runs of points on one sheet, which mostly follow each other.
+// Evaluates runs of consecutive points on one sheet; such points mostly follow each other.
 void DifferencedShape::evaluate_by_sheet(const Sheets& sheets, const PointBatch& points, const ThirdBatch& out) const {
     std::array<std::int32_t, static_cast<std::size_t>(block_size)> active;
     sheets.active(points, active.data());
@@ -83,8 +84,8 @@ void DifferencedShape::evaluate_by_sheet(const Sheets& sheets, const PointBatch&
     }
 }
 
-// T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij.  At most block_size
-// points: a caller's function stands below on the same small stack.
+// T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij. It takes at most
+// block_size points, because a caller's function runs on the same small stack.
 void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& points, const ThirdBatch& out) const {
     constexpr auto most = static_cast<std::size_t>(block_size);
     std::array<std::array<double, most>, 6> hessian;

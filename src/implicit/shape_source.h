@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Second and third derivatives of an implicit, smooth enough for curves that are where curvatures or their
-// derivatives vanish.  The place of the surface and its normal are the implicit's own.
+// Second and third derivatives of an implicit. They are smooth enough for curves on which curvatures or their
+// derivatives vanish. The surface and its normals are still those of the implicit itself.
 #pragma once
 
 #include "implicit/hrbf.h"
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::implicit {
 
-// Orders: xx xy xz yy yz zz and xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.  Both are wanted.
+// Orders: xx xy xz yy yz zz and xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. Both are always wanted.
 struct ThirdBatch {
     std::array<double*, 6> hessian{};
     std::array<double*, 10> third{};
@@ -22,24 +22,25 @@ public:
     ShapeSource& operator=(const ShapeSource&) = delete;
     virtual ~ShapeSource() = default;
 
-    // On the calling thread, at most batch_size points.  The result for a point does not depend on its batch.
+    // Runs on the calling thread, for at most batch_size points. The result for a point does not depend on its batch.
     virtual void evaluate(const PointBatch& points, const ThirdBatch& out) const = 0;
     // Whether evaluate() may run on several threads at once.
     [[nodiscard]] virtual bool concurrent() const noexcept = 0;
 };
 
-// Of the mean spacing of the samples.  A wave of the wave number k is multiplied by x^3 K_3(x) / 8 at x = k eps, the
-// ratio of the Fourier transforms of (r^2 + eps^2)^(3/2) and r^3, which is 1 - x^2 / 8 for small x: one as long as 6
-// spacings loses 1 %, one as long as 2 loses 10 %.  More smoothing leaves out smaller features: 1 spacing halves what
-// is 2.4 spacings long.
+// The smoothing eps, in mean spacings of the samples. A wave of the wave number k is multiplied by x^3 K_3(x) / 8 at x
+// = k eps, the ratio of the Fourier transforms of (r^2 + eps^2)^(3/2) and r^3, which is 1 - x^2 / 8 for small x: a wave
+// as long as 6 spacings loses 1 %, one as long as 2 loses 10 %. More smoothing leaves out smaller features: 1 spacing
+// halves waves that are 2.4 spacings long.
 inline constexpr double ordinary_smoothing = 0.3;
 
-// Of an HRBF: the same weights with r^2 + eps^2 in place of r^2, eps = `smoothing` spacings.  A Gaussian needs no
-// smoothing and gets none.  The triharmonic and Wendland C2 have it, as both have r^3 in them: at a sample, which lies
-// on the surface, their own third derivatives grow like 1/r.  At the end of a Wendland's reach third derivatives jump.
+// The source for an HRBF: it has the same weights, with r^2 + eps^2 in place of r^2, eps = `smoothing` spacings. The
+// triharmonic and Wendland C2 kernels are smoothed because both contain r^3, so that at a sample, which lies on the
+// surface, their third derivatives grow like 1/r. A Gaussian needs no smoothing and gets none. At the end of a
+// Wendland's reach third derivatives jump.
 class HrbfShape final : public ShapeSource {
 public:
-    // `data` lives as long as this.
+    // `data` must outlive this.
     HrbfShape(base::InstructionSet set, const HrbfData& data, double smoothing = ordinary_smoothing) noexcept;
 
     void evaluate(const PointBatch& points, const ThirdBatch& out) const override;
@@ -48,13 +49,13 @@ public:
 private:
     base::InstructionSet set_;
     const HrbfData& data_;
-    double smoothing_; // eps^2 in normalised coordinates
+    double smoothing_; // eps^2, in normalised coordinates
 };
 
-// Of any other: its Hessian, and central differences of it.
+// The source for any other implicit: its Hessian, and central differences of the Hessian.
 class DifferencedShape final : public ShapeSource {
 public:
-    // `step` is in diagonals.  `own` lives as long as this.
+    // `step` is in diagonals. `own` must outlive this.
     explicit DifferencedShape(const Implicit& own, double step = 1e-3) noexcept
         : own_(own), step_(step * own.diagonal()) {}
 
@@ -69,10 +70,10 @@ private:
     double step_;
 };
 
-// Of an implicit in another unit of length, as implicit/scaled.h has it: g(y) = f(unit y) / unit.
+// The source for an implicit in another unit of length, as in implicit/scaled.h: g(y) = f(unit y) / unit.
 class ScaledShape final : public ShapeSource {
 public:
-    // `own` lives as long as this.
+    // `own` must outlive this.
     ScaledShape(const ShapeSource& own, double unit) noexcept : own_(own), unit_(unit) {}
 
     void evaluate(const PointBatch& points, const ThirdBatch& out) const override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smooth functions that an implicit is made of, where it is not smooth itself: a maximum or minimum of two is one
+// The smooth functions (sheets) that an implicit with creases is made of. A maximum or minimum of two functions is one
 // of them on either side of the crease in which they meet.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::implicit {
 
-// Whether the minimum of two is the second. If either is NaN, the minimum is NaN.
+// Whether the minimum of a and b is b. If either is NaN, the minimum is NaN.
 [[nodiscard]] inline bool takes_lower(double a, double b) noexcept { return b < a || std::isnan(b); }
 
 class Sheets {
@@ -20,18 +20,17 @@ public:
     Sheets& operator=(const Sheets&) = delete;
     virtual ~Sheets() = default;
 
-    // The number of sheets.
     [[nodiscard]] virtual std::int32_t count() const noexcept = 0;
-    // Which of them f is at each point, in [0, count()).  On the calling thread.
+    // Writes the index of the sheet that f is at each point, in [0, count()). Runs on the calling thread.
     virtual void active(const PointBatch& points, std::int32_t* sheet) const = 0;
-    // One of them, also beyond the place where it is f: smooth, and signed as f is.
+    // Evaluates one sheet, also where f is another one. It is smooth, and signed as f is.
     virtual void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const = 0;
 };
 
 // One sheet as an implicit of its own.
 class OneSheet final : public Implicit {
 public:
-    // `sheets` are those of `whole`, which lives as long as this.
+    // `sheets` belong to `whole`, which must outlive this.
     OneSheet(const Implicit& whole, const Sheets& sheets, std::int32_t sheet) noexcept
         : whole_(whole), sheets_(sheets), sheet_(sheet) {}
 

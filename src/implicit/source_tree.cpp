@@ -12,7 +12,7 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr std::int64_t cubes_a_task = 32; // cubes of a task
+constexpr std::int64_t cubes_a_task = 32; // number of cubes in a task
 
 [[nodiscard]] geometry::VecArray in_parent(const CubeBasis& child, int octant) {
     geometry::VecArray points(child.nodes().memory(), child.size());
@@ -21,7 +21,7 @@ constexpr std::int64_t cubes_a_task = 32; // cubes of a task
     return points;
 }
 
-// columns of `rows` numbers become rows: `columns` numbers, padded.
+// Returns the transpose: columns of `rows` numbers become rows of `columns` numbers, padded.
 [[nodiscard]] base::Array<double> transposed(const base::Array<double>& matrix, int rows, int columns) {
     const std::int64_t from = CubeBasis::padded(rows);
     const std::int64_t to = CubeBasis::padded(columns);
@@ -48,12 +48,12 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
 
 // The error of a pair of cubes is about (half width)^3 2.9^-degree, relative to their weights.
 //
-// Conjugate gradients need it below the smallest eigenvalue, which is as (spacing)^3: so two degrees more for twice the
-// width.  That constant was found by trying even samples: three degrees less, fits of 65 000 break down; one less, they
-// take half as many iterations again.
+// Conjugate gradients need the error below the smallest eigenvalue, which is proportional to (spacing)^3: so twice the
+// width needs two degrees more. The constant 6.1 was found by trying even samples: with three degrees less, fits of
+// 65 000 break down; with one less, they take half as many iterations again.
 //
-// A fit's weights are as (spacing)^2, and what its many far pairs are off adds up like noise, to (spacing) times as
-// much.  That constant, too, was found by trying: 24 000 to 262 144 even samples.
+// A fit's weights are proportional to (spacing)^2, and the errors of its many far pairs add up like noise, to (spacing)
+// times as much. The constant 7.1, too, was found by trying: 24 000 to 262 144 even samples.
 [[nodiscard]] double degree_for_fits(double width, double all, double tolerance) noexcept {
     const double to_converge = 2.0 * std::log2(width) + 6.1;
     const double error = std::pow(width / all, 3.0) / (all * tolerance);
@@ -61,17 +61,18 @@ SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres
     return std::max(to_converge, to_be_exact);
 }
 
-// With two cubes in between, the error of a gradient is about 5.5^-degree.  The constants were found by trying the sums
-// of fits of 512 to 4096 samples: with one degree more at the top, rounding is all that is left.
+// With two cubes in between, the error of a gradient is about 5.5^-degree. The constants were found by trying the sums
+// of fits of 512 to 4096 samples: with one degree more at the top, only rounding is left.
 [[nodiscard]] double degree_for_gradients(double width, double tolerance) noexcept {
     return 12.9 + std::log(1e-9 / tolerance) / std::log(5.5) + 0.7 * std::log2(width);
 }
 
 int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept {
-    if (!has_expansions(level)) return 0; // there are no far cubes
+    if (!has_expansions(level)) return 0; // cubes of this level all touch
     const double width = std::max(1.0, tree_.half_width(level) / options.spacing);
     const double all = std::max(1.0, tree_.half_width(0) / options.spacing);
-    // Even ones for gradients: fewer of them are fewer bases, which take longer to make than the sums.
+    // Degrees for gradients are even: fewer different degrees need fewer bases, which take longer to make than the
+    // sums.
     const double degree = options.separation == 1
                               ? std::ceil(degree_for_fits(width, all, options.tolerance))
                               : 2.0 * std::ceil(0.5 * degree_for_gradients(width, options.tolerance));
@@ -125,7 +126,7 @@ Sources SourceTree::sources(std::int64_t begin, std::int64_t end) const noexcept
             beta_.x.data() + begin, beta_.y.data() + begin, beta_.z.data() + begin, end - begin};
 }
 
-// Weights at the nodes, of sources in leaves and of what children have at theirs.
+// Makes the weights at the nodes, from the sources in leaves and from the weights at the children's nodes.
 void SourceTree::gather_moments(std::int32_t level, const base::Progress& progress) {
     const CubeBasis& basis = *at(level).basis;
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
@@ -193,7 +194,7 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
     }
 }
 
-// Pairs of cubes at the same offset share the elements |x_i - x_k + offset|^3, which are made on the fly.
+// Pairs of cubes at the same offset share the elements |x_i - x_k + offset|^3, which are computed on the fly.
 void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
                            double* incoming, const base::Progress& progress) const {
     const CubeBasis& basis = *at(level).basis;

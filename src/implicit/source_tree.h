@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Weighted centres in an octree, whose cubes act on far places like sources at a few nodes: one half of a fast
-// multipole method (Greengard, Rokhlin 1987), with polynomials in place of multipoles, as black-box methods have them
-// (Fong, Darve, J. Comput. Phys. 228, 2009).
+// Weighted centres in an octree whose cubes act on far places like sources at a few nodes. This is one half of a fast
+// multipole method (Greengard, Rokhlin 1987), with polynomials in place of multipoles, as in black-box methods (Fong,
+// Darve, J. Comput. Phys. 228, 2009).
 //
-// Inside a cube, what far sources sum up to is a triharmonic polynomial; and sources in a cube act on far places like
-// sources at the cube's nodes, with weights such that all such polynomials are integrated alike.
+// Inside a cube, the sum over far sources is a triharmonic polynomial. Sources in a cube act on far places like sources
+// at the cube's nodes whose weights give the same integral of every such polynomial.
 #pragma once
 
 #include "base/operation.h"
@@ -20,12 +20,12 @@
 namespace hrbfnpr::implicit {
 
 struct SourceTreeOptions {
-    double spacing = 1.0;         // of the centres, mean
-    int finer = 0;                // steps of two degrees: each divides the error by about 10
-    std::int64_t leaf_size = 600; // centres in a cube that is not divided
-    double tolerance = 1e-8;      // of sums with a fit's weights, relative to its right-hand side
-    int separation = 1;           // cubes between those that act on each other by their nodes, at least; 1 or 2
-    double margin = 0.0;          // of the whole cube, relative to its width
+    double spacing = 1.0;         // mean spacing of the centres
+    int finer = 0;                // number of steps of two degrees; each divides the error by about 10
+    std::int64_t leaf_size = 600; // the most centres in a cube that is not divided
+    double tolerance = 1e-8;      // error of sums with a fit's weights, relative to the fit's right-hand side
+    int separation = 1;           // the fewest cubes between two cubes that act on each other by their nodes; 1 or 2
+    double margin = 0.0;          // margin of the whole cube, relative to its width
 };
 
 class SourceTree {
@@ -33,28 +33,28 @@ public:
     // Throws Error{out_of_memory, cancelled}.
     SourceTree(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options);
 
-    // Gives the centres their weights, in the centres' order.
+    // Sets the weights of the centres, given in the centres' order.
     void load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress);
-    // And the nodes of each cube theirs, for translate(): of few centres they take longer to make than they save.
+    // Makes the weights at the nodes of each cube, for translate(). For few centres this takes longer than it saves.
     void gather(const base::Progress& progress);
 
     [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
     [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return *at(level).basis; }
-    // From a level's nodes to those of a child's, after gather(); the child's level exists.
+    // Returns the matrix from a level's nodes to those of a child. Call gather() first; the child's level must exist.
     [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
         return at(level).transfers->to_child[static_cast<std::size_t>(octant)];
     }
     // Cubes of the first two levels all touch each other.
     [[nodiscard]] static bool has_expansions(std::int32_t level) noexcept { return level >= 2; }
-    // Of each node, one after the other; padded for reading beyond the last.
+    // The vectors of all nodes, one after the other, padded for reading beyond the last.
     [[nodiscard]] std::int64_t vectors_begin(std::int32_t level) const noexcept { return at(level).begin; }
     [[nodiscard]] std::int64_t vectors_size() const noexcept { return vectors_size_; }
-    // A node's centres in the tree's order, with their weights.
+    // Returns centres [begin, end) in the tree's order, with their weights.
     [[nodiscard]] Sources sources(std::int64_t begin, std::int64_t end) const noexcept;
 
-    // A cube that acts on another of its level which it does not touch.
+    // A cube that acts on another cube of its level that it does not touch.
     struct Pair {
-        std::int32_t direction; // which of the offsets, up to five cubes along each axis
+        std::int32_t direction; // number of the offset, up to five cubes along each axis
         std::int32_t source;
         std::int32_t target;
     };
@@ -62,31 +62,31 @@ public:
                                                 const std::array<std::int32_t, 3>& source) noexcept {
         return (target[0] - source[0] + 5) + 11 * (target[1] - source[1] + 5) + 121 * (target[2] - source[2] + 5);
     }
-    // The offset of the target from the source, in cubes.
+    // Returns the offset of the target from the source, in cubes.
     [[nodiscard]] static std::array<std::int32_t, 3> offset(std::int32_t direction) noexcept {
         return {direction % 11 - 5, direction / 11 % 11 - 5, direction / 121 - 5};
     }
-    // Adds to nodes [first_row, last_row) of the targets, multiples of 8; target t's vector is t basis strides after
-    // `incoming`.  Pairs of one direction that stand together share the work.
+    // Adds to nodes [first_row, last_row) of the targets, multiples of 8. Target t's vector is t basis strides after
+    // `incoming`. Consecutive pairs of one direction share the work.
     void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row, double* incoming,
                    const base::Progress& progress) const;
 
-    // Gives back what only translate(), to_child() and the bases' matrices need.
+    // Frees the memory that only translate(), to_child() and the matrices of the bases need.
     void forget_expansions() noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // From a basis' nodes to those of a child's, for each octant.
+    // For each octant, the matrix from the nodes of a basis to those of a child.
     struct Transfers {
         std::vector<base::Array<double>> to_child;
         std::vector<base::Array<double>> transposed;
     };
-    // Levels of one degree share a basis; pairs of levels of the same degrees, transfers.
+    // Levels of one degree share a basis. Pairs of levels with the same two degrees share transfers.
     struct Level {
         std::shared_ptr<CubeBasis> basis;
-        std::shared_ptr<Transfers> transfers; // to the next level's; none on the deepest
-        std::int64_t begin = 0;               // of its nodes' vectors
+        std::shared_ptr<Transfers> transfers; // to the next level; null on the deepest
+        std::int64_t begin = 0;               // start of its nodes' vectors
     };
 
     [[nodiscard]] const Level& at(std::int32_t level) const noexcept {

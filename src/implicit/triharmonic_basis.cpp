@@ -32,8 +32,8 @@ private:
     std::int64_t count_;
 };
 
-// Columns are coefficients of Chebyshev products, x T_a = (T_a+1 + T_|a-1|) / 2.  Terms beyond the degree are dropped:
-// nothing that is kept has any.
+// Columns are coefficients of Chebyshev products; x T_a = (T_a+1 + T_|a-1|) / 2. Terms beyond the degree are dropped:
+// no column that is kept has such terms.
 class Coefficients {
 public:
     Coefficients(base::Memory& memory, int degree) : memory_(memory), degree_(degree), index_(memory) {
@@ -76,7 +76,8 @@ private:
     base::Array<std::int64_t> index_;
 };
 
-// Where a function of degree l + 2 k stands: after all of lower degrees, and after those of its own with smaller k.
+// Returns the column of a function of degree l + 2 k. It comes after all functions of lower degrees, and after those of
+// its own degree with smaller k.
 [[nodiscard]] int column_of(int l, int k, int number) noexcept {
     const int degree = l + 2 * k;
     int column = degree > 0 ? triharmonic_size(degree - 1) : 0;
@@ -108,7 +109,7 @@ public:
     }
 
 private:
-    // Of order m, the cosine's (side 0) and the sine's.
+    // Returns the number of the harmonic of order m: the cosine's (side 0) or the sine's (side 1).
     [[nodiscard]] static int number_of(int m, int side) noexcept { return m == 0 ? 0 : 2 * m - 1 + side; }
     [[nodiscard]] double* at(int l, int k, int number) noexcept {
         return result_.data() + stride_ * column_of(l, k, number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implicit whose surface has a domain of its own.
+// An implicit with another domain for its surface.
 #pragma once
 
 #include "implicit/implicit.h"
@@ -8,7 +8,7 @@ namespace hrbfnpr::implicit {
 
 class Trimmed final : public Implicit {
 public:
-    // Both live as long as this.
+    // `whole` and `domain` must outlive this.
     Trimmed(const Implicit& whole, const Domain& domain) noexcept : whole_(whole), domain_(domain) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override {

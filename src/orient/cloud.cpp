@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading a cloud: its points are checked, merged where they coincide, scaled to spacing 1, and ranked in a
-// farthest-first order. Neighbours, and planes through them, come from the cloud's tree.
+// Reads a cloud: points are checked, merged where they coincide, scaled to spacing 1, and ranked in a farthest-first
+// order. Neighbours, and planes through them, come from the cloud's tree.
 #include "orient/cloud.h"
 
 #include "base/assert.h"
@@ -17,8 +17,8 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t fewest_points = 4;
-constexpr double coordinate_limit = 1e100; // that of a fit
-constexpr double thinnest = 1e-12;         // variance across a line over that along it, which is rounding
+constexpr double coordinate_limit = 1e100; // the same as for a fit
+constexpr double thinnest = 1e-12;         // least ratio of the variances across and along a line; below is rounding
 
 [[nodiscard]] geometry::VecArray checked(const base::Runtime& runtime, const base::InView& points) {
     geometry::VecArray position(runtime.memory, points.count);
@@ -37,7 +37,7 @@ constexpr double thinnest = 1e-12;         // variance across a line over that a
     return position;
 }
 
-// Returns for each place the first one that it is merged into.
+// Returns for each place the first place that it is merged into.
 [[nodiscard]] base::Array<std::int64_t> representatives(const geometry::PointTree& tree,
                                                         const base::Array<double>& distance, double reach) {
     base::Array<std::int64_t> first(tree.points().memory(), tree.size());
@@ -51,7 +51,7 @@ constexpr double thinnest = 1e-12;         // variance across a line over that a
     return first;
 }
 
-// Returns the median of the distances that are above `least`; 0 if none is.
+// Returns the median of the distances above `least`; 0 if no distance is.
 [[nodiscard]] double spacing_of(const base::Array<double>& distance, double least) {
     base::Array<double> positive(distance.memory());
     for (const double d : distance)
@@ -116,7 +116,7 @@ Cloud read_cloud(const base::Work& work, const base::InView& points) {
     if (!(cloud.spacing > 0.0)) cloud.spacing = bounds.diagonal();
     work.update(0.3);
     const base::Array<std::int64_t> first = representatives(all, distance, tuning.merged * cloud.spacing);
-    base::Array<std::int64_t> kept(work.memory, all.size()); // number among the kept
+    base::Array<std::int64_t> kept(work.memory, all.size()); // index among the kept points
     position.clear();
     for (std::int64_t at = 0; at < all.size(); ++at) {
         if (first[at] != at) continue;
@@ -225,7 +225,7 @@ void Moments::add(const glm::dvec3& p, double weight) noexcept {
 }
 
 Plane plane_of(const Moments& moments) noexcept {
-    constexpr int sweeps = 8; // They converge quadratically, so four are enough.
+    constexpr int sweeps = 8; // The sweeps converge quadratically, so four are enough.
     Plane plane;
     if (!(moments.count > 0.0)) return plane;
     const glm::dvec3 c = moments.sum / moments.count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points that are to get normals, their neighbours, and planes through these.
+// The points that normals are found for, their neighbours, and planes through these.
 #pragma once
 
 #include "base/operation.h"
@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::orient {
 
-// Points in a tree's order, about 1 apart, and the rank of each in their farthest-first order. A place is an index into
-// the tree's order.
+// Points in a tree's order, about 1 apart, with the rank of each in their farthest-first order. A place is an index
+// into the tree's order.
 struct Places {
     explicit Places(base::Memory& memory) noexcept : rank(memory) {}
 
@@ -31,13 +31,13 @@ struct Cloud : Places {
 
     [[nodiscard]] bool is_of_curves() const noexcept { return all_over > 0; }
 
-    base::Array<std::int64_t> place; // of each given point
-    base::Array<double> apart;       // of each rank, the distance from those before
+    base::Array<std::int64_t> place; // the place of each given point
+    base::Array<double> apart;       // for each rank, the distance to the nearest point of a lower rank
     glm::dvec3 centre{0.0};
     double spacing = 1.0; // median distance to the nearest other point, in the caller's unit
     std::int64_t merged = 0;
-    // If points lie along curves, whose neighbours tell no plane: the number of first places of the farthest-first
-    // order that stand all over the surface that the curves lie on. Else 0.
+    // 0 unless the points lie along curves, whose neighbours define no plane. Then it is the number of first places of
+    // the farthest-first order that spread all over the surface that the curves lie on.
     std::int64_t all_over = 0;
 };
 
@@ -52,7 +52,7 @@ struct FirstPlaces : Places {
     // Returns the elements of the whole cloud's array that belong to these places.
     [[nodiscard]] geometry::VecArray pick(const geometry::VecArray& normal) const;
 
-    base::Array<std::int64_t> place; // in the whole cloud
+    base::Array<std::int64_t> place; // the place in the whole cloud
 };
 
 // Calls f(place) for all places, on all threads.
@@ -63,16 +63,16 @@ void for_places(const base::Work& work, std::int64_t count, F&& f) {
     });
 }
 
-// The nearest neighbours of every place, nearest first, without itself.
+// The nearest neighbours of every place, nearest first, without the place itself.
 class Near {
 public:
     static constexpr std::int64_t most = 63;      // the tree finds no more
-    static constexpr std::int64_t of_spacing = 6; // neighbours whose mean distance is a local spacing
+    static constexpr std::int64_t of_spacing = 6; // a local spacing is the mean distance to this many neighbours
 
     Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t each);
 
     [[nodiscard]] std::int64_t each() const noexcept { return each_; }
-    // The `count` nearest ones, or all if there are fewer.
+    // Returns the `count` nearest neighbours, or all if there are fewer.
     [[nodiscard]] std::span<const std::int32_t> of(std::int64_t at, std::int64_t count = most) const noexcept {
         return index_.span().subspan(static_cast<std::size_t>(at * each_),
                                      static_cast<std::size_t>(count < each_ ? count : each_));
@@ -83,12 +83,12 @@ private:
     base::Array<std::int32_t> index_;
 };
 
-// Returns the mean distance to the nearest neighbours of each place: a place stands for an area that is proportional to
-// its square.
+// Returns the mean distance from each place to its Near::of_spacing nearest neighbours. The area that a place stands
+// for is proportional to the square of this distance.
 [[nodiscard]] base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree,
                                                 const Near& near);
 
-// Returns the number of sets of places that neighbours connect.
+// Returns the number of components that places form when near neighbours are connected.
 [[nodiscard]] std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree,
                                         const Near& near);
 
@@ -107,11 +107,11 @@ struct Plane {
 };
 [[nodiscard]] Plane plane_of(const Moments& moments) noexcept;
 
-// Returns unit normals, of any sign, of the planes through each place and its nearest `count` neighbours.
+// Returns unit normals of the planes through each place and its nearest `count` neighbours. Their signs are arbitrary.
 [[nodiscard]] geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree,
                                                const Near& near, std::int64_t count);
 
-// Returns the share of places whose signs are the same, or of those whose signs differ if these are more: 0.5 .. 1.
+// Returns the larger of two shares: of the places whose normals point the same way, and of those whose normals do not.
 [[nodiscard]] double share_alike(const geometry::VecArray& a, const geometry::VecArray& b) noexcept;
 
 } // namespace hrbfnpr::orient

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The steps of smoothing a depth image:
+// The steps of smoothing a depth image are:
 //
-//   read           the points as 1 / z, and the camera: x / z goes with the column by a line, y / z with the row
-//   small_plane    a plane through the 5 x 5 pixels around each pixel; the median of their errors is the noise
-//   best_plane     the best of the small planes that cover a pixel: it has no edge in it
-//   plane_around   least squares over a disc that is as wide as the noise calls for, without pixels beyond an edge
-//   smooth_pixel   the point on that plane, and its normal
+//   read           reads the points as 1 / z, and fits the camera: x / z is linear in the column, y / z in the row
+//   small_plane    fits a plane to the 5 x 5 pixels around each pixel; the median of their errors is the noise
+//   best_plane     chooses the best small plane that covers a pixel: it has no edge in it
+//   plane_around   fits a plane to a disc as wide as the noise calls for, without pixels beyond an edge
+//   smooth_pixel   writes the point on that plane, and its normal
 #include "orient/depth_image.h"
 
 #include "base/assert.h"
@@ -24,13 +24,13 @@ namespace {
 
 constexpr std::int64_t pixels_a_task = 1024;
 constexpr std::int64_t tasks_a_band = 32;
-constexpr double regular = 1e-9;         // pixels^2: keeps the squares of pixels in one row regular
-constexpr std::int32_t small_radius = 2; // of a small plane's square
+constexpr double regular = 1e-9;         // pixels^2: keeps the fit to pixels in one row regular
+constexpr std::int32_t small_radius = 2; // radius of the square of pixels of a small plane
 constexpr double small_count = 25.0;
-constexpr double small_square = 50.0;          // sum of (pixels to the right)^2 of the 25
+constexpr double small_square = 50.0;          // sum of (pixels to the right)^2 over the 25
 constexpr double of_step = 0.2886751345948129; // standard deviation of rounding to steps of 1: 1 / sqrt(12)
 
-// The line y = slope x + start of least squares, and how well it fits.
+// The least squares line y = slope x + start, and how well it fits.
 class Line {
 public:
     void add(double x, double y) noexcept {
@@ -60,7 +60,8 @@ struct Camera {
     [[nodiscard]] std::int32_t row_of(std::int64_t i) const noexcept {
         return static_cast<std::int32_t>(i / depth.columns);
     }
-    // A plane's slope is as wrong as its depths over the disc's width: the noise of z, over z / focal_length a pixel.
+    // Returns the disc radius for an inverse depth. The error of a plane's slope is that of its depths over the disc's
+    // width, so the radius grows with the noise of z over the width of a pixel, z / focal_length.
     [[nodiscard]] double radius_at(double inverse_depth, double smoothing) const noexcept {
         const double wrong = noise / inverse_depth * focal_length;
         return std::clamp(smoothing * depth_tuning.widening * std::sqrt(wrong), double{Discs::least},
@@ -68,10 +69,10 @@ struct Camera {
     }
 
     InverseDepth depth;        // in a unit in which the median of z is 1
-    base::Array<double> error; // of the small plane around each pixel; infinite if it has none
-    Line across, down;         // x / z by columns, y / z by rows
+    base::Array<double> error; // error of the small plane around each pixel; infinite if there is no such plane
+    Line across, down;         // x / z as a function of the column, y / z of the row
     std::int64_t seen = 0;
-    double sign = 0.0; // of z
+    double sign = 0.0; // sign of z
     double unit = 1.0; // median of z
     double focal_length = 0.0;
     double noise = 0.0; // in the unit of `depth`
@@ -81,7 +82,7 @@ struct Camera {
     return {input.points.get(i, 0), input.points.get(i, 1), input.points.get(i, 2)};
 }
 
-// Returns the middle one; changes the order.
+// Returns the median; changes the order of the values.
 [[nodiscard]] double median(base::Array<double>& values, const base::Progress& progress) {
     if (values.empty()) return 0.0;
     progress.check();
@@ -111,7 +112,7 @@ void require_camera(const Camera& camera) {
          camera.across.fits() ? "y / z does not go with the row" : "x / z does not go with the column");
 }
 
-// Returns the step between the values of 1 / z; 0 if there are too many different ones.
+// Returns the step between the values of 1 / z, or 0 if there are too many different values.
 [[nodiscard]] double depth_step(const base::Array<double>& depth, const base::Progress& progress) {
     base::Array<double> values = values_if(
         depth, [](double x) { return !std::isnan(x); }, progress);
@@ -173,8 +174,8 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
     return camera;
 }
 
-// Returns the plane that the fit at a pixel begins with: the slope of the best small plane that covers the pixel, and
-// the error that the pixels around may have, by noise or by curvature.
+// Returns the plane that the fit at a pixel starts with: the slope of the best small plane that covers the pixel, and
+// the error that pixels around it may have, by noise or by curvature.
 [[nodiscard]] SmallPlane best_plane(const Camera& camera, std::int64_t i) noexcept {
     const InverseDepth& depth = camera.depth;
     const std::int32_t column = camera.column_of(i);
@@ -210,7 +211,7 @@ bool smooth_pixel(const Camera& camera, const DepthImageInput& input, const Disc
     const double nx = plane->across / camera.across.slope();
     const double ny = plane->down / camera.down.slope();
     const glm::dvec3 normal(nx, ny, plane->value - nx * camera.across.at(column) - ny * camera.down.at(row));
-    // It points to the camera, against the direction (u, v, 1) of points with a z above 0.
+    // The normal points to the camera, against the direction (u, v, 1) of points with z > 0.
     image.normal.set(i, -camera.sign * glm::normalize(normal));
     image.point.set(i, input.keep_points ? seen : seen * (here / plane->value));
     return true;
@@ -285,7 +286,7 @@ std::optional<SmallPlane> small_plane(const InverseDepth& depth, std::int32_t co
     HRBFNPR_ASSERT(column >= 0 && column < depth.columns && row >= 0 && row < depth.rows);
     constexpr std::int32_t r = small_radius;
     if (column < r || row < r || column >= depth.columns - r || row >= depth.rows - r) return std::nullopt;
-    const double here = depth.at(column, row); // is taken off, so that rounding leaves the squares exact
+    const double here = depth.at(column, row); // subtracted, so that rounding leaves the squares exact
     double sum = 0.0;
     double across = 0.0;
     double down = 0.0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The image of a depth camera: its points without the sensor's noise, and their normals.
+// Smoothing of depth camera images: removes the sensor's noise from the points, and finds their normals.
 //
-// A plane n . p = c, seen in the direction (u, v, 1), has 1 / z = n . (u, v, 1) / c: the inverse depth is linear in the
-// image. Its errors are alike everywhere, because cameras that triangulate measure the shift of a pattern, which is
-// proportional to 1 / z.
+// A plane n . p = c that is seen in the direction (u, v, 1) has 1 / z = n . (u, v, 1) / c, so the inverse depth is
+// linear in the image. Its errors have the same size everywhere, because cameras that triangulate measure the shift of
+// a pattern, which is proportional to 1 / z.
 #pragma once
 
 #include "base/operation.h"
@@ -23,21 +23,22 @@ struct DepthImageInput {
     std::int32_t columns = 0;
     std::int32_t rows = 0;
     bool keep_points = false;
-    double noise = 0.0; // 0: measured
+    double noise = 0.0; // 0: it is measured
     double smoothing = 1.0;
 };
 
 struct DepthImageReport {
     std::int64_t seen = 0;
     std::int64_t left_out = 0;
-    double noise = 0.0;        // of 1 / z
+    double noise = 0.0;        // standard deviation of 1 / z
     double focal_length = 0.0; // pixels
-    double depth = 0.0;        // median
-    double radius = 0.0;       // median, pixels
+    double depth = 0.0;        // median of |z|
+    double radius = 0.0;       // median radius of the discs, in pixels
     double seconds = 0.0;
 };
 
-// One point and normal for each pixel; NaN and a zero normal where nothing was seen or the point is left out.
+// One point and one normal for each pixel. Where nothing was seen or the point is left out, the point is NaN and the
+// normal is 0.
 struct DepthImage {
     explicit DepthImage(base::Memory& memory) noexcept : point(memory), normal(memory) {}
 
@@ -51,7 +52,7 @@ struct DepthImage {
 
 // ---- Its parts, for tests
 
-// Row by row; NaN where nothing was seen.
+// Values of 1 / z, row by row; NaN where nothing was seen.
 struct InverseDepth {
     explicit InverseDepth(base::Memory& memory) noexcept : value(memory) {}
 
@@ -74,14 +75,14 @@ struct DepthPlane {
 
 struct SmallPlane {
     DepthPlane plane;
-    double error = 0.0; // standard deviation of the pixels' distances from it
+    double error = 0.0; // standard deviation of the pixels' 1 / z from the plane
 };
 
-// Returns the plane through the 5 x 5 pixels around one, if all of them were seen.
+// Fits a plane to the 5 x 5 pixels around a pixel. Returns nothing unless all of them were seen.
 [[nodiscard]] std::optional<SmallPlane> small_plane(const InverseDepth& depth, std::int32_t column,
                                                     std::int32_t row) noexcept;
 
-// A pixel of a disc around another one, and its weight.
+// A pixel of a disc, relative to the disc's middle, and its weight.
 struct Tap {
     std::int32_t across = 0;
     std::int32_t down = 0;
@@ -102,11 +103,11 @@ public:
     }
 
 private:
-    base::Array<Tap> taps_; // of all discs
+    base::Array<Tap> taps_; // the pixels of all discs
     std::array<std::int64_t, most - least + 2> start_{};
 };
 
-// Fits a plane to the pixels of a disc, beginning with `first` and leaving out pixels that lie beyond an edge. Returns
+// Fits a plane to the pixels of a disc. Starts with `first`, and leaves out pixels that lie beyond an edge. Returns
 // nothing if few pixels are left.
 [[nodiscard]] std::optional<DepthPlane> plane_around(const InverseDepth& depth, std::int32_t column, std::int32_t row,
                                                      std::span<const Tap> disc, const SmallPlane& first) noexcept;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The steps of a judgement:
+// The steps of a judgement are:
 //
-//   compare            how much the given lines have to do with those of least energy: colours have nothing
-//   are_inward         whether most point inward: then all are turned
-//   are_tossed         whether neighbours agree by chance only: then each takes the sign of least energy
-//   patches_against    else the patches of places that are against the least energy are turned
+//   compare            measures how alike given normals and those of least energy are: colours are not alike
+//   are_inward         tells whether most normals point inward: then all are turned
+//   are_tossed         tells whether neighbours agree by chance only: then each gets the sign of least energy
+//   patches_against    finds patches of places that are against the least energy: otherwise these are turned
 #include "orient/given_normals.h"
 
 #include "base/assert.h"
@@ -34,9 +34,9 @@ struct Case {
 };
 
 struct Likeness {
-    double same_sign = 0.0; // share
-    double far = 0.0;       // share of lines that are more than 60 degrees off
-    double median = 0.0;    // of cosines of the angle between lines
+    double same_sign = 0.0; // share whose signs are those of least energy
+    double far = 0.0;       // share of lines more than 60 degrees off
+    double median = 0.0;    // median |cosine| between given lines and those of least energy
 };
 
 [[nodiscard]] Likeness compare(const Case& c) {
@@ -57,19 +57,19 @@ struct Likeness {
     return likeness;
 }
 
-// In doubt the given normals alone tell.
+// In doubt, only the winding numbers of the given normals decide.
 [[nodiscard]] bool are_inward(const Case& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
     return measure_sides({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
 }
 
-// Returns whether the given signs are those of a tossed coin: neighbours agree with the signs of least energy as often
-// as not. In doubt, neighbours that point opposite ways must not be the two sides of walls, either.
+// Returns whether the given signs look random: neighbours agree with the signs of least energy as often as not. In
+// doubt, neighbours that point opposite ways must not be the two sides of walls, either.
 [[nodiscard]] bool are_tossed(const Case& c) {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;
     std::int64_t opposite = 0;
-    std::int64_t behind = 0; // less those before
+    std::int64_t behind = 0; // neighbours at a place's back, less those at its front
     for (std::int64_t at = 0; at < c.tree.size(); ++at) {
         if (!c.known(at)) continue;
         const glm::dvec3 own = c.given.normal[at];
@@ -87,8 +87,9 @@ struct Likeness {
     return toss && !(c.evidence.doubtful && are_walls);
 }
 
-// How neighbours' normals go on over a patch's border: sum / size is 1 if the same way, -1 if turned round. A pair
-// counts for as much as it lies on one sheet: (1 - (n . d)^2) of both, d the direction between them.
+// How normals continue over the border of a patch: sum / size is 1 if they point the same way, and -1 if they are
+// turned round. The weight of a pair is larger the more it lies on one sheet: (1 - (n . d)^2) for both normals, with d
+// the direction between the places.
 struct Border {
     void add(const glm::dvec3& one, const glm::dvec3& two, const glm::dvec3& between) noexcept {
         const double square = glm::dot(between, between);
@@ -104,13 +105,13 @@ struct Border {
     double size = 0.0;
 };
 
-// Returns connected places whose normals are against those of least energy, where their directions agree; in doubt only
-// those that the given normals themselves show to be turned, by how they go on around them.
+// Returns the patches: connected places whose normals are against those of least energy, if their directions agree. In
+// doubt it returns only patches that the given normals show to be turned, by how they continue over the border.
 [[nodiscard]] base::Array<std::int32_t> patches_against(const Case& c, const Signs& signs) {
     double side = 0.0;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;
     const auto against = [&](std::int64_t at) { return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * c.cosine(at) < 0.0; };
-    base::Array<std::int32_t> patch(c.runtime.memory); // all of them, one after the other
+    base::Array<std::int32_t> patch(c.runtime.memory); // the places of all patches, one patch after the other
     base::Array<std::uint8_t> seen(c.runtime.memory, c.tree.size());
     const auto add = [&](std::int64_t at) {
         if (seen[at] != 0) return;
@@ -188,7 +189,7 @@ Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, co
         turn_everything();
         return judgement;
     }
-    // Most given normals say which side of an open surface is meant.
+    // The majority of the given normals tells which side of an open surface is meant.
     judgement.follows_given = evidence.open && mode != NormalMode::unoriented;
     if (judgement.follows_given && alike < 0.5) judgement.made_sign = -1.0;
     if (mode == NormalMode::unoriented || (looks && are_tossed(c))) {

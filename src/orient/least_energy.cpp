@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The steps of the search:
+// The steps of the search are:
 //
-//   starts             planes through neighbours, near and far, directions from the middle, and what the caller gives
-//   find_signs         (signs.h) signs by the energy
-//   descend            directions by the energy: limited-memory BFGS on the product of the normals' spheres
-//   agreement          how far the starts that came as low have the signs of the lowest
+//   starts             are planes through near and far neighbours, directions from the middle, and given normals
+//   find_signs         (signs.h) finds signs by the energy
+//   descend            finds directions by the energy: limited-memory BFGS on the product of the normals' spheres
+//   agreement          measures how far the starts with about as little energy have the signs of the lowest
 #include "orient/least_energy.h"
 
 #include "base/assert.h"
@@ -27,7 +27,7 @@ using geometry::VecArray;
 
 // ---- Directions
 
-// Limited-memory BFGS (Nocedal 1980) on a product of spheres, scaled by the energy's stiffness at each normal.
+// Limited-memory BFGS (Nocedal 1980) on a product of spheres, scaled by the stiffness of the energy at each normal.
 class Descent {
 public:
     Descent(const base::Work& work, fit::HermiteEnergy& energy, const base::Array<double>& stiffness, VecArray& normal)
@@ -65,7 +65,7 @@ public:
             return true;
         }
         if (pairs_ == 0) return false;
-        pairs_ = 0; // the curvature that was remembered misleads
+        pairs_ = 0; // the remembered curvature misleads
         return true;
     }
 
@@ -78,7 +78,7 @@ private:
         for_places(base::Work(runtime_, progress_), size_, f);
     }
 
-    // Sums or maxima of chunks do not depend on the number of threads.
+    // Returns a sum or maximum that does not depend on the number of threads, because the chunks are fixed.
     template <class F, class Join>
     [[nodiscard]] double reduced(F&& f, Join&& join) {
         runtime_.parallel.for_chunks(size_, places_a_sum, [&](std::int64_t begin, std::int64_t end) {
@@ -99,7 +99,7 @@ private:
                                                   [](double x, double y) { return std::max(x, y); })));
     }
 
-    // Returns the energy, and its derivative along the spheres.
+    // Returns the energy, and writes its derivative along the spheres.
     double evaluate(const VecArray& normal, VecArray& gradient) const {
         const double value = energy_.sparse(normal, gradient, progress_);
         for_all([&](std::int64_t i) { gradient.set(i, tangent(2.0 * gradient[i], normal[i])); });
@@ -127,7 +127,7 @@ private:
         for_all([&](std::int64_t i) { direction_.set(i, tangent(direction_[i], normal_[i])); });
     }
 
-    // Returns the place of the k-th newest pair.
+    // Returns the index of the k-th newest pair.
     [[nodiscard]] std::size_t pair(int k) const noexcept {
         return static_cast<std::size_t>((pairs_ - 1 - k) % most_pairs);
     }
@@ -157,14 +157,14 @@ private:
     std::int64_t size_;
     VecArray gradient_, next_, next_gradient_, direction_;
     base::Array<double> part_;
-    std::vector<VecArray> step_, change_; // the pairs
+    std::vector<VecArray> step_, change_; // the remembered pairs
     std::array<double, most_pairs> inverse_{};
-    int pairs_ = 0; // of all steps; the newest are kept
+    int pairs_ = 0; // number of pairs so far; the newest are kept
     double scale_ = 0.5;
     double value_ = 0.0;
 };
 
-// Turns the normals to the least energy near them, and returns it.
+// Turns the normals to a local minimum of the energy, and returns its value.
 double descend(const base::Work& work, fit::HermiteEnergy& energy, const base::Array<double>& stiffness,
                VecArray& normal) {
     Descent descent(work, energy, stiffness, normal);
@@ -188,19 +188,19 @@ struct Edge {
     std::int32_t turned; // 1: the signs differ
 };
 
-// Sets of places that are joined, each with its sign relative to the set's first (Tarjan 1975).
+// Joined sets of places. Each place has a sign relative to the first place of its set (Tarjan 1975).
 class SignedSets {
 public:
     SignedSets(base::Memory& memory, std::int64_t size) : parent_(memory, size), turned_(memory, size) {
         for (std::int64_t i = 0; i < size; ++i) parent_[i] = static_cast<std::int32_t>(i);
     }
 
-    // Returns the set's first, and whether the place has the other sign.
+    // Returns the first place of the set that `at` is in, and whether `at` has the other sign.
     std::pair<std::int32_t, bool> find(std::int32_t at) noexcept {
         bool turned = false;
         for (; parent_[at] != at; at = parent_[at]) {
             const std::int32_t above = parent_[at];
-            turned_[at] ^= turned_[above]; // halves the path: it skips the one above
+            turned_[at] ^= turned_[above]; // halves the path: skips the parent
             parent_[at] = parent_[above];
             turned ^= turned_[at] != 0;
         }
@@ -217,11 +217,11 @@ public:
 
 private:
     base::Array<std::int32_t> parent_;
-    base::Array<std::uint8_t> turned_; // against the parent; 0 of a root
+    base::Array<std::uint8_t> turned_; // 1: the sign differs from the parent's; 0 at a root
 };
 
-// Turns directions so that neighbours agree, along the minimum spanning forest of the pairs whose directions are most
-// alike (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
+// Turns directions so that neighbours agree, along the minimum spanning forest of the pairs, where pairs with more
+// alike directions come first (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
 void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbours, VecArray& normal) {
     const std::int64_t each = std::min(neighbours, near.each());
     base::Array<Edge> edges(work.memory);
@@ -235,7 +235,8 @@ void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbo
                        std::max(own, other), cosine < 0.0 ? 1 : 0};
         }
     });
-    // Two places that are each other's neighbours have an edge twice: those that are equal are the same.
+    // Two places that are each other's neighbours have an edge twice. Both edges are equal, so their order does not
+    // matter.
     base::sort_long(
         edges.begin(), edges.end(),
         [](const Edge& x, const Edge& y) {
@@ -258,8 +259,8 @@ void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbo
     return to;
 }
 
-// Planes through the nearest of the first places in the farthest-first order, of which there are a share: neighbours on
-// all sides even where places stand along lines.
+// Returns normals of planes through the nearest `count` of the first places in the farthest-first order, where 1 place
+// in `share` is a first one. So neighbours are on all sides even where places stand along lines.
 [[nodiscard]] VecArray coarse_normals(const base::Work& work, const Places& places, std::int64_t share,
                                       std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;
@@ -296,8 +297,8 @@ struct Result {
     double energy;
 };
 
-// Returns how far the others agree with the chosen one: of energies near its, weighted by how near, and of the coarser
-// cloud that was begun from. Writes LeastEnergy's rival.
+// Returns how far other results agree with the chosen one. A result counts more the nearer its energy is to the chosen
+// one's; the coarser cloud that was begun from counts, too. Writes LeastEnergy's rival.
 double agreement(const std::vector<Result>& results, const Result& chosen, const Begin* begin, double& rival) noexcept {
     // Rounding may bring a sum of squares below 0.
     const auto over_chosen = [&](const Result& r) {
@@ -328,7 +329,7 @@ LeastEnergy least_energy(const base::Work& work, const Places& places, const Nea
     HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && effort.starts >= 0);
     const std::int64_t size = places.size();
     const base::Work standing = work.standing();
-    // More neighbours of few places cost little.
+    // For few places, more neighbours cost little.
     const auto neighbours = static_cast<std::int32_t>(
         std::min<std::int64_t>(size < tuning.few_places ? tuning.neighbours_of_few : tuning.neighbours, size - 1));
     fit::HermiteEnergy energy(work.part(0.0, 0.1), *places.tree, places.rank, {ridge, neighbours});

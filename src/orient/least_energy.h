@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The normals of least energy of some places, from several starts.
+// Finds the normals of least energy of some places, from several starts.
 #pragma once
 
 #include "orient/cloud.h"
@@ -8,37 +8,38 @@
 
 namespace hrbfnpr::orient {
 
-// The normals of a coarser cloud's least energy at every place, that energy, and how far its own starts agreed.
+// The result for a coarser cloud: its normals of least energy, blended at every place, its energy, and the agreement of
+// its own starts.
 struct Begin {
     explicit Begin(base::Memory& memory) noexcept : normal(memory) {}
 
-    // The energy that points 1 apart would have.
+    // Returns the energy that points at a distance of 1 would have.
     [[nodiscard]] double own_energy() const noexcept { return energy * apart; }
 
     geometry::VecArray normal;
-    double energy = 0.0; // over the degrees of freedom
-    double apart = 1.0;  // distance between its points
+    double energy = 0.0; // per degree of freedom
+    double apart = 1.0;  // distance between the coarser cloud's points
     double agreement = 0.0;
 };
 
 struct Effort {
-    int starts = 6;               // at most: two that come to the same are enough
-    bool all = false;             // unless all are wanted
-    bool tree = false;            // adds a start whose signs are those of a spanning tree
-    const Begin* begin = nullptr; // adds a start from these
+    int starts = 6;               // the most starts; the search ends when two reach the same result
+    bool all = false;             // runs all starts, even if two reach the same result
+    bool tree = false;            // adds a start whose signs spread along a spanning tree
+    const Begin* begin = nullptr; // adds a start from these normals
 };
 
 struct LeastEnergy {
     explicit LeastEnergy(base::Memory& memory) noexcept : normal(memory) {}
 
-    geometry::VecArray normal; // unit, of each place
-    double energy = 0.0;       // over the degrees of freedom: 0.025 is that of points without any order
-    double agreement = 1.0;    // 0 .. 1: how far starts that came as low have the same signs
-    // Energy over the least of the lowest start whose signs are others: near 1 where the noise decides.
+    geometry::VecArray normal; // unit normal of each place
+    double energy = 0.0;       // per degree of freedom; points without any order have 0.025
+    double agreement = 1.0;    // 0 .. 1: how far starts with about as little energy have the same signs
+    // The least energy of a start with other signs, over the chosen one's: near 1 where the noise decides.
     double rival = std::numeric_limits<double>::infinity();
 };
 
-// ridge: that of fit::HermiteEnergy. given: normals to begin with, with their signs, or null.
+// ridge: see fit::HermiteEnergy. given: signed normals to start from, or null.
 [[nodiscard]] LeastEnergy least_energy(const base::Work& work, const Places& places, const Near& near, double ridge,
                                        const geometry::VecArray* given, const Effort& effort);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Means of normals: refine_noisy() tries smooth_directions() over several widths, by the misfit of chords, and then
-// turns places of walls to their nearer face. Means of points: means_of() makes them, and normals_by_means() takes
-// normals back to the points.
+// Means of normals: refine_noisy() tries smooth_directions() over several widths, compares the misfit of chords, and
+// then turns places of walls to their nearer face. Means of points: means_of() makes them, and normals_by_means()
+// transfers their normals back to the points.
 #include "orient/noisy_clouds.h"
 
 #include "base/assert.h"
@@ -22,16 +22,16 @@ using geometry::VecArray;
 
 // ---- Means of normals
 
-// A cloud, and the normals that are to be refined.
+// A cloud, and the normals to refine.
 struct Refined {
     const base::Work& work;
     const geometry::PointTree& tree;
     const VecArray& normal;
     double spacing;
-    base::Array<double> part; // of each place, of a sum
+    base::Array<double> part; // for each place: its term of a sum, or a sign
 };
 
-// Even samples of a plane have their sixth neighbour at 1.38 spacings.
+// Returns the median spacing. Even samples of a plane have their sixth neighbour at 1.38 spacings.
 [[nodiscard]] double median_spacing(const geometry::PointTree& tree, const Near& near) {
     constexpr double distance_to_sixth = 1.38;
     base::Array<double> all(tree.points().memory());
@@ -41,7 +41,7 @@ struct Refined {
     return all[all.size() / 2] / distance_to_sixth;
 }
 
-// Returns means of the places around each place whose normals point the same way.
+// Returns, for each place, the mean of the places around it whose normals point the same way.
 [[nodiscard]] VecArray mean_places(const Refined& r, const Near& near) {
     VecArray mean(r.work.memory, r.tree.size());
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
@@ -60,7 +60,8 @@ struct Refined {
     return mean;
 }
 
-// Returns the sum of squares of twice the sines between chords and planes, for pairs of places of one face.
+// Returns the sum over pairs of places on one face of (2 sin)^2, where the angle is between their chord and the tangent
+// plane of their mean normal.
 [[nodiscard]] double misfit(Refined& r, const VecArray& place, const VecArray& normal) {
     const double from = tuning.chords_from * r.spacing;
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
@@ -77,8 +78,8 @@ struct Refined {
     return all;
 }
 
-// Returns whether a place lies nearer to the other face of a wall than to its own: the distance is the mean to the
-// places of a face, along the mean of both normals, so that the face may be curved.
+// Returns whether a place lies nearer to the other face of a wall than to its own. The distance to a face is the mean
+// distance to its places along the mean of both normals, so that the face may be curved.
 [[nodiscard]] bool is_of_other_face(const Refined& r, const VecArray& normal, std::int64_t at) noexcept {
     const glm::dvec3 own = normal[at];
     double here = 0.0, here_all = 0.0, there = 0.0, there_all = 0.0;
@@ -99,7 +100,7 @@ struct Refined {
 
 // ---- Means of points
 
-// Returns the mean that is nearest to each place, the means standing at `centre` in their own unit.
+// Returns the nearest mean for each place. The means' coordinates are relative to `centre`, in units of `spacing`.
 [[nodiscard]] base::Array<std::int64_t> nearest_means(const base::Work& work, const Cloud& cloud,
                                                       const geometry::PointTree& means, const glm::dvec3& centre,
                                                       double spacing) {
@@ -110,7 +111,7 @@ struct Refined {
     return nearest;
 }
 
-// Adds moments about `origin` to those about zero.
+// Adds moments about `origin` to `sum`, whose moments are about zero.
 void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, Moments& sum) noexcept {
     const double n = moments.count;
     const glm::dvec3& o = origin;
@@ -145,7 +146,7 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
     }
     const glm::dvec3 plane = plane_of(sum).normal;
     const double cosine = glm::dot(plane, side);
-    // A plane that stands across the side is a wall's: no more is known than the side.
+    // A plane that stands across the side is that of a wall, so only the side is known.
     if (std::abs(cosine) < tuning.plane_across) return side;
     return glm::normalize(side + std::copysign(tuning.plane_weight, cosine) * plane);
 }
@@ -218,7 +219,8 @@ VecArray normals_by_means(const base::Work& work, const Cloud& cloud, const Clou
     HRBFNPR_ASSERT(normal.size() == means.size() && means.spacing > 0.0);
     const base::Array<std::int64_t> nearest = nearest_means(work, cloud, *means.tree, means.centre, means.spacing);
     const auto place = [&](std::int64_t at) { return (cloud.point(at) - means.centre) / means.spacing; };
-    base::Array<Moments> moments(work.memory, means.size()); // of each mean's points about it, in its unit
+    // For each mean: the moments of its points about it, in the means' unit.
+    base::Array<Moments> moments(work.memory, means.size());
     for (std::int64_t at = 0; at < cloud.size(); ++at) moments[nearest[at]].add(place(at) - means.point(nearest[at]));
     VecArray result(work.memory, cloud.size());
     for_places(work, cloud.size(),

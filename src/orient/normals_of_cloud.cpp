@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The steps:
+// The steps are:
 //
-//   measure_noise      the ridge on the values that brings the energy of the cloud, or of patches of it, down
-//   reduced            means in place of the points of a large cloud, if the noise is above their spacing
-//   fit_even           clean points, and many noisy ones: the least energy with that ridge
-//   fit_noisy          few noisy points: the least energy over a rising ridge, and means of the directions
-//   fit_curves         points along curves: the least energy of a few of them, then of twice as many that begin with
-//                      the normals of those before, until all have one
-//   confidence_of      how far starts, ridges and coarser clouds agree
+//   measure_noise      finds the ridge on the values that brings the energy of the cloud, or of patches of it, down
+//   reduced            replaces the points of a large cloud by means, if the noise is above their spacing
+//   fit_even           fits clean points, and many noisy ones: the least energy with that ridge
+//   fit_noisy          fits few noisy points: the least energy over a rising ridge, then means of the directions
+//   fit_curves         fits points along curves: the least energy of a few of them, then of twice as many, which start
+//                      from the normals before, until all points have one
+//   confidence_of      measures how far starts, ridges and coarser clouds agree
 #include "orient/normals_of_cloud.h"
 
 #include "base/assert.h"
@@ -32,11 +32,11 @@ constexpr double ridge_factor = 3.1622776601683795; // half a power of ten
 // ---- Noise
 
 struct Noise {
-    double deviation = 0.0; // over the spacing
-    double ridge = 0.0;     // that it calls for; 0 for a clean cloud
+    double deviation = 0.0; // standard deviation, in spacings
+    double ridge = 0.0;     // the ridge that the noise calls for; 0 for a clean cloud
 };
 
-// Returns places that follow each other in the tree's order, which lie together.
+// Returns consecutive places of the tree's order, which are close to each other in space.
 [[nodiscard]] Places patch_at(const base::Work& work, const Cloud& cloud, std::int64_t begin, std::int64_t end) {
     VecArray position(work.memory);
     for (std::int64_t at = begin; at < end; ++at) position.push_back(cloud.point(at));
@@ -66,7 +66,7 @@ struct Noise {
         work.runtime().log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < tuning.settled_below) break;
     }
-    // Few points of thin tubes, whose signs were clear, are lost by a ridge.
+    // A ridge loses the signs of few points on thin tubes, which were clear without it.
     if (clear && share_alike(clean.normal, fitted.normal) < tuning.same_signs) return {};
     noise.deviation = std::sqrt(noise.ridge * fitted.energy);
     return noise;
@@ -92,8 +92,8 @@ struct Noise {
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
-// Starts that disagree, and signs that change with the ridge, were wrong signs more often than not; and a sheet as
-// noisy may be a wall of three deviations.
+// Where starts disagree or signs change with the ridge, signs were wrong more often than not. Noise lowers the
+// confidence further, because a sheet with such noise may be a wall of three standard deviations.
 [[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
     const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
     return confidence_of(agreement, found.roughest, noise) * agreement * agreement *
@@ -102,7 +102,7 @@ struct Noise {
 
 // ---- Points all over a surface
 
-// Fewer starts of more places.
+// Returns fewer starts for more places.
 [[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
     if (count <= tuning.few_points) return {6, true, true};
     return {count <= tuning.many_points ? 3 : 1, false, count <= tuning.many_points};
@@ -117,7 +117,7 @@ void fit_even(const base::Work& work, const Cloud& cloud, const Near& near, cons
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
-    // With less of a ridge the signs should be the same: they are not where walls are as thin as the noise.
+    // A lower ridge should give the same signs. It does not where walls are as thin as the noise.
     const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.standing());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
@@ -135,8 +135,8 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
 
 // ---- Points along curves
 
-// Returns the normals at the points of a finer tree: those of the three nearest first places, by the inverse squares of
-// their distances.
+// Returns normals at the points of a finer tree: the mean of the normals at the three nearest first places, weighted by
+// the inverse squares of their distances.
 [[nodiscard]] VecArray blend(const base::Work& work, const FirstPlaces& first, const VecArray& normal,
                              const geometry::PointTree& finer) {
     constexpr std::size_t blended = 3;
@@ -157,9 +157,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return all;
 }
 
-// Returns the normals of least energy of the first places that stand all over the surface, then of twice as many, each
-// time begun from those before: one for each. The energy of points without noise falls; interpolated noise has the more
-// the nearer points are to each other.
+// Returns the normals of least energy for the first places that spread all over the surface, then for twice as many,
+// and so on, each level started from the one before. As points get nearer to each other, the energy falls without
+// noise, and rises if noise is interpolated.
 [[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
     std::vector<Begin> levels;
     const std::int64_t most = std::min(cloud.size(), tuning.few_points);
@@ -184,9 +184,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return levels;
 }
 
-// Returns the coarser cloud whose normals are to stay, or null. Noise has the more energy the nearer points are to each
-// other, and directions that are off by it. If the energy of all points is no less than that of fewer, it is the cloud
-// of least energy whose signs are those of these.
+// Returns the coarser cloud whose normals stay, or null. Noise has more energy, and changes directions more, the nearer
+// points are to each other. If the energy of all points is no less than that of fewer points, the result is the cloud
+// of least energy among those with the same signs as these.
 [[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy) noexcept {
     const auto least = std::min_element(coarser.begin(), coarser.end(),
                                         [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
@@ -198,7 +198,7 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return best;
 }
 
-// The coarser clouds are enough for many points.
+// Large clouds are fitted through their coarser clouds only.
 void fit_curves(const base::Work& work, const Cloud& cloud, const Near& near, const VecArray* given,
                 CloudNormals& result) {
     std::vector<Begin> coarser = begin_from_coarser(work.part(0.0, 0.5), cloud);
@@ -228,7 +228,8 @@ void fit(const base::Work& work, const Cloud& cloud, const Near& near, const Noi
         fit_even(work, cloud, near, noise, given, result);
 }
 
-// Returns means of the cloud's points, in its coordinates, that are far enough apart for their noise, which is written.
+// Returns means of the cloud's points, in the cloud's coordinates, that are far enough apart for their noise. Writes
+// that noise.
 [[nodiscard]] Cloud reduced(const base::Work& work, const Cloud& cloud, Noise& noise) {
     Cloud means(work.memory);
     const Cloud* last = &cloud;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals of a cloud, as its noise, its size, and whether its points lie along curves call for.
+// Finds the normals of a cloud. Its noise, its size, and whether its points lie along curves decide how.
 #pragma once
 
 #include "orient/least_energy.h"
@@ -14,7 +14,7 @@ struct CloudNormals {
     double confidence = 0.0;
 };
 
-// given: normals to begin with, with their signs, or null.
+// given: signed normals to start from, or null.
 [[nodiscard]] CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const Near& near,
                                             const geometry::VecArray* given);
 
@@ -22,12 +22,13 @@ struct CloudNormals {
 
 struct RidgeFit {
     LeastEnergy fitted;
-    double roughest = 0.0;   // energy at the least ridge, which noise has not been taken out of
-    double steadiness = 1.0; // the least share of equal signs between ridges that noise may call for
+    double roughest = 0.0;   // energy at the lowest ridge, which removes no noise
+    double steadiness = 1.0; // the least share of equal signs between the ridges tried
 };
 
-// Fits a noisy cloud from a ridge that only begins to see the noise up to the one it calls for, `most`, while the signs
-// stay: a ridge that is too high makes one sheet of two, and merges tips.
+// Fits a noisy cloud with rising ridges: from one that only begins to see the noise, up to `most`, the ridge that the
+// noise calls for. It stops before the signs change, because a ridge that is too high makes one sheet of two, and
+// merges tips.
 [[nodiscard]] RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& near, double most,
                                      const geometry::VecArray* given, const Effort& effort);
 

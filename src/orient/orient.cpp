@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The steps in their order:
+// The steps are, in this order:
 //
-//   read_cloud         (cloud.h) points 1 apart, merged, in a tree's order
-//   read_given         (given_normals.h) the given normals, which are a start, too
-//   normals_of_cloud   (normals_of_cloud.h) the normals of least energy
-//   turn_outward       (outward.h) the sign of the whole
-//   judge              (given_normals.h) the worth of given normals
-//   write_normals      the normals of the points: made ones, and given ones that stay or are turned
+//   read_cloud         (cloud.h) merges the points, scales them to 1 apart, and puts them in a tree's order
+//   read_given         (given_normals.h) reads the given normals, which are one of the starts
+//   normals_of_cloud   (normals_of_cloud.h) finds the normals of least energy
+//   turn_outward       (outward.h) finds the sign of the whole
+//   judge              (given_normals.h) judges the given normals
+//   write_normals      writes a normal for each point: a made one, or the given one, which stays or is turned
 #include "orient/orient.h"
 
 #include "base/clock.h"
@@ -21,7 +21,7 @@ namespace {
 
 using geometry::VecArray;
 
-// Writes a normal for each point. Given ones that stay keep their length, and change no more than their sign.
+// Writes a normal for each point. Given normals that stay keep their length, and change at most their sign.
 void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray& least, const GivenNormals& given,
                    const Judgement& judgement, Orientation& result) {
     OrientReport& report = result.report;
@@ -42,7 +42,7 @@ void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray&
             report.made += look_only ? 0 : 1;
             continue;
         }
-        // Each of several points that coincide has a normal of its own.
+        // Each of several coinciding points has a normal of its own.
         const bool against = glm::dot(own, given.normal[at]) < 0.0;
         const bool turned = (judgement.signs[at] < 0) != (against && judgement.by_place);
         result.normal.set(i, turned ? -own : own);

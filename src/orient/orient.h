@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals for points, and repairs of given ones.
+// Finds normals for points, and repairs given normals.
 #pragma once
 
 #include "base/operation.h"
@@ -13,7 +13,7 @@
 
 namespace hrbfnpr::orient {
 
-// The fields of hrbfnpr_orient_desc. Views have 3 components; there are as many normals as points, or none (the
+// The fields of hrbfnpr_orient_desc. Views have 3 components. There are as many normals as points, or none (the
 // boundary checks).
 struct OrientInput {
     base::InView points;
@@ -43,15 +43,15 @@ struct OrientReport {
 struct Orientation {
     explicit Orientation(base::Memory& memory) noexcept : normal(memory) {}
 
-    geometry::VecArray normal; // of each given point; given ones that stay keep their bits
+    geometry::VecArray normal; // for each given point; given normals that stay keep their bits
     OrientReport report;
 };
 
 // Throws Error{invalid_argument, out_of_memory, cancelled}.
 [[nodiscard]] Orientation orient(const base::Work& work, const OrientInput& input);
 
-// Returns whether given normals plainly all point into a closed surface. It looks at some thousand points only, which
-// takes no time.
+// Returns whether given normals plainly all point into a closed surface. It takes almost no time, because it uses only
+// some thousand points.
 [[nodiscard]] bool plainly_inward(const base::Work& work, const base::InView& points, const base::InView& normals);
 
 } // namespace hrbfnpr::orient

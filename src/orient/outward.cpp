@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The outside of a cloud: measure_sides() compares winding numbers on both sides of its places; where these are alike,
-// side_by_rule() decides.
+// Finds the outside of a cloud. measure_sides() compares winding numbers on both sides of its places; where these are
+// alike, side_by_rule() decides.
 #include "orient/outward.h"
 
 #include "base/assert.h"
@@ -14,10 +14,11 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr double area_share = 0.8660254037844386; // of a hexagonal lattice: area over squared distance
-constexpr double sphere = 12.566370614359172;     // solid angle
+constexpr double area_share = 0.8660254037844386; // in a hexagonal lattice: area of a point over squared distance
+constexpr double sphere = 12.566370614359172;     // solid angle of a sphere
 
-// Returns 1 if most area faces up, or the viewpoint; of walls that stand across up, faces along y, or x.
+// Returns 1 if most area faces up, or faces the viewpoint if there is one, else -1. If the area faces neither up nor
+// down, as with upright walls, z, y and x are tried in turn.
 [[nodiscard]] int side_by_rule(const Cloud& cloud, const base::Array<double>& spacing, const OutwardRule& rule,
                                const VecArray& normal) {
     glm::dvec3 area{0.0};
@@ -50,7 +51,7 @@ int Sides::outward() const noexcept {
 Sides measure_sides(const base::Work& work, const geometry::PointTree& tree, const Near& near, const VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 0);
     const base::Array<double> spacing = local_spacing(work, tree, near);
-    VecArray moment(work.memory, tree.size()); // of dipoles: normals times areas
+    VecArray moment(work.memory, tree.size()); // dipole moments: normals times areas
     for (std::int64_t at = 0; at < tree.size(); ++at)
         moment.set(at, area_share * spacing[at] * spacing[at] * normal[at]);
     const auto winding_number = [&](const glm::dvec3& p) {
@@ -81,7 +82,7 @@ Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near,
     Whole whole;
     int side = 0;
     if (cloud.is_of_curves()) {
-        // Places along curves stand for no area: the first of them do.
+        // Places along curves stand for no area, but the first of them do.
         const FirstPlaces first(work, cloud, cloud.all_over);
         const Near around(work, *first.tree, Near::of_spacing);
         const Sides sides = measure_sides(work, *first.tree, around, first.pick(normal));
@@ -92,7 +93,7 @@ Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near,
         whole.closed = sides.closed();
         side = sides.outward();
     }
-    // An open surface that was seen from somewhere has no other outside.
+    // The outside of an open surface with a viewpoint is the side that the viewpoint sees.
     if (side == 0 || (!whole.closed && rule.has_viewpoint)) {
         whole.by = rule.has_viewpoint ? OutwardBy::viewpoint : OutwardBy::up;
         side = side_by_rule(cloud, local_spacing(work, *cloud.tree, near), rule, normal);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The steps of the solver:
+// The steps of the solver are:
 //
-//   find_patches    few neighbours whose normals agree, in place of single places, of a large cloud
-//   Agglomeration   rounds in which each cluster finds its partner, and partners join, until one cluster is left
-//   improve         sweeps from the coarsest clusters to single places: each is turned where that lowers the energy
+//   find_patches    joins a few neighbours whose normals agree, in place of single places; large clouds only
+//   Agglomeration   makes rounds in which each cluster finds its partner, and partners join, until one is left
+//   improve         sweeps from the coarsest clusters to single places, and turns each where that lowers the energy
 //
-// The energy is a sum of squares, which the sparse factor's terms make: a sparse term has a few places as elements, the
-// dense term the coarsest places.
+// The energy is a sum of squares made from the terms of the sparse factor. The elements of a sparse term are a few
+// places; those of the dense term are the coarsest places.
 #include "orient/signs.h"
 
 #include "base/assert.h"
@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t clusters_a_task = 256;
 constexpr std::int64_t places_a_look = 512;
 
-// Sums by the name of a cluster.
+// Adds up a sum for each cluster, by its name.
 struct SumsByName {
     explicit SumsByName(const base::Runtime& runtime) noexcept
         : sum(runtime.memory), is_there(runtime.memory), names(runtime.memory) {}
@@ -49,15 +49,15 @@ struct SumsByName {
 
     base::Array<double> sum;
     base::Array<std::uint8_t> is_there;
-    base::Array<std::int32_t> names; // in the order in which they came
+    base::Array<std::int32_t> names; // in the order of their first add()
 };
 
 using Four = std::array<double, 4>;
 
-// The clusters of places, from fine to coarse: a cluster is named for its first place.
+// For each level, from fine to coarse: the name of each place's cluster, which is the first place in it.
 using Levels = std::vector<base::Array<std::int32_t>>;
 
-// The energy's terms for given directions.
+// The terms of the energy for given directions.
 struct SignTerms {
     SignTerms(const base::Work& work, const fit::HermiteEnergy& energy, const geometry::VecArray& normal)
         : runtime(work), terms(energy.terms(normal, work)), blocks(terms.blocks), size(energy.size()),
@@ -65,7 +65,7 @@ struct SignTerms {
         for (std::int64_t k = 0; k < blocks.coarse_count; ++k) dense[blocks.coarse[k]] = k + 1;
     }
 
-    // What an element adds to its term.
+    // Returns the part of its term that an element adds.
     [[nodiscard]] Four part(std::int64_t element, const Signs& signs) const noexcept {
         const float* const a = terms.add.data() + 4 * element;
         const auto s = static_cast<float>(signs[blocks.set[element]]);
@@ -76,7 +76,7 @@ struct SignTerms {
     void for_elements(std::int64_t term, Visit&& visit) const {
         for (std::int64_t e = term * blocks.set_size; e < (term + 1) * blocks.set_size; ++e) visit(e);
     }
-    // What a sample of the dense term adds to it, with the sign +1.
+    // Returns the part of the dense term that a sample adds with the sign +1.
     [[nodiscard]] const double* dense_part(std::int64_t sample) const noexcept {
         return terms.coarse_add.data() + sample * blocks.coarse_columns;
     }
@@ -85,14 +85,14 @@ struct SignTerms {
     fit::HermiteEnergy::Terms terms;
     fit::Preconditioner::Blocks blocks;
     std::int64_t size;
-    base::Array<std::int64_t> dense; // of each place: 1 + its number in the dense term, or 0
+    base::Array<std::int64_t> dense; // for each place: 1 + its index in the dense term, or 0
 };
 
-// Joins places, two clusters at a time that are each other's nearest by |coupling| / sqrt(self energies), with the sign
-// that lowers the energy; the couplings of joined clusters add up. The first level, if there is one, holds the clusters
-// to begin with, and `signs` the signs in them.
+// Joins places, two clusters at a time. Partners are each other's nearest by |coupling| / sqrt(self energies), and join
+// with the sign that lowers the energy. The couplings of joined clusters add up. The first level, if there is one,
+// holds the clusters to start from, and `signs` the signs in them.
 //
-// Clusters are linked lists of their members. A term whose members are all of one cluster is over: it is skipped.
+// Clusters are linked lists of their members. A term whose members are all in one cluster is over: it is skipped.
 class Agglomeration {
 public:
     Agglomeration(const SignTerms& energy, Levels& levels, Signs& signs, const base::Progress& progress)
@@ -122,7 +122,7 @@ public:
             mark_over();
             for_names([&](std::int32_t name) { partner_[name] = find_partner(name); });
             join_partners();
-            if (names_.size() == before) break; // nothing is coupled
+            if (names_.size() == before) break; // no clusters are coupled
             if (static_cast<double>(names_.size()) > tuning.kept_share * static_cast<double>(kept)) continue;
             kept = names_.size();
             levels_.emplace_back(memory_, size_);
@@ -132,13 +132,13 @@ public:
 
 private:
     struct Partner {
-        std::int32_t name = -1; // -1: nothing is coupled to it
+        std::int32_t name = -1; // -1: no cluster is coupled to this one
         double coupling = 0.0;
-        double strength = -1.0; // |coupling| over the root of both self energies
+        double strength = -1.0; // |coupling| over the root of the product of both self energies
     };
     struct Joined {
-        std::int32_t to; // the cluster it joined in this round; a root is joined to itself
-        bool turned;     // against it
+        std::int32_t to; // the cluster that it joined in this round; a root is joined to itself
+        bool turned;     // its sign differs from that of `to`
     };
 
     template <class F>
@@ -156,7 +156,7 @@ private:
         last_[to] = last_[other];
     }
 
-    // Calls visit(term) once for each term that the cluster has a member in and that is not over.
+    // Calls visit(term) once for each term that has a member of the cluster and is not over.
     template <class Visit>
     void for_terms(std::int32_t name, Visit&& visit) const {
         for (std::int32_t at = name; at >= 0; at = next_[at])
@@ -169,7 +169,8 @@ private:
                 if (first == element) visit(term);
             }
     }
-    // Calls visit(name of the other's cluster, product) for the pairs of the dense term whose first is of the cluster.
+    // Calls visit(name of the second's cluster, product) for the pairs of the dense term whose first place is in the
+    // cluster.
     template <class Visit>
     void for_dense(std::int32_t name, Visit&& visit) const {
         for (std::int32_t at = name; at >= 0; at = next_[at])
@@ -239,8 +240,8 @@ private:
         return best;
     }
 
-    // Joins clusters that are each other's partner; and, of the others, those whose coupling leaves little doubt, and
-    // small ones beside a large one, which would have to wait for their turn.
+    // Joins clusters that are each other's partner. Of the others, it joins those whose coupling leaves little doubt,
+    // and small ones with a large one, which would otherwise have to wait for their turn.
     void join_partners() {
         for (const std::int32_t name : names_) joined_[name] = {name, false};
         for (const bool mutual_ones : {true, false})
@@ -266,7 +267,7 @@ private:
         return result;
     }
 
-    // The coupling is that of the signs at the round's beginning.
+    // partner.coupling is for the signs at the beginning of the round.
     void join(std::int32_t one, const Partner& partner) noexcept {
         Joined a = root_of(one);
         Joined b = root_of(partner.name);
@@ -290,19 +291,19 @@ private:
     Levels& levels_;
     Signs& signs_;
     const base::Progress& progress_;
-    base::Array<std::int32_t> cluster_; // named for its first member
-    base::Array<std::int32_t> next_;    // member; -1: the last
-    base::Array<std::int32_t> last_;    // member, by name as all below
-    base::Array<double> self_;          // energy of the members alone
+    base::Array<std::int32_t> cluster_; // for each place: the name of its cluster
+    base::Array<std::int32_t> next_;    // for each place: the next member; -1: it is the last
+    base::Array<std::int32_t> last_;    // last member, by the name of the cluster, as the four arrays below
+    base::Array<double> self_;          // energy of the cluster's members alone
     base::Array<Partner> partner_;
-    base::Array<std::int64_t> count_; // of members
+    base::Array<std::int64_t> count_; // number of members
     base::Array<Joined> joined_;
-    base::Array<std::uint8_t> over_; // of each term
+    base::Array<std::uint8_t> over_; // for each term
     base::Array<std::int32_t> names_;
     base::ScratchPool<SumsByName> sums_;
 };
 
-// The totals of all terms, from which follows what turning a set of places does to the energy.
+// The totals of all terms. They give the change of the energy if a set of places is turned.
 class Turning {
 public:
     Turning(const SignTerms& energy, Signs& signs, const base::Progress& progress)
@@ -327,7 +328,7 @@ public:
         return sum;
     }
 
-    // Turns the members if that lowers the energy by more than rounding does.
+    // Turns the members if that lowers the energy by more than rounding.
     bool turn(std::span<const std::int32_t> members) {
         ++visit_;
         terms_.clear();
@@ -381,13 +382,13 @@ private:
     base::Array<double> total_;
     base::Array<double> dense_total_;
     base::Array<double> dense_part_;
-    base::Array<std::int64_t> seen_;  // the last visit that met each term
-    base::Array<std::int32_t> terms_; // that the members are in
-    base::Array<double> part_;        // the members' part of these
+    base::Array<std::int64_t> seen_;  // for each term: the last visit that met it
+    base::Array<std::int32_t> terms_; // terms that the members are in
+    base::Array<double> part_;        // for each of these terms: the members' part
     std::int64_t visit_ = 0;
 };
 
-// Turns clusters, from coarse to fine, and single places wherever that lowers the energy. Returns the energy.
+// Turns clusters, from coarse to fine, and then single places, wherever that lowers the energy. Returns the energy.
 double improve(const SignTerms& energy, const Levels& levels, Signs& signs, const base::Progress& progress) {
     Turning turning(energy, signs, progress);
     base::Array<std::int32_t> order(energy.runtime.memory, energy.size);
@@ -420,7 +421,8 @@ double improve(const SignTerms& energy, const Levels& levels, Signs& signs, cons
     return turning.energy();
 }
 
-// Returns clusters of a place and the neighbours on its sheet whose normals agree with its own; writes their signs.
+// Returns patches as clusters: a place and the neighbours on its sheet whose normals agree with its own. Writes the
+// signs of these neighbours.
 [[nodiscard]] base::Array<std::int32_t> find_patches(const Places& places, const Near& near,
                                                      const geometry::VecArray& normal, Signs& signs) {
     base::Array<std::int32_t> patch(signs.memory(), places.size());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The solver of signs: which of each direction's two ways it points, by the energy of all of them together.
+// The solver of signs. It chooses for each direction which of its two ways it points, by the energy of all together.
 //
-// Places join into clusters along the strongest couplings of the energy; then clusters, from coarse to fine, and single
+// Places join into clusters along the strongest couplings of the energy. Then clusters, from coarse to fine, and single
 // places are turned wherever that lowers the energy.
 #pragma once
 
@@ -15,7 +15,7 @@ using Signs = base::Array<std::int8_t>; // 1 or -1 for each place
 
 [[nodiscard]] Signs all_positive(base::Memory& memory, std::int64_t size);
 
-// Gives directions the signs of least energy. A large cloud begins with patches of neighbours.
+// Gives directions the signs of least energy. For a large cloud the solver starts from patches of neighbours.
 void find_signs(const base::Work& work, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
                 geometry::VecArray& normal);
 
