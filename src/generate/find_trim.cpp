@@ -17,9 +17,10 @@ namespace {
 
 using geometry::CellGrid;
 
-constexpr double unused = 1e-7; // tolerance of projections, of which none are made
+constexpr double unused = 1e-7; // the tolerance of projections; none are made here
 
-// What the first look follows: the surface where samples surround it and support it, and all that they do not surround.
+// The domain in which the first look follows the surface: it ends where surrounded samples support the surface, and
+// includes all places whose nearest sample is not surrounded.
 class Doubtful final : public implicit::Domain {
 public:
     Doubtful(const surface::Support& support, double limit) noexcept : support_(support), limit_(limit) {}
@@ -33,7 +34,7 @@ private:
     double limit_;
 };
 
-// Cells beside each other in which s exceeds the limit.
+// A connected set of cells in which s exceeds the limit.
 struct Part {
     double highest = 0.0;  // the highest s in its cells
     double farthest = 0.0; // the largest distance of its places from the nearest sample
@@ -44,17 +45,18 @@ struct Part {
 constexpr std::int32_t borne_out = -1;
 constexpr std::int32_t in_no_part_yet = -2;
 
-// The cells that the surface passes, and their parts.
+// The cells that the surface passes through, and their parts.
 struct Followed {
     explicit Followed(stipples::SurfaceCells found)
         : cells(std::move(found)), number(cells), part_of(cells.cell.memory(), cells.cell.size()),
           part(cells.cell.memory()) {}
 
-    // The place on the surface next to a cell's centre.
+    // Returns the place on the surface next to a cell's centre.
     [[nodiscard]] glm::dvec3 place(std::int64_t cell) const noexcept {
         return cells.centre(cell) - cells.cell[cell].distance * cells.cell[cell].normal;
     }
-    // Calls visit(cell, number) for the cells around one and itself; the number is -1 where the surface does not pass.
+    // Calls visit(cell, number) for a cell and the cells around it. The number is -1 if the surface does not pass
+    // through the cell.
     template <class Visit>
     void for_neighbours(std::int64_t cell, Visit&& visit) const {
         const CellGrid::Cell at = geometry::morton_cell(cells.cell[cell].code);
@@ -74,7 +76,8 @@ struct Followed {
     base::Array<Part> part;
 };
 
-// Follows the surface from samples, finds its parts, reports those left out. A wary look has fewer cells, lower limits.
+// Follows the surface from samples, finds its parts, and reports those left out. A wary look has fewer cells and lower
+// limits.
 [[nodiscard]] Followed follow(const base::Work& work, const implicit::Implicit& implicit,
                               const surface::Support& support, const TrimSettings& settings, bool wary,
                               const geometry::VecArray& samples, TrimReport& report) {
@@ -88,7 +91,7 @@ struct Followed {
     Followed found(stipples::find_surface_cells(site.part(0.0, 0.6), samples, region, side));
     const stipples::SurfaceCells& cells = found.cells;
     const std::int64_t count = cells.cell.size();
-    base::Array<double> value(work.memory, count); // s where the surface is nearest to a cell's centre
+    base::Array<double> value(work.memory, count); // s at the place of the surface nearest to each cell's centre
     constexpr std::int64_t cells_a_task = 256;
     work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
@@ -121,8 +124,8 @@ struct Followed {
             });
         }
         part.cells = front.size();
-        // Between samples that are denser than the surface is accurate there are no holes, and between curves all that
-        // they bound is meant, however far from them.
+        // If samples are denser than the surface is accurate, there are no holes between them. Between curves, all
+        // surface that they bound stays, however far it is from them.
         const bool sure = settings.closest > 0.0 || part.highest >= share * generate_tuning.doubtless;
         part.left_out = part.to_end || (!along_curves && sure && part.farthest > share * settings.hole * diagonal);
         found.part.push_back(part);
@@ -136,7 +139,7 @@ struct Followed {
     return found;
 }
 
-// Whether there may be something to leave out: if there is, a part of it begins where samples are not surrounded.
+// Tells whether there may be something to leave out. If there is, a part of it begins where samples are not surrounded.
 [[nodiscard]] bool may_end(const base::Work& work, const ImplicitFor& implicit_for, const surface::Support& support,
                            const TrimSettings& settings) {
     if (!(settings.off <= generate_tuning.on_surface * support.median_spacing())) return true;
@@ -171,8 +174,8 @@ FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for, con
     if (trim.report.share == 1.0)
         fail(Status::not_converged, "no part of the surface is near its samples: give more of them, or a larger limit");
     if (trim.report.parts == 0) return trim;
-    // The surface ends between a cell that is left out and one that is not: cells around those left out count as left
-    // out, but for those of holes that stay closed. All others are kept.
+    // The surface ends between a cell that is left out and one that is not. Cells around those left out also count as
+    // left out, except the cells of holes that stay closed. All other cells are kept.
     geometry::CellSet left_out(work.memory);
     for (std::int64_t i = 0; i < found.part_of.size(); ++i)
         if (found.is_left_out(i))

@@ -28,9 +28,10 @@ namespace {
 
 // ---- The model's unit
 
-// A model, its samples and the settings' lengths in a unit of the model's size, in which floats hold squares and cubes.
+// A model, its samples and the lengths of the settings, in a unit of about the model's size, in which floats can hold
+// squares and cubes.
 struct InUnit {
-    // The settings have passed check_request(); all arguments live as long as this.
+    // The settings have passed check_request(). All arguments must outlive this object.
     InUnit(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& given_samples,
            const Settings& given)
         : work_of_all(work), unscaled(implicit), unit(geometry::unit_for(implicit.diagonal())),
@@ -58,13 +59,14 @@ struct InUnit {
     base::Work work_of_all;
     const implicit::Implicit& unscaled;
     double unit;
-    std::optional<implicit::Scaled> scaled; // only in another unit than the caller's
+    std::optional<implicit::Scaled> scaled; // empty if the unit is the caller's
     base::Array<double> sample_position, seed_position;
     SampleHint samples;
     Settings settings;
 };
 
-// Lengths of a finished set. Throws Error{invalid_argument} for those that a float cannot hold.
+// Scales the lengths of a finished set to the caller's unit. Throws Error{invalid_argument} for lengths that a float
+// cannot hold.
 void to_callers_unit(marks::PointSet& set, double unit) {
     if (unit == 1.0) return;
     set.origin *= unit;
@@ -75,7 +77,7 @@ void to_callers_unit(marks::PointSet& set, double unit) {
     constexpr double largest = std::numeric_limits<float>::max();
     for (marks::Layer& layer : set.layers) {
         for (float& number : layer.position) number = static_cast<float>(unit * double{number});
-        for (std::int64_t i = 0; i < layer.curvature.size(); ++i) { // k1 and k2, beside the confidence
+        for (std::int64_t i = 0; i < layer.curvature.size(); ++i) { // k1 and k2, not the confidence
             float& k = layer.curvature[i];
             if (i % 3 != 2) k = static_cast<float>(std::clamp((1.0 / unit) * double{k}, -largest, largest));
         }
@@ -93,7 +95,7 @@ void check_length(const char* field, double length, double diagonal) {
 
 // ---- Layers
 
-// What all layers grow from.
+// The data from which all layers grow.
 struct Ground {
     const marks::Site& site;
     const SampleHint& samples;
@@ -107,7 +109,8 @@ struct Growing {
         : settings(its), place(number), site(all), marks(all.memory()) {
         site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
     }
-    // Seeds take the first tenth, the last part is for assembling; the layers share the rest.
+    // Returns the site with the layer's part of the progress. Seeds take the first tenth, and assembling takes the last
+    // part. The layers share the rest.
     [[nodiscard]] marks::Site part_of(const Ground& ground) const noexcept {
         const double each = 0.75 / static_cast<double>(ground.settings.layers.size());
         const double first = 0.2 + each * static_cast<double>(place);
@@ -115,8 +118,8 @@ struct Growing {
     }
 
     const LayerSettings& settings;
-    std::int64_t place; // in the list
-    marks::Site site;   // with random numbers of its own
+    std::int64_t place; // its place in the list
+    marks::Site site;   // the site, with the layer's own random seed
     marks::Marks marks;
 };
 
@@ -139,7 +142,7 @@ struct Growing {
     return growth;
 }
 
-// Strokes start from the stipples of the first layer of them, or from some that are made for them alone.
+// Grows all layers. Strokes start from seeds, from the first layer of stipples, or from stipples made only for them.
 void grow_published(const Ground& ground, base::List<Growing>& growing, marks::PointSet& set) {
     const marks::Seeds& seeds = ground.seeds;
     const published::Start from_seeds{seeds.position, seeds.normal, seeds.report.attempted};
@@ -187,7 +190,7 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
 
 // ---- BLUE_NOISE
 
-// Returns the area of the surface.
+// Makes even stipples. Returns the area of the surface.
 double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells, Growing& layer,
                        marks::LayerReport& report) {
     const base::Stopwatch watch;
@@ -211,11 +214,12 @@ double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells
     return even.area;
 }
 
-// Layers of hatching that are alike but for their angles share the samples that they are laid on, in `last`. These do
-// not depend on the other layers: they have cells of their own. Returns the area of the surface.
+// Lays the lines of a layer of hatching. Layers that differ only in their angles share the samples on which lines are
+// laid, in `last`. The samples do not depend on the other layers, because they have their own cells. Returns the area
+// of the surface.
 double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Ground>& last, marks::LayerReport& report) {
     const base::Stopwatch watch;
-    // Its random numbers are those of all layers.
+    // The layer uses the random numbers of all layers, not its own.
     const marks::Site site = ground.site.with(layer.part_of(ground).work);
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
@@ -231,7 +235,7 @@ double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Groun
     return last->area();
 }
 
-// Returns the area of the surface.
+// Grows all layers of even stipples and lines. Returns the area of the surface.
 double grow_even(const Ground& ground, base::List<Growing>& growing, marks::PointSet& set) {
     std::int64_t most = 1;
     for (const LayerSettings& layer : ground.settings.layers)
@@ -272,12 +276,12 @@ void require_some(base::List<Growing>& growing, marks::PointSet& set) {
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }
 
-// `area`: of the surface; 0 where it is not known.
+// `area` is the area of the surface; 0: unknown.
 void assemble_layers(const marks::Site& site, base::List<Growing>& growing, double area, marks::PointSet& set) {
     base::Array<const geometry::VecArray*> positions(site.memory());
     for (const Growing& layer : growing) positions.push_back(&layer.marks.position);
     measure(site.work.part(0.95, 0.95), positions.span(), area, set);
-    std::int64_t largest = 0; // marks in one layer
+    std::int64_t largest = 0; // the number of marks of the largest layer
     for (const Growing& layer : growing) largest = std::max(largest, layer.marks.count());
     for (Growing& layer : growing) {
         marks::Layer& to = set.layers[layer.place];
@@ -292,7 +296,7 @@ void assemble_layers(const marks::Site& site, base::List<Growing>& growing, doub
         settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
         marks::assemble(layer.site.part(0.95, 1.0), layer.marks, settings, set.origin, to);
-        layer.marks = marks::Marks(site.memory()); // gives the doubles back
+        layer.marks = marks::Marks(site.memory()); // frees the memory of the doubles
     }
 }
 
@@ -381,7 +385,7 @@ double step_patches(const base::Work& work, const implicit::Implicit& implicit, 
     const InUnit in_unit(work, implicit, samples, settings);
     const marks::Site site = in_unit.site();
     const marks::Seeds seeds = make_seeds(site, in_unit.samples, in_unit.settings);
-    // The seeds in a random order: patches are placed at different ones as long as there are some.
+    // Sorts the seeds in a random order. Patches are placed at different seeds as long as there are enough.
     struct Ticket {
         std::uint64_t number;
         std::int64_t seed;
@@ -396,11 +400,11 @@ double step_patches(const base::Work& work, const implicit::Implicit& implicit, 
         order[i] = {static_cast<std::uint64_t>(bits[0]) << 32U | bits[1], i};
     }
     std::sort(order.begin(), order.end());
-    work.update(1.0); // the last chance to cancel, before anything is written
+    work.update(1.0); // the last chance to cancel before output is written
     for (std::int64_t patch = 0; patch < corners.count; ++patch) {
         const std::int64_t seed = order[patch % order.size()].seed;
         const geometry::TangentFrame frame = geometry::stipple_frame(seeds.normal[seed]);
-        // u x r = n: counter-clockwise seen from outside.
+        // u x r = n, so the corners are counter-clockwise as seen from outside.
         constexpr std::array<std::array<double, 2>, 4> sides = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
         std::uint32_t component = 0;
         for (const auto& [along_u, along_r] : sides) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Placing marks on an implicit surface.                              [NPAR 4.2, 5]
+// Places marks on an implicit surface. [NPAR 4.2, 5]
 #pragma once
 
 #include "base/operation.h"
@@ -12,27 +12,29 @@
 
 namespace hrbfnpr::generate {
 
-// Refuses, before any work, sizes that floats do not hold, and lengths that make no sense beside the model's.
+// Refuses, before any work, sizes that floats cannot hold, and lengths that make no sense for the model's size.
 // generate() and step_patches() call it themselves.
 void check_request(const implicit::Implicit& implicit, const Settings& settings);
 
-// Finds where marks start from: throws not_converged if none reaches the surface. The settings are completed().
+// Finds the seeds from which marks start. Throws not_converged if none reaches the surface. The settings must be
+// completed().
 [[nodiscard]] marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings);
 
 // Makes a set that is ready for frames, in the model's unit:
 //
 // 1. make_seeds() projects samples, given points or a jittered grid (seeds.cpp).
-// 2. Each layer grows from them: by the published recursions, or as even stipples (stipples) and lines (hatching).
-// 3. Normals are softened for tone, the layers assembled, scaled to the caller's unit, and clustered.
+// 2. Each layer grows from the seeds: by the published recursions, or as even stipples (stipples) and lines (hatching).
+// 3. Normals are softened for tone, and the layers are assembled, scaled to the caller's unit, and clustered.
 //
 // Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
 [[nodiscard]] marks::PointSet generate(const base::Work& work, const implicit::Implicit& implicit,
                                        const SampleHint& samples, const Settings& given);
 
-// The evaluations of the implicit that the completed() settings take, roughly.
+// Returns roughly how many evaluations of the implicit the completed() settings take.
 [[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
 
-// Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds, 12 numbers each. Returns rho_0.
+// Fills in the squares of Figure 5: `corners.count` squares of side 2 rho_0 in the tangent planes of random seeds, 12
+// numbers each. Returns rho_0.
 double step_patches(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& samples,
                     const Settings& given, const base::OutView& corners);
 

@@ -13,7 +13,7 @@
 namespace hrbfnpr::generate {
 namespace {
 
-// Projects starting points, a chunk at a time; those that come to rest within `stray_limit` become seeds.
+// Projects starting points, a chunk at a time. Points that land within `stray_limit` of their start become seeds.
 void settle_seeds(const marks::Site& site, const geometry::VecArray& start, double stray_limit, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(stray_limit > 0.0);
     marks::Settler settler(site);
@@ -31,8 +31,8 @@ void settle_seeds(const marks::Site& site, const geometry::VecArray& start, doub
     }
 }
 
-// A random vector of length up to `longest`, uniform in that ball: a random direction
-// (Archimedes' cylinder) times the cube root of a random share of the volume.
+// Returns a random vector of length up to `longest`, uniform in that ball: a random direction (Archimedes' cylinder)
+// times the cube root of a random share of the volume.
 glm::dvec3 in_ball(const std::array<double, 4>& u, double longest) noexcept {
     const double z = 2.0 * u[0] - 1.0;
     const double angle = 2.0 * 3.14159265358979323846 * u[1];
@@ -40,7 +40,8 @@ glm::dvec3 in_ball(const std::array<double, 4>& u, double longest) noexcept {
     return longest * std::cbrt(u[2]) * glm::dvec3(flat * std::cos(angle), flat * std::sin(angle), z);
 }
 
-// A jittered grid in the box. A box of no thickness (coplanar samples, a single one) still gets one layer of cells.
+// Starts at a jittered grid in the box. A box of no thickness (coplanar samples, a single sample) still gets one layer
+// of cells.
 void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_t resolution, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(resolution > 0);
     const geometry::Bounds& bounds = site.implicit.bounds();
@@ -50,7 +51,7 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
     std::array<std::int64_t, 3> cells{};
     glm::dvec3 covered;
     for (int axis = 0; axis < 3; ++axis) {
-        // A side that is a whole number of cells up to rounding has that number of cells.
+        // A side that is a whole number of cells except for rounding gets that number.
         std::int64_t& number = cells[static_cast<std::size_t>(axis)];
         number = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(size[axis] / side - 1e-9)));
         covered[axis] = side * static_cast<double>(number);
@@ -68,10 +69,10 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
     settle_seeds(site, start, seeds.step, seeds);
 }
 
-// Samples and given points lie on the surface or are meant to be near it, but a smoothed fit may pass the samples by:
-// they are projected like all others, with the model's diagonal as the limit. The step is the average empty-ball
-// diameter. The largest ball that holds no seed inside and has a seed and its nearest neighbour as the ends of a
-// diameter is as wide as their distance; so it is the mean of those.
+// Makes seeds of samples or given points. They lie on or near the surface, but a smoothed fit may be off the samples,
+// so they are projected like all others, with the model's diagonal as the limit. The step is the average empty-ball
+// diameter: the largest ball that holds no seed inside and has a seed and its nearest neighbour as the ends of a
+// diameter is as wide as their distance. So the step is the mean of these distances.
 void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::Seeds& seeds) {
     settle_seeds(site.part(0.0, 0.9), start, site.implicit.diagonal(), seeds);
     const double mean = marks::neighbour_distances(site.work.part(0.9, 1.0), seeds.position).mean;
@@ -108,7 +109,7 @@ void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::S
 [[nodiscard]] marks::SeedSource choose(const marks::Site& site, const SampleHint& samples, const Settings& settings) {
     if (settings.seeds.source != marks::SeedSource::automatic) return settings.seeds.source;
     if (samples.position.empty()) return marks::SeedSource::box;
-    // The blue-noise order only needs a seed on each sheet; how the seeds are spread does not matter.
+    // The blue-noise order only needs a seed on each sheet. The spread of the seeds does not matter.
     if (settings.distribution == marks::Distribution::blue_noise) return marks::SeedSource::samples;
     const auto distances = marks::neighbour_distances(site.work, sample_points(site, samples));
     return distances.variation < generate_tuning.well_spread_variation ? marks::SeedSource::samples

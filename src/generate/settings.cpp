@@ -11,12 +11,13 @@
 namespace hrbfnpr::generate {
 namespace {
 
-// Only strokes of the published recursion run in two directions, each of which has a part of the tones.
+// Returns the number of directions of a layer. Only strokes of the published recursion run in two, and each has its own
+// tone range.
 std::size_t directions_of(const Settings& settings, const LayerSettings& layer) noexcept {
     return layer.has_strokes() && settings.distribution == marks::Distribution::published ? 2 : 1;
 }
 
-// Layers that do not say their part of the tones have all of them, or share them evenly with all others in turn.
+// Gives layers without a tone range all tones, or an equal share in turn with all others.
 void fill_parts(Settings& settings) {
     HRBFNPR_ASSERT(!settings.layers.empty());
     double all = 0.0;
@@ -41,7 +42,7 @@ double tones_of(const Settings& settings, const LayerSettings& layer) noexcept {
     return length;
 }
 
-// Each layer's marks in proportion to its part of the tones.
+// Shares the budget among the layers in proportion to the lengths of their tone ranges.
 void share_budget(Settings& settings) {
     if (settings.shared_budget == 0) return;
     double all = 0.0;

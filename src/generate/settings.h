@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What to generate.
+// The settings of generate().
 #pragma once
 
 #include "base/view.h"
@@ -16,13 +16,13 @@ namespace hrbfnpr::generate {
 
 inline constexpr std::int64_t default_budget = 40000;
 
-// How one layer is made.
+// The settings of one layer.
 struct LayerSettings {
     marks::Kind kind = marks::Kind::stipples;
-    marks::LayerName name{}; // empty: that of its kind
+    marks::LayerName name{}; // empty: the default name of its kind
     std::int64_t budget = default_budget;
     bool with_curvature = false; // fill Layer::curvature
-    // The length over which normals for tone are averaged, diagonals; -1: completed() chooses.
+    // The length over which normals for tone are averaged, in diagonals; -1: completed() chooses.
     double tone_smoothing = -1.0;
     // The tone range of each of the two directions. If both are 0, Settings::tone_ranges decides.
     std::array<marks::TonePart, 2> part{marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
@@ -41,25 +41,25 @@ struct SeedSettings {
     double initial_step = 0.0;
 };
 
-// The numbers are those that hrbfnpr_generate_desc.tone_ranges takes.
+// The values equal those of hrbfnpr_generate_desc.tone_ranges.
 enum class ToneRanges : std::uint32_t { full = 0, in_turn = 1 };
 
-// Checked by the boundary; defaults as in hrbfnpr_generate_desc.
+// The boundary checks the values. The defaults are those of hrbfnpr_generate_desc.
 struct Settings {
     marks::Distribution distribution = marks::Distribution::blue_noise;
     double projection_tolerance = 1e-7;
     std::uint64_t random_seed = 1;
     SeedSettings seeds;
-    std::vector<LayerSettings> layers; // empty: one of stipples
+    std::vector<LayerSettings> layers; // empty: one layer of stipples
     std::int64_t shared_budget = 0;
     ToneRanges tone_ranges = ToneRanges::full;
 };
 
-// Fills in the settings that the caller left open: layers, levels, parts of the tones and budgets, each layer's own.
-// Throws Error{invalid_argument} for settings that no model can be drawn by.
+// Fills in the settings that the caller left open: layers, levels, tone ranges, and the budget of each layer. Throws
+// Error{invalid_argument} for settings by which no model can be drawn.
 [[nodiscard]] Settings completed(Settings settings);
 
-// The samples that the implicit came from: 3n packed positions on the surface, empty for a custom implicit.
+// The samples to which the implicit was fitted: 3n packed coordinates on the surface, empty for a custom implicit.
 struct SampleHint {
     std::span<const double> position;
     double spacing = 0.0;

@@ -76,7 +76,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
         set_vector(result.position, i, marks.position[i] - origin);
         set_vector(result.normal, i, n);
         set_vector(result.direction, i, settings.strokes ? marks.direction[i] : geometry::stipple_frame(n).u);
-        // Rank 1 first: a mark is shown where its rank is at least tau.
+        // The first mark gets the highest rank, because a mark is shown where its rank is at least tau.
         const float own = !marks.rank.empty() ? marks.rank[i]
                           : result.progressive
                               ? rank_of(1.0 - (static_cast<double>(i) + 0.5) / static_cast<double>(count))
@@ -102,7 +102,7 @@ void measure(const base::Work& work, std::span<const geometry::VecArray* const> 
         if (layer->size() > largest->size()) largest = layer;
         for (std::int64_t i = 0; i < layer->size(); ++i) set.bounds.extend((*layer)[i]);
     }
-    if (set.bounds.empty()) return; // no mark: an origin or a spacing would be 0 / 0
+    if (set.bounds.empty()) return; // without marks the origin and the spacing would be 0 / 0
     set.origin = set.bounds.centre();
     set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size())) : covered_spacing(work, *largest);
 }
@@ -113,7 +113,7 @@ NeighbourDistances neighbour_distances(const base::Work& work, const geometry::V
     work.for_chunks(points.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) distance[at] = tree.nearest_other(at);
     });
-    // Points that coincide say nothing of the spacing of the others.
+    // The distance 0 of coincident points is ignored: it tells nothing about the spacing of the others.
     const double smallest = 1e-9 * tree.bounds().diagonal();
     double sum = 0.0;
     double sum_of_squares = 0.0;
@@ -130,13 +130,12 @@ NeighbourDistances neighbour_distances(const base::Work& work, const geometry::V
     return {mean, std::sqrt(variance) / mean};
 }
 
-// Cells of a grid of side h that a surface of area A meets: 1.5 A / h^2, the mean of
-// |nx| + |ny| + |nz| over all normals being 1.5.  The finest grid whose occupied cells hold
-// that many marks on average is used; a part of the cells that the surface cuts only at a
-// corner hold none then, which the factor 1.25 in place of 1.5 allows for (measured: tests).
+// A surface of area A meets 1.5 A / h^2 cells of a grid of side h, because the mean of |nx| + |ny| + |nz| over all
+// normals is 1.5. The function uses the finest grid whose occupied cells hold marks_a_cell marks on average. Some cells
+// that the surface cuts only at a corner hold no mark then, so the factor is 1.25 instead of 1.5 (measured: tests).
 double covered_spacing(const base::Work& work, const geometry::VecArray& points) {
     const auto count = static_cast<double>(points.size());
-    // The mean distance to the nearest other one of few, evenly spread marks is 0.87 of it.
+    // Few, evenly spread marks have a mean distance to the nearest other mark of 0.87 spacings.
     if (points.size() < marks_tuning.fewest_for_cells) return 1.15 * neighbour_distances(work, points).mean;
     geometry::Bounds box;
     for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
@@ -146,7 +145,8 @@ double covered_spacing(const base::Work& work, const geometry::VecArray& points)
     double area = longest * longest;
     for (int level = 1; level < geometry::CellGrid::bits; ++level) {
         const double side = longest / static_cast<double>(std::int64_t{1} << level);
-        // Half a cell off the box, so that a flat side of it does not lie between two layers of cells.
+        // The grid starts half a cell outside the box, so that a flat side of the box does not lie between two layers
+        // of cells.
         const geometry::CellGrid grid{box.min - 0.5 * side, side};
         const auto cells = static_cast<double>(occupied_cells(work.memory, points, grid, work));
         if (count < marks_tuning.marks_a_cell * cells) break;
@@ -161,7 +161,7 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
     const auto each = static_cast<std::int64_t>(std::clamp(within / marks_tuning.tone_marks, 1.0, 1e6));
     const base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, marks.position);
-    geometry::VecArray some(site.memory()); // the marks that are averaged
+    geometry::VecArray some(site.memory()); // the marks whose normals are averaged
     geometry::VecArray some_normals(site.memory());
     for (std::int64_t i = 0; i < marks.count(); i += each) {
         some.push_back(marks.position[i]);
@@ -170,8 +170,8 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
     const geometry::PointGrid grid(some, radius, site.work);
     const geometry::VecArray position = grid.in_order(some, site.work);
     const geometry::VecArray normal = grid.in_order(some_normals, site.work);
-    // The mark's own normal counts once, so that there is always one. Most places are too far away: that is asked
-    // first.
+    // The mark's own normal counts once, so that there is always one. The test of the distance comes first, because
+    // most places are too far away.
     const auto averaged = [&](std::int64_t i) {
         const glm::dvec3 place = marks.position[i];
         const glm::dvec3 own = marks.normal[i];
@@ -207,7 +207,7 @@ using base::InView;
 
 long long number(std::int64_t i) noexcept { return static_cast<long long>(i); }
 
-// The numbers of one layer, each of which is checked; `place` is that of the layer in the list.
+// Reads the numbers of one layer and checks each. `place` is the layer's place in the list.
 class LayerReader {
 public:
     LayerReader(const LayerArrays& arrays, std::int64_t place) noexcept : arrays_(arrays), place_(place) {}
@@ -251,7 +251,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) {
             v[axis] = view.get(i, static_cast<std::uint32_t>(axis));
             if (!std::isfinite(v[axis])) refuse(name, i, "not finite");
-            // It would become infinite in the set.
+            // A larger number would become infinite in the set.
             if (std::abs(v[axis]) > 3.4e38) refuse(name, i, "%g, which a float cannot hold: scale the marks", v[axis]);
         }
         return v;
@@ -260,13 +260,13 @@ public:
     [[nodiscard]] glm::dvec3 normal(std::int64_t i) const {
         const glm::dvec3 given = vector(arrays_.normal, "normal", i);
         const glm::dvec3 size = glm::abs(given);
-        const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z})); // its square is a number
+        const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z})); // keeps its square finite
         const double length = glm::length(n);
         if (!(length > 0.0) || !std::isfinite(length)) refuse("normal", i, "zero: every mark needs a normal");
         return n / length;
     }
 
-    // A stroke has no part along its normal.
+    // Returns the tangent part of a stroke's direction, as a unit vector.
     [[nodiscard]] glm::dvec3 direction(std::int64_t i, const glm::dvec3& n) const {
         const glm::dvec3 tangent = tangent_part(vector(arrays_.direction, "direction", i), n);
         if (tangent == glm::dvec3(0.0)) refuse("direction", i, "zero or along the normal: it must be tangent");
@@ -329,8 +329,8 @@ void LayerReader::read_strokes(Layer& layer) const {
     for (std::int64_t i = 0; strokes == 0 && i < count(); ++i) layer.stroke[2 * i] = 2 * static_cast<std::uint32_t>(i);
 }
 
-// Where no directions are given marks go along their strokes, by central differences; a mark that has no neighbour
-// elsewhere keeps the direction of a stipple.
+// Sets the directions of marks along their strokes, by central differences, if none are given. A mark without a
+// neighbour at another place keeps the direction of a stipple.
 void direct_along(const geometry::VecArray& positions, const LayerReader& reader, Layer& layer) {
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
         const std::int64_t begin = layer.stroke_first[s];
@@ -343,7 +343,7 @@ void direct_along(const geometry::VecArray& positions, const LayerReader& reader
     }
 }
 
-// All arrays but that of the positions, which are returned as they were given.
+// Reads all arrays. Returns the positions as they were given, and fills the other arrays of `layer`.
 geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, std::int64_t place,
                               std::uint64_t random_seed, Layer& layer) {
     const LayerReader reader(arrays, place);
@@ -365,7 +365,7 @@ geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, s
         set_vector(layer.direction, i,
                    arrays.direction.empty() ? geometry::stipple_frame(n).u : reader.direction(i, n));
         if (!arrays.curvature.empty()) set_vector(layer.curvature, i, reader.vector(arrays.curvature, "curvature", i));
-        // All marks of a stroke have the same rank where none is given.
+        // If no ranks are given, all marks of a stroke have the same rank.
         const std::int64_t key = layer.has_strokes() ? std::int64_t{layer.stroke[2 * i] / 2} : i;
         layer.rank[i] =
             arrays.rank.empty() ? random_rank(seed, static_cast<std::uint64_t>(key), layer.kind) : reader.rank(i);
@@ -381,7 +381,7 @@ geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, s
     return positions;
 }
 
-// All but its clusters.
+// Copies a layer without its clusters.
 void copy(const Layer& from, Layer& to) {
     to.name = from.name;
     to.progressive = from.progressive;
@@ -409,7 +409,7 @@ PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
     return set;
 }
 
-// Measures the whole set. Where it had marks before, the origin stays, and the spacing is scaled as for the same area.
+// Measures the whole set. If it had marks before, its origin stays, and its spacing is scaled for the same area.
 void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArray>& positions,
                  std::int64_t largest_before, PointSet& set) {
     if (largest_before == 0) {

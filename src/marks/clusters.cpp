@@ -27,9 +27,9 @@ std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// ---- The bounds of a cluster. place(i) and normal(i) are those of marks begin .. end - 1.
+// ---- The bounds of a cluster. place(i) and normal(i) describe marks begin .. end - 1.
 
-// Around the normals, and a little larger than the truth, so that floats hold it.
+// Returns a cone around the normals, slightly larger than exact, because it is stored in floats.
 template <class Normal>
 Cone cone_around(std::int64_t begin, std::int64_t end, const Normal& normal) {
     HRBFNPR_ASSERT(begin < end);
@@ -42,7 +42,7 @@ Cone cone_around(std::int64_t begin, std::int64_t end, const Normal& normal) {
     return {to_floats(axis), static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
 }
 
-// The ball and the cone around the marks; both are a little larger than the truth.
+// Sets the ball and the cone around the marks, both slightly larger than exact.
 template <class Place, class Normal>
 void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     geometry::Bounds bounds;
@@ -55,8 +55,8 @@ void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Plac
     extent.cone = cone_around(begin, end, normal);
 }
 
-// How the normals turn, by the linear map that takes the marks' offsets from their mean to the normals', in the sense
-// of least squares.
+// Returns how the normals turn, by the linear map from the marks' offsets from their mean to the normals' offsets that
+// is best in the sense of least squares.
 template <class Place, class Normal>
 Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     glm::dvec3 middle(0.0);
@@ -74,13 +74,13 @@ Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const No
         spread += glm::outerProduct(p, p);
         mixed += glm::outerProduct(normal(i) - mean, p);
     }
-    // Marks lie near a plane. Across it their spread tells nothing, so the map is damped there.
+    // Marks lie near a plane. Their spread across it tells nothing, so the map is damped there.
     const glm::dvec3 axis = glm::normalize(mean);
     const double trace = spread[0][0] + spread[1][1] + spread[2][2];
     const glm::dmat3 map = mixed * glm::inverse(spread + trace * glm::outerProduct(axis, axis));
     const glm::dmat3 s = 0.5 * (map + glm::transpose(map));
-    // The larger curvature of a symmetric map of a plane, from its trace and its Frobenius norm.  [Kindlmann et al.
-    // 2003]
+    // The larger curvature follows from the trace and the Frobenius norm of a symmetric map of a plane. [Kindlmann et
+    // al. 2003]
     const double squares = glm::dot(s[0], s[0]) + glm::dot(s[1], s[1]) + glm::dot(s[2], s[2]);
     const double t = s[0][0] + s[1][1] + s[2][2];
     const double bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
@@ -89,7 +89,7 @@ Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const No
     return {static_cast<float>(bend), {x[0], x[1], x[2], yz[0], yz[1], yz[2]}};
 }
 
-// `position`, `normal` and `tone_normal` are three floats of each mark of the layer; NULL: they are not known.
+// The pointers lead to three floats for each mark of the layer. `tone_normals` may be null if they are unknown.
 void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, const float* normals,
                 const float* tone_normals, double unit) {
     const std::int64_t begin = piece.first;
@@ -112,7 +112,7 @@ void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, 
 // ---- Clusters of a finished layer
 
 struct Keyed {
-    std::uint64_t key; // set of directions, side of the cube that the normal points at, place along a Morton curve
+    std::uint64_t key; // the direction set, the normal's side of a cube, the place along a Morton curve
     std::uint32_t mark;
 };
 
@@ -141,7 +141,7 @@ base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const bas
     return order;
 }
 
-// A layer whose marks are put into clusters, in the order of their keys.
+// A layer whose marks are put into clusters, sorted by their keys.
 struct Sorted {
     [[nodiscard]] glm::dvec3 place(std::int64_t i) const noexcept {
         return glm::dvec3(vector_at(layer.position, order[i].mark)) / unit;
@@ -153,7 +153,7 @@ struct Sorted {
     base::Array<Keyed> order;
 };
 
-// Adds the clusters of marks begin .. end - 1, which are put in the order of their ranks.
+// Adds the clusters of marks begin .. end - 1, and sorts these by rank.
 void close(Sorted& sorted, std::int64_t begin, std::int64_t end, const Turn& turn, base::Array<Cluster>& clusters) {
     const Layer& layer = sorted.layer;
     std::sort(sorted.order.data() + begin, sorted.order.data() + end, [&](const Keyed& a, const Keyed& b) {
@@ -161,7 +161,7 @@ void close(Sorted& sorted, std::int64_t begin, std::int64_t end, const Turn& tur
         const float v = layer.rank[b.mark];
         return u != v ? u > v : a.mark < b.mark;
     });
-    // More marks than that are at one place only if they are all alike.
+    // More than most_in_cluster marks share a key only if they are all alike.
     for (; begin < end; begin += most_in_cluster) {
         Cluster cluster;
         cluster.count = static_cast<std::int32_t>(std::min(end - begin, most_in_cluster));
@@ -174,8 +174,8 @@ void close(Sorted& sorted, std::int64_t begin, std::int64_t end, const Turn& tur
     }
 }
 
-// Splits marks begin .. end - 1 into parts that agree in the key down to `shift`, until they are small enough.
-// parent: the turn of the part that holds all of them, for parts that are too small to tell their own.
+// Splits marks begin .. end - 1 into parts whose keys agree down to `shift`, until the parts are small enough. `parent`
+// is the turn of all these marks, for parts that are too small to show their own.
 void split(Sorted& sorted, std::int64_t begin, std::int64_t end, int shift, const Turn& parent,
            base::Array<Cluster>& clusters, const base::Progress& progress) {
     while (begin < end) {
@@ -241,11 +241,11 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
 
 // ---- How far apart nested lines really lie
 
-constexpr std::size_t most_lines = 64; // beside a mark
+constexpr std::size_t most_lines = 64; // the largest number of lines beside a mark
 constexpr std::int64_t strokes_a_task = 16;
 
-// The gap around a mark. Marks beside it, its own line's among them, have offsets across the line; the gaps between
-// these count the more the nearer they are. It is 1 where no mark is beside it.
+// Returns the gap around a mark. The marks beside it, and those of its own line, have offsets across the line. The gap
+// is the mean of the differences between these, where nearer ones have more weight. It is 1 if no mark is beside it.
 float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
                  std::int64_t mark) noexcept {
     const glm::dvec3 n = vector_at(layer.normal, mark);
@@ -257,7 +257,7 @@ float gap_around(const Layer& layer, const geometry::VecArray& place, const geom
         const std::int64_t other = grid.index(at);
         const glm::dvec3 way = (place[other] - place[mark]) / layer.report.step;
         const double u = glm::dot(way, across);
-        // The comparisons are false for NaN, so that it is beside nothing.
+        // The comparisons are false for NaN, so a mark with NaN is beside no other.
         if (count < most_lines && std::abs(u) < marks_tuning.gap_reach &&
             std::abs(glm::dot(way, along)) < marks_tuning.strip &&
             std::abs(glm::dot(way, n)) < marks_tuning.gap_steepest * std::abs(u) + 0.1 &&
@@ -281,11 +281,11 @@ float gap_around(const Layer& layer, const geometry::VecArray& place, const geom
 }
 
 // Fills the gap of each of the layer's marks, in separations: the distance between the lines around it, averaged over
-// some of them and along its own, since tone goes by the paper that each line has. A layer without lines of a known
-// separation gets none.
+// some of these and along its own line, because tone depends on the share of paper of each line. `gap` stays empty for
+// a layer without lines of a known separation.
 void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>& gap) {
     gap.clear();
-    // Published strokes lie as they grew: their report's step is not the distance between them.
+    // Published strokes keep no distance: the step in their report is not the distance between them.
     const bool nested = layer.kind == Kind::own || (layer.kind == Kind::hatch && layer.progressive);
     if (!nested || layer.strokes() <= 1 || !(layer.report.step > 0.0)) return;
     HRBFNPR_ASSERT(layer.direction.size() == 3 * layer.count());
@@ -293,7 +293,7 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
     geometry::VecArray place(work.memory, marks);
     for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
     const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, work);
-    // A file may have any separation: only few marks around each one can all be looked at.
+    // A file may give any separation. If too many marks lie around each mark, gaps are not measured.
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
     std::int64_t visits = 0;
     for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });
@@ -331,7 +331,7 @@ void copy_clusters(const MarkClusters& from, MarkClusters& to) {
     copy_arrays(from, to, &MarkClusters::block, &MarkClusters::width, &MarkClusters::cluster, &MarkClusters::piece);
 }
 
-// The nearest of the clusters beside it in the order that tells how the surface bends and faces alike; null: none.
+// Returns the nearer of the two neighbours in the order of clusters that have enough marks and face alike, or null.
 const Cluster* nearest_that_tells(const base::Array<Cluster>& clusters, std::int64_t c) noexcept {
     const Cluster& own = clusters[c];
     const auto vector = [](const std::array<float, 3>& a) { return glm::vec3(a[0], a[1], a[2]); };
@@ -381,7 +381,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
             const float* const n = normal + 3 * std::int64_t{block.mark[at]};
             block.set(at, glm::dvec3(p[0], p[1], p[2]) / unit, {n[0], n[1], n[2]});
         }
-    // Normals for tone turn with their marks' directions, too, which are not known here.
+    // Normals for tone of a moved set are unknown, because they turn with their marks' directions, too.
     const float* const tone_normal = layer.tone_normal.empty() ? normal : nullptr;
     for (StrokePiece& piece : moved.piece) set_extent(piece, layer, position, normal, tone_normal, unit);
     const auto place_in = [&](std::int64_t slot) {
@@ -397,7 +397,7 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
         if (cluster.count >= marks_tuning.fewest_to_fit)
             static_cast<Turn&>(cluster) = fit_turn(begin, end, place_in, normal_in);
     }
-    // A cluster of too few marks bends as the nearest one does that tells.
+    // A cluster with too few marks takes the bend of the nearest neighbour with enough marks.
     for (std::int64_t c = 0; c < moved.cluster.size(); ++c) {
         if (moved.cluster[c].count >= marks_tuning.fewest_to_fit) continue;
         const Cluster* const nearest = nearest_that_tells(moved.cluster, c);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The marks on a surface: layers of them, immutable once made, structures of arrays.
+// The marks on a surface, in layers. They are immutable once made, and stored as structures of arrays.
 #pragma once
 
 #include "base/assert.h"
@@ -16,7 +16,7 @@
 
 namespace hrbfnpr::marks {
 
-// These enumerations have the numbers of the constants HRBFNPR_LAYER_KIND, HRBFNPR_DISTRIBUTION and HRBFNPR_SEED.
+// The values equal those of the constants HRBFNPR_LAYER_KIND, HRBFNPR_DISTRIBUTION and HRBFNPR_SEED.
 enum class Kind : std::uint32_t { any = 0, stipples = 1, hatch = 2, own = 3 };
 inline constexpr std::uint32_t kind_count = 4;
 enum class Distribution : std::uint32_t { blue_noise = 0, published = 1 };
@@ -24,15 +24,15 @@ enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, poi
 
 // The article's recursion has at most this many levels.
 inline constexpr int most_levels = 12;
-// A list of layers is no array of marks: longer ones are mistakes.
+// The largest number of layers. Longer lists are mistakes: an array of marks was given as layers.
 inline constexpr std::int64_t most_layers = 65536;
 
 // Zero-terminated UTF-8.
 using LayerName = std::array<char, 64>;
-// The name of layers of this kind that are given none, such as "stipples"; empty for Kind::any.
+// Returns the name that an unnamed layer of this kind gets, such as "stipples"; empty for Kind::any.
 [[nodiscard]] LayerName default_name(Kind kind) noexcept;
 
-// What became of the candidates: attempted = placed + the dropped ones.
+// The numbers of candidates: attempted = placed + all dropped ones.
 struct LevelReport {
     std::int64_t attempted = 0;
     std::int64_t placed = 0;
@@ -49,23 +49,23 @@ struct LayerReport {
     std::int32_t levels = 0;
     double step = 0.0;
     double seconds = 0.0;
-    base::Array<LevelReport> level; // by level; one that is not there has no candidates
+    base::Array<LevelReport> level; // by level; a missing level has no candidates
 
-    // The report of a level; those up to it are added where they are missing.
+    // Returns the report of a level, after adding all missing levels up to it.
     [[nodiscard]] LevelReport& of(std::int32_t number) {
         if (level.size() <= number) level.resize(std::int64_t{number} + 1);
         return level[number];
     }
 };
 
-// A rank in [0,1): rounding to float must not make it 1.
+// Returns a rank in [0,1). Rounding to float must not make it 1.
 [[nodiscard]] inline float rank_of(double u) noexcept {
     constexpr float below_one = 0x1.fffffep-1F;
     return std::min(static_cast<float>(u), below_one);
 }
 
-// The part of all tones over which a layer of marks appears: from the darkness at which the first mark is shown to the
-// one at which all are.
+// The range of tones in which a layer of marks appears: from the darkness at which the first mark is shown to the
+// darkness at which all are.
 struct TonePart {
     double begin = 0.0;
     double end = 1.0;
@@ -77,7 +77,7 @@ struct TonePart {
     }
 };
 
-// Arrays of 3n floats.
+// Access vectors in arrays of 3n floats.
 inline void set_vector(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexcept {
     HRBFNPR_ASSERT(i >= 0 && 3 * i + 2 < array.size());
     for (int axis = 0; axis < 3; ++axis) array[3 * i + axis] = static_cast<float>(v[axis]);
@@ -86,7 +86,7 @@ inline void set_vector(base::Array<float>& array, std::int64_t i, const glm::dve
     return {array[3 * i], array[3 * i + 1], array[3 * i + 2]};
 }
 
-// Copies into memory that may be there already.
+// Copies an array. Reuses the memory of `to`.
 template <class T>
 void copy_array(const base::Array<T>& from, base::Array<T>& to) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -95,16 +95,16 @@ void copy_array(const base::Array<T>& from, base::Array<T>& to) {
         std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
 }
 
-// ---- Clusters: marks in groups that lie and face alike, in the order in which a tone shows them. A frame passes over
-// whole groups.
+// ---- Clusters: groups of marks with similar places and normals, in the order in which a tone shows them. A frame can
+// skip whole groups.
 
-// Sixteen marks, each number of all of them in a line of the cache.
+// Sixteen marks. Each array of sixteen numbers fills a cache line.
 struct MarkBlock {
     static constexpr std::int64_t size = 16;
     float x[size], y[size], z[size]; // relative to the set's origin, in the set's unit
     float nx[size], ny[size], nz[size];
-    float rank[size];         // falling, from block to block of a cluster
-    std::uint32_t mark[size]; // its number in the layer
+    float rank[size];         // falls within a block, and from block to block of a cluster
+    std::uint32_t mark[size]; // the mark's number in the layer
 
     [[nodiscard]] glm::vec3 place_at(std::int64_t i) const noexcept { return {x[i], y[i], z[i]}; }
     [[nodiscard]] glm::vec3 normal_at(std::int64_t i) const noexcept { return {nx[i], ny[i], nz[i]}; }
@@ -124,16 +124,16 @@ struct Cone {
     float cosine = 1.0F, sine = 0.0F; // the cosine and sine of the half angle
 };
 
-// How normals turn along a surface.
+// Describes how normals turn along a surface.
 struct Turn {
-    float bend = 0.0F; // largest normal curvature by magnitude; < 0: not known
+    float bend = 0.0F; // the largest absolute normal curvature; < 0: unknown
     // dn/dp: xx, xy, xz, yy, yz, zz. Outward normals: positive where convex.
     std::array<float, 6> shape{};
 };
 
-// Where some marks lie and how they face. Lengths and curvatures are in the set's unit.
+// The bounds of some marks' places and normals. Lengths and curvatures are in the set's unit.
 struct Extent {
-    float radius = 0.0F; // around the centre
+    float radius = 0.0F; // of the ball around the centre that holds all marks
     std::array<float, 3> centre{};
     Cone cone; // holds all normals
 };
@@ -141,15 +141,15 @@ struct Extent {
 struct Cluster : Extent, Turn {
     std::int64_t block = 0; // its first block; its last block may be partly empty
     std::int32_t count = 0; // the number of marks
-    std::uint32_t set = 0;  // the direction, 0 or 1, of all its marks' strokes; 0 without strokes
+    std::uint32_t set = 0;  // the direction, 0 or 1, of the strokes of all its marks; 0 without strokes
 };
 
-// Marks that follow each other along a stroke. The pieces of all strokes follow each other, too, and a stroke of n
-// marks has pieces_of(n).
+// Consecutive marks of a stroke. The pieces of all strokes are in order, and a stroke of n marks has pieces_of(n) of
+// them.
 struct StrokePiece : Extent {
     static constexpr std::int64_t most = 32;
-    Cone tone;               // holds all normals for tone, which may lie outside of the normals' own cone
-    std::uint32_t first = 0; // place in the order of the strokes
+    Cone tone;               // holds all normals for tone, which may lie outside the cone of normals
+    std::uint32_t first = 0; // the first mark's place in the order of the strokes
     std::uint8_t count = 0;
     std::uint8_t level = 0; // the lowest level of its marks
 };
@@ -175,13 +175,13 @@ inline constexpr std::int64_t most_in_cluster = 128;
 
 // ---- Layers and sets
 
-// The same of some arrays of one object.
+// Copies some arrays of an object.
 template <class Owner, class... Members>
 void copy_arrays(const Owner& from, Owner& to, Members... member) {
     (copy_array(from.*member, to.*member), ...);
 }
 
-// hrbfnpr.h tells the type, shape and meaning of each array at its HRBFNPR_MARK_ATTRIBUTE constants.
+// hrbfnpr.h documents the type, shape and meaning of each array at its HRBFNPR_MARK_ATTRIBUTE constants.
 struct Layer {
     explicit Layer(base::Memory& memory, Kind is = Kind::own) noexcept
         : kind(is), name(default_name(is)), position(memory), normal(memory), direction(memory), curvature(memory),
@@ -190,7 +190,7 @@ struct Layer {
 
     Kind kind;
     LayerName name;
-    bool progressive = false;                // each prefix of its ranks, from 1 down, is spread evenly
+    bool progressive = false;                // each prefix in the order of falling ranks is evenly spread
     base::Array<float> position;             // 3n, relative to the set's origin
     base::Array<float> normal;               // 3n
     base::Array<float> direction;            // 3n
@@ -201,7 +201,7 @@ struct Layer {
     base::Array<float> width;                // n, or empty: all 1
     base::Array<float> tone_normal;          // 3n, or empty: `normal`
     base::Array<std::uint32_t> stroke_first; // S + 1 places in the order of the strokes; or empty: no strokes
-    base::Array<std::uint32_t> stroke_order; // n; or empty: the marks stand stroke by stroke
+    base::Array<std::uint32_t> stroke_order; // n; or empty: the marks are stored stroke by stroke
     MarkClusters clusters;                   // the clusters of all marks, made by cluster_marks()
     LayerReport report;
 
@@ -210,13 +210,13 @@ struct Layer {
 
     [[nodiscard]] bool has_strokes() const noexcept { return !stroke_first.empty(); }
     [[nodiscard]] std::int64_t strokes() const noexcept { return has_strokes() ? stroke_first.size() - 1 : 0; }
-    // The mark at a place of the strokes' order.
+    // Returns the mark at a place in the order of the strokes.
     [[nodiscard]] std::int64_t mark_of(std::int64_t place_in_order) const noexcept {
         return stroke_order.empty() ? place_in_order : std::int64_t{stroke_order[place_in_order]};
     }
-    // The stroke that a mark belongs to; -1: none.
+    // Returns the stroke that a mark belongs to, or -1.
     [[nodiscard]] std::int64_t stroke_of(std::int64_t mark) const noexcept;
-    // 0 or 1, of a layer with strokes.
+    // Returns the direction of a mark's stroke, 0 or 1. The layer must have strokes.
     [[nodiscard]] std::uint32_t direction_of(std::int64_t mark) const noexcept { return stroke[2 * mark] & 1U; }
 };
 
@@ -239,17 +239,20 @@ struct PointSet {
     [[nodiscard]] std::int64_t largest() const noexcept; // the number of marks in the largest layer
 };
 
-// Fills stroke_first and stroke_order from `stroke`, by which strokes stand in the order of their numbers.
+// Fills stroke_first and stroke_order from `stroke`. Strokes are in the order of their numbers.
 void index_strokes(Layer& layer, const base::Progress& progress = {});
 
-// Fills set.unit and the layers' clusters. Any finite numbers will do. Bits do not depend on the number of threads.
+// Fills set.unit and the layers' clusters. Accepts any finite numbers. The result has the same bits for any number of
+// threads.
 void cluster_marks(const base::Work& work, PointSet& set);
 
-// The same marks in the same clusters at other places, as those of an animated surface: three floats of each mark,
-// relative to the set's origin. `unit` is the set's. Allocates nothing where `moved` has held as many marks before.
+// Fills `moved` with the same marks in the same clusters at other places, as on an animated surface. `position`
+// (relative to the set's origin) and `normal` hold three floats for each mark. `unit` is the set's. Allocates nothing
+// if `moved` has held as many marks before.
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved);
 
-// The same marks in the same clusters with opposite normals. Allocates nothing where `turned` has held as many before.
+// Fills `turned` with the same marks in the same clusters with opposite normals. Allocates nothing if `turned` has held
+// as many marks before.
 void turn_clusters(const MarkClusters& clusters, MarkClusters& turned);
 
 } // namespace hrbfnpr::marks

@@ -40,7 +40,7 @@ void Settler::settle(double stray_limit, LevelReport& report, const base::Progre
     drop_beyond_end(report);
 }
 
-// Where the surface is not borne out by its samples.
+// Drops points where the samples do not support the surface.
 void Settler::drop_beyond_end(LevelReport& report) {
     if (site_.implicit.domain() == nullptr) return;
     constexpr std::int64_t grain = 256;
@@ -160,11 +160,11 @@ std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
     return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 
-// The limit is the ticket of place `kept`. Tickets are uniform, so that few share their first bits with it. The others
-// are only counted.
+// The limit is the ticket at place `kept` in sorted order. Tickets are uniform, so only a few share their first bits
+// with it, and only those are ordered; the others are counted.
 void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
     HRBFNPR_ASSERT(kept >= 0 && kept < tickets.size());
-    constexpr unsigned first_bits = 52; // tickets have 64 bits, and each value of the upper 12 has a counter
+    constexpr unsigned first_bits = 52; // tickets have 64 bits; each value of the upper 12 has a counter
     std::array<std::int64_t, std::size_t{1} << (64U - first_bits)> counted{};
     for (const std::int64_t i : progress.over(tickets.size())) {
         ++counted[static_cast<std::size_t>(tickets[i] >> first_bits)];

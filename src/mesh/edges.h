@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What lies across the edges of faces, and what hangs together.
+// The neighbours of faces across their edges, and connected components.
 //
-// Corner k of a face has the number 3 face + k, and so has the side from there to the next corner.
+// Corner k of a face has the number 3 face + k. The side from there to the next corner has the same number.
 #pragma once
 
 #include "base/groups.h"
@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Sets of numbers that grow together.  Their names do not depend on the order in which they are joined: the least.
+// Disjoint sets of numbers. The name of a set is its least number, whatever the order of the joins.
 class Sets {
 public:
     Sets(base::Memory& memory, std::int64_t count) : above_(memory) {
@@ -33,7 +33,7 @@ private:
     base::Array<std::int32_t> above_;
 };
 
-// Numbers names from 0 in the order in which they come.
+// Gives names numbers from 0, in the order in which they come.
 class NumbersInOrder {
 public:
     // All names are below `names`.
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::int32_t count() const noexcept { return count_; }
 
 private:
-    base::Array<std::int32_t> number_; // plus 1; 0: the name has not come
+    base::Array<std::int32_t> number_; // of each name, plus 1; 0: the name has not come yet
     std::int32_t count_ = 0;
 };
 
@@ -54,7 +54,7 @@ private:
 struct Side {
     std::uint64_t edge; // lower vertex, higher vertex
     std::int32_t face;
-    std::int32_t forward; // 1: from the lower one to the higher one
+    std::int32_t forward; // 1: the side runs from the lower vertex to the higher one
 };
 
 [[nodiscard]] inline std::int32_t low_end(const Side& side) noexcept {
@@ -76,16 +76,16 @@ struct Side {
     return corner_at(triangle, side.face, side.forward != 0 ? low_end(side) : high_end(side));
 }
 
-// All sides, those of one edge one after the other.
+// Returns all sides, sorted by edge.
 [[nodiscard]] base::Array<Side> sides_by_edge(const base::Work& work, const base::Array<Triangle>& triangle);
 
-// Returns, for each side of the faces, the side of another face with the same edge; -1 where not exactly
-// two faces meet.
+// Returns, for each side of the faces, the side of the other face at the same edge, or -1 if the edge does not have
+// exactly two faces.
 [[nodiscard]] base::Array<std::int64_t> sides_beyond(const base::Array<Triangle>& triangle,
                                                      const base::Array<Side>& sides,
                                                      const base::Progress& progress = {});
 
-// Calls visit(first side, one after the last) for each edge.
+// Calls visit(first side, end of its sides) for each edge.
 template <class Visit>
 void for_edges(const base::Array<Side>& sides, const base::Progress& progress, Visit&& visit) {
     const Side* first = sides.begin();
@@ -103,7 +103,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     for_edges(sides, base::Progress(), std::forward<Visit>(visit));
 }
 
-// Tells whether two sides of one edge run opposite ways, as those of faces that agree do.
+// Tells whether two sides of one edge run in opposite directions, as they do if their faces agree.
 [[nodiscard]] inline bool run_opposite(const base::Array<Triangle>& triangle, std::int64_t a, std::int64_t b) noexcept {
     return triangle[a / 3][static_cast<std::size_t>(a % 3)] != triangle[b / 3][static_cast<std::size_t>(b % 3)];
 }
@@ -132,7 +132,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-// Returns the numbers of the corners at each vertex, rising.
+// Returns the numbers of the corners at each vertex, in rising order.
 [[nodiscard]] inline base::Groups corners_at_vertices(const Mesh& mesh, const base::Progress& progress) {
     return {mesh.vertex.memory(), mesh.vertex.size(), [&](auto&& put) {
                 for (const std::int64_t corner : progress.over(3 * mesh.faces())) {
@@ -144,10 +144,12 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
 
 inline constexpr double default_crease_angle = 30.0; // degrees
 
-// Whether faces bend by more than an angle, but for rounding: those of a prism of twelve sides do by 30 degrees.
+// Tells whether faces bend by more than an angle, with a margin for rounding: a prism of twelve sides bends by 30
+// degrees.
 [[nodiscard]] constexpr bool bends_more(double bend, double angle) noexcept { return bend > 1.01 * angle; }
 
-// Of each face, from 0, in the order of their first faces: what hangs together by shared vertices.
+// Returns the component of each face, numbered from 0 in the order of their first faces. Faces that share a vertex
+// belong to one component.
 [[nodiscard]] base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
                                                       std::int64_t& count, const base::Progress& progress = {});
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tree halves the faces by the middles of their boxes, level after level, and then bounds them from the leaves up.
+// The tree halves the faces by the middles of their boxes, level by level, and then computes the boxes from the leaves
+// up.
 #include "mesh/face_tree.h"
 
 #include <utility>
@@ -7,7 +8,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Ericson, Real-Time Collision Detection (2005), 5.1.5.
+// The method is that of Ericson, Real-Time Collision Detection (2005), 5.1.5.
 [[nodiscard]] glm::dvec3 nearest_on_triangle(const std::array<glm::dvec3, 3>& v, const glm::dvec3& p) noexcept {
     const glm::dvec3 ab = v[1] - v[0], ac = v[2] - v[0];
     const glm::dvec3 ap = p - v[0], bp = p - v[1], cp = p - v[2];
@@ -42,7 +43,7 @@ FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex
         face_[face] = static_cast<std::int32_t>(face);
     }
     box_.resize_for_overwrite(Range::nodes(count));
-    base::Array<Range> ranges(work.memory); // of the nodes, level after level
+    base::Array<Range> ranges(work.memory); // the ranges of the nodes, level by level
     ranges.push_back({0, 0, count});
     for (std::int64_t first = 0, last = 1; first < last; first = std::exchange(last, ranges.size())) {
         const std::int64_t at_once = 1 + 4096 / (1 + ranges[first].end - ranges[first].begin);
@@ -61,7 +62,7 @@ FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex
         corners_[at] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }
     for (const std::int64_t i : work.over(ranges.size())) {
-        const Range& range = ranges[ranges.size() - 1 - i]; // Children come before their parents.
+        const Range& range = ranges[ranges.size() - 1 - i]; // Children are visited before their parents.
         geometry::Bounds& box = box_[range.node] = {};
         if (!range.leaf()) {
             const geometry::Bounds& low = box_[range.low().node];
@@ -102,7 +103,7 @@ FaceTree::Nearest FaceTree::nearest(const glm::dvec3& p, double limit) const noe
     return best;
 }
 
-// Moeller & Trumbore 1997.
+// The method is that of Moeller & Trumbore 1997.
 double FaceTree::meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept {
     const glm::dvec3 ab = p[1] - p[0];
     const glm::dvec3 ac = p[2] - p[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tree of boxes over faces: the nearest one, and those that a ray meets.
+// A tree of boxes over faces. It finds the nearest face, and the faces that a ray meets.
 #pragma once
 
 #include "geometry/halves.h"
@@ -13,7 +13,7 @@ namespace hrbfnpr::mesh {
 class FaceTree {
 public:
     struct Nearest {
-        double squared = std::numeric_limits<double>::infinity(); // distance
+        double squared = std::numeric_limits<double>::infinity(); // the squared distance
         std::int64_t face = -1;                                   // -1: none within the limit
         glm::dvec3 place{0.0};
     };
@@ -24,8 +24,8 @@ public:
 
     FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle);
 
-    // All of these are for any number of threads. Of faces that are as near it is always the same one that is found.
-    // limit: a squared distance; faces beyond it are not found.
+    // Any number of threads may call these. If several faces are nearest, nearest() always finds the same one. `limit`
+    // is a squared distance; farther faces are not found.
     [[nodiscard]] Nearest nearest(const glm::dvec3& p,
                                   double limit = std::numeric_limits<double>::infinity()) const noexcept;
     [[nodiscard]] double distance(const glm::dvec3& p) const noexcept { return std::sqrt(nearest(p).squared); }
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                 double t_max) const noexcept;
     // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the tree's order. The sign is 1 where the
-    // face looks along the ray, so that the ray leaves, else -1.
+    // face looks along the ray, so that the ray leaves the solid, else -1.
     template <class Visit>
     void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
         double limit = std::numeric_limits<double>::infinity();
@@ -60,21 +60,21 @@ private:
         const glm::dvec3 high = glm::max(a, b);
         const double from = std::max({low.x, low.y, low.z, t_min});
         const double to = std::min({high.x, high.y, high.z, t_max});
-        return from <= to * (1.0 + 1e-12) || from <= to; // flat boxes are met in one place
+        return from <= to * (1.0 + 1e-12) || from <= to; // from == to in flat boxes
     }
     // Calls visit(at, t) for the faces that a ray meets at t_min < t < limit. The visit may lower the limit. If
-    // near_first, boxes that the ray enters earlier come earlier, about.
+    // near_first, the boxes come roughly in the order in which the ray enters them.
     template <bool near_first, class Visit>
     void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
               Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
 
-    base::Array<geometry::Bounds> box_; // of the nodes, in heap order
-    base::Array<std::int32_t> face_;    // in the tree's order, as the next
+    base::Array<geometry::Bounds> box_; // the boxes of the nodes, in heap order
+    base::Array<std::int32_t> face_;    // the number of each face, in the tree's order
     base::Array<Corners> corners_;
 };
 
-// Directions that edges of meshes do not have.
+// Directions in which meshes rarely have edges.
 inline constexpr std::array<glm::dvec3, 3> ray_directions{
     glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247}, glm::dvec3{0.1713, -0.5119, -0.8418}};
 

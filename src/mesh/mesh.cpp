@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The steps of make_mesh(), in order:
 //
-//   weld                  vertices in different places, faces that have an area, solids that touch nowhere
-//   agree                 faces are turned to agree with those beside them
-//   measure_components    what hangs together by vertices, and the volume that it encloses
-//   find_nested           components that lie inside others
-//   turn_components       closed components look outward
-//   keep_components       the mesh is made of the components that are wanted
-//   measure               its borders, area, volume and genus
-//   set_corner_normals    the normals of its corners
+//   weld                  merges vertices, drops faces without area, parts solids that touch
+//   agree                 turns faces to agree with those beside them
+//   measure_components    measures the components, and the volumes that they enclose
+//   find_nested           finds components that lie inside others
+//   turn_components       turns closed components so that they look outward
+//   keep_components       makes the mesh of the components that are wanted
+//   measure               measures its borders, area, volume and genus
+//   set_corner_normals    sets the normals of its corners
 #include "mesh/mesh.h"
 
 #include "base/clock.h"
@@ -41,7 +41,7 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     base::Memory& memory = welded.vertex.memory();
     const Component* const largest = std::max_element(
         measured.begin(), measured.end(), [](const Component& a, const Component& b) { return a.area < b.area; });
-    base::Array<std::int32_t> name(memory, measured.size()); // of a component that is kept, + 1
+    base::Array<std::int32_t> name(memory, measured.size()); // the new number of a component that is kept, plus 1
     std::int32_t names = 0;
     for (const Component& each : measured) {
         const bool kept = is_kept(each, &each == largest, parts);
@@ -49,7 +49,7 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
         mesh.report.nested_components += each.nested ? 1 : 0;
         mesh.report.left_out_components += kept ? 0 : 1;
     }
-    base::Array<std::int32_t> number(memory, welded.vertex.size()); // of a vertex that is kept, + 1
+    base::Array<std::int32_t> number(memory, welded.vertex.size()); // the new number of a vertex that is kept, plus 1
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face)
         if (name[component[face]] != 0)
             for (const std::int32_t corner : welded.triangle[face]) number[corner] = 1;
@@ -79,7 +79,7 @@ void measure_edges(const base::Work& work, Mesh& mesh) {
     };
     Sets rims(work.memory, mesh.vertex.size());
     std::int64_t edges = 0;
-    std::int64_t joined = 0; // vertices of borders that are in a rim with another
+    std::int64_t joined = 0; // the number of joins of border vertices to rims
     base::Array<std::uint8_t> at_border(work.memory, mesh.vertex.size());
     for_edges(sides_by_edge(work, mesh.triangle), work, [&](const Side* first, const Side* last) {
         report.nonmanifold_edges += last - first > 2 ? 1 : 0;
@@ -120,19 +120,19 @@ void measure(const base::Work& work, Mesh& mesh) {
 }
 
 void check_extent(const Welded& welded) {
-    constexpr double smallest_mesh = 1e-60; // across
+    constexpr double smallest_mesh = 1e-60; // the least diagonal
     geometry::Bounds bounds;
     for (const glm::dvec3& p : welded.vertex) bounds.extend(p);
     if (!(bounds.diagonal() >= smallest_mesh))
         fail(Status::invalid_argument, "the mesh is %g across; it must be at least 1e-60: scale it", bounds.diagonal());
 }
 
-// Sets the unit normals of all corners: the mean over the faces at the vertex that are within the crease angle, by the
-// angles that they have there.
+// Sets the unit normals of all corners. A corner's normal is the mean over the faces at the vertex whose normals are
+// within the crease angle, weighted by their angles at the vertex.
 void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh) {
     const base::Groups corners = corners_at_vertices(mesh, work);
-    base::Array<glm::dvec3> normal(work.memory);   // of faces
-    base::Array<glm::dvec3> weighted(work.memory); // the same, times the angle, for each corner
+    base::Array<glm::dvec3> normal(work.memory);   // of the faces
+    base::Array<glm::dvec3> weighted(work.memory); // the face normal times the corner's angle, for each corner
     normal.resize_for_overwrite(mesh.faces());
     weighted.resize_for_overwrite(3 * mesh.faces());
     mesh.corner_normal.resize_for_overwrite(3 * mesh.faces());
@@ -153,7 +153,7 @@ void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh)
             const std::span<const std::int32_t> about = corners[mesh.triangle[face][k]];
             const std::int64_t corner = 3 * face + static_cast<std::int64_t>(k);
             const auto most = static_cast<std::size_t>(mesh_tuning.most_corners);
-            const std::size_t step = (about.size() + most - 1) / most; // of large fans evenly chosen corners count
+            const std::size_t step = (about.size() + most - 1) / most; // large fans use every step-th corner
             glm::dvec3 sum = step > 1 ? weighted[corner] : glm::dvec3(0.0);
             for (std::size_t at = 0; at < about.size(); at += step)
                 if (glm::dot(normal[face], normal[about[at] / 3]) >= least) sum += weighted[about[at]];

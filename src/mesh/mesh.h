@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A triangle mesh as it comes from a file, made usable: welded, without faces that have no area, oriented, and without
-// the parts that lie inside others.
+// Makes a triangle mesh from a file usable: welds it, drops faces without area, orients it, and drops parts that lie
+// inside others.
 #pragma once
 
 #include "base/assert.h"
@@ -58,19 +58,19 @@ struct MeshReport {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-// The faces and vertices that are kept.
+// The faces and vertices that make_mesh() keeps.
 struct Mesh {
     explicit Mesh(base::Memory& memory) noexcept
         : vertex(memory), triangle(memory), component(memory), given_face(memory), border(memory),
           corner_normal(memory) {}
 
     base::Array<glm::dvec3> vertex;
-    base::Array<Triangle> triangle;        // counter-clockwise as seen from outside
-    base::Array<std::int32_t> component;   // of each face, from 0
-    base::Array<std::int32_t> given_face;  // the number that each face was given by
-    base::Array<std::uint8_t> border;      // of each face: bit k is set if no other face is beyond corners k and k + 1,
-                                           // bit k + 3 if corner k is an end of such a side of any face
-    base::Array<glm::dvec3> corner_normal; // unit, three of each face
+    base::Array<Triangle> triangle;       // counter-clockwise as seen from outside
+    base::Array<std::int32_t> component;  // of each face, from 0
+    base::Array<std::int32_t> given_face; // the number of each face in the input
+    base::Array<std::uint8_t> border; // of each face: bit k is set if no other face lies across the side from corner k,
+                                      // bit k + 3 if corner k is an end of such a side of any face
+    base::Array<glm::dvec3> corner_normal; // unit, three for each face
     geometry::Bounds bounds;
     MeshReport report;
 
@@ -89,15 +89,15 @@ struct Mesh {
 // Tells whether a place of a face lies on the mesh's border.
 [[nodiscard]] bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noexcept;
 
-// Returns twice the area, along the normal.
+// Returns the normal, with twice the area as its length.
 [[nodiscard]] inline glm::dvec3 doubled_area(const std::array<glm::dvec3, 3>& p) noexcept {
     return glm::cross(p[1] - p[0], p[2] - p[0]);
 }
 
-// Returns the shares of the corners in a place of a face's plane. They sum up to 1.
+// Returns the barycentric coordinates of a place in a face's plane, which sum up to 1.
 [[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
 
-// Throws Error{invalid_argument} that names the face and the index, or the vertex; out_of_memory, cancelled.
+// Throws Error{invalid_argument}, whose message names the face and the index, or the vertex; out_of_memory; cancelled.
 [[nodiscard]] Mesh make_mesh(const base::Work& work, const MeshInput& input);
 
 } // namespace hrbfnpr::mesh

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Agreement goes from face to face across the edges of two faces. Volumes are sums over faces, and over fans that close
-// holes. A component is nested if rays from its faces cross a closed component an odd number of times.
+// Orientation spreads from face to face across edges that have two faces. Volumes are sums over faces, and over fans
+// that close holes. A component is nested if rays from its faces cross a closed component an odd number of times.
 #include "mesh/orient.h"
 
 #include "base/random.h"
@@ -26,7 +26,7 @@ namespace {
     return sum;
 }
 
-// Adds to each component's volume what fans about the middles of its holes enclose.
+// Closes each component's holes by fans about their middles, and adds the volume below the fans.
 void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
                  const base::Array<std::int32_t>& component, const base::Array<glm::dvec3>& middle,
                  base::Array<Component>& result) {
@@ -40,7 +40,7 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
         rims.join(low_end(*first), high_end(*first));
     });
     if (!open) return;
-    base::Array<glm::dvec4> rim(work.memory, vertex.size()); // the sum of the ends, and their number
+    base::Array<glm::dvec4> rim(work.memory, vertex.size()); // of a rim: the sum and number of its ends
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
         for (const std::int32_t end : {low_end(*first), high_end(*first)})
@@ -61,9 +61,9 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
 
 // ---- Nested components
 
-constexpr std::int64_t places_of_face = 4; // the middle, and next to each corner
+constexpr std::int64_t places_of_face = 4; // the middle, and one place next to each corner
 
-// Places next to the corners of a large face reach farther out than its middle.
+// Returns a test place of a face. Places next to the corners of a large face lie farther out than its middle.
 [[nodiscard]] glm::dvec3 place_of_face(const std::array<glm::dvec3, 3>& corners, std::int64_t number) noexcept {
     HRBFNPR_ASSERT(number >= 0 && number < places_of_face);
     const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -80,7 +80,7 @@ void for_values(const base::Array<std::int32_t>& sorted, Visit&& visit) {
     }
 }
 
-// Returns the components that most rays from a place meet an odd number of times, rising.
+// Returns the components that most rays from a place meet an odd number of times, in rising order.
 [[nodiscard]] base::Array<std::int32_t>
 components_around(const FaceTree& tree, const base::Array<std::int32_t>& component, const glm::dvec3& from) {
     base::Array<std::int32_t> met(component.memory());
@@ -101,8 +101,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
     return around;
 }
 
-// Returns faces with a corner that lies farthest along an axis, either way, and others. Those are at random places of
-// even stretches, as every n-th face of a mesh of rows and columns may lie in one column.
+// Returns the faces with the farthest corners along each axis, in both directions, and others at random places of even
+// stretches. Every n-th face would not do: in a mesh of rows and columns these may all lie in one column.
 [[nodiscard]] base::Array<std::int32_t> faces_to_test(const base::Array<glm::dvec3>& vertex,
                                                       const base::Array<Triangle>& triangle,
                                                       std::span<const std::int32_t> faces) {
@@ -133,7 +133,7 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 
 std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle) {
     const base::Array<std::int64_t> beyond = sides_beyond(triangle, sides_by_edge(work, triangle), work);
-    base::Array<std::int8_t> way(work.memory, triangle.size()); // 1 as the first of its patch, -1 against it
+    base::Array<std::int8_t> way(work.memory, triangle.size()); // 1 as the first face of its patch, -1 against it
     base::Array<std::int32_t> patch(work.memory);
     std::int64_t turned = 0;
     for (std::int64_t first = 0; first < triangle.size(); ++first) {
@@ -142,7 +142,7 @@ std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex
         patch.clear();
         patch.push_back(static_cast<std::int32_t>(first));
         way[first] = 1;
-        double balance = 0.0; // of area
+        double balance = 0.0; // the area of agreeing faces minus the area of others
         for (std::int64_t at = 0; at < patch.size(); ++at) {
             work.check();
             const std::int32_t face = patch[at];
@@ -200,7 +200,7 @@ void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
             put(component[face], static_cast<std::int32_t>(face));
     });
     work.for_each(measured.size(), [&](std::int64_t i) {
-        base::Array<std::int32_t> holders(work.memory); // closed components that all tested places lie inside
+        base::Array<std::int32_t> holders(work.memory); // closed components around all places tested up to here
         const base::Array<std::int32_t> tested = faces_to_test(vertex, triangle, faces[i]);
         for (std::int64_t k = 0; k < places_of_face * tested.size(); ++k) {
             const Triangle& t = triangle[tested[k / places_of_face]];

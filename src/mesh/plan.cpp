@@ -18,7 +18,7 @@ bool is_turned(const Component& component, Parts parts, Faces faces) noexcept {
     if (faces == Faces::keep) return false;
     // If all parts are kept, one inside another is a cavity, whose faces look into it.
     if (parts == Parts::all && component.nested) return false;
-    // An open component has an inside if its holes are small. One that encloses less than nothing is inside out.
+    // A component with a negative volume is inside out. An open component has an inside only if its holes are small.
     return inside_out(component);
 }
 
@@ -34,7 +34,7 @@ Facing plan_facing(const FacingFacts& facts, bool keeps_faces) {
 // ---- Edges that stand out
 
 CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept {
-    // Nothing bends by more than the angle.
+    // No edge bends by more than the angle.
     if (!(lengths.all > 0.0)) return {};
     CreaseEvidence found;
     found.length = lengths.all / diagonal;
@@ -42,9 +42,9 @@ CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept
     found.coarse = lengths.coarse / lengths.all;
     // Most edges stand out.
     const bool stand_out = found.standing >= plan_tuning.enough_standing;
-    // Otherwise enough of the faces are too coarse to stand for something round.
+    // Otherwise enough of the faces are too coarse for a round shape.
     found.polyhedron = !stand_out && found.coarse >= plan_tuning.enough_coarse;
-    // In both cases edges are meant, unless they are very short.
+    // In both cases the shape has edges, unless they are very short.
     found.creases = (stand_out || found.polyhedron) && found.length >= plan_tuning.shortest_edges;
     return found;
 }
@@ -52,18 +52,18 @@ CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept
 CreaseEvidence judge_all_edges(const EdgeLengths& lengths, double diagonal, double area_with_creases,
                                double area) noexcept {
     CreaseEvidence whole = judge_edges(lengths, diagonal);
-    // A mesh has edges if enough of its area is of components that have some.
+    // A mesh has edges if its components with edges hold enough of its area.
     whole.creases = area_with_creases > 0.0 && area_with_creases >= plan_tuning.enough_area * area;
     return whole;
 }
 
 SharpEdges plan_edges(Edges wish, const CreaseEvidence& whole, const std::function<bool()>& solids_cross) {
-    // The caller wants none, or all that bend.
+    // The caller wants no sharp edges, or all that bend.
     if (wish == Edges::smooth) return SharpEdges::none;
     if (wish == Edges::sharp) return SharpEdges::bending;
-    // Edges are meant.
+    // The shape has edges.
     if (whole.creases) return SharpEdges::meant;
-    // One function cannot represent solids that intersect each other: they are fitted apart, and meet in creases.
+    // One function cannot represent solids that intersect each other. They are fitted separately, and meet in creases.
     return solids_cross() ? SharpEdges::meant : SharpEdges::none;
 }
 
@@ -75,8 +75,8 @@ Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole
     // All faces of a polyhedron are flat, even where they hardly bend.
     if (part.polyhedron) return plan_sharpness(plan_tuning.flat_faces * angle, far);
     if (part.creases) return plan_sharpness(angle, far);
-    // No edge of a smooth part is sharp. But beside parts with edges its coarse faces stay flat, if something round
-    // would leave them by more than the tolerance.
+    // No edge of a smooth part is sharp. But beside parts with edges its coarse faces stay flat, if they are farther
+    // than the tolerance from a round surface.
     return {180.0, whole.standing >= plan_tuning.enough_standing ? tolerance : boundless};
 }
 
@@ -97,7 +97,7 @@ CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes)
     // The caller wants all edges sharp, or takes samples of the mesh as it is.
     if (!wishes.edges_as_given && wishes.edges == Edges::sharp) return {};
     if (!wishes.chooses_samples) return {};
-    // Many faces, and small ones, bend by noise.
+    // A mesh of many or small faces bends by noise.
     if (facts.faces > plan_tuning.most_coarse || facts.mean_edge() < plan_tuning.coarse_edge) return {};
     // Faces bulge by no more than the tolerance.
     const double tolerance = plan_tolerance(wishes.tolerance, 1.0);
@@ -105,26 +105,26 @@ CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes)
     if (!(off > tolerance)) return {};
     // Edges stand out, unless the file says which ones are sharp.
     if (facts.said != SaidOfEdges::some_are_sharp && facts.has_creases()) return {};
-    // A round leaves a quarter of the bulge. Half of the tolerance is to be left.
+    // A round leaves a quarter of the bulge. At the end half of the tolerance may be left.
     const double rounds = std::ceil(std::log(2.0 * off / tolerance) / std::log(4.0));
     CoarsePlan plan;
     plan.rounds = rounds < plan_tuning.most_rounds ? static_cast<std::int32_t>(rounds) : plan_tuning.most_rounds;
     if (plan.rounds == 0) return plan;
     // By the normals of the file all faces are flat.
     plan.choice = facts.said == SaidOfEdges::all_are_sharp ? CoarsePlan::Choice::all_flat : CoarsePlan::Choice::divided;
-    // Where the file says which edges are sharp, parts without coarse faces are as they should be.
+    // If the file says which edges are sharp, parts without coarse faces stay undivided.
     plan.parts_alone = facts.said == SaidOfEdges::some_are_sharp;
     return plan;
 }
 
 CoarsePlan::Choice judge_division(const DivisionFacts& facts, SaidOfEdges said, const MeshWishes& wishes) {
     using Choice = CoarsePlan::Choice;
-    // The caller wants it.
+    // The caller wants the division.
     if (wishes.rounds >= 0) return Choice::divided;
-    // Where the file says which edges are sharp, faces stay as they are if vertices moved too far.
+    // If the file says which edges are sharp, a division that moves vertices too far is dropped.
     if (said == SaidOfEdges::some_are_sharp)
         return facts.moved > plan_tuning.most_moved * facts.most_coarse() ? Choice::nothing : Choice::divided;
-    // The long and unequal faces of a convex hull fold: nothing round goes through their vertices. They are flat,
+    // The long and unequal faces of a convex hull fold: no round surface goes through their vertices. They are flat,
     // unless the caller wants something else.
     const bool folds = facts.moved > plan_tuning.most_moved * facts.coarseness ||
                        facts.raised > plan_tuning.most_raised * facts.coarseness;
@@ -159,16 +159,17 @@ bool is_flap(std::int64_t faces, double area, double whole) noexcept {
 }
 
 bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept {
-    // Closed parts that cross are solids: the library joins them.
+    // Closed parts that cross are solids, which the library joins.
     if (mesh.boundary_edges == 0) return false;
-    // Very large meshes are one surface, because the look takes too long.
+    // Very large meshes are one surface, because the search takes too long.
     return faces <= (mesh.components == 1 ? plan_tuning.most_faces_of_one : plan_tuning.most_faces);
 }
 
 // ---- How near the surface is to come
 
 bool chooses_samples(const SampleWishes& wishes) noexcept {
-    // A fit to a mesh takes as many samples as it needs, unless the caller wants what only a fit to samples has.
+    // A fit to a mesh takes as many samples as it needs, unless the caller wants an option that only a fit to samples
+    // has.
     return !wishes.count && !wishes.flips && !wishes.refines && !wishes.judges && !wishes.regularizes;
 }
 
@@ -187,8 +188,8 @@ double plan_tolerance_of_group(double diagonal, double across) noexcept {
 namespace {
 
 // Returns the least distance, in diagonals, beyond which surface does not belong to the mesh. A support with wide
-// spacings cannot end a narrow strip. So for a mesh that is met exactly it is a share of the mean width,
-// 2 area / border, but no less than the distance between places.
+// spacings cannot end a narrow strip. So if the fit is exact, the distance is a share of the mean width, 2 area /
+// border, but no less than the distance between places.
 double least_off(const EndFacts& facts) noexcept {
     const double farthest = std::max(facts.mesh_p99, facts.surface_p99);
     if (facts.border == 0.0 || !(farthest < plan_tuning.exact * facts.diagonal)) return plan_tuning.least_off;
@@ -198,8 +199,8 @@ double least_off(const EndFacts& facts) noexcept {
                       plan_tuning.least_off);
 }
 
-// Coarse faces that stand for a round shape are far off the round surface everywhere, so most of the distances of the
-// mesh from the surface are no sign of surface that does not belong to it.
+// Returns EndPlan::off of a fit. Coarse faces of a round shape are far from the round surface everywhere. So most
+// distances of the mesh from the surface do not show that some surface does not belong to the mesh.
 double off_of_fit(const EndFacts& facts, double least) noexcept {
     const double p99 = facts.mesh_p99 / facts.diagonal;
     return p99 > 0.0 ? std::clamp(plan_tuning.of_coarse_faces * p99, least, plan_tuning.most_off) : least;
@@ -212,12 +213,12 @@ EndPlan plan_end(const EndFacts& facts, bool may_end) noexcept {
     // The caller keeps all of the surface.
     if (!may_end) return {};
     const double off = off_of_fit(facts, least_off(facts));
-    // Open data ends where it does.
+    // The surface of an open mesh ends where the mesh ends.
     if (facts.has_border) return {End::at_places, off};
-    // A fit with creases takes its inside from the mesh, so it invents no surface unless the mesh crosses itself, where
-    // the inside is not defined.
+    // A fit with creases takes its inside from the mesh. So it makes up no surface, unless the mesh crosses itself,
+    // where the inside is not defined.
     if (facts.has_creases) return {facts.surface_most > off * facts.diagonal ? End::at_places : End::nowhere, off};
-    // A smooth fit that reached its tolerance has already seen that its surface is nowhere far from the mesh.
+    // A smooth fit that reached its tolerance has checked that its surface is nowhere far from the mesh.
     return {facts.reached ? End::nowhere : End::at_samples, off};
 }
 
@@ -227,9 +228,9 @@ EndPlan plan_end_of_picture(const EndFacts& facts, bool may_end) noexcept {
     const double off = off_of_fit(facts, plan_tuning.least_off);
     // The fit has ended the surface along the border.
     if (facts.has_border) return {End::as_fitted, off};
-    // Sheets of a closed mesh end in each other, unless some surface is far off.
+    // The sheets of a closed mesh bound each other, unless some surface is far off.
     if (facts.has_creases && facts.closed && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
-    // A closed mesh has no surface that is far off: the fit made it up.
+    // Surface far from a closed mesh is made up by the fit.
     return {End::at_places, off};
 }
 

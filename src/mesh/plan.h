@@ -36,20 +36,21 @@ enum class Edges : std::uint32_t { automatic = 0, smooth = 1, sharp = 2 };
 // The lengths of the edges of a component that bend by more than an angle.
 struct EdgeLengths {
     double all = 0.0;
-    double standing = 0.0; // of those that stand out
-    double coarse = 0.0;   // of those with faces on both sides that a round surface would leave by far
+    double standing = 0.0; // length of the edges that stand out
+    double coarse = 0.0;   // length of the edges whose two faces are both far from a round surface
 };
 
 // The verdict on a mesh or a component, with its reasons.
 struct CreaseEvidence {
     double length = 0.0;     // The length of the edges that bend by more than the angle, in diagonals.
-    double standing = 0.0;   // The share of them that stands out, by length.
-    double coarse = 0.0;     // The share of them with faces on both sides that a round surface would leave by far.
-    bool creases = false;    // Edges are meant.
-    bool polyhedron = false; // Edges are meant because the faces are coarse: all are flat.
+    double standing = 0.0;   // The share of this length whose edges stand out.
+    double coarse = 0.0;     // The share of this length whose edges have two faces that are far from a round surface.
+    bool creases = false;    // The shape has edges.
+    bool polyhedron = false; // The shape has edges because its faces are coarse: all are flat.
 };
 [[nodiscard]] CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept;
-// Judges the whole from the sums over its components. `area_with_creases` is the area of those whose edges are meant.
+// Judges the whole from the sums over its components. `area_with_creases` is the area of the components that have
+// edges.
 [[nodiscard]] CreaseEvidence judge_all_edges(const EdgeLengths& lengths, double diagonal, double area_with_creases,
                                              double area) noexcept;
 
@@ -57,7 +58,7 @@ struct CreaseEvidence {
 enum class SharpEdges {
     none,   // One smooth fit is enough.
     meant,  // Each component has the edges that plan_sharpness() gives it.
-    bending // All that bend by more than the angle.
+    bending // All edges that bend by more than the angle.
 };
 [[nodiscard]] SharpEdges plan_edges(Edges wish, const CreaseEvidence& whole, const std::function<bool()>& solids_cross);
 
@@ -79,25 +80,26 @@ enum class SaidOfEdges {
     some_are_sharp,
     all_are_sharp,
 };
-// Reads it from the number of edges that bend, and of those at which faces have normals of their own.
+// Reads the statement from the number of edges that bend, and the number of these at which faces have normals of their
+// own.
 [[nodiscard]] SaidOfEdges plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
-// The wishes of a picture. Distances are in diagonals.
+// The caller's wishes for a picture. Distances are in diagonals.
 struct MeshWishes {
-    // The caller leaves it to the file and to its shape which edges are sharp. Otherwise `edges` and `edge_angle` say.
+    // True: the file and its shape decide which edges are sharp. False: `edges` and `edge_angle` decide.
     bool edges_as_given = true;
     Edges edges = Edges::automatic;
     double edge_angle = 30.0;    // degrees
-    std::int32_t rounds = -1;    // of subdivision; below 0: as many as it takes
+    std::int32_t rounds = -1;    // subdivision rounds; below 0: as many as needed
     bool chooses_samples = true; // see chooses_samples()
-    double tolerance = 0.0;      // 0: the usual one
+    double tolerance = 0.0;      // 0: the default
 };
 
 struct CoarseFacts {
     std::int64_t faces = 0;
     SaidOfEdges said = SaidOfEdges::nothing;
     std::function<double()> mean_edge;  // in diagonals
-    std::function<double()> coarseness; // how far the faces are off something round, in diagonals
+    std::function<double()> coarseness; // how far the faces are from a round surface, in diagonals
     std::function<bool()> has_creases;  // A rough fit keeps some edges sharp.
 };
 
@@ -109,19 +111,19 @@ struct CoarsePlan {
         divided
     };
     Choice choice = Choice::nothing;
-    std::int32_t rounds = 0;  // of subdivision
+    std::int32_t rounds = 0;  // subdivision rounds
     bool parts_alone = false; // Only the parts with coarse faces are divided.
 
     [[nodiscard]] bool is_flat() const noexcept { return choice == Choice::all_flat || choice == Choice::coarse_flat; }
 };
 [[nodiscard]] CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes);
 
-// What a division did. All are in diagonals.
+// The effects of a division, in diagonals.
 struct DivisionFacts {
     double moved = 0.0;                  // the farthest that a vertex moved
-    double raised = 0.0;                 // how far most places between the vertices are off the faces
-    double coarseness = 0.0;             // of most faces before it
-    std::function<double()> most_coarse; // of all faces before it
+    double raised = 0.0;                 // how far most places between the vertices are from the faces
+    double coarseness = 0.0;             // how far most faces were from a round surface before the division
+    std::function<double()> most_coarse; // how far the worst face was from a round surface before the division
 };
 // Decides whether the division stays.
 [[nodiscard]] CoarsePlan::Choice judge_division(const DivisionFacts& facts, SaidOfEdges said, const MeshWishes& wishes);
@@ -130,7 +132,7 @@ struct FittedEdges {
     Edges edges;
     double angle; // degrees
 };
-// Returns the edges that a picture asks of its fit. `all_flat` tells that all faces are flat.
+// Returns the edges that a picture asks of its fit. `all_flat`: all faces are flat.
 [[nodiscard]] FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshWishes& wishes,
                                             bool all_flat) noexcept;
 
@@ -144,17 +146,18 @@ struct FittedEdges {
 // Tells whether a crumb is lost. Its distance from the rest is in diagonals of the rest.
 [[nodiscard]] bool is_lost(double distance) noexcept;
 
-// Tells whether a part is too small for a surface of its own. One that hangs on an edge of two other faces is left out.
+// Tells whether a part is too small for a surface of its own. Such a part is left out if it hangs on an edge of two
+// other faces.
 [[nodiscard]] bool is_flap(std::int64_t faces, double area, double whole) noexcept;
 
-// Tells whether it is worth a look which parts cross or are close to each other.
+// Tells whether to look for parts that cross or are close to each other.
 [[nodiscard]] bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept;
 
 // ---- How near the surface is to come
 
 inline constexpr double default_tolerance = 0.002; // in diagonals
 
-// The options of a picture that only a fit to samples has.
+// The options of a picture that only a fit to samples supports.
 struct SampleWishes {
     bool count = false;       // a number of samples
     bool flips = false;       // all normals are turned
@@ -165,11 +168,11 @@ struct SampleWishes {
 // Tells whether a fit to the mesh takes as many samples as it needs.
 [[nodiscard]] bool chooses_samples(const SampleWishes& wishes) noexcept;
 
-// Returns the tolerance of a fit and the limit that no place is beyond. 0 is for the usual one.
+// Return the tolerance of a fit, and the distance that no place may exceed. If the wish is 0 they return the default.
 [[nodiscard]] double plan_tolerance(double wish, double diagonal) noexcept;
 [[nodiscard]] double plan_far(double wish, double tolerance) noexcept;
-// Returns the tolerance of a group beside others, which are `across` wide together. It is seen from as far as they are,
-// so its tolerance lies between that of the whole and its own.
+// Returns the tolerance of a group beside others, which are `across` wide together. A camera sees the group from as far
+// as the whole, so the tolerance lies between that of the whole and that of the group alone.
 [[nodiscard]] double plan_tolerance_of_group(double diagonal, double across) noexcept;
 
 // ---- Where the surface ends
@@ -186,14 +189,14 @@ struct EndPlan {
     double off = 0.0; // Surface farther than this from the mesh does not belong to it, in diagonals.
 };
 
-// Distances are in the unit of the mesh. Those that were not found are NaN.
+// Distances are in the unit of the mesh. A distance that was not found is NaN.
 struct EndFacts {
     double diagonal = 1.0;
     double area = 0.0;
     double border = 0.0; // the length of all borders
     bool has_border = false;
     bool closed = false;      // Each edge has two faces that agree.
-    bool has_creases = false; // The fit is of sheets.
+    bool has_creases = false; // The fit consists of sheets.
     bool reached = false;     // The fit reached its tolerance.
     double mesh_p99 = 0.0;
     double surface_p99 = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A random place falls on a face by the running sum of areas, and evenly within it. Even ones are chosen of these in
-// farthest-point order. At a border a row of places, all as far inside, takes the place of even ones.
+// Random places are chosen by the running sum of areas, and uniformly within the face. Even samples are random places
+// in farthest-point order. At a border, a row of places at a constant distance from it replaces the even ones.
 #include "mesh/sample.h"
 
 #include "base/random.h"
@@ -16,7 +16,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Calls visit(face, k) for the sides of faces beyond which there is no other.
+// Calls visit(face, k) for each side of a face beyond which there is no other face.
 template <class Visit>
 void for_border_sides(const Mesh& mesh, Visit&& visit) {
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
@@ -29,8 +29,8 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
     return glm::distance(mesh.vertex[t[k]], mesh.vertex[t[(k + 1) % 3]]);
 }
 
-// Returns places along the borders, `step` apart. Their normals are the ways inside. Borders shorter than `shortest`
-// have none.
+// Returns places along the borders, `step` apart. Instead of a normal they have the direction into the mesh. Borders
+// shorter than `shortest` have no places.
 [[nodiscard]] MeshSamples border_places(const Mesh& mesh, double step, double shortest) {
     base::Memory& memory = mesh.vertex.memory();
     Sets borders(memory, mesh.vertex.size());
@@ -42,7 +42,7 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
         length_of[borders.of(mesh.triangle[face][k])] += side_length(mesh, face, k);
     });
     MeshSamples places(memory);
-    double along = 0.5 * step; // to the next place
+    double along = 0.5 * step; // the way to the next place
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
         if (length_of[borders.of(mesh.triangle[face][k])] < shortest) return;
         const auto p = mesh.corners(face);
@@ -142,7 +142,7 @@ MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree
         const std::int64_t at = nearest_in(row_tree, border.position[i]);
         return at >= 0 && glm::distance(row.position[at], border.position[i]) < mesh_tuning.covered * inset;
     };
-    // Where there is no room for a row, as on a narrow strip, the border itself stands for it.
+    // Where there is no room for a row, as on a narrow strip, border places take part instead.
     for (std::int64_t i = 0; i < border.position.size(); ++i)
         if (!has_row(i)) add_to_row(border.position[i], border.face[i]);
     base::Array<std::uint8_t> replaced(work.memory, even.position.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places on a mesh, even over its area, with normals.
+// Places on a mesh with normals, evenly spread over its area.
 #pragma once
 
 #include "mesh/face_tree.h"
@@ -20,15 +20,15 @@ struct MeshSamples {
     base::Array<std::int32_t> face;
 };
 
-// Random places on faces, even over their area.
+// Random places on faces, evenly spread over their area.
 class RandomPlaces {
 public:
     struct Place {
         std::int64_t face;
-        glm::dvec3 shares; // of its corners
+        glm::dvec3 shares; // barycentric coordinates
     };
 
-    // corners(face) are the places of a face's corners.
+    // corners(face) returns the places of a face's corners.
     template <class Corners>
     RandomPlaces(base::Memory& memory, std::int64_t faces, Corners&& corners, const base::Progress& progress)
         : area_(memory) {
@@ -44,24 +44,25 @@ public:
     [[nodiscard]] Place at(std::uint64_t seed, std::int64_t number, std::uint32_t stream) const noexcept;
 
 private:
-    base::Array<double> area_; // up to the end of each face
+    base::Array<double> area_; // the sum up to and including each face
 };
 
-// Returns the unit normal at a place of a face, between those of the corners.
+// Returns the unit normal at a place of a face, interpolated between those of the corners.
 [[nodiscard]] glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shares) noexcept;
 
-// Returns RandomPlaces of a mesh.
+// Returns samples at RandomPlaces of a mesh.
 [[nodiscard]] MeshSamples random_samples(const base::Work& work, const Mesh& mesh, std::int64_t count,
                                          std::uint64_t seed, std::uint32_t stream);
 
-// Returns `count` of the random candidates in farthest-point order, or all in random order if there are no more.
+// Returns `count` of the random candidates in farthest-point order. If there are no more candidates than that, it
+// returns all in random order.
 [[nodiscard]] MeshSamples even_samples(const base::Work& work, const Mesh& mesh, std::int64_t count,
                                        std::int64_t candidates, std::uint64_t seed);
 
 // Returns samples that tell where an open mesh ends: a support of them ends where the mesh does (surface/support.h).
-// They are `count` even ones, of which a row along the border replaces the nearest. Random ones would end the surface
-// like torn paper. The row is as far inside that s, whose spacings are `closest` at least, is 1.5 on the border.
-// Borders that are no longer than that of a hole that stays closed have none.
+// They are `count` even samples, except that a row along the border replaces those next to it, because random samples
+// would end the surface like torn paper. The row lies at the distance inside at which s is 1.5 on the border, if no
+// spacing of the support is less than `closest`. Borders of holes that stay closed have no row.
 [[nodiscard]] MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                       std::int64_t count, double closest, std::uint64_t seed);
 

@@ -2,12 +2,12 @@
 // The steps of weld(), in order:
 //
 //   read_triangles    checks the indices and the coordinates
-//   join_vertices     vertices at the same place become one
-//   join_borders      so do vertices of borders that only rounding keeps apart
-//   split_slivers     half of the face beside it takes the place of a face without area
-//   leave_out_faces   faces without area, and repeated ones
-//   leave_out_walls   pairs of faces that are a wall between two solids
-//   part_edges        solids that touch in an edge or in a corner get vertices of their own there
+//   join_vertices     merges vertices at the same place
+//   join_borders      merges border vertices that differ by rounding only
+//   split_slivers     replaces a face without area by half of its neighbour
+//   leave_out_faces   drops faces without area, and repeated ones
+//   leave_out_walls   drops pairs of faces that are a wall between two solids
+//   part_edges        gives solids that touch in an edge or a corner vertices of their own there
 #include "mesh/weld.h"
 
 #include "base/bits.h"
@@ -42,7 +42,7 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
                  static_cast<long long>(vertex), static_cast<long long>(face), p[c]);
 }
 
-// Returns triangles of given vertices.
+// Returns the triangles, with the caller's vertex numbers.
 [[nodiscard]] base::Array<Triangle> read_triangles(const base::Work& work, const MeshInput& input) {
     const std::int64_t vertices = input.vertices.count;
     base::Array<Triangle> triangle(work.memory);
@@ -65,13 +65,13 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
 
 // ---- Vertices at the same place
 
-[[nodiscard]] std::uint64_t mixed(std::uint64_t bits) noexcept { // the end of MurmurHash3
+[[nodiscard]] std::uint64_t mixed(std::uint64_t bits) noexcept { // the final mix of MurmurHash3
     bits = (bits ^ bits >> 33U) * 0xff51afd7ed558ccdU;
     bits = (bits ^ bits >> 33U) * 0xc4ceb9fe1a85ec53U;
     return bits ^ bits >> 33U;
 }
 
-// Numbers different things in the order in which they come.
+// Numbers different things in the order in which they come, by a hash table.
 class Numbers {
 public:
     Numbers(base::Memory& memory, std::int64_t most)
@@ -92,14 +92,14 @@ public:
     }
 
 private:
-    base::Array<std::int32_t> place_; // a number + 1, or 0
+    base::Array<std::int32_t> place_; // a number plus 1; 0: free
 };
 
 void join_vertices(const base::InView& given, Welded& welded, MeshReport& report, const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> number(memory, given.count);
     for (const Triangle& t : welded.triangle)
-        for (const std::int32_t corner : t) number[corner] = 1; // is used
+        for (const std::int32_t corner : t) number[corner] = 1; // the vertex is used
     progress.check();
     Numbers numbers(memory, given.count);
     std::int64_t used = 0;
@@ -121,8 +121,8 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
         for (std::int32_t& corner : t) corner = number[corner];
 }
 
-// Tells whether each edge runs as often forward as backward, as those of closed meshes do, so that there are no
-// borders. One mesh with borders in 2^64 is balanced, too. Sorting all edges takes longer.
+// Tells whether faces run through each edge equally often in both directions, as in closed meshes. Such a mesh has no
+// borders. The test errs for one mesh with borders in 2^64, but is faster than sorting all edges.
 [[nodiscard]] bool is_balanced(const base::Array<Triangle>& triangle) noexcept {
     std::uint64_t sum = 0;
     for (const Triangle& t : triangle)
@@ -139,8 +139,8 @@ void rename_corners(Sets& same, Welded& welded) noexcept {
         for (std::int32_t& corner : t) corner = same.of(corner);
 }
 
-// Joins vertices of borders that are near to each other: faces that were made apart have corners that rounding keeps
-// apart. Faces may have corners in common then.
+// Merges border vertices that are close to each other: rounding separates the corners of faces that were made
+// separately. Afterwards a face may have the same vertex at two corners.
 void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
     if (is_balanced(welded.triangle)) return;
     geometry::Bounds bounds;
@@ -171,19 +171,19 @@ void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
         std::count_if(border.begin(), border.end(), [&](std::int32_t v) { return same.of(v) != v; });
 }
 
-// ---- Slivers: faces whose corners lie on a line, but for rounding
+// ---- Slivers: faces whose corners lie on a line, except for rounding
 //
-// A sliver has a corner within its longest side. Left out, it would leave a slit, and a solid would be open: the face
-// across that side is cut in two there, and one half takes the sliver's place.
+// A sliver has a corner within its longest side. Dropping the sliver would leave a slit and open a solid. Instead the
+// face across that side is cut in two at the corner, and one half replaces the sliver.
 
 constexpr std::uint64_t no_edge = ~std::uint64_t{0};
 
 struct Sliver {
     std::uint64_t edge; // the longest side
     std::int32_t face;
-    bool forward;             // It runs from the lower to the higher vertex there.
+    bool forward;             // The sliver runs from the lower to the higher vertex there.
     std::int32_t across = -1; // a face beside that edge, or -1
-    bool agrees = false;      // `across` runs the other way there, as faces of one side do.
+    bool agrees = false;      // `across` runs the other way there, as a neighbour with the same orientation does.
 };
 
 [[nodiscard]] std::uint64_t edge_of(std::int32_t a, std::int32_t b) noexcept {
@@ -191,7 +191,7 @@ struct Sliver {
     return low << 32U | static_cast<std::uint64_t>(std::max(a, b));
 }
 
-// Returns the number of a sliver's longest side, or -1 for another face.
+// Returns the number of a sliver's longest side, or -1 for a face that is no sliver.
 [[nodiscard]] int sliver_side(const Welded& welded, const Triangle& t, double rounding) noexcept {
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return -1;
     const std::array<glm::dvec3, 3> p{welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]};
@@ -208,7 +208,7 @@ struct Sliver {
     return height <= std::min(rounding, mesh_tuning.flattest * length) ? longest : -1;
 }
 
-// Joins the ends of slivers that are no longer than rounding.
+// Merges the ends of those sides of slivers that are no longer than the rounding error.
 void join_ends(Welded& welded, double rounding) {
     Sets places(welded.vertex.memory(), welded.vertex.size());
     for (const Triangle& t : welded.triangle)
@@ -218,8 +218,8 @@ void join_ends(Welded& welded, double rounding) {
     rename_corners(places, welded);
 }
 
-// Keeps the better face across: where solids touch there are more than one, and faces of one solid come near to each
-// other in most files.
+// Keeps the better face across: one that agrees, and then the one with the nearer number. Where solids touch there are
+// several, and in most files the faces of one solid have numbers close to each other.
 void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     if (sliver.face == face) return;
     const bool agrees = forward != sliver.forward;
@@ -231,7 +231,8 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     sliver.agrees = agrees;
 }
 
-// Returns the slivers by their longest sides, and sets `longest` to these, or to no_edge for other faces.
+// Returns the slivers, sorted by longest side, and sets `longest` of each face to that side, or to no_edge if it is no
+// sliver.
 [[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
                                                base::Array<std::uint64_t>& longest, const base::Progress& progress) {
     base::Array<Sliver> found(welded.vertex.memory());
@@ -266,7 +267,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     std::int64_t split = 0;
     for (const Sliver& sliver : slivers) {
         if (sliver.across < 0 || changed[sliver.face] != 0 || changed[sliver.across] != 0) continue;
-        // Another sliver is cut at its own longest side first: else the two would take turns for ever.
+        // Another sliver is cut at its own longest side first. Otherwise the two would take turns for ever.
         if (longest[sliver.across] != no_edge && longest[sliver.across] != sliver.edge) continue;
         const auto a = static_cast<std::int32_t>(sliver.edge >> 32U);
         const auto b = static_cast<std::int32_t>(sliver.edge & 0xFFFFFFFFU);
@@ -274,7 +275,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
         const std::int32_t middle =
             *std::find_if(flat.begin(), flat.end(), [&](std::int32_t v) { return v != a && v != b; });
         const Triangle whole = welded.triangle[sliver.across];
-        if (std::find(whole.begin(), whole.end(), middle) != whole.end()) continue; // it lies on it
+        if (std::find(whole.begin(), whole.end(), middle) != whole.end()) continue; // the sliver lies on that face
         const auto half_with_middle_for = [&](std::int32_t end) {
             Triangle half = whole;
             std::replace(half.begin(), half.end(), end, middle);
@@ -292,7 +293,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
 void split_slivers(double rounding, Welded& welded, MeshReport& report, const base::Progress& progress) {
     join_ends(welded, rounding);
     base::Array<std::uint64_t> longest(welded.vertex.memory(), welded.triangle.size());
-    for (int round = 0; round < mesh_tuning.most_sliver_rounds; ++round) { // each makes the longest sides shorter
+    for (int round = 0; round < mesh_tuning.most_sliver_rounds; ++round) { // each round makes the longest sides shorter
         const base::Array<Sliver> slivers = find_slivers(welded, rounding, longest, progress);
         const std::int64_t split = split_across(slivers, longest, welded);
         report.degenerate_faces += split;
@@ -302,10 +303,10 @@ void split_slivers(double rounding, Welded& welded, MeshReport& report, const ba
 
 // ---- Faces without area, and repeated ones
 
-// The faces that were given with the corners of a face that is kept.
+// Counts the given faces with the same corners as a face that is kept.
 struct Repeated {
-    std::int32_t balance = 0; // how many faces turn one way more than the other
-    std::int32_t last = -1;   // the last one's number
+    std::int32_t balance = 0; // the faces of one orientation minus those of the other
+    std::int32_t last = -1;   // the number of the last one
 };
 
 [[nodiscard]] Triangle sorted(Triangle t) noexcept {
@@ -313,7 +314,7 @@ struct Repeated {
     return t;
 }
 
-// Returns 1 where the corners come in an even order, else -1.
+// Returns 1 if the corners are an even permutation of their order, else -1.
 [[nodiscard]] std::int32_t sense(const Triangle& t) noexcept {
     const int turns = (t[0] > t[1] ? 1 : 0) + (t[1] > t[2] ? 1 : 0) + (t[0] > t[2] ? 1 : 0);
     return turns % 2 == 0 ? 1 : -1;
@@ -327,7 +328,7 @@ struct Repeated {
     for (const std::int64_t face : progress.over(welded.triangle.size())) {
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
-        // Nor has it a normal where the square of its area is too small for a double.
+        // If the square of its area is too small for a double, a face has no normal either.
         if (!(glm::dot(area, area) >= std::numeric_limits<double>::min())) {
             ++report.degenerate_faces;
             continue;
@@ -357,13 +358,13 @@ struct Repeated {
 
 struct FaceAbout {
     const Side* side;
-    std::int64_t angle; // about the edge, from the first face, in parts of a radian, above -pi and up to pi
-    double rounding;    // what that may be off by
+    std::int64_t angle; // about the edge, from the first face, in 1 / parts_of_radian radians, above -pi and up to pi
+    double rounding;    // the largest error of the angle
 };
 
 constexpr double parts_of_radian = 1e7;
 
-[[nodiscard]] std::int64_t in_parts(double angle) noexcept { // -pi is pi
+[[nodiscard]] std::int64_t in_parts(double angle) noexcept { // -pi becomes pi
     const std::int64_t half = std::llround(parts_of_radian * std::numbers::pi);
     const std::int64_t parts = std::llround(parts_of_radian * angle);
     return parts <= -half ? half : parts;
@@ -388,14 +389,14 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
     }
 }
 
-// Tells whether both lie on the same side of the edge, one on the other, but for rounding.
+// Tells whether both faces have the same angle about the edge, except for rounding.
 [[nodiscard]] bool lie_on_each_other(const FaceAbout& a, const FaceAbout& b) noexcept {
     const std::int64_t half = in_parts(std::numbers::pi);
     const std::int64_t apart = half - std::abs(half - std::abs(a.angle - b.angle));
     return static_cast<double>(apart) <= a.rounding + b.rounding;
 }
 
-// Returns how far the angle between two faces is from a half turn.
+// Returns the difference between the angle of two faces and a half turn.
 [[nodiscard]] std::int64_t bend(const FaceAbout& a, const FaceAbout& b) noexcept {
     return std::abs(std::abs(a.angle - b.angle) - in_parts(std::numbers::pi));
 }
@@ -403,20 +404,20 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
 // ---- Walls within solids: faces that two of them share, as boxes beside each other do
 
 enum class Twin : std::uint8_t {
-    none = 0, // a face of one side, or of a leaf
+    none = 0, // not given equally often in both orientations, or a face of a leaf
     wall = 1,
-    contact = 2 // of solids that touch in more than this
+    contact = 2 // solids touch here and in the faces beyond
 };
 
-// Returns what each of the faces is that were given as often one way as the other. What hangs together of these is a
-// wall where it ends at other faces on both sides, and nowhere else: a leaf of two sides ends at nothing, and a solid
-// with two sides nowhere. It is a part of a contact where those other faces lie on each other, too, in triangles of
-// their own.
+// Returns the kind of each face. Only faces that were given equally often in both orientations, twins, may be walls or
+// contacts. A sheet of connected twins is a wall if it meets other faces at its ends, and nowhere ends without them: a
+// leaf of two sides and a solid given in both orientations meet no others. The sheet is part of a contact if those
+// other faces lie on each other as well, in triangles of their own.
 [[nodiscard]] base::Array<Twin> find_walls(const base::Work& work, const Welded& welded,
                                            const base::Array<Repeated>& repeated, double rounding) {
-    constexpr unsigned ends = 1;    // at an edge with fewer than two other faces
-    constexpr unsigned meets = 2;   // others, two or more
-    constexpr unsigned goes_on = 4; // of these, two that lie on each other and look against each other
+    constexpr unsigned ends = 1;    // the sheet ends at an edge with fewer than two other faces
+    constexpr unsigned meets = 2;   // the sheet meets two or more other faces
+    constexpr unsigned goes_on = 4; // two of these lie on each other and look against each other
     const std::int64_t faces = welded.triangle.size();
     const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
     Sets sheets(work.memory, faces);
@@ -462,13 +463,13 @@ enum class Twin : std::uint8_t {
     return result;
 }
 
-// Between solids that share a wall there is nothing to be seen. Where solids touch in more than in faces that both
-// have, each keeps its own.
+// A wall between solids is never seen, so it is dropped. Where solids touch in more faces than those that both have,
+// each solid keeps its own faces.
 void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeated, double rounding, Welded& welded,
                      MeshReport& report) {
     if (report.repeated_faces == 0) return;
     const base::Array<Twin> kind = find_walls(work, welded, repeated, rounding);
-    Welded other_sides(work.memory); // of contacts
+    Welded other_sides(work.memory); // the second faces of contacts
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < kind.size(); ++face) {
         if (kind[face] == Twin::wall) {
@@ -492,8 +493,8 @@ void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeat
 
 // ---- Edges and corners in which solids touch
 
-// Sorts faces that lie on each other but for rounding: the solid before a shared wall ends, then the one after it
-// begins.
+// Sorts faces that have the same angle except for rounding: the face that ends a solid comes before the face that
+// begins the next one.
 void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     for (std::int64_t turns = 0; turns < about.size(); ++turns) {
         bool moved = false;
@@ -509,8 +510,8 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     }
 }
 
-// Solids that go through each other there, as round ones that touch along a line do by their flat faces, go on
-// straight.
+// Pairs four faces so that the edge bends least. Solids that cross each other at the edge then go straight on, as the
+// flat faces of round solids do that touch along a line. Returns false if the faces are not two of each orientation.
 [[nodiscard]] bool pair_flattest(base::Array<FaceAbout>& about) {
     std::sort(about.begin(), about.end(), [](const FaceAbout& a, const FaceAbout& b) {
         if (a.side->forward != b.side->forward) return a.side->forward < b.side->forward;
@@ -523,8 +524,8 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     return true;
 }
 
-// Sorts the faces about an edge so that two and two, from the first on, have a solid between them. Returns false where
-// that is not clear.
+// Sorts the faces about an edge into pairs, from the first on: a solid lies between the faces of a pair. Returns false
+// if the pairs are not clear.
 [[nodiscard]] bool pair_about(base::Array<FaceAbout>& about) {
     std::sort(about.begin(), about.end(), [](const FaceAbout& a, const FaceAbout& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.side->face < b.side->face;
@@ -532,16 +533,17 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     end_before_begin(about);
     for (std::int64_t i = 0; i < about.size(); ++i)
         if (about[i].side->forward == about[(i + 1) % about.size()].side->forward) return pair_flattest(about);
-    // A face that runs through the edge backward looks against the turn: the solid follows it, up to the next one.
+    // A face that runs through the edge backward looks against the sense of turn. Its solid follows it, up to the next
+    // face.
     if (about[0].side->forward != 0) std::rotate(about.begin(), about.begin() + 1, about.end());
     return true;
 }
 
-// Corners of one set share a vertex; the first set keeps it.
+// Gives each set of corners at a vertex a vertex of its own. The first set keeps the old one.
 void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
                    const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
-    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // a set + 1
+    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // of each vertex: the set that keeps it, plus 1
     base::Array<std::int32_t> own(memory, 3 * welded.triangle.size());
     for (const std::int64_t corner : progress.over(own.size())) {
         std::int32_t& at = welded.triangle[corner / 3][static_cast<std::size_t>(corner % 3)];
@@ -557,12 +559,12 @@ void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welde
     }
 }
 
-// Where an edge has two faces or more in either sense, those that have a solid between them get an edge of their own,
-// by vertices at the same places, so that each solid is closed. Solids that share a vertex and no edge get vertices of
-// their own, where no border passes: they are parts, and whether one lies against another is asked of parts.
+// Where an edge has four or more faces, the two faces around each solid get an edge of their own, by new vertices at
+// the same places. Each solid is then closed. Solids that share a vertex and no edge also get vertices of their own,
+// unless a border passes there: they are then separate components, for which later steps test whether they touch.
 void part_edges(const base::Work& work, double rounding, Welded& welded) {
     const base::Array<Side> sides = sides_by_edge(work, welded.triangle);
-    Sets corners(work.memory, 3 * welded.triangle.size()); // that share a vertex
+    Sets corners(work.memory, 3 * welded.triangle.size()); // sets of corners that share a vertex
     base::Array<std::uint8_t> parted(work.memory, welded.vertex.size());
     std::fill(parted.begin(), parted.end(), std::uint8_t{1});
     for_edges(sides, work, [&](const Side* first, const Side* last) {

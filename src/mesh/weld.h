@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The first half of make_mesh(): the caller's arrays as vertices in different places and faces that have an area.
+// The first half of make_mesh(): turns the caller's arrays into vertices in different places and faces that have an
+// area.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -9,12 +10,12 @@ namespace hrbfnpr::mesh {
 struct Welded {
     explicit Welded(base::Memory& memory) noexcept : vertex(memory), triangle(memory), given_face(memory) {}
 
-    base::Array<glm::dvec3> vertex; // those of faces, in the order in which they were given
+    base::Array<glm::dvec3> vertex; // only the vertices of faces, in the order in which they were given
     base::Array<Triangle> triangle;
     base::Array<std::int32_t> given_face;
 };
 
-// Counts in the report what it joins and leaves out.
+// The report gets the numbers of vertices that are joined and of faces that are left out.
 [[nodiscard]] Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report);
 
 } // namespace hrbfnpr::mesh

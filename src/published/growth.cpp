@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Both recursions go the same way: seeds are thinned to what the budget has room for (place_seeds), and in each further
-// level the children of all marks are thinned, settled on the surface and appended (refine_level).
+// Both recursions have the same steps: place_seeds() thins the seeds to fit into the budget. In each further level
+// refine_level() thins the children of all marks, settles them on the surface and appends them.
 #include "published/growth.h"
 
 #include "base/random.h"
@@ -34,8 +34,8 @@ struct Growth {
     }
 };
 
-// Makes room for that many marks in each column that grows, and looks for a cancel between them, because growing a
-// column takes long.
+// Reserves room for `count` marks in each column that grows. Checks for a cancel between the columns, because growing
+// one takes long.
 void make_room(Growth& growth, std::int64_t count, const base::Progress& progress) {
     marks::Marks& marks = growth.grown;
     const auto make = [&](auto&... column) { (make_room_long(column, count, progress), ...); };
@@ -44,7 +44,7 @@ void make_room(Growth& growth, std::int64_t count, const base::Progress& progres
     if (growth.by_curvature()) make(marks.bend, marks.curvature);
 }
 
-// Calls append(i) for the seeds that the budget has room for; returns whether it has none for some of them.
+// Calls append(i) for the seeds that fit into the budget. Returns whether some did not.
 template <class KeyOf, class Append>
 bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const Append& append,
                  const base::Progress& progress) {
@@ -61,9 +61,9 @@ bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const 
     return thinning.active();
 }
 
-// Settles the children that the budget has room for, chunk by chunk: child i, of mark i / children, starts at
-// start_of(i), and is dropped where it lands farther than `stray_limit` from there. append(progress) takes a chunk from
-// the settler. Returns whether the budget cut the level.
+// Settles the children that fit into the budget, chunk by chunk. Child i, of mark i / children, starts at start_of(i),
+// and is dropped if it lands farther than `stray_limit` from there. append(progress) takes a chunk from the settler.
+// Returns whether the budget cut the level.
 template <class KeyOf, class StartOf, class Append>
 bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const KeyOf& key_of, const StartOf& start_of,
                   const Append& append, const base::Progress& progress) {
@@ -96,8 +96,8 @@ bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const
     return thinning.active();
 }
 
-// Refines level by level, by steps of a third of the one before, until the budget cuts a level: refine(level, step,
-// progress) returns whether it did. `full`: level 0 was cut.
+// Refines level by level, with steps of a third of the one before, until the budget cuts a level. refine(level, step,
+// progress) returns whether it did. `full` tells that level 0 was cut.
 template <class Refine>
 void refine_levels(const Growth& growth, bool full, const base::Progress& progress, const Refine& refine) {
     HRBFNPR_ASSERT(growth.children > 0 && growth.settings.levels >= 0);
@@ -115,11 +115,11 @@ void refine_levels(const Growth& growth, bool full, const base::Progress& progre
 
 // ---- Stipples
 
-// As the article prints it.
+// The value is printed in the article.
 constexpr double jitter = 0.125;
 
-// Where a child of a mark with this normal starts: (i r + j u) rho in the tangent plane, i and j = +-1 + U(-1/8, 1/8),
-// drawn for each child; in units of rho.                                                                     [NPAR 5.2]
+// Returns the offset at which a child of a mark with this normal starts: (i r + j u) rho in the tangent plane, i and j
+// = +-1 + U(-1/8, 1/8), drawn for each child; in units of rho. [NPAR 5.2]
 [[nodiscard]] glm::dvec3 stipple_offset(const glm::dvec3& normal, std::int64_t child, std::uint64_t seed,
                                         std::uint64_t key) noexcept {
     const auto u = base::uniform4(seed, key, base::Purpose::stipple_jitter);
@@ -143,28 +143,28 @@ void append_stipple(const glm::dvec3& position, const glm::dvec3& normal, std::u
 
 constexpr std::int32_t sets = 2;
 
-// Euler: the normal curvature in the tangent direction d.
+// Returns the normal curvature in the tangent direction d, by Euler's formula.
 [[nodiscard]] double bend_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
     const double first = glm::dot(d, c.d1);
     const double second = glm::dot(d, c.d2);
     return c.k1 * first * first + c.k2 * second * second;
 }
 
-// From a mark along its direction d, a signed distance s on the osculating circle of curvature k
-// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. Its centre is at n / k: k is negative
-// where the surface bends away from the normal. Not beyond a quarter of the circle: farther on it
-// comes back, and what curvature tells of the surface ended long before.
+// Returns the offset from a mark along its direction d, by a signed distance s on the osculating circle of curvature k
+// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. The circle's centre is at n / k: k is negative where the
+// surface bends away from the normal. The offset ends at a quarter of the circle: farther on the circle comes back, and
+// the curvature describes the surface only near the mark.
 [[nodiscard]] glm::dvec3 on_osculating_circle(double s, double k, const glm::dvec3& d, const glm::dvec3& n) noexcept {
     constexpr double quarter = 1.5707963267948966;
     const double angle = std::clamp(s * k, -quarter, quarter);
     if (std::abs(s * k) > quarter) s = std::copysign(quarter / std::abs(k), s);
-    if (std::abs(angle) < 1e-4) // the series: no division by a k that may be 0
+    if (std::abs(angle) < 1e-4) // the series avoids a division by k, which may be 0
         return s * ((1.0 - angle * angle / 6.0) * d + 0.5 * angle * (1.0 - angle * angle / 12.0) * n);
     return s / angle * (std::sin(angle) * d + (1.0 - std::cos(angle)) * n);
 }
 
-// The curvatures at places. A caller's directions take their place, with confidence 1, or 0 where the function gives
-// none. Combing strokes have none.
+// Returns the curvatures at places. If the caller gives directions, these replace the principal ones, with confidence
+// 1, or 0 where the function gives none. Combing strokes get default values, which they do not use.
 [[nodiscard]] base::Array<surface::Curvature> measured(const Growth& growth, const geometry::VecArray& position,
                                                        const geometry::VecArray& normal,
                                                        const base::Progress& progress) {
@@ -188,26 +188,26 @@ constexpr std::int32_t sets = 2;
     return curvature;
 }
 
-// `before`: the direction of the mark that this one was placed from, zero for a seed. Fields of directions have no
-// sign; a stroke keeps its own, or it would fold back on itself.
+// Returns the direction of a stroke's mark. `before` is the direction of the mark from which this one was placed, zero
+// for a seed. Direction fields have no sign, so a stroke keeps its own. Otherwise it would fold back on itself.
 [[nodiscard]] glm::dvec3 stroke_direction(bool combing, std::uint32_t set, const glm::dvec3& n,
                                           const surface::Curvature& c, const glm::dvec3& before) noexcept {
     glm::dvec3 field = set == 0 ? c.d1 : c.d2;
-    // Zero where the caller's field has none, or the gradient vanishes by the curvature's evaluation but not by the
-    // projection's.
+    // The field is zero where the caller's has no direction, or where the gradient vanishes in the curvature's
+    // evaluation but not in the projection's.
     if (combing || !(glm::dot(field, field) > 0.5))
         field = set == 0 ? geometry::combing_frame(n).r : geometry::combing_frame(n).u;
-    const glm::dvec3 flat = before - glm::dot(before, n) * n; // in the plane across n
+    const glm::dvec3 flat = before - glm::dot(before, n) * n; // in the plane perpendicular to n
     const double length = glm::length(flat);
     if (!(length > 1e-6)) return field;
     const glm::dvec3 onward = flat / length;
     if (glm::dot(field, onward) < 0.0) field = -field;
     if (combing) return field;
     const double weight = glm::smoothstep(published_tuning.unsure, published_tuning.sure, c.confidence);
-    return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
+    return glm::normalize(weight * field + (1.0 - weight) * onward); // the two are no more than 90 degrees apart
 }
 
-// A stroke and a place along it make a mark.
+// Returns the key of a mark, from its stroke and its place along that.
 [[nodiscard]] std::uint64_t stroke_key(std::uint32_t stroke, std::int32_t place) noexcept {
     return static_cast<std::uint64_t>(stroke) << 32U | static_cast<std::uint32_t>(place);
 }
@@ -247,9 +247,9 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
                            static_cast<std::uint32_t>(i), 0, marks);
         },
         site.work);
-    auto full_count = static_cast<std::uint64_t>(seeds); // marks before a level, had none been dropped
+    auto full_count = static_cast<std::uint64_t>(seeds); // the marks before a level if none had been dropped
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
-        // The mark `key` of a full tree of n marks has the children n + 4 key + {0, 1, 2, 3}.
+        // In a full tree of n marks, mark `key` has the children n + 4 key + {0, 1, 2, 3}.
         const auto key_of = [&](std::int64_t i) {
             return full_count + 4 * marks.key[i / 4] + static_cast<std::uint64_t>(i % 4);
         };
@@ -263,8 +263,8 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
                     append_stipple(growth.settler.position(i), growth.settler.normal(i), key_of(growth.child[i]),
                                    marks.stroke[growth.child[i] / 4], level, marks);
         };
-        // No start is farther from its parent than this. A child that lands farther from its start than its start is
-        // from the parent belongs to another part of the surface.
+        // No start is farther from its parent than this. A child that lands farther from its start than that belongs to
+        // another part of the surface.
         const double stray_limit = std::sqrt(2.0) * (1.0 + jitter) * rho;
         const bool cut = refine_level(growth, level, stray_limit, key_of, start_of, append, part);
         full_count *= 5;
@@ -283,7 +283,7 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     const auto work = static_cast<double>(marks::grown_count(1, 3, settings.levels));
     const base::Work first = site.work.part(0.0, 1.0 / work);
     const base::Array<surface::Curvature> at_seeds = measured(growth, start.position, start.normal, first);
-    // A seed of a stroke is its middle; stroke i belongs to set i % 2.
+    // A seed is the middle of its stroke. Stroke i belongs to set i % 2.
     const bool full = place_seeds(
         growth, seeds, [](std::int64_t i) { return stroke_key(static_cast<std::uint32_t>(i), 0); },
         [&](std::int64_t i) {
@@ -294,7 +294,7 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     geometry::VecArray landed(site.memory());
     geometry::VecArray landed_normal(site.memory());
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
-        // Places are numbered in steps of the last level that was asked for. Children lie back and onward.
+        // Places are numbered in steps of the last level that was asked for. The children lie backward and forward.
         const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - level));
         const auto place_of = [&](std::int64_t i) { return marks.place[i / 2] + (i % 2 == 0 ? -finest : finest); };
         const auto key_of = [&](std::int64_t i) { return stroke_key(marks.stroke[i / 2], place_of(i)); };
@@ -321,10 +321,10 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
                                    level, curvature[k], marks.direction[parent]);
             }
         };
-        // What lands farther from its start than a step belongs to another part of the surface.
+        // A child that lands farther from its start than a step belongs to another part of the surface.
         return refine_level(growth, level, rho, key_of, start_of, append, part);
     });
-    // Places were numbered for all levels; number them for those that were taken.
+    // Places were numbered for all levels. Renumber them for the levels that were grown.
     const auto unused = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - report.levels));
     const auto middle = static_cast<std::int32_t>((marks::grown_count(1, 3, report.levels) - 1) / 2);
     for (std::int32_t& place : marks.place) place = place / unused + middle;

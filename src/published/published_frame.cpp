@@ -31,29 +31,29 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
 
 // ---- 1. Classes
 
-// The largest disc that the mark can paint decides whether it can reach the viewport.
+// Returns the radius of the largest disc that the mark can paint, which decides whether it can reach the viewport.
 [[nodiscard]] float reach(const Run& run, float pixels_per_unit) noexcept {
     float radius = 0.0F;
     if (run.draws_front) radius = run.pen.front_ink(pixels_per_unit);
     if (run.draws_silhouettes) radius = std::max(radius, run.pen.silhouette_ink(pixels_per_unit));
     if (run.paints_paper || run.occludes)
         radius = std::max({radius, run.pen.front_splat(pixels_per_unit), run.pen.back_splat(pixels_per_unit)});
-    return radius + 0.5F; // the soft rim
+    return radius + 0.5F; // half a pixel for the soft rim
 }
 
-// Each comparison is false for NaN, so that such a mark is outside.
+// Tells whether a mark is inside the viewport. Each comparison is false for NaN, so a mark with NaN is outside.
 [[nodiscard]] bool inside(const glm::vec4& viewport, float x, float y, float window_depth, float radius) noexcept {
     return x > viewport.x - radius && x < viewport.x + viewport.z + radius && y > viewport.y - radius &&
            y < viewport.y + viewport.w + radius && window_depth >= 0.0F && window_depth <= 1.0F;
 }
 
-// The mark of that number in its layer; tau only where the style's tone is not a callback.
+// Classifies a mark by its number in the layer. Sets tau unless the style's tone is a callback.
 [[nodiscard]] Mark classify(const Run& run, const ItemView& item, const Lens& lens, std::int64_t number) noexcept {
     const Style& style = item.style;
     Mark mark{};
     const glm::vec3 eye = item.to_eye * run.place_of(number, item.unit) + item.eye_offset;
     const glm::vec4 clip = lens.window * glm::vec4(eye, 1.0F);
-    if (!(clip.w > 0.0F)) return mark; // the eye is before it
+    if (!(clip.w > 0.0F)) return mark; // the mark is not in front of the eye
     const glm::vec3 at = glm::vec3(clip) / clip.w;
     const glm::vec3 own_normal = run.normal_of(number);
     const glm::vec3 sight = lens.sight(eye);
@@ -66,7 +66,7 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
     if (!inside(lens.viewport, at.x, at.y, at.z, reach(run, mark.pixels_per_unit)) || !(std::abs(mark.nu) <= 1.001F))
         return mark;
     mark.tau = style.tone == Tone::light ? LightTone(style)(lit(item.light, own_normal)) : 0.0F;
-    // The distance is from the eye, or from its plane where there is no eye.
+    // The distance is from the eye, or from the eye's plane if the projection is parallel.
     mark.tau_depth = DepthTone(style, lens.eye_per_world)(lens.centre.w == 0.0F ? mark.depth : glm::length(sight));
     const auto threshold = static_cast<float>(style.silhouette_threshold);
     mark.mark_class = mark.nu < -threshold  ? MarkClass::front
@@ -75,12 +75,12 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
     return mark;
 }
 
-// Whether a front mark would be ink but for tone, depth, zoom and visibility.
+// Tells whether a front mark may be ink, apart from tone, depth, zoom and visibility.
 [[nodiscard]] bool may_be_ink(const Run& run, std::int64_t mark) noexcept {
     return run.draws_front && (run.directions == 3U || run.draws_set(run.marks->stroke[2 * mark] & 1U));
 }
 
-// Asks the styles' tone callbacks for tau of the front marks that need one, on this thread.
+// Asks the styles' tone callbacks for tau of the front marks that need it, on the calling thread.
 void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
     for (const Run& run : scene.runs) {
         const ItemView& item = scene.item_of(run);
@@ -112,14 +112,15 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
                                                             : front_push(radius, mark.nu, mark.pixels_per_unit));
 }
 
-// Ink is pulled toward the eye by about its own size, so that it lies over the paper of its own layer.
+// Returns the depth of ink. Ink is pulled toward the eye by its own radius, so that it lies over the paper of its own
+// layer.
 [[nodiscard]] float ink_depth(const Mark& mark, float radius) noexcept {
     return mark.depth - radius / mark.pixels_per_unit;
 }
 
 // ---- 3. Roles
 
-// Whether a mark is ink; where one of class front or silhouette is not, `counts` says why. `visibility`: null where
+// Tells whether a mark is ink. If a front or silhouette mark is not, `counts` gets the reason. `visibility` is null if
 // nothing hides marks.
 [[nodiscard]] bool is_ink(const Run& run, const Mark& mark, std::int64_t number, const VisibilityMap* visibility,
                           Counts& counts) noexcept {
@@ -171,7 +172,7 @@ void decide(const Run& run, std::int64_t number, const VisibilityMap* visibility
 
 // ---- 4. Dots
 
-// `run` is the scene's run of that number.
+// Makes the dot of a mark. `run_number` is the run's number in the scene.
 [[nodiscard]] Dot dot_of(const Run& run, std::int64_t run_number, const Mark& mark, std::int64_t number,
                          bool is_paper) noexcept {
     Dot dot{};
@@ -242,7 +243,7 @@ void VisibilityMap::fill_tile(std::int64_t tile) noexcept {
             const float half_squared = disc.radius * disc.radius - dy * dy;
             if (!(half_squared >= 0.0F)) continue;
             const float half = std::sqrt(half_squared);
-            // Texels whose centres lie within.
+            // The range covers the texels whose centres lie within the disc.
             const float first = std::max(std::ceil(disc.x - half - 0.5F), static_cast<float>(left));
             const float last = std::min(std::floor(disc.x + half - 0.5F), static_cast<float>(right - 1));
             if (!(first <= last)) continue;
@@ -306,8 +307,8 @@ void PublishedFrame::run(const Scene& scene, drawing::Drawing& drawing) {
     all.nanoseconds_sort = watch.nanoseconds();
 }
 
-// A key for each disc, in the order of the marks: its depth, and twice the mark's place, with 1 added for paper. A
-// task's counts tell where its keys begin.
+// Makes a key for each disc, in the order of the marks. The key holds the disc's depth, and twice the mark's place,
+// plus 1 for paper. The counts of a task tell where its keys begin.
 void PublishedFrame::find_keys(const Scene& scene) {
     next_key_.clear();
     std::int64_t total = 0;

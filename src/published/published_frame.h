@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A drawing as published: discs of ink and of paper, to be painted from far to near.     [NPAR 6, 6.1, 6.2]
+// Makes a drawing as published: discs of ink and of paper, painted from far to near. [NPAR 6, 6.1, 6.2]
 //
-// 1. Marks are classified: their place on the screen, front, back or silhouette, and their tone.
+// 1. Marks are classified: each gets a place on the screen, a class (front, back or silhouette) and a tone.
 // 2. A depth map of the discs that hide others is drawn (VisibilityMap).
 // 3. Each mark's role is decided: ink, paper, both or none, by tone, depth, zoom and visibility.
 // 4. Discs are sorted from far to near, and become the dots of the drawing.
@@ -14,7 +14,7 @@
 
 namespace hrbfnpr::published {
 
-using namespace frame; // the scene that this room classifies and paints
+using namespace frame; // for the scene, which this folder classifies and paints
 
 // A mark on the screen.
 struct Mark {
@@ -23,13 +23,13 @@ struct Mark {
     float depth;           // eye units along the view
     float pixels_per_unit; // pixels per eye unit
     float nu;
-    float tau, tau_depth; // its tone by light, and by distance
-    MarkClass mark_class; // none: it lies outside of the picture, and all numbers before are not set
+    float tau, tau_depth; // the tone by light, and by distance
+    MarkClass mark_class; // none: the mark is outside of the picture, and the numbers before are not set
     bool is_ink, is_paper;
 };
 
-// The depth of the nearest surface, as discs of the front and back marks of the items that hide others. They lie as
-// far beyond their own layer as discs of paper, so that it does not hide its own ink.
+// A map of the nearest surface's depth, drawn as discs of the front and back marks of items that hide others. The discs
+// lie as far beyond their own layer as discs of paper, so that the layer does not hide its own ink.
 class VisibilityMap {
 public:
     explicit VisibilityMap(base::Memory& memory) noexcept
@@ -37,7 +37,8 @@ public:
 
     void build(const base::Parallel& parallel, const Scene& scene, const base::Array<Mark>& marks);
 
-    // x, y in pixels of the image; depth in eye units along the view. False outside the viewport.
+    // Tells whether a place is hidden. x and y are in pixels of the image, and depth is in eye units along the view.
+    // Returns false outside the viewport.
     [[nodiscard]] bool hides(float x, float y, float depth) const noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return bins_.bytes() + depth_.bytes() + occluders_.bytes(); }
@@ -45,7 +46,7 @@ public:
 private:
     static constexpr std::int32_t tile_size = 32;
 
-    // x, y and radius are in texels of the map, the depth is in eye units. The radius is below 0 where the mark hides
+    // x, y and radius are in texels of the map, the depth is in eye units. The radius is negative if the mark hides
     // nothing.
     struct Occluder {
         float x, y, radius, depth;
@@ -66,7 +67,7 @@ public:
         : runtime_(runtime), marks_(runtime.memory), tone_calls_(runtime.memory), visibility_(runtime.memory),
           order_(runtime.memory), next_key_(runtime.memory), counts_(runtime.memory), keys_(runtime.memory) {}
 
-    // Fills all of the drawing that the scene does not. Throws Error{callback, out_of_memory}.
+    // Fills in all of the drawing that the scene has not filled in. Throws Error{callback, out_of_memory}.
     void run(const Scene& scene, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
@@ -78,7 +79,7 @@ private:
     void find_keys(const Scene& scene);
 
     const base::Runtime& runtime_;
-    // Memory that is kept from frame to frame.
+    // The following memory is kept from frame to frame.
     base::Array<Mark> marks_; // one for each mark of the scene's runs
     ToneCalls tone_calls_;
     VisibilityMap visibility_;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The constants that the article leaves open. Those that it prints stand with the recursions.
+// The constants that the article leaves open. The constants that it prints are in growth.cpp.
 #pragma once
 
 namespace hrbfnpr::published {
 
 struct PublishedTuning {
-    // A stroke takes a principal direction in full from this confidence on, and below the first one goes on in its own
-    // direction. Larger: strokes are straighter where the curvature hardly has a direction.
+    // A stroke takes a principal direction in full from the confidence `sure` on. At `unsure` and below it goes on in
+    // its own direction. Larger: strokes are straighter where the curvature has hardly a direction.
     double unsure = 0.02;
     double sure = 0.10;
-    // The depth map of hidden marks has at most this many texels; of a larger viewport it is coarser. Larger: more
-    // memory, at 4 bytes each.
+    // The depth map of the visibility test has at most this many texels, so it is coarser for larger viewports. Larger:
+    // more memory, at 4 bytes each.
     double most_texels = 16777216.0;
 };
 inline constexpr PublishedTuning published_tuning;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of compare(), in order:
 //
-//   find_surface   the surface as triangles, from places on the mesh and of a coarse lattice
-//   parts_of       its components and handles; if the mesh has others, finer cells are tried once
-//   places_on      places on the surface, even over its area; the mesh's distance from them
-//   from_mesh      the surface's distance from places on the mesh, and the angles between the normals
+//   find_surface   finds the surface as triangles, from places on the mesh and from a coarse lattice
+//   parts_of       counts its components and handles; if the mesh has others, finer cells are tried once
+//   places_on      spreads places evenly over the surface, and measures their distances from the mesh
+//   from_mesh      measures distances of places on the mesh from the surface, and angles between the normals
 #include "mesh/fit/compare.h"
 
 #include "base/clock.h"
@@ -25,7 +25,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Streams of random numbers: other places than those that a fit is made of.
+// Streams of random numbers. They give other places than those that a fit uses.
 constexpr std::uint32_t places_of_mesh = 77;
 constexpr std::uint32_t places_of_surface = 1U << 16U;
 
@@ -47,7 +47,7 @@ struct CompareTask {
     return on;
 }
 
-// Returns distance(i) of all i. A few take long, as places may be far from all faces.
+// Returns distance(i) of all i. Some take long, because places may be far from all faces.
 template <class Distance>
 [[nodiscard]] base::Array<double> distances(const CompareTask& task, std::int64_t count, Distance&& distance) {
     base::Array<double> result(task.work.memory, count);
@@ -75,7 +75,7 @@ void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
             seeds.push_back(on.position[i]);
 }
 
-// Tells whether finer cells would show another surface, and there is room for them.
+// Tells whether finer cells would show another surface, and would not make too many triangles.
 [[nodiscard]] bool too_thin(const curves::SurfaceMesh& surface) noexcept {
     const auto triangles = static_cast<double>(surface.triangles());
     const bool thin =
@@ -85,7 +85,7 @@ void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
 
 struct SurfaceParts {
     std::int64_t components = 0;
-    std::int64_t genus = -1; // the sum over the components; -1: there is a border
+    std::int64_t genus = -1; // the sum over the components; -1: the surface has a border
 };
 
 [[nodiscard]] SurfaceParts parts_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface) {
@@ -105,19 +105,20 @@ struct SurfaceParts {
     }
     const bool border =
         std::any_of(surface.neighbour.begin(), surface.neighbour.end(), [](std::int32_t beyond) { return beyond < 0; });
-    // A closed one has three edges for two triangles.
+    // A closed surface has three edges for every two triangles.
     const std::int64_t euler = vertices - surface.triangles() / 2;
     if (!border && surface.triangles() > 0 && euler % 2 == 0) parts.genus = parts.components - euler / 2;
     return parts;
 }
 
-// A closed mesh has other parts or handles where the cells do not show a wall, or a gap.
+// Tells whether a closed mesh has other components or handles than the surface. This happens where a wall or a gap is
+// too thin for the cells.
 [[nodiscard]] bool differ(const SurfaceParts& parts, const MeshReport& report) noexcept {
     return report.closed &&
            (parts.genus != report.genus || parts.components != report.components - report.left_out_components);
 }
 
-// Returns the triangles as faces of a tree.
+// Returns a tree of the triangles.
 [[nodiscard]] FaceTree tree_of(const base::Work& work, const curves::SurfaceMesh& surface) {
     base::Array<glm::dvec3> vertex(work.memory);
     base::Array<Triangle> triangle(work.memory);
@@ -131,7 +132,7 @@ struct SurfaceParts {
 
 // ---- From the surface
 
-// Returns places on the surface, even over its area. Those of which the projection fails stay on their triangle.
+// Returns places on the surface, evenly spread over its area. A place whose projection fails stays on its triangle.
 [[nodiscard]] SurfacePlaces places_on(const CompareTask& task, const curves::SurfaceMesh& surface,
                                       const base::Progress& progress) {
     SurfacePlaces places(task.work.memory);
@@ -178,7 +179,8 @@ void from_surface(const CompareTask& task, const Mesh& mesh, const curves::Surfa
 
 // ---- From the mesh
 
-// A projection may end farther away than need be; the triangles are off the surface by their bulge. The nearer counts.
+// Uses the smaller of two distances: a projection may end farther away than the nearest place, and the triangles are
+// off the surface by their bulge.
 void from_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
                Comparison& result) {
     const surface::Projection on = projected(task, samples.position, mesh_fit_tuning.mesh_evaluations,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A smooth fit to a mesh: fit_adaptively() with the mesh as its oracle.
+// Makes a smooth fit to a mesh, by fit_adaptively() with the mesh as its oracle.
 //
-//   gather_candidates   places on the mesh, even over its area and in the middles of faces
-//   measured_at         how far the candidates are from the fit
-//   look_at_surface     how far the fit's surface is from the mesh, and centres off it where it is far
-//   look                says after each round which centres the next one gets
-//   verify              measures the result at other places of the mesh
+//   gather_candidates         takes places on the mesh, even over its area and in the middles of faces
+//   distances_of_candidates   measures how far the candidates are from the fit
+//   look_at_surface           measures how far the surface is from the mesh, and adds centres where it is far
+//   look                      chooses the centres of the next round, after each round
+//   verify                    measures the result at other places of the mesh
 #include "mesh/fit/fit_mesh.h"
 
 #include "base/assert.h"
@@ -34,8 +34,8 @@ namespace {
 
 // ---- The fit at many places
 
-// Measured on two cores, AVX2: what all pairs of places and centres take, and fields of the precision and with as many
-// near centres as below.
+// Times measured on two cores, AVX2: for each pair of a place and a centre, and for a field of the precision and the
+// number of near centres below, plus its time for each centre. The field must pay off by the factor `worth`.
 constexpr double seconds_a_pair = 1.1e-9;
 constexpr double seconds_a_field = 0.05;
 constexpr double seconds_a_centre = 8.5e-5;
@@ -48,14 +48,14 @@ bool pays(std::int64_t centres, std::int64_t places) noexcept {
     return seconds_a_pair * static_cast<double>(places) * count > worth * (seconds_a_field + seconds_a_centre * count);
 }
 
-// The data at many places, as near as a search for what is off needs.
+// Evaluates the data at many places, as exactly as a search for deviations needs.
 class FitField {
 public:
-    // precision: in diagonals.  The data must outlive it.
+    // `precision` is in diagonals. The data must outlive it.
     FitField(base::InstructionSet set, const implicit::HrbfData& data, double precision) noexcept
         : data_(data), plain_(set, data), precision_(precision) {}
 
-    // Before it is asked at so many places: prepares for that, where it takes less time.
+    // Is called before evaluations at this many places. Prepares a far field if that takes less time.
     void expect(const base::Work& work, std::int64_t places);
 
     [[nodiscard]] const implicit::Implicit& operator*() const noexcept {
@@ -81,14 +81,14 @@ void FitField::expect(const base::Work& work, std::int64_t places) {
     if (error.value <= precision_ && error.gradient <= gradient_precision) prepared_ = std::move(prepared);
 }
 
-// The root of the mean square, unit: a length, so that squares of small ones do not underflow.
+// Returns the root mean square. `unit` is a length that keeps squares of small distances from underflow.
 double root_mean_square(const base::Array<double>& distance, double unit) noexcept {
     double sum = 0.0;
     for (const double d : distance) sum += (d / unit) * (d / unit);
     return unit * std::sqrt(sum / static_cast<double>(distance.size()));
 }
 
-// Fills in the fit's report, but for the candidates' distances. `chosen` are the centres of the fit.
+// Fills in the fit's report except for the candidates' distances. `chosen` are the centres of the fit.
 void describe(const base::Work& work, const fit::Samples& chosen, const FitMeshReport& report, fit::CentreFit& fit) {
     fit::FitReport& to = fit.result.report;
     describe_residuals(work, fit.result.data, chosen, to);
@@ -102,7 +102,7 @@ void describe(const base::Work& work, const fit::Samples& chosen, const FitMeshR
 
 // ---- The mesh and its candidates
 
-// The data that all steps read.
+// All steps read this data.
 struct Task {
     const base::Work& work;
     const Mesh& mesh;
@@ -119,7 +119,7 @@ FitMeshReport first_report(const Mesh& mesh, const FitMeshSettings& settings) no
     return report;
 }
 
-// Candidates are even over the area, and in the middles of faces, which are small where there are details.
+// Candidates are evenly spread over the area, and in the middles of faces, which are small where there are details.
 fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     const std::int64_t faces = mesh.faces();
@@ -145,8 +145,8 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
 
 // ---- The mesh from the surface
 
-// The distance of each candidate from the surface. Where f grows inward the surface is another one, or there is no
-// surface.
+// Returns the distance of each candidate from the surface. Where f grows inward the nearest surface is a wrong one, or
+// no surface is near.
 base::Array<double> distances_of_candidates(const Task& task, const fit::Samples& candidates,
                                             const fit::Distances& distances, double tolerance) {
     base::Array<double> distance(task.work.memory);
@@ -158,7 +158,8 @@ base::Array<double> distances_of_candidates(const Task& task, const fit::Samples
     return distance;
 }
 
-// Measures the distances of other places of the mesh, to the surface itself: at the candidates they are of first order.
+// Measures the distances of other places of the mesh from the surface itself. The distances of candidates are
+// first-order estimates only.
 Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     MeshSamples samples = random_samples(work, mesh, fit_mesh_tuning.verified_places, settings.seed, 2);
@@ -180,7 +181,7 @@ Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshRep
 
 // ---- The surface from the mesh
 
-// Surface beyond a border has the distance 0: a drawing trims it.
+// Returns the distance of each place from the mesh. It is 0 beyond a border, because a drawing trims the surface there.
 base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray& place) {
     base::Array<double> distance(task.work.memory, place.size());
     task.work.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
@@ -192,9 +193,9 @@ base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray
     return distance;
 }
 
-// Adds centres off the mesh, at places of the surface that are far from it, farthest first, each about as far from
-// those before as it is from the mesh. f is held to the signed distance there, if it is sure on which side the place
-// lies. `held` are the ones that the fit has, and `added` get the new ones.
+// Adds centres off the mesh at places of the surface that are far from it, farthest first. The distance between centres
+// is about their distance from the mesh. f is held to the signed distance there, if the side of the place is certain.
+// `held` are the centres that the fit has already; new ones go to `added`.
 void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base::Array<double>& distance,
                    double tolerance, std::int64_t room, const fit::Samples& held, fit::Samples& added) {
     HRBFNPR_ASSERT(distance.size() == place.size());
@@ -229,7 +230,7 @@ void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base
 void describe_residuals(const base::Work& work, const implicit::HrbfData& data, const fit::Samples& centres,
                         fit::FitReport& to) {
     const fit::Distances at = fit::measure_distances(work, data, centres);
-    const double unit = data.scale; // no underflow in small units
+    const double unit = data.scale; // prevents underflow in small units
     double values = 0.0;
     double gradients = 0.0;
     const std::int64_t count = centres.position.size();
@@ -254,7 +255,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     FitMeshReport report = first_report(mesh, settings);
     const double share = settings.share + fit_mesh_tuning.margin * (1.0 - settings.share);
     fit::FitInput options = given;
-    options.tolerance = report.tolerance; // residuals that a distance does not show are accepted
+    options.tolerance = report.tolerance; // accepts residuals that do not show in a distance
     options.automatic_tolerance = std::clamp(fit_mesh_tuning.residual * report.tolerance / diagonal,
                                              fit_mesh_tuning.finest_residual, fit_mesh_tuning.roughest_residual);
 
@@ -272,19 +273,19 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     search.limit = fit_mesh_tuning.support_limit;
     search.support = support ? &*support : nullptr;
 
-    std::int64_t surface_places = fit_mesh_tuning.first_places; // at which f is asked to find the surface
+    std::int64_t surface_places = fit_mesh_tuning.first_places; // the number of places at which the search evaluates f
     double least_outside = 2.0;
     double least_far = std::numeric_limits<double>::infinity();
     std::int32_t idle = 0; // rounds without a gain
     double input_distance_rms = 0.0;
 
-    // Looks at the whole surface, and adds to `growth` what holds f off the mesh. Returns whether anything was added.
+    // Measures the whole surface, and adds to `growth` centres that hold f off the mesh. Returns whether it added any.
     const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::Growth& growth) {
         geometry::VecArray seeds(work.memory);
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);
         curves::SurfaceMesh surface = find_surface(work.standing(), *field, seeds, search);
         surface_places = fit_mesh_tuning.places_a_vertex * surface.position.size();
-        // The places are its vertices, which lie on f = 0: even a small part has some.
+        // The places are the vertices, which lie on f = 0. Even a small part has some.
         SurfacePlaces places(work.memory);
         places.position = std::move(surface.position);
         places.gradient = std::move(surface.gradient);
@@ -299,7 +300,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         report.surface = spread_of(distance, report.tolerance, report.far);
         return growth.held.position.size() > before;
     };
-    // Tells whether the last rounds brought what is outside down.
+    // Tells whether the last rounds reduced the share outside or the farthest distance.
     const auto gains = [&] {
         const double outside = 2.0 - report.mesh.share - report.surface.share;
         const double far = std::max(report.mesh.most, report.surface.most);
@@ -320,8 +321,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
         report.mesh = spread_of(distance, report.tolerance, report.far);
         const bool mesh_good = report.mesh.is_within(share, report.far);
-        // Once the surface is where the mesh is, a look at the rest of it is worth its time, as most of it goes by
-        // itself; and again while it is far, and in the end.
+        // The rest of the surface is examined only when most of the mesh is within the tolerance, because most wrong
+        // surface disappears by itself before. It is examined again while it is far off, and at the end.
         const bool far = !(report.surface.most <= report.far);
         const bool looked = mesh_good || (report.mesh.share > fit_mesh_tuning.first_look && far);
         bool grown = looked && look_at_surface(field, now, growth);
@@ -339,7 +340,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         if (!looked && !grown) grown = look_at_surface(field, now, growth);
         const auto all_good = [&] { return mesh_good && report.surface.is_within(share, report.far); };
         if (all_good()) {
-            // Looks once whether smaller cells find anything to be mended.
+            // Looks once in smaller cells for surface that needs more centres.
             const double side = diagonal / fit_mesh_tuning.cells_of_last;
             const double ratio = search.side / side;
             if (ratio > 1.0) {

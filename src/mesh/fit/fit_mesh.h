@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A surface fitted to a mesh, with as many samples as that takes.
+// Fits a smooth surface to a mesh, with as many samples as it needs.
 #pragma once
 
 #include "fit/fit.h"
@@ -18,20 +18,20 @@ struct FitMeshSettings {
     std::int64_t candidates = 0; // 0: automatic
     std::uint64_t seed = 1;
     double crease_angle = default_crease_angle;
-    Edges edges = Edges::automatic; // fit_mesh itself makes a smooth one
+    Edges edges = Edges::automatic; // fit_mesh() ignores this: its fit is smooth
 };
 
 struct FitMeshReport {
     bool reached = false;
-    bool supported = false; // the surface beyond the mesh's border does not count
+    bool supported = false; // The mesh has a border; the surface beyond it does not count.
     double tolerance = 0.0;
     double far = 0.0;
     std::int64_t candidates = 0;
-    std::int64_t off_surface = 0; // centres
+    std::int64_t off_surface = 0; // the number of centres off the surface
     std::int32_t rounds = 0;
     Spread surface;
     Spread mesh;
-    Touching touching; // parts that are nearer to each other than the tolerance, so that the surface may join them
+    Touching touching; // parts closer to each other than the tolerance, which the surface may join
     double seconds_sample = 0.0;
     double seconds_fit = 0.0;
     double seconds_measure = 0.0;
@@ -39,11 +39,11 @@ struct FitMeshReport {
 };
 
 struct MeshFit {
-    fit::FitResult fit; // its samples: places all over the mesh
+    fit::FitResult fit; // its samples are places all over the mesh
     FitMeshReport report;
 };
 
-// A fit that is under way, as an implicit. The data must outlive it.
+// An unfinished fit as an implicit. The data must outlive it.
 class FitData final : public implicit::Implicit {
 public:
     FitData(base::InstructionSet set, const implicit::HrbfData& data) noexcept : set_(set), data_(data) {}
@@ -59,11 +59,13 @@ private:
     const implicit::HrbfData& data_;
 };
 
-// Fills in the residuals at the centres, where the data is to have a normal, and a value or 0.
+// Fills in the residuals at the centres, where the gradient should be the normal, and f should be the centre's value or
+// 0.
 void describe_residuals(const base::Work& work, const implicit::HrbfData& data, const fit::Samples& centres,
                         fit::FitReport& to);
 
-// options: kernel, solver and regularization; its views are empty, its tolerance and maximum_centres 0.
+// `options` gives the kernel, the solver and the regularization. Its views are empty, and its tolerance and
+// maximum_centres are 0.
 [[nodiscard]] MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                const FitMeshSettings& settings, const fit::FitInput& options);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rays count how often the mesh winds around a place. Edges that go through faces, and short lines along normals, find
-// parts that touch.
+// Rays count how often the mesh winds around a place. Parts that touch are found by edges that go through faces, and by
+// short lines along normals.
 #include "mesh/fit/outer.h"
 
 #include "base/status.h"
@@ -30,8 +30,8 @@ namespace {
            });
 }
 
-// Returns the component that a short line through a place meets besides the place's own, where the cosine of their
-// normals is at least `alike`, or at most -alike; or -1.
+// Returns the component, other than the place's own, that a short line along the normal meets, or -1. The cosine of the
+// two normals must be at least `alike`, or at most -alike.
 [[nodiscard]] std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
                                            std::int64_t i, double near, double alike) noexcept {
     const std::int32_t own = mesh.component[places.face[i]];
@@ -44,7 +44,7 @@ namespace {
     return -1;
 }
 
-// Returns the component of the first face of another one that a side of a face goes through, or -1.
+// Returns the component of the first face of another component that a side of this face goes through, or -1.
 [[nodiscard]] std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t face,
                                       glm::dvec3& place) noexcept {
     constexpr double beyond = 1e-9;
@@ -62,7 +62,8 @@ namespace {
     return -1;
 }
 
-// Finds the first of `count` things for which find(i, place) is a component; component_of(i) is its own.
+// Finds the first i below `count` for which find(i, place) returns a component. component_of(i) returns the component
+// of i itself.
 template <class Find, class ComponentOf>
 [[nodiscard]] Touching first_of(const base::Work& work, std::int64_t count, Find&& find, ComponentOf&& component_of) {
     base::Array<std::int32_t> other(work.memory, count);
@@ -90,7 +91,7 @@ Where where(const FaceTree& tree, const glm::dvec3& place) noexcept {
     constexpr int rays = 16;
     int votes = 0;
     for (int k = 0; k < rays; ++k) {
-        // The directions are even over the sphere [Vogel 1979], and turned.
+        // The directions are evenly spread over the sphere [Vogel 1979], and rotated.
         const double z = 1.0 - (2.0 * k + 1.0) / rays;
         const double angle = 0.6 + 2.399963229728653 * k;
         const double r = std::sqrt(1.0 - z * z);
@@ -119,7 +120,7 @@ void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, 
         position.set(kept, position[i]);
         normal.set(kept++, normal[i]);
     }
-    if (kept == 0) return; // It is not known what is outside.
+    if (kept == 0) return; // All samples are inside another part, so all are kept.
     position.resize(kept);
     normal.resize(kept);
 }
@@ -181,7 +182,7 @@ Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTr
 }
 
 void refuse_flat_solid(const Mesh& mesh) {
-    glm::dvec3 normal(0.0); // of the largest face, and then unit
+    glm::dvec3 normal(0.0); // the area vector of the largest face; later its unit normal
     glm::dvec3 place(0.0);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         const std::array<glm::dvec3, 3> corners = mesh.corners(face);

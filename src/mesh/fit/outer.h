@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a fit asks of a mesh: which side of it a place lies on, which of its faces are outside, which of its parts
-// touch.
+// Answers questions of a fit about a mesh: on which side of it a place lies, which of its faces are outside, and which
+// of its parts touch.
 #pragma once
 
 #include "mesh/face_tree.h"
@@ -10,26 +10,26 @@
 
 namespace hrbfnpr::mesh {
 
-// Tells whether a place lies inside a closed mesh, by the windings that most of three rays count.
+// Tells whether a place lies inside a closed mesh, by the winding numbers that most of three rays count.
 [[nodiscard]] bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
 enum class Where : std::uint8_t { outside, inside, unsure };
 
-// Tells the same of a mesh that may have holes, by more rays. It is unsure where too many disagree, as near a hole, or
-// beside a sheet.
+// Tells on which side of a mesh with holes a place lies, by more rays. The answer is `unsure` if too many rays
+// disagree, as near a hole or beside a sheet.
 [[nodiscard]] Where where(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
-// Drops samples of closed components that lie inside others, where components overlap.
+// Drops the samples of closed components that lie inside other components, if components overlap.
 void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
                 geometry::VecArray& normal);
 
-// The faces that distances are measured to: all, or, where closed components overlap, those that are not inside
-// another.
+// The faces to which distances are measured: all faces, or, if closed components overlap, the faces that are not inside
+// another component.
 class OuterFaces {
 public:
     OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all);
 
-    // Its faces may have other numbers than in the mesh; none of them is at a border then.
+    // The faces of this tree may have other numbers than in the mesh. If they do, none of them is at a border.
     [[nodiscard]] const FaceTree& tree() const noexcept { return outer_ ? *outer_ : all_; }
     [[nodiscard]] const FaceTree& all() const noexcept { return all_; }
 
@@ -40,28 +40,28 @@ private:
 
 [[nodiscard]] bool has_parts(const Mesh& mesh) noexcept;
 
-// Two parts that a fit may join, as it knows distances and no topology.
+// Two parts that a fit may join, because it knows distances and no topology.
 struct Touching {
     std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
     glm::dvec3 place{0.0};
-    bool may_cross = false; // They go through each other, or are near; else they are near.
+    bool may_cross = false; // They cross or are near each other; if false, they are near.
 };
 
 // Finds the first edge that goes through a face of another component.
 [[nodiscard]] Touching find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
-// Finds the first of some places on the mesh from which another component is no farther than `near` along the normal or
-// against it. Where solids are fitted apart the parts must look to or from each other there, as solids may cross.
-// Otherwise find_crossing() comes first.
+// Finds the first place of `places` from which another component is no farther than `near` along the normal or against
+// it. If solids are fitted separately, they may cross, and touch only if their normals there are nearly parallel or
+// opposite. Otherwise find_crossing() is tried first.
 [[nodiscard]] Touching find_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const MeshSamples& places, double near, bool solids_apart);
 
-// Does the same, and says in the log what it found.
+// Does the same as find_touching(), and logs a warning about the parts that it found.
 [[nodiscard]] Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                         const MeshSamples& places, double near, bool solids_apart);
 
-// Throws Error{invalid_argument} where all faces lie in one plane and look both ways: a surface through both cannot be
-// told from none.
+// Throws Error{invalid_argument} if all faces lie in one plane and look both ways: a surface through both sides cannot
+// be told from no surface.
 void refuse_flat_solid(const Mesh& mesh);
 
 } // namespace hrbfnpr::mesh

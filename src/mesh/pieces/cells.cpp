@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The steps of make_cells(), in order:
 //
-//   Sides              signed distances from the mesh
-//   look_at            what a cell is: without surface, with a tree over its sheets, or to be split
-//     gather_tests     places in the cell, with what f is to be there
-//     choose_tree      the tree over the cell's sheets that fails the fewest tests
-//   add_level          cells of one level as data; those that are split make the next level
+//   Sides              finds signed distances from the mesh
+//   look_at            decides what a cell is: without surface, with a tree over its sheets, or to be split
+//     gather_tests     chooses places in the cell, and what f should be there
+//     choose_tree      chooses the tree over the cell's sheets that fails the fewest tests
+//   add_level          stores the cells of one level; those that are split make the next level
 //   continue_surface   gives cells beyond the borders of an open mesh the trees of the nearest cells with surface
 #include "mesh/pieces/cells.h"
 
@@ -38,9 +38,10 @@ struct Program {
 };
 using Programs = base::Array<Program>;
 
-// Adds the trees over a set of functions, the bits of its number, with maxima (0) or minima (1) on top. topped(set,
-// top) are those over smaller sets; a single function is the same with both. The part with the lowest function is that
-// alone, or a tree with the other top; the rest is one such part, or a tree with the same top.
+// Adds the trees over a set of functions with maxima (0) or minima (1) on top. The bits of `set` are the functions.
+// topped(set, top) returns the trees over smaller sets; a single function is the same tree for both tops. A tree joins
+// two parts. The part with the lowest function is that function alone, or a tree with the other top. The rest is one
+// such part, or a tree with the same top.
 template <class Topped>
 void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& to) {
     const std::uint32_t lowest = set & (~set + 1U);
@@ -70,17 +71,18 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
 
 // ---- Sides of the mesh
 
-// The place of the mesh that is nearest to another place.
+// The place of the mesh nearest to a given place.
 struct Beside {
-    double distance = 0.0; // signed: below 0 is inside
+    double distance = 0.0; // signed distance; below 0 is inside
     std::int64_t face = -1;
     glm::dvec3 place{0.0};
-    bool inner = false; // It is inside its face, not on an edge.
+    bool inner = false; // The place is inside its face, not on an edge.
 };
 
-// Where the mesh is closed and is more than one part, or not a manifold, or where faces are folded upon each other,
-// whose normals do not tell, rays tell the side; elsewhere the normal there does (Baerentzen and Aanaes, "Signed
-// distance computation using the angle weighted pseudonormal", 2005).
+// Tells on which side of the mesh a place lies. Rays tell the side if the mesh is solid and has several parts or is not
+// closed, and where faces of a solid are folded upon each other, because their normals do not tell. Elsewhere the
+// normal at the nearest place tells it (Baerentzen and Aanaes, "Signed distance computation using the angle weighted
+// pseudonormal", 2005).
 class Sides {
 public:
     Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
@@ -96,18 +98,18 @@ public:
         if (inside) result.distance = -result.distance;
         return result;
     }
-    // Returns how far one may go from an inner place of a face along its normal, or against it, so that the mesh is no
-    // nearer on the other side: at most `most`.
+    // Returns a distance, at most `most`, by which one can go from a place inside a face along a direction so that the
+    // mesh ahead is no nearer than the place.
     [[nodiscard]] double room(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
     }
-    // Tells whether a place is on the mesh's surface: not on a face inside another part.
+    // Tells whether a place is on the outer surface of the mesh, and not on a face inside another part.
     [[nodiscard]] bool is_outer(const Beside& beside) const noexcept {
         return !by_rays_ || !is_inside(tree_, beside.place + off_ * normal_[beside.face]) ||
                !is_inside(tree_, beside.place - off_ * normal_[beside.face]);
     }
-    // Tells whether all of space is inside or outside.
+    // Tells whether every place is either inside or outside.
     [[nodiscard]] bool solid() const noexcept { return solid_; }
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
@@ -117,16 +119,17 @@ private:
 
     const Mesh& mesh_;
     const FaceTree& tree_;
-    base::Array<glm::dvec3> normal_;   // of faces, unit
-    base::Array<glm::dvec3> edge_;     // of sides: the sum of the faces'
-    base::Array<glm::dvec3> vertex_;   // by angles
-    base::Array<std::uint8_t> folded_; // vertices of faces that are folded upon another
+    base::Array<glm::dvec3> normal_;   // of each face, unit
+    base::Array<glm::dvec3> edge_;     // of each side: the sum of the normals of the faces at the edge
+    base::Array<glm::dvec3> vertex_;   // of each vertex: the sum of the face normals, weighted by angles
+    base::Array<std::uint8_t> folded_; // of each vertex: 1 if a face there is folded upon another
     double off_ = 0.0;
     bool solid_ = false;
     bool by_rays_ = false;
 };
 
-// Returns faces evenly chosen by area. By number the many small faces of a tray's rounded corners would look solid.
+// Returns faces chosen evenly by area. Chosen by number, the many small faces of a tray's rounded corners would make it
+// look solid.
 [[nodiscard]] base::Array<std::int64_t> faces_to_probe(const Mesh& mesh) {
     const auto probes = static_cast<double>(cell_tuning.probes);
     base::Array<std::int64_t> faces(mesh.vertex.memory());
@@ -162,7 +165,7 @@ Sides::Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree)
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
 }
 
-// Tells whether rays agree, at nearly all of these faces, with the side that they look to.
+// Tells whether at nearly all of these faces rays agree with the orientation of the face.
 bool Sides::look_solid(const base::Work& work, const base::Array<std::int64_t>& face) const {
     base::Array<std::uint8_t> right(work.memory, face.size());
     work.for_chunks(face.size(), 16, [&](std::int64_t begin, std::int64_t end) {
@@ -177,19 +180,19 @@ bool Sides::look_solid(const base::Work& work, const base::Array<std::int64_t>& 
 }
 
 glm::dvec3 Sides::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
-    constexpr double on_edge = 1e-6; // shares of a corner
+    constexpr double on_edge = 1e-6; // the share of a corner at which a place is on an edge
     const glm::dvec3 shares = shares_of(mesh_.corners(face), place);
     inner = shares.x > on_edge && shares.y > on_edge && shares.z > on_edge;
     if (inner) return normal_[face];
     for (int k = 0; k < 3; ++k)
         if (shares[k] >= 1.0 - on_edge) return vertex_[mesh_.triangle[face][static_cast<std::size_t>(k)]];
     const int without_share = shares.x <= on_edge ? 0 : shares.y <= on_edge ? 1 : 2;
-    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite that corner
+    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite to that corner
 }
 
 // ---- Cells and faces
 
-// The cube that a cell has a say in.
+// The cube in which a cell contributes to f.
 struct CellBox {
     glm::dvec3 centre{0.0};
     double half = 0.0;
@@ -199,8 +202,8 @@ struct CellBox {
     }
 };
 
-// Tells whether a triangle meets a box, by the axes that may part them (Akenine-Moeller, "Fast 3D triangle-box overlap
-// testing", 2001).
+// Tells whether a triangle meets a box, by the axes that may separate them (Akenine-Moeller, "Fast 3D triangle-box
+// overlap testing", 2001).
 [[nodiscard]] bool meets(const CellBox& box, const std::array<glm::dvec3, 3>& corners) noexcept {
     const std::array<glm::dvec3, 3> p{corners[0] - box.centre, corners[1] - box.centre, corners[2] - box.centre};
     const auto parts = [&](const glm::dvec3& axis) {
@@ -223,7 +226,8 @@ struct CellBox {
     return true;
 }
 
-// Returns the distance to the plane's place if that is inside, else to the nearest edge.
+// Returns the distance from a place to a triangle: to the foot on its plane if that is inside, else to the nearest
+// edge.
 [[nodiscard]] double distance_to(const glm::dvec3& place, const std::array<glm::dvec3, 3>& corners) noexcept {
     const glm::dvec3 shares = shares_of(corners, place);
     if (shares.x >= 0.0 && shares.y >= 0.0 && shares.z >= 0.0)
@@ -244,10 +248,11 @@ struct CellTask {
     const base::Array<double>& chord;
     const ReadOnceTrees& trees;
     const PiecesData& data;
-    const double near; // distance from the surface up to which signs may be wrong
+    const double near; // the distance from the surface within which signs may be wrong
     const std::uint64_t seed;
 
-    // Returns the same for the surface that a face stands for.
+    // Returns the distance from a face within which signs may be wrong: `near`, and an allowance for the surface that
+    // the face stands for.
     [[nodiscard]] double slack(std::int64_t face) const noexcept {
         const Triangle& t = mesh.triangle[face];
         return near + 1.5 * std::max({chord[t[0]], chord[t[1]], chord[t[2]]});
@@ -263,7 +268,7 @@ struct Tests {
         slack.push_back(may_be_off);
         own.push_back(sheet);
     }
-    // Returns the sign of all places, if they have the same and no surface is between, or 0.
+    // Returns the sign that all places have, or 0 if signs differ or a place is on the surface.
     [[nodiscard]] double one_side() const noexcept {
         if (distance.empty()) return 0.0;
         const double sign = std::copysign(1.0, distance[0]);
@@ -273,12 +278,13 @@ struct Tests {
     }
 
     geometry::VecArray place;
-    base::Array<double> distance;  // signed
-    base::Array<double> slack;     // by how much f may be something else than `own`
-    base::Array<std::int32_t> own; // on the surface: the sheet of the cell that f is to be; else -1
+    base::Array<double> distance;  // the signed distance of each place from the mesh
+    base::Array<double> slack;     // how far f may be from the value of `own`
+    base::Array<std::int32_t> own; // on the surface: which of the cell's sheets f should equal; else -1
 };
 
-// Where the mesh is, f is to be the sheet of the patch there, and to have the mesh's signs beside it.
+// Adds tests on the mesh, where f should equal the sheet of the patch there, and beside it, where f should have the
+// sign of the mesh's side.
 void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
                      const Beside& beside, double step, Tests& tests) {
     if (!box.contains(beside.place) || !task.sides.is_outer(beside)) return;
@@ -294,8 +300,8 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
     }
 }
 
-// The places are random ones in the cell, those of the mesh nearest to them, and places in the middles of faces and
-// near to their sides: small faces, and creases, lie between random places.
+// Returns tests at random places in the cell, at the places of the mesh nearest to them, and in the middles of faces
+// and near their sides, because small faces and creases lie between random places.
 [[nodiscard]] Tests gather_tests(const CellTask& task, const CellBox& box, std::span<const std::int32_t> faces,
                                  std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
@@ -331,11 +337,11 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
 
 struct Choice {
     std::int64_t tree = -1;
-    std::int64_t wrong = 0; // the tests that it fails
-    double off = 0.0;       // how far its values are from distances, on average
+    std::int64_t wrong = 0; // the number of tests that it fails
+    double off = 0.0;       // the mean relative difference of its values from distances
 };
 
-// value: of each sheet at all places.
+// Counts the tests that a tree fails. `value` holds the values of each sheet at all places.
 [[nodiscard]] Choice judge(std::span<const std::int32_t> program, std::int64_t tree, const Tests& tests,
                            const base::Array<double>& value) noexcept {
     const std::int64_t count = tests.distance.size();
@@ -395,7 +401,7 @@ struct Node {
     [[nodiscard]] CellBox box() const noexcept { return {centre, PiecesData::cell_reach * half}; }
 };
 
-// What becomes of a node.
+// The decision about a node.
 struct Found {
     bool split = false;
     bool poor = false;
@@ -404,8 +410,8 @@ struct Found {
     double plain[4] = {}; // the value and the gradient of a cell without surface
 };
 
-// Returns the patches of the cell's faces: rising, or, if there are too many in a cell that cannot be split, nearest
-// first.
+// Returns the patches of the cell's faces in rising order. If there are too many in a cell that cannot be split, the
+// nearest come first.
 [[nodiscard]] FaceList patches_of(const CellTask& task, const Node& node, const FaceList& faces, bool may_split) {
     FaceList patches(task.runtime.memory);
     for (const std::int32_t face : faces) {
@@ -433,7 +439,8 @@ struct Found {
     return patches;
 }
 
-// Makes a cell's function as far from 0 as the surface is away, in the middle, and of its sign in all of the cell.
+// Sets the linear function of a cell without surface. In the middle it is the signed distance, and in all of the cell
+// it has the same sign.
 void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
     const Beside beside = sides.beside(node.centre);
     const glm::dvec3 off = node.centre - beside.place;
@@ -445,7 +452,7 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
     for (int c = 0; c < 3; ++c) found.plain[1 + c] = gradient[c];
 }
 
-// faces: those in the cell's box. cell: a number of its own.
+// Decides about a node. `faces` are the faces in the cell's box. `cell` is a number that no other cell has.
 [[nodiscard]] Found look_at(const CellTask& task, const Node& node, const FaceList& faces, std::int32_t level,
                             std::uint64_t cell, bool may_split) {
     Found found;
@@ -461,9 +468,9 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
     if (found.split) return found;
     patches.resize(std::min<std::int64_t>(patches.size(), ReadOnceTrees::most));
     const Tests tests = gather_tests(task, node.box(), faces.span(), patches.span(), cell);
-    if (const double side = tests.one_side(); side != 0.0) { // faces that meet the box, but are inside another part
+    if (const double side = tests.one_side(); side != 0.0) { // the faces that meet the box are inside another part
         found.plain[0] = 0.5 * side * node.half;
-        // The gradient is not 0, as a direction may be asked for.
+        // The gradient is not 0, because callers may need its direction.
         const glm::dvec3 along = 0.1 * side * task.sides.normal(faces[0]);
         for (int c = 0; c < 3; ++c) found.plain[1 + c] = along[c];
         return found;
@@ -476,7 +483,7 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
     return found;
 }
 
-// Adds the nodes of a level to the data, and the centres of leaves. Returns the next level.
+// Adds the nodes of a level to the data, and the centres of leaves to `centres`. Returns the next level.
 [[nodiscard]] base::Array<Node> add_level(const base::Array<Node>& nodes, const base::Array<Found>& found,
                                           PiecesData& data, geometry::VecArray& centres, CellsReport& report) {
     const std::int64_t first = data.child.size() + nodes.size();
@@ -501,8 +508,8 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
     return next;
 }
 
-// Where neither side is all of space, a cell without surface has what the nearest one with surface has: beyond its
-// borders the surface goes on as it comes.
+// If the mesh is not solid, a cell without surface gets the program of the nearest cell with surface. So the surface
+// continues beyond its borders.
 void continue_surface(const base::Work& work, const Sides& sides, const geometry::VecArray& centres, PiecesData& data) {
     base::Array<std::int32_t> from(work.memory, data.leaves());
     work.for_chunks(data.leaves(), 64, [&](std::int64_t begin, std::int64_t end) {
@@ -526,14 +533,14 @@ void continue_surface(const base::Work& work, const Sides& sides, const geometry
 } // namespace
 
 ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memory), code_(memory) {
-    base::List<Programs> trees(memory); // of set and top: 2 set + top
+    base::List<Programs> trees(memory); // of `set` and `top`, at 2 set + top
     const auto topped = [&](std::uint32_t set, std::uint32_t top) -> const Programs& { return trees[2 * set + top]; };
     for (std::uint32_t set = 0; set < 1U << most; ++set)
         for (std::uint32_t top = 0; top < 2; ++top) {
             Programs& to = trees.add(memory);
             if (set > 0) add_trees(set, top, topped, to);
         }
-    first_.resize(2); // none of no functions
+    first_.resize(2); // no trees over no functions
     for (std::int32_t functions = 1; functions <= most; ++functions) {
         const std::uint32_t all = (1U << static_cast<unsigned>(functions)) - 1U;
         for (std::uint32_t top = 0; top < (functions > 1 ? 2U : 1U); ++top)
@@ -556,9 +563,9 @@ CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree&
     data.bounds = mesh.bounds;
     data.side = cell_tuning.root_side * PiecesData::reach * diagonal;
     data.corner = mesh.bounds.centre() - 0.5 * data.side;
-    base::Array<Node> nodes(work.memory); // of one level
+    base::Array<Node> nodes(work.memory); // the nodes of one level
     nodes.push_back({mesh.bounds.centre(), 0.5 * data.side, 0});
-    base::List<FaceList> above(work.memory); // in the box of each node of the level above
+    base::List<FaceList> above(work.memory); // the faces in the box of each node of the level above
     FaceList& all = above.add(work.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) all.push_back(static_cast<std::int32_t>(face));
     geometry::VecArray centres(work.memory);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Space cut into cells, in each of which a few sheets make the mesh's surface.
+// Divides space into cells. In each cell a few sheets, joined by a tree of maxima and minima, make the mesh's surface.
 #pragma once
 
 #include "implicit/pieces.h"
@@ -10,9 +10,9 @@
 
 namespace hrbfnpr::mesh {
 
-// All ways to take maxima and minima of a few functions, each once, as programs of implicit::PiecesData: numbers of
-// functions, larger, smaller. Of 1 to `most` functions there are 1, 2, 8, 52 and 472 (series-parallel networks:
-// MacMahon 1890).
+// Lists all ways to combine a few functions by maxima and minima, each once, as programs of implicit::PiecesData:
+// numbers of functions, `larger`, `smaller`. For 1 to `most` functions there are 1, 2, 8, 52 and 472 (series-parallel
+// networks: MacMahon 1890).
 class ReadOnceTrees {
 public:
     static constexpr std::int32_t most = 5;
@@ -32,18 +32,18 @@ public:
 
 private:
     base::Array<std::int64_t> first_; // the first tree of each number of functions
-    base::Array<std::int64_t> begin_; // of each tree in code_, and the end
+    base::Array<std::int64_t> begin_; // the start of each tree in code_, and the end of the last
     base::Array<std::int32_t> code_;
 };
 
 struct CellsReport {
     std::int64_t cells = 0;
     std::int64_t surface_cells = 0;
-    std::int64_t poor_cells = 0; // in which no tree passes all tests
+    std::int64_t poor_cells = 0; // cells in which no tree passes all tests
 };
 
-// Fills in the cells of `data`, whose sheets are those of the patches, in their order. chord: how far the faces at each
-// vertex are from the smooth surface that they stand for.
+// Fills in the cells of `data`, which has a sheet for each patch, in their order. `chord` tells for each vertex how far
+// its faces are from the smooth surface that they stand for.
 [[nodiscard]] CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const Creases& creases, const base::Array<double>& chord, std::uint64_t seed,
                                      implicit::PiecesData& data);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The steps of find_creases():
+// The steps of find_creases(), in order:
 //
-//   find_bends              edges that bend; those that bend by more than the angle are sharp
-//   grow                    sharp edges that end go on along edges that bend less
-//   sharpen_between_corners edges from one corner of creases to another are sharp, too
-//   find_patches            faces that no sharp edge parts belong to one patch
-//   sharpen_coarse          coarse faces that are far from something round get sharp edges
-//   drop_short_fading       short creases that part nothing are noise
-//   join_scraps             patches of a few small faces join the patch beside
-//   split_patches           (split_patches.h) patches that one sheet cannot be are cut where they are smooth
+//   find_bends              finds edges that bend; those that bend by more than the angle are sharp
+//   grow                    extends sharp edges that end, along edges that bend less
+//   sharpen_between_corners makes edges from one corner of creases to another sharp
+//   find_patches            makes one patch of the faces that no sharp edge separates
+//   sharpen_coarse          makes the edges of coarse faces that are far from a round surface sharp
+//   drop_short_fading       drops short creases that separate nothing, as noise
+//   join_scraps             joins patches of a few small faces with a neighbouring patch
+//   split_patches           (split_patches.h) cuts patches that one sheet cannot represent, where they are smooth
 #include "mesh/pieces/creases.h"
 
 #include "base/assert.h"
@@ -29,12 +29,12 @@ namespace {
 constexpr double radians = 0.017453292519943295;
 constexpr double no_crease = 180.0;
 
-// The data that all steps read.
+// All steps read this data.
 struct Task {
     const base::Work& work;
     const Mesh& mesh;
     const base::Array<Side>& sides;
-    const base::Array<Sharpness>& sharpness; // one for all faces, or several with a number for each face
+    const base::Array<Sharpness>& sharpness; // one for all faces, or several, chosen by `of_face`
     const base::Array<std::int32_t>& of_face;
 
     [[nodiscard]] const Sharpness& sharpness_of(std::int32_t face) const noexcept {
@@ -56,7 +56,7 @@ struct Bend {
 struct Bends {
     base::Array<Bend> edge;
     base::Groups at;                  // the numbers of the bends at each vertex
-    base::Array<std::int32_t> degree; // of each vertex: creases and ends of patches there
+    base::Array<std::int32_t> degree; // of each vertex: the number of creases and patch borders there
 
     void sharpen(std::int64_t i) noexcept {
         HRBFNPR_ASSERT(!edge[i].sharp);
@@ -78,8 +78,9 @@ bool is_fading(const Creases& creases, const Bend& bend) noexcept {
     return bend.sharp && creases.patch[bend.left] == creases.patch[bend.right];
 }
 
-// `known` are edges that are sharp, in the order of the sides. `may_be_sharp` tells it of the sides of the others; if
-// it is empty, all may be.
+// Finds the edges that bend. `known` are edges that are already sharp, in the order of the sides. Another edge may
+// become sharp if its entry in `may_be_sharp`, by the side of its left face, is not 0. If `may_be_sharp` is empty, all
+// edges may.
 Bends find_bends(const Task& task, const base::Array<Crease>& known, const base::Array<std::uint8_t>& may_be_sharp) {
     const Mesh& mesh = task.mesh;
     base::Array<Bend> edge(task.work.memory);
@@ -89,7 +90,7 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
     for_edges(task.sides, task.work, [&](const Side* first, const Side* last) {
         const std::int32_t from = low_end(*first);
         const std::int32_t to = high_end(*first);
-        if (!is_plain(first, last)) { // patches end here, and so may creases
+        if (!is_plain(first, last)) { // a patch ends here, and a crease may
             ++degree[from];
             ++degree[to];
             return;
@@ -116,7 +117,7 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
     return {std::move(edge), std::move(at), std::move(degree)};
 }
 
-// Lets sharp edges that end in a vertex go on, until they meet another one or no edge goes on.
+// Extends sharp edges that end in a vertex, until they meet another sharp edge or no edge goes on.
 void grow(const Mesh& mesh, Bends& bends) {
     const auto grow_from = [&](std::int32_t before, std::int32_t end) {
         while (bends.degree[end] == 1) {
@@ -146,7 +147,7 @@ void grow(const Mesh& mesh, Bends& bends) {
     }
 }
 
-// Whether creases meet in a vertex, and none of them goes straight on.
+// Tells whether creases meet in a vertex and none of them goes straight on.
 bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexcept {
     const auto way = [&](const Bend& bend) {
         return glm::normalize(task.mesh.vertex[bend.other_end(vertex)] - task.mesh.vertex[vertex]);
@@ -166,7 +167,8 @@ bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexce
     return creases >= 2;
 }
 
-// A smooth patch has no outline with corners at both ends of an edge, so such an edge is one between facets.
+// Makes edges between two corners sharp. Inside a smooth patch no edge joins two corners of its outline, so such an
+// edge lies between two facets.
 void sharpen_between_corners(const Task& task, Bends& bends) {
     base::Array<std::int64_t> found(task.work.memory);
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
@@ -200,7 +202,8 @@ void find_patches(const Task& task, const Bends& bends, Creases& creases) {
     creases.patches = numbers.count();
 }
 
-// Returns whether there were faces too far from a surface that is curved as their normals are.
+// Makes the edges of faces sharp that are too far from a surface curved as their normals are. Returns whether there
+// were any such faces.
 bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
     const base::Array<glm::dvec3> normal = patch_normals(task.work, task.mesh, creases).normal;
     bool sharpened = false;
@@ -214,11 +217,11 @@ bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
     return sharpened;
 }
 
-// Drops creases that part nothing if they are short, unless they lead from one other crease to another, as the corner
-// of a plate does. Returns whether there were any.
+// Drops short creases that separate nothing, unless they lead from one other crease to another, as at the corner of a
+// plate. Returns whether any was dropped.
 bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
     const std::int64_t vertices = task.mesh.vertex.size();
-    Sets sets(task.work.memory, vertices); // fading creases that hang together
+    Sets sets(task.work.memory, vertices); // connected fading creases
     for (const Bend& bend : bends.edge)
         if (is_fading(creases, bend)) sets.join(bend.from, bend.to);
     base::Array<double> length(task.work.memory, vertices);
@@ -228,7 +231,7 @@ bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
             length[sets.of(bend.from)] += length_of(task.mesh, bend);
             ++edges[sets.of(bend.from)];
         }
-    base::Array<std::int32_t> anchors(task.work.memory, vertices); // vertices where other creases pass
+    base::Array<std::int32_t> anchors(task.work.memory, vertices); // the number of vertices where other creases pass
     for (std::int32_t v = 0; v < vertices; ++v) {
         const std::span<const std::int32_t> at = bends.at[v];
         const bool is_anchor = std::any_of(at.begin(), at.end(), [&](std::int32_t i) {
@@ -249,8 +252,8 @@ bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
     return dropped;
 }
 
-// Joins each patch that is too small to be seen with the patch beyond its flattest edge. Returns whether there were
-// any.
+// Joins each patch that is too small to be seen with the patch beyond its flattest edge. Returns whether there were any
+// such patches.
 bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
     base::Memory& memory = task.work.memory;
     base::Array<std::int64_t> faces(memory, creases.patches);
@@ -259,7 +262,7 @@ bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
         ++faces[creases.patch[face]];
         area[creases.patch[face]] += 0.5 * glm::length(doubled_area(task.mesh.corners(face)));
     }
-    base::Array<std::int64_t> flattest(memory, creases.patches); // numbers of bends, from 1
+    base::Array<std::int64_t> flattest(memory, creases.patches); // of each patch: the number of a bend, from 1; 0: none
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
         const Bend& bend = bends.edge[i];
         if (!bend.sharp || is_fading(creases, bend)) continue;

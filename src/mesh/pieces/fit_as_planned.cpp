@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The steps of fit_as_planned(), in order:
 //
-//   find_planned_creases   the edges that stay sharp
-//   fit_mesh, fit_pieces   one smooth surface, or sheets
-//   find_end               where the surface ends
+//   find_planned_creases   finds the edges that stay sharp
+//   fit_mesh, fit_pieces   fit one smooth surface, or sheets
+//   find_end               decides where the surface ends
 #include "mesh/pieces/fit_as_planned.h"
 
 #include "base/assert.h"
@@ -14,7 +14,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Finds the creases that are meant in each component, as one may have edges and another none.
+// Finds the creases of each component by its own evidence, because one may have edges and another none.
 Creases creases_that_are_meant(const base::Work& work, const Mesh& mesh, const CreaseEvidence& whole,
                                const FitMeshSettings& settings, double far, double tolerance) {
     const CreaseEvidenceOfParts found = look_for_creases_of_parts(work, mesh, settings.crease_angle);
@@ -57,7 +57,7 @@ void log_pieces(const base::Runtime& runtime, const PiecesReport& report) {
             report.smooth_length, static_cast<long long>(report.poor_cells));
 }
 
-// Sets the places that the surface ends with. `samples` are those of a smooth fit.
+// Sets the places where the surface ends. `samples` are the samples of a smooth fit.
 void find_end(const base::Work& work, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
               std::optional<fit::Samples>&& samples, PlannedFit& made) {
     made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()), may_end);

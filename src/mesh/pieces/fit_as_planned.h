@@ -31,15 +31,15 @@ struct PlannedFit {
     explicit PlannedFit(base::Memory& memory) noexcept : end_place(memory), end_normal(memory) {}
 
     std::optional<fit::FitResult> smooth; // without its samples
-    std::optional<PiecesFit> pieces;      // if there is no smooth one
+    std::optional<PiecesFit> pieces;      // set if there is no smooth fit
     FitMeshReport report;
     std::int64_t centres = 0;
     EndPlan end;
-    geometry::VecArray end_place; // The surface ends where these end, unless it ends nowhere.
+    geometry::VecArray end_place; // The surface ends where these places end, unless `end` is nowhere.
     geometry::VecArray end_normal;
 };
 
-// Fits a surface. If it may not end, its end is nowhere. Says in the log what came out.
+// Fits a surface, and logs the result. If `may_end` is false, the surface ends nowhere.
 [[nodiscard]] PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                         const CreaseEvidence& known, const FitMeshSettings& settings,
                                         const fit::FitInput& options, bool may_end);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of fit_pieces(), in order:
 //
-//   fit_sheets      a sheet for each patch, smaller patches first: a Hermite fit by fit_sheet()
-//   report_sheets   their errors, as one report
-//   make_whole      the cells that join the sheets, and how far the surface is from the mesh
-//   improves        the same with patches parted along edges that bend less, while something is far off
+//   fit_sheets      fits a sheet to each patch, smaller patches first: a Hermite fit by fit_sheet()
+//   report_sheets   makes one report of their errors
+//   make_whole      makes the cells that join the sheets, and measures how far the surface is from the mesh
+//   improves        repeats this with patches divided along edges that bend less, while some place is far off
 #include "mesh/pieces/fit_pieces.h"
 
 #include "base/clock.h"
@@ -28,10 +28,10 @@ namespace {
 
 struct SheetFit {
     implicit::HrbfData data;
-    fit::FitReport report;    // residuals at the centres, distances of all samples
-    double squares = 0.0;     // sum of the samples' squared distances
-    double worst = 0.0;       // distance of a sample, in its tolerance
-    std::int64_t outside = 0; // samples beyond their tolerance
+    fit::FitReport report;    // the residuals at the centres, and the distances of all samples
+    double squares = 0.0;     // the sum of the samples' squared distances
+    double worst = 0.0;       // the largest distance of a sample, in its tolerance
+    std::int64_t outside = 0; // the number of samples beyond their tolerance
     std::int32_t rounds = 0;
     std::int64_t samples = 0;
 };
@@ -48,14 +48,14 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
     return centres;
 }
 
-// Fits a sheet to a patch, with as many of its samples as it takes, but at most `most` centres.
+// Fits a sheet to a patch, with as many of its samples as are needed, but at most `most` centres.
 [[nodiscard]] SheetFit fit_sheet(const base::Work& work, const PatchSamples& patch, const fit::FitInput& given,
                                  std::int64_t most) {
     const fit::Samples& samples = patch.samples;
     HRBFNPR_ASSERT(most > 0 && !patch.tolerance.empty() && patch.tolerance.size() == samples.position.size());
     const double unit = *std::min_element(patch.tolerance.begin(), patch.tolerance.end());
     fit::FitInput options = given;
-    options.tolerance = unit; // residuals that a distance does not show are accepted
+    options.tolerance = unit; // accepts residuals that do not show in a distance
     const fit::Smoothing smoothing{options.regularization, options.regularization};
 
     std::optional<geometry::PointTree> tree;
@@ -103,7 +103,7 @@ struct PiecesTask {
     const base::Runtime& runtime;
     const Mesh& mesh;
     const FaceTree& tree;
-    const MeshSamples& places; // on all parts
+    const MeshSamples& places; // places on all parts
     const FitMeshSettings& settings;
     const fit::FitInput& options;
     const double tolerance;
@@ -122,16 +122,16 @@ struct Sheets {
     }
 
     const Creases& creases;
-    base::Groups faces;                      // of each patch, and then those beyond its smooth cuts
-    base::List<std::optional<SheetFit>> fit; // of each patch
-    base::Array<std::int32_t> lent;      // of each patch: the one of other sheets that its fit was taken from, or -1
-    base::Array<std::uint8_t> unsettled; // of each patch: no function goes through it
-    double unsettled_area = 0.0;         // of these, each by the share of its samples that are outside
-    base::Array<double> chord;           // of vertices: chord_errors()
+    base::Groups faces;                      // of each patch, followed by its shared faces beyond smooth cuts
+    base::List<std::optional<SheetFit>> fit; // the fit of each patch
+    base::Array<std::int32_t> lent; // of each patch: the patch of the other sheets from which its fit was taken, or -1
+    base::Array<std::uint8_t> unsettled; // of each patch: 1 if too many of its samples are outside their tolerance
+    double unsettled_area = 0.0;         // the area of these patches, weighted by the share of samples outside
+    base::Array<double> chord;           // chord_errors() of the vertices
 };
 
-// Takes the fits of patches that are the same. Patches are parted, but not joined: those with as many faces are the
-// same.
+// Takes over the fits of unchanged patches. Patches are only divided, never joined, so those with the same number of
+// faces are unchanged.
 void borrow(Sheets& before, Sheets& sheets) {
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) {
         const std::int32_t q = before.creases.patch[sheets.faces[p][0]];
@@ -146,7 +146,8 @@ void give_back(Sheets& sheets, Sheets& before) {
         if (sheets.lent[p] >= 0) before.fit[sheets.lent[p]] = std::exchange(sheets.fit[p], std::nullopt);
 }
 
-// Returns the patches by their numbers of faces: what small ones need not is left to the larger ones.
+// Returns the patches by their numbers of faces. Small patches come first, so that larger ones can use the centres that
+// these leave.
 [[nodiscard]] base::Array<std::int32_t> small_first(const Sheets& sheets) {
     base::Array<std::int32_t> order(sheets.lent.memory());
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) order.push_back(p);
@@ -200,12 +201,12 @@ void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& norma
         }
 }
 
-// Each of many sheets takes few centres, and is solved alone.
+// Fits all sheets that are missing, one after the other. Each takes few centres.
 void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     const std::int32_t patches = sheets.creases.patches;
-    // A sheet that lies against another part grows by so much that the two go through each other: where both are 0, or
-    // next to it, there would be surface in the midst of the solid.
+    // A sheet that lies against another part grows until the two cross. Where both are 0, or nearly so, there would be
+    // surface inside the solid.
     base::Array<std::uint8_t> grows(runtime.memory, patches);
     if (!result.mesh.supported && has_parts(task.mesh))
         grows = patches_in_contact({runtime, progress}, task.mesh, task.tree, sheets.creases, task.places,
@@ -221,7 +222,7 @@ void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
             faces_left += sheets.faces.count(p);
     }
     const auto all_faces = static_cast<double>(faces_left);
-    base::Array<std::int32_t> starved(runtime.memory); // Their share of centres was too little.
+    base::Array<std::int32_t> starved(runtime.memory); // Patches whose share of centres was too small.
     for (const std::int32_t p : small_first(sheets)) {
         if (sheets.fit[p]) continue;
         const std::int64_t faces = sheets.faces.count(p);
@@ -236,7 +237,7 @@ void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
         if (made.report.input_distance_max > task.tolerance && made.data.count() >= most) starved.push_back(p);
         progress.update(0.5 * (1.0 - static_cast<double>(faces_left) / all_faces));
     }
-    // A few coarse faces may stand for what takes many centres, as cones do.
+    // A few coarse faces may stand for a shape that needs many centres, as those of cones do.
     for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
         const std::int64_t before = sheets.fit[p]->data.count();
         const std::int64_t more = std::max<std::int64_t>(room, 0) / left--;
@@ -248,7 +249,7 @@ void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
     gather_samples(task, normals.normal, result.data, progress);
 }
 
-// Reports the worst of all sheets, and means over all; and notes which patches are unsettled.
+// Reports the worst values of all sheets and means over all, and notes which patches are unsettled.
 void report_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result) {
     fit::FitReport& all = result.fit;
     const double unit = pieces_tuning.at_crease * task.tolerance; // the least tolerance of a sample
@@ -297,7 +298,8 @@ void move_sheets(Sheets& from, implicit::PiecesData& to) {
     for (std::optional<SheetFit>& one : from.fit) to.sheet.add(std::move(one->data));
 }
 
-// Makes the cells, and measures both ways, at places of their own. The sheets are in the result meanwhile.
+// Makes the cells, and measures the distances of surface and mesh in both directions, at new places. The result holds
+// the sheets meanwhile.
 void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     move_sheets(sheets, result.data);
@@ -316,7 +318,7 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
     settings.points = pieces_tuning.measured_places;
     settings.cell_size = task.mesh.bounds.diagonal() / pieces_tuning.cells_a_diagonal;
     settings.seed = task.settings.seed;
-    // What sheets of an open mesh do beyond its borders is no error: a drawing trims it.
+    // Deviations of an open mesh's sheets beyond its borders are no errors: a drawing trims them.
     std::optional<surface::Support> support;
     if (result.mesh.supported)
         support.emplace(base::Work(runtime, progress), task.places.position, task.places.normal, 0.0);
@@ -353,8 +355,8 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
     return result;
 }
 
-// Makes a model of other patches, which borrows the sheets of those that are the same. Tells whether it is better; if
-// not, the sheets go back.
+// Makes a model of other patches, which borrows the sheets of unchanged patches. Returns whether the model is better.
+// If not, the sheets go back.
 [[nodiscard]] bool improves(const PiecesTask& task, Sheets& sheets, PiecesFit& result, Sheets& best_sheets,
                             const PiecesFit& best, const base::Progress& progress) {
     try {
@@ -382,7 +384,7 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;
-    // With this many places no contact of two parts is missed that matters.
+    // This many places find all contacts of parts that matter.
     const MeshSamples places =
         random_samples(work, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
                        settings.seed, 2);
@@ -402,7 +404,7 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
     std::array<std::optional<Creases>, std::size(pieces_tuning.smaller_angles)> more;
     for (std::size_t i = 0; i < more.size() && settings.edges == Edges::automatic; ++i) {
         const double angle = pieces_tuning.smaller_angles[i];
-        if (!(farthest(best.mesh) > best.mesh.far)) break; // no farther than coarse faces are off what is round
+        if (!(farthest(best.mesh) > best.mesh.far)) break; // no place is farther off than `far`
         more[i].emplace(find_more_creases(work.part(done, done), mesh, sheets->creases, sheets->unsettled, angle));
         if (more[i]->patches == sheets->creases.patches) continue;
         const double next = 0.5 * (done + 1.0);

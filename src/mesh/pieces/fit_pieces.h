@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh with creases as an implicit of pieces that has them, too.
+// Fits an implicit of pieces to a mesh with creases. It has the same creases.
 #pragma once
 
 #include "implicit/pieces.h"
@@ -10,8 +10,8 @@ namespace hrbfnpr::mesh {
 
 struct PiecesReport {
     std::int32_t sheets = 0;
-    double crease_length = 0.0; // of sharp creases
-    double smooth_length = 0.0; // of creases that fade, which stay smooth
+    double crease_length = 0.0; // the length of sharp creases
+    double smooth_length = 0.0; // the length of creases that fade, which stay smooth
     std::int64_t cells = 0;
     std::int64_t poor_cells = 0;
 };
@@ -23,8 +23,8 @@ struct PiecesFit {
     PiecesReport pieces;
 };
 
-// settings and options are those of fit_mesh(). Where the surface is far off, patches that no function goes through are
-// parted along edges that bend less, unless the settings say what is sharp.
+// `settings` and `options` are those of fit_mesh(). If the surface is far off, patches whose samples no function fits
+// are divided along edges that bend less, unless the settings say which edges are sharp.
 [[nodiscard]] PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                    const Creases& creases, const FitMeshSettings& settings,
                                    const fit::FitInput& options);

@@ -32,13 +32,13 @@ struct SidedMesh {
     }
     [[nodiscard]] glm::dvec3 along(std::int64_t side) const noexcept { return from(next(side)) - from(side); }
     [[nodiscard]] double length(std::int64_t side) const noexcept { return glm::length(along(side)); }
-    // How far the third corner is from the line of a side.
+    // Returns the distance of the third corner from the line of a side.
     [[nodiscard]] double height(std::int64_t side) const noexcept {
         return glm::length(doubled_area(mesh.corners(side / 3))) / length(side);
     }
 };
 
-// Calls visit(side, side of the neighbour) for each edge of two faces.
+// Calls visit(side, side of the neighbour) for each edge that has two faces.
 template <class Visit>
 void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Visit&& visit) {
     for (const std::int64_t side : progress.over(sided.beyond.size())) {
@@ -65,14 +65,14 @@ SidedMesh by_sides(const base::Work& work, const Mesh& mesh) {
 
 // ---- The mesh beside an edge
 
-// By how much a mesh turns, in degrees.
+// The angle by which a mesh turns along a walk, in degrees.
 struct Turn {
-    double all = 0.0; // either way
-    double net = 0.0; // as on a hill; below 0 as in a hollow
+    double all = 0.0; // turns in both senses added up
+    double net = 0.0; // positive on a hill, below 0 in a hollow
 };
 
-// Walks from the middle of a side into its face and on, at right angles to the side, and adds up by how much the mesh
-// turns about the side. The edge of the side itself does not count.
+// Walks from the middle of a side into its face and on, at right angles to the side, and adds up how much the mesh
+// turns about the side. The bend at the side itself does not count.
 Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexcept {
     HRBFNPR_ASSERT(side >= 0 && side < sided.beyond.size() && reach >= 0.0);
     glm::dvec3 place = sided.from(side) + 0.5 * sided.along(side);
@@ -120,15 +120,16 @@ base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const SidedM
     return count;
 }
 
-// An edge as the look on both sides sees it.
+// The result of examining the mesh on both sides of an edge.
 struct SeenEdge {
     bool stands_out = false;
     bool is_round = false; // The mesh goes on turning the same way on both sides, as on a round wall or a fillet.
 };
 
-// Looks at both sides of an edge. It stands out if the mesh turns little on both sides, or if one of its faces belongs
-// to a flat polygon, and the mesh turns little on one side, or the edge is too sharp to be round. On one side the look
-// reaches no farther than the lower face is high, as that may be the face of a chamfer.
+// Examines both sides of an edge. The edge stands out if the mesh turns little on both sides. If one of its faces
+// belongs to a flat polygon, it also stands out if the mesh turns little on one side, or if it is too sharp to be
+// round. The test of one side reaches no farther than the height of the lower face, because that may be the face of a
+// chamfer.
 SeenEdge look_beside(const SidedMesh& sided, std::int64_t side, std::int64_t other,
                      const base::Array<std::int32_t>& faces_of_polygon) noexcept {
     const double bend = std::abs(sided.bend[side]);
@@ -147,8 +148,8 @@ SeenEdge look_beside(const SidedMesh& sided, std::int64_t side, std::int64_t oth
     return seen;
 }
 
-// Returns how far the face of a side is from a round surface that turns at the side as the mesh does, and has the face
-// for a chord.
+// Returns how far the face of a side is from a round surface of which it is a chord, and which turns at the side as the
+// mesh does.
 double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
     return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(std::abs(sided.bend[side]), 120.0));
 }
@@ -158,7 +159,7 @@ double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
 struct Sizes {
     explicit Sizes(base::Memory& memory) : diagonal(memory), area(memory) {}
 
-    base::Array<double> diagonal, area; // of each component
+    base::Array<double> diagonal, area; // the diagonal and the area of each component
 };
 
 Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
@@ -176,7 +177,7 @@ Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
     return sizes;
 }
 
-// Sums up the components.
+// Judges the whole from the sums over its components.
 CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base::Array<CreaseEvidence>& part,
                             const Sizes& sizes, double diagonal) noexcept {
     EdgeLengths all;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Measures whether a mesh stands for a shape with edges; plan.h judges.
+// Measures whether a mesh stands for a shape with edges. plan.h judges the result.
 //
-// Any mesh bends at its edges. Where it stands for a smooth surface, it turns beside an edge about as much as at the
-// edge, however finely it is divided. An edge of the shape is different: beside it the mesh turns little. The look
-// beside an edge reaches as far as the face there is high and half as far again, so it does not depend on how quads are
-// cut into triangles. Two more kinds of faces tell that edges are meant: flat polygons, which smooth surfaces of bent
-// quads do not have, and faces too coarse to stand for something round.
+// Any mesh bends at its edges. If it stands for a smooth surface, it turns beside an edge about as much as at the edge,
+// however finely it is divided. An edge of the shape is different: beside it the mesh turns little. The mesh is
+// examined beside an edge up to 1.5 times the height of the face there, so the result does not depend on how quads are
+// cut into triangles. Two more kinds of faces show that the shape has edges: flat polygons, because meshes of smooth
+// surfaces have bent quads instead, and faces too coarse for a round surface.
 #pragma once
 
 #include "mesh/edges.h"
@@ -14,16 +14,16 @@
 namespace hrbfnpr::mesh {
 
 struct CreaseEvidenceOfParts {
-    base::Array<CreaseEvidence> part; // of each component, in its own diagonals
-    // One number for each side of the faces, 3 face + k. It is 1 where the mesh bends by more than the angle and does
-    // not go on turning the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where
-    // a face is too coarse to be round.
+    base::Array<CreaseEvidence> part; // the evidence of each component, in its own diagonals
+    // A number for each side of the faces, 3 face + k. It is 1 where the mesh bends by more than the angle, unless it
+    // goes on turning the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where a
+    // face is too coarse to be round.
     base::Array<std::uint8_t> sharp;
     CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
 };
 
-// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged by itself, as
-// a statue is smooth on a block with edges.
+// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged by itself: a
+// statue is smooth even on a block with edges.
 [[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle);
 
 // Returns the evidence of the whole.

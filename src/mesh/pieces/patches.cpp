@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The steps of patch_normals(), in order:
 //
-//   fans_of        the corners at a vertex that hang together by sides that are no crease have one mean normal
-//   find_flats     flat regions that these normals make bulge
-//   largest_flat   keeps its own normal beside smaller ones
-//   is_tip         tells tips of cones, whose faces keep their normals
+//   fans_of        groups the corners at a vertex that are connected across sides without a crease
+//   find_flats     finds flat regions that the mean normals of fans would make bulge
+//   largest_flat   finds the flat that keeps its own normal beside smaller ones
+//   is_tip         recognizes tips of cones, whose faces keep their normals
 //
-// sample_patch() then thins places of the curved faces by grids, first those along creases.
+// sample_patch() then thins the places of the curved faces by grids, the places along creases first.
 #include "mesh/pieces/patches.h"
 
 #include "geometry/cell_set.h"
@@ -20,14 +20,14 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Returns how far the middle of a side is from the curve whose normals are these at its ends.
+// Returns how far the middle of a side is from the curve that has normals `a` and `b` at its ends.
 [[nodiscard]] double bulge(const glm::dvec3& side, const glm::dvec3& a, const glm::dvec3& b) noexcept {
     return std::abs(glm::dot(side, b - a)) / 8.0;
 }
 
 // ---- Fans
 
-// Tells whether the face of the second corner lies across the side from the vertex onward, and that is no crease.
+// Tells whether the face of corner `b` lies across the side that starts at corner `a`, and the side is no crease.
 [[nodiscard]] bool goes_on(const Mesh& mesh, const Creases& creases, std::int64_t a, std::int64_t b) noexcept {
     const auto ahead = [&](std::int64_t corner, std::int64_t by) {
         return mesh.triangle[corner / 3][static_cast<std::size_t>((corner % 3 + by) % 3)];
@@ -35,13 +35,13 @@ namespace {
     return creases.cut[a] != 1 && ahead(b, 2) == ahead(a, 1);
 }
 
-using Fan = std::span<const std::int32_t>; // corners, rising
+using Fan = std::span<const std::int32_t>; // corners, in rising order
 
-// Returns the fans. Vertices of very many corners have one for each patch.
+// Returns the fans. At a vertex with very many corners each patch has one.
 [[nodiscard]] base::Groups fans_of(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                    const base::Groups& corners) {
     base::Array<std::int32_t> name(
-        runtime.memory); // of each corner: another one of its fan, in the end the same for all
+        runtime.memory); // of each corner: another corner of its fan; at the end the same one for the whole fan
     name.resize_for_overwrite(3 * mesh.faces());
     const auto root = [&](std::int32_t corner) {
         while (name[corner] != corner) corner = name[corner];
@@ -74,13 +74,13 @@ using Fan = std::span<const std::int32_t>; // corners, rising
 struct Flats {
     explicit Flats(base::Memory& memory) noexcept : region(memory), area(memory), normal(memory), bulge(memory) {}
 
-    base::Array<std::int32_t> region; // of faces
-    base::Array<double> area;         // of regions
+    base::Array<std::int32_t> region; // of each face
+    base::Array<double> area;         // of each region
     base::Array<glm::dvec3> normal;
-    base::Array<double> bulge; // by the mean normals: the largest chord_error() of the region's faces
+    base::Array<double> bulge; // of each region: the largest chord_error() of its faces with the mean normals
 };
 
-// Grows regions over edges that are no crease, from the larger faces on, whose normals are the most exact.
+// Grows regions across edges that are no crease, starting at the largest faces, whose normals are the most exact.
 void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, Flats& flats) {
     base::Memory& memory = runtime.memory;
     const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides_by_edge(runtime, mesh.triangle));
@@ -90,7 +90,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
         order.push_back(face);
         area.push_back(0.5 * doubled_area(mesh.corners(face)));
     }
-    // std::stable_sort would take memory of its own.
+    // std::stable_sort would allocate memory outside of base::Memory.
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
         const double of_a = glm::length(area[a]);
         const double of_b = glm::length(area[b]);
@@ -122,7 +122,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     }
 }
 
-// Returns no regions if no face bulges by more than the tolerance.
+// Returns the flats, or none if no face bulges by more than the tolerance.
 [[nodiscard]] Flats find_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                const base::Array<glm::dvec3>& mean, double tolerance) {
     Flats flats(runtime.memory);
@@ -136,7 +136,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     return flats;
 }
 
-// Returns the largest flat of a fan, if it bulges and is much larger than all others there, or -1.
+// Returns the largest flat of a fan if it bulges and is much larger than all other flats there, or -1.
 [[nodiscard]] std::int32_t largest_flat(const Flats& flats, const Fan& fan, double tolerance) noexcept {
     const auto region = [&](std::int32_t corner) { return flats.region[corner / 3]; };
     const std::int32_t largest = region(*std::max_element(fan.begin(), fan.end(), [&](std::int32_t a, std::int32_t b) {
@@ -151,15 +151,15 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
 
 // ---- Tips of cones
 //
-// At a tip the mean normal is turned from that of each face, and at the face's far side the normals are turned by a
-// small part of that. On a sphere they are turned as much at all corners of a face.
+// At a tip the mean normal is turned from that of each face, and at the far side of the face the normals are turned by
+// a small part of that. On a sphere the normals are turned equally at all corners of a face.
 
 [[nodiscard]] double turned_at(const Mesh& mesh, const PatchNormals& normals, std::int64_t corner,
                                std::int64_t other) noexcept {
     return glm::distance(unit_normal(mesh, corner / 3), normals.normal[other]);
 }
 
-// An edge that is no crease turns at once, a cone slowly.
+// Tells whether a fan turns slowly from face to face, as a cone does. An edge that is no crease turns all at once.
 [[nodiscard]] bool turns_slowly(const Mesh& mesh, const Creases& creases, const Fan& fan) noexcept {
     double turn = 0.0;
     double step = 0.0;
@@ -184,7 +184,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
         const double angle = angle_at(mesh.corners(corner / 3), static_cast<std::size_t>(corner % 3));
         const double turned = turned_at(mesh, normals, corner, corner);
         here += angle * turned;
-        // The other corner where it is turned less counts, as the second one may be a tip itself.
+        // The corner that is turned less counts, because the other one may be a tip itself.
         beyond += angle * std::min(turned_at(mesh, normals, corner, first + (corner + 1) % 3),
                                    turned_at(mesh, normals, corner, first + (corner + 2) % 3));
         angles += angle;
@@ -200,7 +200,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     return length > 1e-12 ? v / length : other;
 }
 
-// A cubic triangle through three corners, along their tangent planes.
+// A cubic triangle through three corners, tangent to their tangent planes.
 class CurvedFace {
 public:
     CurvedFace(const std::array<glm::dvec3, 3>& p, const glm::dvec3* n) noexcept : p_(p), n_{n[0], n[1], n[2]} {
@@ -240,7 +240,7 @@ private:
     return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, patch_tuning.most_cuts));
 }
 
-// Sets how far each place may be from the sheet. Where a tip is rounded that is as far as its centres are apart.
+// Sets the tolerance of each place. It is larger near tips, which a sheet rounds.
 void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std::int64_t on_creases,
                     const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result) {
     const geometry::VecArray& position = result.samples.position;
@@ -269,7 +269,7 @@ void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std
 PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, double tolerance) {
     HRBFNPR_ASSERT(creases.cut.size() == 3 * mesh.faces() && creases.patch.size() == mesh.faces());
     const base::Groups corners = corners_at_vertices(mesh, {});
-    base::Array<glm::dvec3> weighted(runtime.memory); // By these the normals of faces count at their corners.
+    base::Array<glm::dvec3> weighted(runtime.memory); // of each corner: the face normal times its area and angle
     weighted.resize_for_overwrite(3 * mesh.faces());
     runtime.parallel.for_chunks(mesh.faces(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) {
@@ -287,7 +287,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
             for (std::int64_t fan = begin; fan < end; ++fan) visit(fans[fan]);
         });
     };
-    // At a vertex of very many corners neither flats nor tips are looked for.
+    // At a vertex with very many corners, flats and tips are not looked for.
     const auto has_many = [&](const Fan& fan) {
         return corners.count(mesh.triangle[fan[0] / 3][static_cast<std::size_t>(fan[0] % 3)]) >
                patch_tuning.most_corners;
@@ -353,14 +353,16 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
         result.samples.position.push_back(place);
         result.samples.normal.push_back(normal);
     };
-    // No sheet has several normals at a tip: it is rounded as finely as the places around it are.
+    // A sheet cannot have several normals at a tip. So the tip gets no sample, and is rounded as finely as the places
+    // around it lie.
     const auto add_corner = [&](std::int32_t face, std::size_t k, bool crease) {
         const std::int64_t corner = 3 * std::int64_t{face} + static_cast<std::int64_t>(k);
         const glm::dvec3 place = mesh.corners(face)[k];
         if (normals.tip[corner] == 0) return add(place, normals.normal[corner], crease);
         if (std::find(tips.begin(), tips.end(), place) == tips.end()) tips.push_back(place);
     };
-    // Each patch has the places between vertices on its own curved surface. The two sheets meet between these places.
+    // The places between vertices lie on the patch's own curved surface. The two sheets meet between the places of both
+    // patches.
     const auto add_crease = [&](std::int32_t face, int k) {
         const auto p = mesh.corners(face);
         const auto a = static_cast<std::size_t>(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smooth surface that a patch stands for, as its sheet is held to it: normals of its own, and places with them.
+// Finds the smooth surface that a patch stands for: its normals, and samples that its sheet is fitted to.
 #pragma once
 
 #include "fit/samples.h"
@@ -17,15 +17,15 @@ struct PatchNormals {
     explicit PatchNormals(base::Memory& memory) noexcept : normal(memory), tip(memory) {}
 
     base::Array<glm::dvec3> normal; // unit
-    base::Array<std::uint8_t> tip;  // 1: the tip of a cone, where each face has its own normal
+    base::Array<std::uint8_t> tip;  // 1: the corner is at the tip of a cone, where each face has its own normal
 };
 
-// Returns means over the faces of the corner's own patch, by area and angle. A flat that would still bulge by more than
-// the tolerance keeps its own normal beside flats that are much smaller.
+// Returns for each corner the mean normal over the faces of its own patch, by area and angle. A flat that would then
+// bulge by more than the tolerance keeps its own normal beside much smaller flats.
 [[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                          double tolerance = std::numeric_limits<double>::infinity());
 
-// Returns how far the middles of a face's sides are from the surface that is curved as the normals are.
+// Returns the largest distance of the middles of a face's sides from the surface that is curved as the normals are.
 [[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
 // Returns the largest chord_error() of the faces at each vertex.
 [[nodiscard]] base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal);
@@ -34,12 +34,12 @@ struct PatchSamples {
     explicit PatchSamples(base::Memory& memory) noexcept : samples(memory), tolerance(memory) {}
 
     fit::Samples samples;          // with bounds and spacing
-    base::Array<double> tolerance; // how far each may be from the sheet
+    base::Array<double> tolerance; // the largest distance of each sample from the sheet
 };
 
 struct PatchTolerance {
-    double crease; // at a crease
-    double far;    // from `ramp` off a crease on
+    double crease; // the tolerance at a crease
+    double far;    // the tolerance farther than `ramp` from creases
     double ramp;
 };
 
@@ -49,8 +49,9 @@ struct PatchTolerance {
                                         const PatchNormals& normals, std::span<const std::int32_t> faces,
                                         const PatchTolerance& tolerance);
 
-// Returns 1 for each patch that lies against another solid, as boxes that stand on each other do: at one of the places
-// a face of another component looks the other way and is no farther than `near`. The patch of that face has 1, too.
+// Returns 1 for each patch that lies against another solid, as boxes that stand on each other do. At one of `places` on
+// such a patch, a face of another component looks the other way and is no farther than `near`. The patch of that face
+// gets 1, too.
 [[nodiscard]] base::Array<std::uint8_t> patches_in_contact(const base::Work& work, const Mesh& mesh,
                                                            const FaceTree& tree, const Creases& creases,
                                                            const MeshSamples& places, double near);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The steps of split_patches(), in order:
 //
-//   find_seeds      faces beside creases on both sides of which the same patch lies, and beside tips of such creases
-//   spread_labels   each face of such a patch goes to the side of a crease that is nearest to it
-//   number_parts    the parts become patches
-//   split_winding   patches that wind around beside themselves are cut, too
-//     measure_ways    the ways along edges from one end of the patch to its faces
-//     turn_of         the way from one turn to the next, from faces that lie beside or above each other
-//   shared_bands    faces near a smooth cut belong to the sheets on both sides of it
+//   find_seeds      finds faces beside creases with the same patch on both sides, and beside tips of such creases
+//   spread_labels   assigns each face of such a patch to the nearest side of a crease
+//   number_parts    turns the parts into patches
+//   split_winding   cuts patches that wind around beside themselves
+//     measure_ways    measures the ways along edges from one end of the patch to its faces
+//     turn_of         finds the way from one turn to the next, from faces beside or above each other
+//   shared_bands    finds the faces near a smooth cut, which belong to the sheets on both sides of it
 #include "mesh/pieces/split_patches.h"
 
 #include "base/assert.h"
@@ -25,18 +25,18 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// The data that all steps read.
+// All steps read this data.
 struct Patched {
     const Mesh& mesh;
     const Creases& creases;
     const base::Array<std::int64_t>& beyond; // sides_beyond()
 
-    // The face beyond a side, or -1.
+    // Returns the face beyond a side, or -1.
     [[nodiscard]] std::int32_t across(std::int64_t side) const noexcept {
         return beyond[side] < 0 ? -1 : static_cast<std::int32_t>(beyond[side] / 3);
     }
 
-    // The patches on both sides of a crease, the lower number first.
+    // Returns the patches on both sides of a crease, the lower number first.
     [[nodiscard]] std::array<std::int32_t, 2> pair_of(const Crease& crease) const noexcept {
         const std::int32_t a = creases.patch[crease.left];
         const std::int32_t b = creases.patch[crease.right];
@@ -49,29 +49,29 @@ struct Patched {
 struct Seeds {
     explicit Seeds(base::Memory& memory, std::int64_t vertices) : face(memory), on_crease(memory, vertices) {}
 
-    base::Array<std::int32_t> face;      // faces beside creases on both sides of which the same patch lies
-    base::Array<std::uint8_t> on_crease; // 1 for the vertices of these creases, but for their ends
+    base::Array<std::int32_t> face;      // faces beside creases with the same patch on both sides
+    base::Array<std::uint8_t> on_crease; // of each vertex: 1 on these creases, except at their ends
 };
 
-// Where a step in a patch fades, its wall ends in a tip, around which the patch goes from one crease to the other: one
-// sheet cannot be both above and below the wall there. Adds seeds along such creases, as far as they part the same two
-// patches. `cuts` is the number of sides at each vertex that are cut: two for each crease.
+// Adds seeds at tips. Where a step in a patch fades, its wall ends in a tip, and the patch goes around the tip from one
+// crease to the other. One sheet cannot be both above and below the wall there. Seeds are added along such creases, as
+// long as these separate the same two patches. `cuts` is the number of cut sides at each vertex: two for each crease.
 void add_tips(const Patched& patched, const base::Array<std::int32_t>& cuts, Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
     const std::int64_t vertices = mesh.vertex.size();
-    base::Array<std::array<std::int32_t, 2>> edge(memory, vertices); // the last creases at each vertex
+    base::Array<std::array<std::int32_t, 2>> edge(memory, vertices); // the last two creases at each vertex
     std::fill(edge.begin(), edge.end(), std::array<std::int32_t, 2>{-1, -1});
     for (std::int32_t i = 0; i < creases.edge.size(); ++i)
         for (const std::int32_t v : {creases.edge[i].from, creases.edge[i].to}) edge[v] = {i, edge[v][0]};
-    base::Array<std::uint8_t> is_between_two(memory, vertices); // two patches meet at the vertex, and no others
+    base::Array<std::uint8_t> is_between_two(memory, vertices); // of each vertex: 1 if exactly two patches meet there
     for (std::int64_t v = 0; v < vertices; ++v) {
         if (cuts[v] != 4 || edge[v][1] < 0) continue;
         const auto pair = patched.pair_of(creases.edge[edge[v][0]]);
         is_between_two[v] = pair[0] != pair[1] && pair == patched.pair_of(creases.edge[edge[v][1]]) ? 1 : 0;
     }
-    base::Array<std::array<double, 2>> angle(memory, vertices); // of both patches there
+    base::Array<std::array<double, 2>> angle(memory, vertices); // the angles of both patches at the vertex
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int32_t v = mesh.triangle[face][k];
@@ -127,7 +127,7 @@ Seeds find_seeds(const Patched& patched) {
 struct Reached {
     double distance;
     std::int32_t number;
-    [[nodiscard]] bool operator<(const Reached& other) const noexcept { // the nearest is on top of a heap
+    [[nodiscard]] bool operator<(const Reached& other) const noexcept { // the nearest is on top of the heap
         return distance > other.distance || (distance == other.distance && number > other.number);
     }
 };
@@ -152,8 +152,8 @@ private:
     base::Array<Reached> heap_;
 };
 
-// Visits faces by their distance from those that were reached, over sides that are no creases: accept(face, from,
-// distance of `from`, distance) tells whether the face is reached that way.
+// Visits faces in the order of their distance from those in `reached`, across sides that are no creases. accept(face,
+// from, distance of `from`, distance) tells whether the face is reached that way.
 template <class Accept>
 void spread(const Patched& patched, NearestFirst& reached, Accept&& accept) {
     while (!reached.empty()) {
@@ -178,15 +178,16 @@ struct Labels {
         std::fill(distance.begin(), distance.end(), infinite);
     }
 
-    base::Array<std::int32_t> label; // the side of a crease that each face is nearest to; -1: none is
-    base::Array<double> distance;    // its distance from there
+    base::Array<std::int32_t> label; // of each face: the nearest side of a crease; -1: none
+    base::Array<double> distance;    // of each face: the distance from there
 };
 
 Labels spread_labels(const Patched& patched, const Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
-    // Faces at the vertices of such a crease belong to one of its sides, but for its ends, where both sides are one.
+    // Faces at the vertices of such a crease belong to one of its sides, except at its ends, where both sides are
+    // connected.
     Sets sets(memory, mesh.faces());
     for (std::int64_t side = 0; side < creases.cut.size(); ++side) {
         if (creases.cut[side] != 0 || patched.across(side) < 0) continue;
@@ -217,7 +218,7 @@ Labels spread_labels(const Patched& patched, const Seeds& seeds) {
 void number_parts(const Labels& labels, Creases& creases) {
     base::Memory& memory = creases.patch.memory();
     const std::int64_t faces = creases.patch.size();
-    NumbersInOrder numbers(memory, faces + creases.patches); // of labels, then of patches that stay whole
+    NumbersInOrder numbers(memory, faces + creases.patches); // labels first, then patches that stay whole
     for (std::int64_t face = 0; face < faces; ++face) {
         const std::int32_t label = labels.label[face];
         creases.patch[face] = numbers.of(label < 0 ? faces + creases.patch[face] : label);
@@ -225,13 +226,13 @@ void number_parts(const Labels& labels, Creases& creases) {
     creases.patches = numbers.count();
 }
 
-// Lists the faces of one part that are near to a smooth cut, with the part beyond it.
+// Lists the faces of each part that are near a smooth cut, with the part beyond the cut.
 base::Array<Creases::Shared> shared_bands(const Patched& patched, const Labels& labels) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
     base::Array<double> from_cut(memory);
-    base::Array<std::int32_t> other(memory); // the part that a face is near to
+    base::Array<std::int32_t> other(memory); // of each face: the part beyond the near cut, or -1
     from_cut.resize_for_overwrite(mesh.faces());
     other.resize_for_overwrite(mesh.faces());
     std::fill(from_cut.begin(), from_cut.end(), infinite);
@@ -264,8 +265,8 @@ base::Array<Creases::Shared> shared_bands(const Patched& patched, const Labels& 
 
 using Patch = std::span<const std::int32_t>; // faces
 
-// Sets the ways along a patch's edges from a face to its others. Returns the face that is farthest, of those that hang
-// together with it. (The ways go along edges, as faces may be slivers: from middle to middle of these is a zigzag.)
+// Sets the ways along a patch's edges from a face to the others. Returns the farthest face among those connected with
+// it. The ways go along edges, because faces may be slivers: a path through their middles would be a zigzag.
 [[nodiscard]] std::int32_t measure_ways(const Mesh& mesh, const Creases& creases, const base::Groups& corners,
                                         std::int32_t from, Patch patch, base::Array<double>& to_vertex,
                                         base::Array<double>& way) {
@@ -295,7 +296,7 @@ using Patch = std::span<const std::int32_t>; // faces
     return last;
 }
 
-// Returns the way from one turn of a patch to the next, or infinity if there are none.
+// Returns the way from one turn of a patch to the next, or infinity if the patch does not wind.
 [[nodiscard]] double turn_of(const Mesh& mesh, Patch patch, const base::Array<double>& way,
                              const base::Progress& progress) {
     const double diagonal = mesh.bounds.diagonal();
@@ -330,15 +331,16 @@ using Patch = std::span<const std::int32_t>; // faces
         if (any > 0) around.push_back(std::abs(way[face] - way[face_at(found)]));
     }
     if (around.empty() || 2 * around.size() < static_cast<std::int64_t>(count)) return infinite;
-    // Not the least: where a flank runs out into a flat end, that lies above it a short way around.
+    // The lower quartile is used instead of the minimum: where a flank runs out into a flat end, the end lies above it
+    // after a short way.
     double* const quarter = around.begin() + around.size() / 4;
     std::nth_element(around.begin(), quarter, around.end());
     return *quarter;
 }
 
-// Cuts patches that wind around beside themselves across, smoothly, into parts that are no more than half a turn long.
-// A sheet through turns that lie above each other and face the same way would have to fall to 0 between them once more,
-// and one of many turns that lie beside each other is asked everywhere, with all its centres.
+// Cuts patches that wind around beside themselves smoothly across, into parts of at most half a turn. A sheet through
+// turns that lie above each other and face the same way would need another zero between them. A sheet of many turns
+// beside each other would be evaluated everywhere, with all its centres.
 void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
     HRBFNPR_ASSERT(creases.patch.size() == mesh.faces());
     const base::Groups corners = corners_at_vertices(mesh, work);
@@ -346,8 +348,8 @@ void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
         for (std::int32_t face = 0; face < mesh.faces(); ++face) put(creases.patch[face], face);
     });
     base::Array<double> to_vertex(work.memory, mesh.vertex.size());
-    base::Array<double> way(work.memory, mesh.faces());        // of each face, from one end of its patch
-    base::Array<std::int32_t> part(work.memory, mesh.faces()); // of its patch
+    base::Array<double> way(work.memory, mesh.faces());        // of each face: the way from one end of its patch
+    base::Array<std::int32_t> part(work.memory, mesh.faces()); // of each face: the part of its patch
     bool any = false;
     for (std::int32_t p = 0; p < creases.patches; ++p) {
         work.check();
