@@ -4,10 +4,10 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// The share of the time that lines take, where there are any.
+// Lines take this share of the time, if there are any.
 constexpr double lines_end = 0.7;
 
-// Threads no longer look for a cancel once the scope ends.
+// At the end of the scope, threads stop looking for a cancel.
 struct Watch {
     ~Watch() { threads.watch(base::Progress()); }
     base::Parallel& threads;
@@ -21,7 +21,7 @@ Frame::Frame(const base::Runtime& runtime)
 
 void Frame::draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
                  drawing::Drawing& drawing) {
-    runtime_.parallel.watch(progress); // before each task
+    runtime_.parallel.watch(progress); // threads look for a cancel before each task
     const Watch watch{runtime_.parallel};
     try {
         set_up(scene_, items, camera, drawing);

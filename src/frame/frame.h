@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From items and a camera to a drawing [NPAR 6].
+// Makes a drawing from items and a camera. [NPAR 6]
 #pragma once
 
 #include "frame/depth_layers/layer_frame.h"
@@ -8,20 +8,21 @@
 
 namespace hrbfnpr::frame {
 
-// The scratch of one thread, used again for each drawing. It allocates nothing once warm, where no lines are drawn.
+// Makes drawings. One thread at a time may use it, and its scratch is reused. Once warm it allocates nothing, unless
+// lines are drawn.
 class Frame {
 public:
     explicit Frame(const base::Runtime& runtime);
     Frame(const Frame&) = delete;
     Frame& operator=(const Frame&) = delete;
 
-    // Fills `drawing`, whatever was in it. Throws Error{invalid_argument, callback, cancelled, out_of_memory}; then it
-    // is no drawing.
+    // Fills `drawing` and overwrites its old content. Throws Error{invalid_argument, callback, cancelled,
+    // out_of_memory}; then `drawing` is not valid.
     void draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
               drawing::Drawing& drawing);
 
 private:
-    base::Runtime runtime_; // its threads are watched while a frame is drawn
+    base::Runtime runtime_; // its threads look for a cancel while a frame is drawn
     Scene scene_;
     published::PublishedFrame published_;
     LayerFrame depth_layers_;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Draws curves in the image: the parts of curves before the eye become lines of cubics (add_curve), and each cubic is
-// halved until its chords are near enough (draw_cubic). Lengths are measured along the polylines (Lengths).
+// Draws curves in the image. The parts of curves before the eye become lines of cubics (add_curve). Each cubic is
+// halved until its chords are near enough to it (draw_cubic). Lengths are measured along the polylines (Lengths).
 //
-// Finds crossings: segments of polylines go into the cells of a grid (make_grid), pairs of them that cross are found
-// cell by cell (find_pairs), Newton's method moves each pair onto its cubics (refine), and depths and directions there
-// say which curve is the nearer one and on which side of it its surface lies (describe). Crossings of curves that are
-// near in space, too, are looked for on the curves themselves (verify_crossings). Lines that pass through another
-// item's surface are found by halving their cubics (find_pierced).
+// Finds crossings. Segments of polylines go into the cells of a grid (make_grid). Pairs of segments that cross are
+// found cell by cell (find_pairs). Newton's method moves each pair onto its cubics (refine). Depths and directions
+// there say which curve is nearer, and on which side of the nearer curve its surface lies (describe). Crossings of
+// curves that are near in space, too, are verified on the curves themselves (verify_crossings). Lines that pass through
+// another item's surface are found by halving the lines' cubics (find_pierced).
 #include "visibility/image_lines.h"
 
 #include "base/list.h"
@@ -25,7 +25,7 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-// Whether m lies between the ends of a chord, and beside it by no more than the tolerance.
+// Whether m lies between the ends of a chord and no farther from it than the tolerance.
 bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, double tolerance) noexcept {
     const glm::dvec2 chord = b - a;
     const glm::dvec2 way = m - a;
@@ -36,8 +36,8 @@ bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, dou
            std::abs(chord.x * way.y - chord.y * way.x) <= tolerance * length;
 }
 
-// Adds the first point of a cubic and those between its ends; at least one of these, as an S may cross its chord in the
-// middle.
+// Adds the first point of a cubic and the points between its ends. It tests both halves, because an S may cross its
+// chord in the middle.
 void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
                 base::Array<ImagePoint>& points) {
     const auto at = [&](double u) {
@@ -61,7 +61,7 @@ void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::
     split(split, 0.5, m, 1.0, b, visibility_tuning.deepest);
 }
 
-// Adds a line of the pieces from one of a curve to another, which may lie beyond the end of a closed curve.
+// Adds a line made of the pieces `from` to `to` of a curve. `to` may lie beyond the end of a closed curve.
 void add_line(const curves::Curves& curves, std::int32_t subject, std::int64_t curve, std::int64_t from,
               std::int64_t to, bool closed, ImageLines& lines) {
     HRBFNPR_ASSERT(from < to && from >= 0);
@@ -73,7 +73,7 @@ void add_line(const curves::Curves& curves, std::int32_t subject, std::int64_t c
     }
 }
 
-// Adds the parts of a curve that are before the eye. A curve of one point could not be followed, and has none.
+// Adds the parts of a curve that lie before the eye. A curve of one point has no pieces and is left out.
 void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, ImageLines& lines) {
     const curves::Curves& curves = *s.curves;
     const std::int64_t pieces = curves.pieces_of(curve);
@@ -99,13 +99,13 @@ constexpr std::int64_t pairs_a_task = 16;
 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-// A place of a curve in the image, and how it moves as the curve goes on.
+// A place on a curve in the image, and its velocity as the curve goes on.
 struct Moving {
     glm::dvec3 point;
     glm::dvec2 place, velocity; // pixels
 };
 
-// A place of a line.
+// A place on a line.
 struct OnLine {
     std::int32_t piece;
     double share;
@@ -115,11 +115,12 @@ struct SegmentPair {
     std::int64_t a, b;
 };
 
-// The segments of the image, each from a point to the next, by the cells that their boxes meet.
+// The segments of the image, sorted into the cells that their bounding boxes meet. A segment goes from a point to the
+// next one.
 struct Grid {
     explicit Grid(base::Memory& memory) noexcept : ends_line(memory), begin(memory), segment(memory) {}
 
-    // The cell of a place in cells from the origin.
+    // The cell that contains a place, which is given in cells from the origin.
     [[nodiscard]] std::int64_t column(double x) const noexcept { return within(x, columns); }
     [[nodiscard]] std::int64_t row(double y) const noexcept { return within(y, rows); }
     [[nodiscard]] static std::int64_t within(double at, std::int64_t count) noexcept {
@@ -134,7 +135,7 @@ struct Grid {
     base::Array<std::int64_t> segment;
 };
 
-// Calls f for each segment with each cell that its box meets.
+// Calls f for each segment and each cell that the segment's box meets.
 template <class F>
 void for_cells(const ImageLines& lines, const Grid& grid, const F& f) {
     for (std::int64_t s = 0; s < lines.points.size(); ++s) {
@@ -164,7 +165,8 @@ Grid make_grid(base::Memory& memory, const ImageLines& lines) {
     grid.side = std::max(grid.side, std::sqrt(size.x * size.y / visibility_tuning.most_cells));
     grid.columns = static_cast<std::int64_t>(size.x / grid.side) + 1;
     grid.rows = static_cast<std::int64_t>(size.y / grid.side) + 1;
-    // Counting sort: each cell's count is at the place after the next, then its begin, and in the end its end.
+    // Counting sort. An element of `begin` holds first the count of the cell two places before it, then the begin of
+    // the cell one place before it, and at last the end of that cell.
     grid.begin.resize(grid.columns * grid.rows + 2);
     for_cells(lines, grid, [&](std::int64_t, std::int64_t cell) { ++grid.begin[cell + 2]; });
     for (std::int64_t cell = 2; cell < grid.begin.size(); ++cell) grid.begin[cell] += grid.begin[cell - 1];
@@ -174,7 +176,7 @@ Grid make_grid(base::Memory& memory, const ImageLines& lines) {
     return grid;
 }
 
-// All steps read these.
+// The data that all steps of finding crossings read.
 struct Scene {
     std::span<const Subject> subjects;
     const ImageLines& lines;
@@ -185,8 +187,8 @@ struct Scene {
     }
 };
 
-// Whether each end of one segment is on another side of the other one. An end on the line counts as left of it, so that
-// a third segment crosses one of two with a common end.
+// Whether the ends of each segment lie on different sides of the other one. An end on the line counts as left of it, so
+// that a line through a vertex crosses exactly one of the two segments that meet there.
 bool cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
     const auto left = [](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& at) {
         return cross2(to - from, at - from) >= 0.0;
@@ -195,7 +197,7 @@ bool cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
     return left(p, q, r) != left(p, q, s) && left(r, s, p) != left(r, s, q);
 }
 
-// The crossing of two segments, as shares of both.
+// The crossing of two segments, as a share of each.
 glm::dvec2 crossing_of(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
     const glm::dvec2 d = in.place(a + 1) - in.place(a);
     const glm::dvec2 e = in.place(b + 1) - in.place(b);
@@ -205,8 +207,8 @@ glm::dvec2 crossing_of(const Scene& in, std::int64_t a, std::int64_t b) noexcept
     return {cross2(way, e) / area, cross2(way, d) / area};
 }
 
-// Whether two segments may cross: at least one begins or ends sheets, and they are neither of one piece nor one after
-// the other on a line.
+// Whether two segments may cross. At least one must begin or end sheets, and they must not belong to the same piece or
+// follow each other on a line.
 bool may_cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
     const std::int32_t p = in.lines.points[a].piece;
     const std::int32_t q = in.lines.points[b].piece;
@@ -215,8 +217,8 @@ bool may_cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
     return !(touch && in.lines.pieces[p].line == in.lines.pieces[q].line);
 }
 
-// Adds the pairs of a cell's segments that cross there: a pair that meets in several cells is found in the one of its
-// crossing. Returns false, and adds none, where there is a tangle.
+// Adds the pairs of a cell's segments that cross in this cell. A pair may share several cells, and is added only in the
+// cell of its crossing. Returns false, and adds nothing, if the cell is a tangle.
 bool find_pairs_in(const Scene& in, const Grid& grid, std::int64_t cell, base::Array<SegmentPair>& pairs) {
     HRBFNPR_ASSERT(cell >= 0 && cell + 1 < grid.begin.size());
     const std::int64_t segments = grid.begin[cell + 1] - grid.begin[cell];
@@ -239,7 +241,7 @@ bool find_pairs_in(const Scene& in, const Grid& grid, std::int64_t cell, base::A
     return true;
 }
 
-// Pairs of segments that cross, in the order of the cells for any number of threads.
+// Returns the pairs of segments that cross, in the order of the cells for any number of threads.
 base::Array<SegmentPair> find_pairs(const base::Work& work, const Scene& in, CrossingReport& report) {
     const Grid grid = make_grid(work.memory, in.lines);
     const std::int64_t cells = grid.begin.size() - 1;
@@ -278,14 +280,15 @@ Moving moving_at(const Scene& in, const OnLine& at) noexcept {
     return moving(in.subject(at.piece).view, its.at(at.share), its.derivative(at.share));
 }
 
-// How far two places have to go for them to meet, as both go straight on. It is not finite where they run alike.
+// Returns how far each of two places has to go, straight on, until they meet. The results are not finite if the
+// directions are parallel.
 std::pair<double, double> meeting(const Moving& p, const Moving& q) noexcept {
     const double area = cross2(p.velocity, q.velocity);
     const glm::dvec2 way = q.place - p.place;
     return {cross2(way, q.velocity) / area, cross2(way, p.velocity) / area};
 }
 
-// Moves a place along its line, over the ends of pieces, but no farther than the line's end.
+// Moves a place along its line and into the next piece, but no farther than the line's end.
 void go(const Scene& in, OnLine& at, double by) noexcept {
     at.share += by;
     if (at.share >= -visibility_tuning.slack && at.share <= 1.0 + visibility_tuning.slack) return;
@@ -297,7 +300,7 @@ void go(const Scene& in, OnLine& at, double by) noexcept {
     at = {static_cast<std::int32_t>(line.first_piece + next), back != ends ? 1.0 : 0.0};
 }
 
-// Newton's method on the cubics themselves: both places move until they meet in the image.
+// Runs Newton's method on the cubics themselves: both places move until they meet in the image.
 bool refine(const Scene& in, OnLine& a, OnLine& b) noexcept {
     HRBFNPR_ASSERT(a.share >= 0.0 && a.share <= 1.0 && b.share >= 0.0 && b.share <= 1.0);
     for (int step = 0;; ++step) {
@@ -309,7 +312,7 @@ bool refine(const Scene& in, OnLine& a, OnLine& b) noexcept {
     }
 }
 
-// The least distance of two curves at a crossing, in sides.
+// The least distance in space at which two curves count as distinct at a crossing, in sides.
 double least_gap_of(const Scene& in, const OnLine& a, const OnLine& b) noexcept {
     if (in.lines.pieces[a.piece].line == in.lines.pieces[b.piece].line) return visibility_tuning.least_loop;
     const Subject& sa = in.subject(a.piece);
@@ -318,8 +321,8 @@ double least_gap_of(const Scene& in, const OnLine& a, const OnLine& b) noexcept 
                                                                               : visibility_tuning.least_gap;
 }
 
-// turn > 0: clockwise as seen, from the first image direction to the second. Returns false where the curves are one, as
-// beside a cusp: they do not cross there.
+// Fills `crossing`. `turn` > 0: the second image direction is clockwise from the first, as seen. Returns false if the
+// two curves are the same, as beside a cusp, so that they do not cross.
 bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Crossing& crossing) noexcept {
     const Moving p = moving_at(in, a);
     const Moving q = moving_at(in, b);
@@ -327,7 +330,7 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
     const Subject& sb = in.subject(b.piece);
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
     const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
-    const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point); // common to both
+    const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point); // the same for both curves
     const bool second_far = glm::dot(world_q - world_p, sight) > 0.0;
     const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
     crossing.gap = glm::distance(world_p, world_q) / side;
@@ -335,7 +338,7 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
     const OnLine& far = second_far ? b : a;
     const OnLine& near = second_far ? a : b;
     const Subject& near_one = second_far ? sa : sb;
-    // With y up the nearer surface lies to the left of its contour.
+    // With y up, the nearer surface lies to the left of its contour.
     const bool to_left = second_far ? turn < 0.0 : turn > 0.0;
     const bool left = to_left != (near_one.mirrored != shows_inside(in.subjects, in.lines.pieces[near.piece]));
     crossing.far_piece = far.piece;
@@ -348,7 +351,7 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
     return true;
 }
 
-// A crossing of the cubics, or of the segments where Newton's method fails. Returns false where the curves do not
+// Fills `crossing` from the cubics, or from the segments if Newton's method fails. Returns false if the curves do not
 // cross.
 bool look_at(const Scene& in, const SegmentPair& pair, Crossing& crossing) noexcept {
     const glm::dvec2 start = crossing_of(in, pair.a, pair.b);
@@ -364,19 +367,19 @@ bool look_at(const Scene& in, const SegmentPair& pair, Crossing& crossing) noexc
 
 // ---- Verification
 
-// A crossing whose curves are near each other, and a place on either, the farther one first.
+// A crossing whose curves are near each other in space, and a place on each of them, the farther one first.
 struct Suspect {
     std::int64_t crossing;
     std::int32_t subject[2];
     glm::dvec3 begin[2];
     curves::CurvePoint point[2];
-    double gap; // between the places at first
+    double gap; // between the two places at the start
     bool done, right;
 };
 
-// Whether a crossing is to be asked of the curves themselves: where a curve crosses itself near a cusp cubics may cross
-// that the curves do not have alone; elsewhere there are two, whose changes add up to zero. Contours touch the image of
-// the border where they end.
+// Whether a crossing is to be verified on the curves themselves. Near a cusp of a curve, cubics may have a single
+// crossing that the curve does not have; elsewhere false crossings come in pairs whose changes add up to 0. Contours
+// touch the image of the border where they end.
 bool is_suspect(const Scene& in, const Crossing& c) noexcept {
     const Subject& far = in.subject(c.far_piece);
     const Subject& near = in.subject(c.near_piece);
@@ -385,7 +388,7 @@ bool is_suspect(const Scene& in, const Crossing& c) noexcept {
     return far.item == near.item && (far.level != near.level || one_line);
 }
 
-// Moves the places of all suspects onto their curves, by two of Newton's steps.
+// Moves the places of all suspects onto their curves by two of Newton's steps.
 void correct(const base::Work& work, std::span<const Subject> subjects, base::Array<Suspect>& suspects) {
     for (std::size_t s = 0; s < subjects.size(); ++s) {
         base::Array<curves::CurvePoint*> which(work.memory);
@@ -397,14 +400,14 @@ void correct(const base::Work& work, std::span<const Subject> subjects, base::Ar
         base::Array<curves::CurvePoint> points(work.memory);
         for (const curves::CurvePoint* p : which) points.push_back(*p);
         std::int64_t evaluations = 0;
-        const base::Array<double> always(work.memory, points.size()); // a second step after any first one
+        const base::Array<double> always(work.memory, points.size()); // makes each point take a second step
         curves::bring_closer(work, *subjects[s].level, always, points, evaluations);
         for (std::int64_t i = 0; i < points.size(); ++i) *which[i] = points[i];
     }
 }
 
-// Moves both places of a suspect towards their meeting. The search fails where they go farther than the curves were
-// apart, and where the gap vanishes: at a cusp a curve meets itself.
+// Moves both places of a suspect towards the point where they meet. The search fails if they go farther than a share of
+// the gap between the curves, or if the gap vanishes: at a cusp a curve meets itself.
 void advance(std::span<const Subject> subjects, Suspect& suspect) noexcept {
     const auto view = [&](int k) { return subjects[static_cast<std::size_t>(suspect.subject[k])].view; };
     curves::CurvePoint& a = suspect.point[0];
@@ -427,12 +430,12 @@ void advance(std::span<const Subject> subjects, Suspect& suspect) noexcept {
 
 // ---- Piercing
 
-// A place of a piece: f of the other surface there, its slope along the piece, and its gradient.
+// A place on a piece, with f of the other surface, the slope of f along the piece, and the gradient of f.
 struct PiercingPlace {
     double share;
     double value, slope;
     glm::dvec3 point, gradient; // in the other item's coordinates
-    bool inside;                // the region where f is asked for
+    bool inside;                // whether the place is in the region where f is evaluated
 };
 
 // A part of a piece between two places.
@@ -442,7 +445,7 @@ struct PiercingPart {
     PiercingPlace low, high;
 };
 
-// The lines of all other items against one surface.
+// The data for finding where the lines of all other items pass through one surface.
 struct PiercingScene {
     const base::Runtime& runtime;
     std::span<const Subject> subjects;
@@ -453,7 +456,7 @@ struct PiercingScene {
     glm::dmat4 from_world;
 };
 
-// Evaluates f at places of pieces.
+// Evaluates f at places on pieces.
 base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::Array<OnLine>& wanted,
                                            const base::Progress& progress) {
     base::Memory& memory = in.runtime.memory;
@@ -488,8 +491,8 @@ base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::
     return places;
 }
 
-// Whether f may be 0 between two places where it has one sign. It is not where f, taken for a cubic, keeps its sign,
-// nor where it stays within `in_surface` of 0, so that the line lies in the surface.
+// Whether f may be 0 between two places where it has the same sign. It is not 0 if f, taken for a cubic, keeps its
+// sign. It does not count if f stays within `in_surface` of 0, because then the line lies in the surface.
 bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surface) noexcept {
     const double length = b.share - a.share;
     const double sign = a.value < 0.0 ? -1.0 : 1.0;
@@ -502,7 +505,7 @@ bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surfac
     return !(near(a) && near(b));
 }
 
-// A cubic is nowhere farther from its ends than half of its chord.
+// A cubic is never farther from its ends than half of its chord.
 bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) noexcept {
     geometry::Bounds box;
     box.extend(part.low.point);
@@ -511,8 +514,8 @@ bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) no
     return glm::all(glm::lessThanEqual(box.min, region.max)) && glm::all(glm::lessThanEqual(region.min, box.max));
 }
 
-// Adds the place where a short part passes the surface. The sheet lies before the line where the way back to the eye
-// leads through it.
+// Adds the place where a short part passes through the surface. The sheet lies before the line if the way back to the
+// eye leads through it.
 void add_pierced(const PiercingScene& in, const PiercingPart& part, base::Array<Pierced>& found) {
     const double rise = part.high.value - part.low.value;
     const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
@@ -525,7 +528,7 @@ void add_pierced(const PiercingScene& in, const PiercingPart& part, base::Array<
     found.push_back({part.piece, share, in.item, faces_away != (at.value < 0.0) ? -1 : 1});
 }
 
-// Adds the place if the part is short; otherwise the part to those to be halved if it may pass the surface.
+// Adds the place of a short part that passes through the surface. Adds a longer part to `halved` if it may do so.
 void judge(const PiercingScene& in, const PiercingPart& part, base::Array<PiercingPart>& halved,
            base::Array<Pierced>& found) {
     const PiercingPlace& a = part.low;
@@ -692,7 +695,7 @@ base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Sub
         return std::tie(a.far_piece, a.far_share, a.near_piece, a.near_share) <
                std::tie(b.far_piece, b.far_share, b.near_piece, b.near_share);
     });
-    // Where curves touch, Newton's method comes to the same place from several crossings of segments.
+    // Where curves touch, Newton's method moves several crossings of segments to the same place.
     const auto same = [](const Crossing& a, const Crossing& b) {
         return a.far_piece == b.far_piece && a.near_piece == b.near_piece &&
                b.far_share - a.far_share <= visibility_tuning.same_place &&

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Curves whose visibility is asked for, surfaces that hide them, and the curves as polylines in the image; and where
-// the number of sheets before a line may change: crossings of the images of two curves, with the nearer one, and places
-// where a line of one item passes through the surface of another.
+// The image of curves: curves as polylines in the image, and the places where the number of sheets before a line may
+// change. Such places are the crossings of two curves in the image, where one is nearer, and the places where a line of
+// one item passes through the surface of another.
 #pragma once
 
 #include "base/assert.h"
@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::visibility {
 
-// A surface.
+// A surface that may hide lines.
 struct Occluder {
     const curves::SheetCounter* sheets = nullptr;
     const implicit::Implicit* surface = nullptr;
@@ -23,19 +23,19 @@ struct Occluder {
     glm::dvec4 eye{0.0};      // curves::View::eye, in the surface's own coordinates
 };
 
-// Curves on one surface.
+// Curves on one surface, whose visibility is asked for.
 struct Subject {
     const curves::Curves* curves = nullptr;
-    const curves::Level* level = nullptr; // whose zero lines they are; null: polylines as they are
+    const curves::Level* level = nullptr; // the function whose zero lines they are; null: polylines as they are
     curves::View view;
-    double side = 0.0;                      // the side of its mesh's cells, its unit of length
+    double side = 0.0;                      // the side of the cells of the surface's mesh, the subject's unit of length
     double clear = visibility_tuning.clear; // in sides: surface nearer than this before a curve does not hide it
     glm::dmat4 to_world{1.0};               // affine
-    std::int32_t item = 0;                  // the place of its surface among the occluders
-    std::int32_t sheets = 2; // the number of sheets that begin or end at these curves: 2 for a contour or a crease
-                             // that is one, 1 for a border, 0 for other lines
-    bool mirrored = false;   // the image shows its surface mirrored
-    bool joined = false;     // open curves end at others, as at the corners of a crease
+    std::int32_t item = 0;                  // the number of the surface's item among the occluders
+    std::int32_t sheets = 2; // the number of sheets that begin or end at these curves: 2 for a contour or for a crease
+                             // that is a contour, 1 for a border, 0 for other lines
+    bool mirrored = false;   // the image shows the surface mirrored
+    bool joined = false;     // open curves end at other curves, as at the corners of a crease
 };
 
 // The cubic between two points of a curve.
@@ -51,7 +51,7 @@ struct ImagePoint {
     double share; // along the piece, in [0, 1]
 };
 
-// A curve, or a part of one that lies before the eye.
+// A curve, or a part of a curve that lies before the eye.
 struct Line {
     std::int32_t subject;
     std::int64_t curve;
@@ -68,7 +68,7 @@ struct ImageLines {
     base::Array<ImagePoint> points;
 };
 
-// The polylines are off the curves by `tolerance` pixels, or little more.
+// Makes polylines whose distance from the curves is `tolerance` pixels, or little more.
 [[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
 
 [[nodiscard]] inline const Subject& subject_of(std::span<const Subject> subjects, const Piece& piece) noexcept {
@@ -81,22 +81,22 @@ struct ImageLines {
     return {point[piece.a], point[piece.b]};
 }
 
-// Whether the inside of the surface is seen at a border. At a border the surface lies to the left as seen from outside;
-// at a contour it always does.
+// Whether the inside of the surface is seen at a border. Seen from outside, the surface lies to the left of a border.
+// Seen from the eye, the surface always lies to the left of a contour.
 [[nodiscard]] bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept;
 
-// Lengths along the images of lines, which must outlive it.
+// Measures lengths along the images of lines. `lines` must outlive it.
 class Lengths {
 public:
     Lengths(base::Memory& memory, const ImageLines& lines);
 
-    // From the line's begin, pixels: along the chord that the share lies on, as the image of a cubic is not passed at
-    // one speed, least of all at a cusp.
+    // The length from the line's begin to a place, in pixels. It is measured along the chord that the share lies on,
+    // because the image of a cubic is not passed at one speed, least of all at a cusp.
     [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
-    // The same of a point of the image.
+    // The length from the line's begin to a point of the image, in pixels.
     [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
     [[nodiscard]] double whole(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
-    // The line's last piece that begins at a place along it, or before that.
+    // The last piece of the line that begins at `at` or before it.
     [[nodiscard]] std::int64_t piece_at(const Line& line, double at) const noexcept;
 
 private:
@@ -118,28 +118,30 @@ struct Crossing {
 
 struct CrossingReport {
     std::int64_t of_polylines = 0; // crossings of segments
-    std::int64_t rejected = 0;     // those of these that the curves do not have
-    std::int64_t tangles = 0;      // cells of the image in which no crossing was taken, as there are too many
+    std::int64_t rejected = 0;     // crossings of segments that are not crossings of the curves
+    std::int64_t tangles = 0;      // cells of the image whose crossings are ignored, because there are too many
 };
 
-// Crossings of all lines with those that begin or end sheets (Subject::sheets > 0). Sorted by farther piece and share.
+// Finds the crossings of all lines with the lines that begin or end sheets (Subject::sheets > 0). Sorted by farther
+// piece and share.
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report);
 
-// Takes out crossings of curves that are near in space, too, and which the curves themselves do not have: beside a cusp
-// the cubics may cross where the curve does not. Returns their number.
+// Removes crossings that the curves themselves do not have, among those of curves that are near in space, too. Beside a
+// cusp the cubics may cross where the curve does not. Returns the number of removed crossings.
 std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
                               base::Array<Crossing>& crossings);
 
 struct Pierced {
     std::int32_t piece;  // the line's piece
     double share;        // along the piece, in [0, 1]
-    std::int32_t item;   // the place of the surface's item among the occluders
+    std::int32_t item;   // the number of the surface's item among the occluders
     std::int32_t change; // how the number of sheets before the line changes as one goes along it: 1 or -1
 };
 
-// Places of all lines on all surfaces but their own. Between two places where f and its slope along the line's cubic
-// are known f is taken for a cubic; where that may have a root it is looked at. Sorted by piece and share.
+// Finds where lines pass through the surfaces of other items. Between two places where f and its slope along the line's
+// cubic are known, f is taken for a cubic; where that cubic may have a root, the part is halved. Sorted by piece and
+// share.
 [[nodiscard]] base::Array<Pierced> find_pierced(const base::Work& work, std::span<const Subject> subjects,
                                                 std::span<const Occluder> occluders, const ImageLines& lines);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Counts sheets along lines. Each round draws the lines and finds their crossings; events are where a line's number
-// changes (collect_events), the parts between them have numbers relative to the line's begin (parts_of), and a few rays
-// (best_ray, send_rays) say how much has to be added to all (set_numbers). A line whose changes and rays contradict
-// each other is made finer for the next round (refine); in the last, each of its parts is as its own ray says (settle).
-// The outline is counted the same way, by rays that come from beyond the surface.
+// Counts sheets along lines. Each round draws the lines and finds their crossings. Events are the places where a line's
+// number changes (collect_events). The parts between events get numbers relative to the line's begin (parts_of). A few
+// rays (best_ray, send_rays) say how much has to be added to all parts of a line (set_numbers). Lines whose changes and
+// rays contradict each other are made finer for the next round (refine_curves). In the last round, each part of such a
+// line gets the number of its own ray (settle). The outline is counted the same way, by rays that come from beyond the
+// surface.
 #include "visibility/invisibility.h"
 
 #include "base/assert.h"
@@ -19,7 +20,7 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-// All steps of counting read these.
+// The data that all steps of counting read.
 struct Counting {
     const base::Work& work;
     std::span<const Subject> subjects;
@@ -31,16 +32,16 @@ struct Counting {
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return lines.lines[l]; }
 };
 
-// A ray to a place of a line, from the eye or from beyond the surface.
+// A ray to a place on a line, from the eye or from beyond the surface.
 struct Ray {
     std::int32_t line, subject;
     double at;        // along the line, pixels
-    double score;     // pixels from the nearer end of its part
+    double score;     // pixels to the nearer end of the part
     glm::dvec3 place; // in the subject's coordinates
-    // The ray finds these:
+    // The ray finds the following values.
     std::int32_t sheets;
-    std::int32_t nearest; // the occluder nearest to the place; -1: none
-    double distance;      // from that, in the world
+    std::int32_t nearest; // the occluder nearest to the place on the ray; -1: none
+    double distance;      // from the place to that occluder, in the world
     bool certain;
 };
 
@@ -63,13 +64,15 @@ void for_lines(std::span<Interval> parts, const F& f) {
     }
 }
 
-// The ray to the vertex of a part that is farthest from its ends; a part without vertices has the middle of its cubic.
+// Makes the ray to the vertex of a part that is farthest from the part's ends. A part without vertices gets a ray to
+// the middle of its cubic.
 Ray best_ray(const Counting& in, const Interval& part) noexcept {
     const Line& its = in.line(part.line);
     const base::Array<curves::CurvePoint>& point = in.subjects[static_cast<std::size_t>(its.subject)].curves->point;
     const double whole = in.lengths.whole(its);
     Ray best{part.line, its.subject, 0.0, -1.0, glm::dvec3(0.0), 0, -1, 0.0, true};
-    double beyond = its.closed && part.begin_at >= whole ? whole : 0.0; // the length of the rounds before
+    // The length of the rounds of a closed line before piece p.
+    double beyond = its.closed && part.begin_at >= whole ? whole : 0.0;
     const std::int64_t begin = in.lengths.piece_at(its, part.begin_at - beyond);
     const double from = in.lengths.at(its, begin, 0.0) + beyond;
     std::int64_t p = begin;
@@ -98,7 +101,7 @@ Ray best_ray(const Counting& in, const Interval& part) noexcept {
     return best;
 }
 
-// Adds the best rays to the parts of a line.
+// Adds the `most` rays with the best scores among those of the line's parts.
 void add_rays(const Counting& in, std::span<const Interval> parts, std::int64_t most, base::Array<Ray>& rays) {
     base::Array<Ray> all(in.memory());
     for (const Interval& part : parts) all.push_back(best_ray(in, part));
@@ -107,7 +110,7 @@ void add_rays(const Counting& in, std::span<const Interval> parts, std::int64_t 
     for (std::int64_t i = 0; i < std::min(most, all.size()); ++i) rays.push_back(all[i]);
 }
 
-// Sends rays through all occluders: from the eye to their places, or from beyond all of the surface.
+// Sends rays through all occluders, from the eye or from beyond the whole surface to the places of the rays.
 void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
     geometry::VecArray from(in.memory(), rays.size());
     geometry::VecArray to(in.memory(), rays.size());
@@ -146,8 +149,8 @@ void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
     }
 }
 
-// From numbers relative to a line's begin to those that its rays say: certain ones, or all where none is certain.
-// Returns false where rays contradict each other or a number would be negative.
+// Turns numbers relative to a line's begin into absolute numbers. Certain rays decide, or all rays if no ray is
+// certain. Returns false if rays contradict each other or a number would be negative.
 bool set_numbers(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
     const auto relative = [&](double at) {
         for (const Interval& part : parts)
@@ -174,8 +177,8 @@ bool set_numbers(std::span<Interval> parts, std::span<const Ray> rays, double wh
     return known && agree;
 }
 
-// Gives each part of some lines the number that its own ray says; a part too short for a ray is as the one before it.
-// Returns the lines that have a ray that is not certain.
+// Gives each part of the given lines the number that its own ray says, if the ray is certain. A part too short for a
+// ray takes the number of the part before it. Returns how many lines have a ray that is not certain.
 std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::int32_t> lines,
                     std::span<Interval> parts, std::int64_t& sent) {
     HRBFNPR_ASSERT(std::is_sorted(lines.begin(), lines.end()));
@@ -206,7 +209,8 @@ std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::i
     return uncertain;
 }
 
-// The parts of a line between its events, with numbers relative to its begin or, if it is closed, its first event.
+// Returns the parts of a line between its events. Their numbers are relative to the line's begin or, for a closed line,
+// to its first event.
 base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::span<const Event> events) {
     const Line& line = in.line(number);
     base::Array<Interval> parts(in.memory());
@@ -233,7 +237,7 @@ base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::spa
     return parts;
 }
 
-// Counts along all lines. Returns those that contradict themselves: the changes around a closed line must add up to 0.
+// Counts along all lines. Returns the lines that contradict themselves. Around a closed line changes must add up to 0.
 base::Array<std::int32_t> count(const Counting& in, const Events& events, int rays_a_line, Invisibility& out) {
     const auto lines = static_cast<std::int32_t>(in.lines.lines.size());
     const auto seen_events = [&](std::int32_t l) {
@@ -259,10 +263,10 @@ base::Array<std::int32_t> count(const Counting& in, const Events& events, int ra
     return bad;
 }
 
-// Makes the curves of lines that contradict themselves finer, and those of lines that cross them near the crossings:
-// off by the tolerance at most, pixels.
+// Makes lines that contradict themselves finer, and the lines that cross them, near the crossings. The new curves are
+// off by `tolerance` pixels at most.
 void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double tolerance, Invisibility& out) {
-    base::Array<std::int64_t> first(in.memory()); // point of each subject
+    base::Array<std::int64_t> first(in.memory()); // the first point of each subject
     first.push_back(0);
     for (const Subject& subject : out.subjects) first.push_back(first.back() + subject.curves->point.size());
     base::Array<std::uint8_t> all_marked(in.memory(), first.back());
@@ -289,7 +293,7 @@ void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double
                 .span()
                 .subspan(static_cast<std::size_t>(first[s]), static_cast<std::size_t>(first[s + 1] - first[s]));
         const bool is_any = std::any_of(marked.begin(), marked.end(), [](std::uint8_t m) { return m != 0; });
-        if (subject.level == nullptr || !is_any) continue; // polylines are as fine as can be
+        if (subject.level == nullptr || !is_any) continue; // polylines cannot be made finer
         std::int64_t evaluations = 0;
         auto& made = out.finer.add(std::make_unique<curves::Curves>(curves::finer_curves(
             in.work, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations)));
@@ -297,16 +301,16 @@ void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double
     }
 }
 
-// A group of cusps from the first to the last, pixels along the line; `end` may lie beyond the line's end, if it is
-// closed.
+// A group of cusps. `begin` and `end` are places along the line, in pixels; `end` may lie beyond the end of a closed
+// line.
 struct CuspGroup {
     double begin, end;
-    double before, after; // to the cusps of the line beside it
+    double before, after; // the distances to the previous and the next cusp of the line
     bool odd;
-    std::size_t last; // cusp, of the events
+    std::size_t last; // the number of the last cusp in the events
 };
 
-// Groups of two cusps and more; around a closed line from a gap on, so that no group is cut in two.
+// Finds the groups of two or more cusps. On a closed line the search starts at a gap, so that no group is cut in two.
 base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> events, bool closed, double whole,
                                    double size) {
     base::Array<std::size_t> cusps(memory);
@@ -327,14 +331,15 @@ base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> 
 
 // ---- The outline
 
-// Where another line crosses: how many sheets more there are beside the line from there on.
+// A place where another line crosses, and how the number of sheets beside the line changes there.
 struct BesideChange {
     std::int32_t line;
     double at; // pixels along it
     std::int32_t change;
 };
 
-// Each of two lines that cross comes beside the other's surface there, or leaves it.
+// Finds these changes at crossings. At a crossing, each of the two lines enters or leaves the image of the other's
+// surface.
 base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<Crossing>& crossings,
                                          std::span<const std::uint8_t> wanted) {
     base::Array<BesideChange> changes(in.memory());
@@ -360,7 +365,7 @@ base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<C
 }
 
 // Adds the stretches of a visible part between the changes of its line, with numbers relative to the line's begin. An
-// interval of a closed line may go round its end: the changes before that come again.
+// interval of a closed line may go round the line's end, so the changes of the line are applied a second time.
 void add_stretches(const Counting& in, const Interval& part, std::span<const BesideChange> changes,
                    base::Array<Interval>& stretches) {
     const Line& its = in.line(part.line);
@@ -434,13 +439,13 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
         const double high = group.end + 1e-9 * size;
         return e.near_piece < 0 && ((e.at >= low && e.at <= high) || (line.closed && e.at + whole <= high));
     };
-    // From the group's begin along the line, by the shorter way around a closed one.
+    // The distance from the group's begin along the line, by the shorter way around a closed one.
     const auto from_begin = [&](const CuspGroup& group, double at) {
         const double way = at - group.begin;
         return line.closed ? way - whole * std::round(way / whole) : way;
     };
-    // Whether the branches before a group cross those after it, or within it: such a loop has cusps of the group, and
-    // none of others.
+    // Whether the branches before a group cross those after the group or within it. The loop of such a crossing has
+    // cusps of this group only.
     const auto is_crossing_of = [&](const CuspGroup& group, const Event& e) {
         if (e.near_piece < line.first_piece || e.near_piece >= line.first_piece + line.pieces) return false;
         const double far = from_begin(group, e.at);
@@ -453,7 +458,7 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
                last < length + std::min(group.after, branch);
     };
     base::Array<CuspGroup> groups = find_groups(memory, events, line.closed, whole, size);
-    // All changes of a group together are those of a smooth contour, or of one cusp.
+    // The changes of a whole group must equal the change of a smooth contour, which is 0, or of one cusp.
     const auto adds_up = [&](const CuspGroup& group) {
         std::int32_t change = group.odd ? -events[group.last].change : 0;
         for (const Event& e : events)
@@ -490,7 +495,7 @@ Invisibility find_invisibility(const base::Work& work, std::span<const Subject> 
         out.report.cusps = events.cusps;
         if (r == 0) out.report.refined = bad.size();
         if (bad.empty()) break;
-        // Finer curves do not disentangle lines over one another, nor mend a torn surface.
+        // Finer curves do not disentangle lines that run over one another, nor do they mend a torn surface.
         if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || bad.size() > visibility_tuning.most_torn) {
             out.report.contradictions = settle(in, false, bad.span(), out.intervals.span(), out.report.rays);
             out.report.settled = bad.size();

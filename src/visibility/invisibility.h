@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::visibility {
 
-// Event::near_piece where the line passes through a surface: the number of no piece.
+// The value of Event::near_piece where the line passes through a surface. No piece has this number.
 inline constexpr std::int32_t no_line = std::numeric_limits<std::int32_t>::max();
 
 // A place where the number of sheets before a line changes.
@@ -21,12 +21,12 @@ struct Event {
     std::int32_t change;
     // The piece that crosses in front of the line; -1: a cusp; no_line: the line passes through a surface.
     std::int32_t near_piece;
-    double at;               // along its line, pixels
+    double at;               // along the event's line, pixels
     float sine = 0.0F;       // the sine of the angle between the images of both lines; 0 where no line crosses
-    double near_share = 0.5; // along the piece of the line that crosses
+    double near_share = 0.5; // along the nearer piece
 };
 
-// The events of all lines, line by line, along each.
+// The events of all lines, line by line, and in order along each line.
 struct Events {
     explicit Events(base::Memory& memory) noexcept : first(memory), event(memory) {}
 
@@ -35,19 +35,19 @@ struct Events {
                                     static_cast<std::size_t>(first[line + 1] - first[line]));
     }
 
-    base::Array<std::int64_t> first; // the first event of each line, and the number of events
+    base::Array<std::int64_t> first; // the first event of each line, then the number of events
     base::Array<Event> event;
     std::int64_t cusps = 0;
 };
 
-// Crossings and piercings must be sorted as find_crossings() and find_pierced() leave them.
+// Crossings and piercings must be sorted in the order in which find_crossings() and find_pierced() return them.
 [[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
                                     const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
                                     const Lengths& lengths);
 
-// The events of a line without those of groups of cusps that are nearer to each other than `size` pixels and whose
-// changes do not add up: a crossing of such a group's branches was missed or doubled. None of its cusps is kept, or one
-// where they are odd in number, and none of these crossings.
+// Returns the events of a line without torn groups of cusps. A group is cusps at most `size` pixels apart, and it is
+// torn if its changes do not add up, because a crossing of its branches was missed or doubled. A torn group loses its
+// crossings and its cusps, but keeps one cusp if their number is odd.
 [[nodiscard]] base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line,
                                                            const Lengths& lengths, double size,
                                                            std::span<const Event> events);
@@ -57,26 +57,28 @@ struct Interval {
     std::int32_t line;
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
-    double begin_at, end_at; // along the line, pixels; the end of one round a closed line may be beyond the line's
+    double begin_at, end_at; // along the line, pixels; an interval that goes round a closed line may end beyond the
+                             // line's end
     std::int32_t sheets;     // the number of sheets before it
     bool begins_at_cusp, ends_at_cusp;
     float begin_sine, end_sine; // the sine of the angle to the nearer line that crosses there; 0: no line does
-    // The occluder of the nearest surface before it, once find_hidden_by() has looked; -1: none.
+    // The occluder of the nearest surface before the part; find_hidden_by() sets it. -1: none.
     std::int32_t hidden_by = -1;
 };
 
 struct InvisibilityReport {
     CrossingReport crossings;
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
-    std::int64_t rounds = 0;         // rounds in which the image was made finer
+    std::int64_t rounds = 0;         // rounds in which the curves were made finer
     std::int64_t refined = 0;        // lines that contradicted themselves at first
-    std::int64_t settled = 0;        // lines that still do at the end: each of their parts is as its own ray says
-    std::int64_t contradictions = 0; // those of the settled lines that have a part whose ray is not certain
+    std::int64_t settled = 0;        // lines that still do at the end: each of their parts gets the number of its own
+                                     // ray
+    std::int64_t contradictions = 0; // settled lines with a part whose ray is not certain
 };
 
 struct InvisibilitySettings {
-    double tolerance = 0.05; // the most that the first round's image may be off the curves, pixels
-    int rounds = 3;          // the image is made this often at most, each time ten times finer
+    double tolerance = 0.05; // the largest distance of the first round's image from the curves, pixels
+    int rounds = 3;          // the image is made at most this often, each time ten times finer
     int probes = 3;          // rays for each line
 };
 
@@ -84,8 +86,8 @@ struct Invisibility {
     explicit Invisibility(base::Memory& memory) noexcept
         : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), pierced(memory) {}
 
-    base::Array<Subject> subjects;                     // as given, but for curves that had to be finer
-    base::List<std::unique_ptr<curves::Curves>> finer; // those curves; the last ones of a subject count
+    base::Array<Subject> subjects;                     // as given, except for curves that had to be made finer
+    base::List<std::unique_ptr<curves::Curves>> finer; // those curves; a subject refers to its last ones
     ImageLines lines;
     base::Array<Interval> intervals; // line by line, along it
     base::Array<Crossing> crossings;
@@ -93,32 +95,34 @@ struct Invisibility {
     InvisibilityReport report;
 };
 
-// Gives the same bits for any thread count, as do the others below.
+// Counts the sheets before all lines. Gives the same bits for any number of threads, as do the functions below.
 [[nodiscard]] Invisibility find_invisibility(const base::Work& work, std::span<const Subject> subjects,
                                              std::span<const Occluder> occluders, const InvisibilitySettings& settings);
 
-// Sets Interval::hidden_by, by a ray to each part that is hidden; with one occluder without.
+// Sets Interval::hidden_by. Each hidden part gets a ray, unless there is only one occluder.
 void find_hidden_by(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
                     Invisibility& found);
 
 // A part of a line from one place along it to another, pixels.
 struct OutlinePart {
     std::int32_t line;
-    double begin_at, end_at; // the end of one round a closed line may be beyond the line's
+    double begin_at, end_at; // a part that goes round a closed line may end beyond the line's end
 };
 
 struct Outline {
     explicit Outline(base::Memory& memory) noexcept : parts(memory) {}
 
-    base::Array<OutlinePart> parts; // line by line, along each line; a closed line starts as its intervals do
+    base::Array<OutlinePart> parts; // line by line, along each line; the parts of a closed line start where its
+                                    // intervals do
     std::int64_t rays = 0;
-    std::int64_t settled = 0; // lines whose counts contradict themselves: each of their parts is as its own ray says
+    std::int64_t settled = 0; // lines whose counts contradict themselves: each of their parts gets the number of its
+                              // own ray
 };
 
-// The parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: the image
-// has nothing beside them on the side where their surface ends. The number of sheets beside a line changes where it
-// crosses another line that begins or ends sheets, whichever is nearer, and nowhere else: not at its own cusps.
-// [Benard & Hertzmann 2019, 4] wanted: 1 for subjects whose lines are asked for.
+// Finds the parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: the
+// image has nothing beside them on the side where their surface ends. The number of sheets beside a line changes only
+// where it crosses another line that begins or ends sheets, whichever of the two is nearer; it does not change at the
+// line's own cusps. [Benard & Hertzmann 2019, 4] `wanted` is 1 for subjects whose lines are asked for.
 [[nodiscard]] Outline find_outline(const base::Work& work, std::span<const Subject> subjects,
                                    std::span<const Occluder> occluders, const Invisibility& found,
                                    const Lengths& lengths, std::span<const std::uint8_t> wanted);

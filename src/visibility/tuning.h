@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the visibility of lines. scripts/bench lines --only=truth,views,flicker measures
-// their effects.
+// The tuning constants of the visibility of lines. `scripts/bench lines --only=truth,views,flicker` measures their
+// effects.
 #pragma once
 
 #include <cstdint>
@@ -10,87 +10,89 @@ namespace hrbfnpr::visibility {
 struct VisibilityTuning {
     // ---- Surfaces and their own lines, in sides of the mesh
 
-    // Surface nearer than this before a contour of its own does not hide it. Larger: what hides a line just before it
-    // is missed.
+    // A surface does not hide its own contours where it is nearer than this before them. Larger: surfaces just before a
+    // line do not hide it.
     double clear = 0.02;
-    // The same of creases, which are as exact as sheets are: beside their ends the sheet that hides them is near.
+    // `clear` for creases. They are as exact as the sheets, and the sheet that hides a crease is near it beside its
+    // ends.
     double clear_of_creases = 1e-3;
 
     // ---- Polylines in the image
 
     // A cubic is halved at most this many times. Larger: finer polylines beside the eye.
     int deepest = 8;
-    // Places seen farther from the image's corner than this are left out, in pixels: they are too near to the plane of
-    // the eye. Larger: numbers lose digits.
+    // Places seen farther than this from the image's corner are left out, in pixels. They are too near to the plane
+    // through the eye. Larger: coordinates lose digits.
     double farthest = 1.0e9;
 
     // ---- Crossings
 
-    // The least side of a cell of the grid, in pixels. Larger: fewer cells and more pairs of segments in each.
+    // The least side of a cell of the grid, in pixels. Larger: fewer cells, and more pairs of segments in each.
     double cell_side = 4.0;
     // The grid has at most this many cells. Larger: more memory for large images.
     double most_cells = 1.0e6;
-    // Segments farther outside than this are in the grid's last cells, in pixels.
+    // Segments farther than this outside the image go into the outermost cells of the grid, in pixels.
     double grid_end = 1.0e4;
-    // A cell is a tangle, and has no crossings, where it has more than this many for each of its segments: there lines
-    // run to and fro over one another within a pixel, as contours on a flat face do that is seen edge-on.
+    // A cell with more than this many crossings per segment is a tangle, and its crossings are ignored. In a tangle
+    // lines run to and fro over one another within a pixel, as contours do on a flat face that is seen edge-on.
     int most_of_segment = 16;
-    // The same for a cell of more segments than this. Larger: more time for tangles.
+    // A cell with more segments than this is a tangle, too. Larger: more time for tangles.
     int most_segments = 4096;
-    // Newton's method takes at most this many steps, and ends by a step of less than `known` pieces.
+    // Newton's method takes at most this many steps, and ends when a step is shorter than `known`, in pieces.
     int newton_steps = 20;
     double known = 1e-10;
-    // Crossings of one pair of pieces that are nearer than this are one, in pieces.
+    // Crossings of one pair of pieces are merged where they are nearer to each other than this, in pieces.
     double same_place = 1e-7;
     // A place may lie beyond the end of its piece by this much, in pieces.
     double slack = 1e-8;
-    // Curves whose distance at a crossing is less than this are the same, in sides of the mesh. Larger: crossings of
-    // surfaces that nearly touch are lost.
+    // Curves that are nearer than this to each other at a crossing are the same curve, in sides of the mesh. Larger:
+    // crossings of surfaces that nearly touch are lost.
     double least_gap = 1e-5;
-    // The least distance of a line from itself, which turns back at a cusp. Larger: small loops are lost.
+    // `least_gap` for a line that crosses itself, since it turns back at a cusp. Larger: small loops are lost.
     double least_loop = 0.02;
-    // The least distance of a border or another line from the contours of its own surface, which touch its image.
+    // `least_gap` for a border or another line and the contours of its own surface, since their images touch.
     double touching = 0.05;
 
     // ---- Verification of crossings
 
-    // Crossings of curves that are nearer to each other than this are verified, in sides of the mesh. Larger: more
+    // Crossings are verified where the curves are nearer to each other than this, in sides of the mesh. Larger: more
     // time.
     double suspicious_gap = 0.5;
-    // The search for a crossing on the curves ends after this many rounds, or by steps shorter than `settled` gaps
-    // between the curves.
+    // The search for a crossing on the curves ends after this many rounds, or when a step is shorter than `settled`, in
+    // gaps between the curves.
     int verifying_rounds = 8;
     double settled = 0.01;
-    // It fails where it leads farther than this, or where the gap shrinks to less than `smallest_gap`, in gaps. Larger
-    // and smaller: crossings are kept that the curves do not have.
+    // The search fails where it moves a place farther than `farthest_crossing`, or where the gap shrinks below
+    // `smallest_gap`, both in gaps. Larger and smaller: crossings are kept that the curves do not have.
     double farthest_crossing = 0.5;
     double smallest_gap = 0.1;
 
     // ---- Lines that pass through another item's surface
 
-    // A piece whose ends are both outside the surface's region is halved at most this many times. Larger: a piece that
-    // only touches the region is not missed.
+    // A piece whose ends are both outside the surface's region is halved at most this many times. Larger: pieces that
+    // only touch the region are found.
     int deepest_outside = 6;
-    // A line that is nearer than this to a surface lies in it, in diagonals of the surface's region.
+    // A line nearer than this to a surface lies in the surface, in diagonals of the surface's region.
     double in_surface = 1e-7;
 
     // ---- Counting
 
-    // Cusps that are nearer to each other than this along a line are one group, in pixels; so is a shorter part as the
-    // part before it. Larger: small swallowtails, which are seen, count for less.
+    // Cusps nearer than this to each other along a line form a group, in pixels. In a contradictory line, a part
+    // shorter than this takes the number of the part before it. Larger: small swallowtails that can be seen are
+    // ignored.
     double unseen = 0.25;
-    // Branches of such a group cross within this many times `unseen`.
+    // The branches of a group of cusps cross at most this many times `unseen` away from it.
     double branches = 8.0;
-    // The rays for each line whose outline is wanted.
+    // Each line whose outline is wanted gets at most this many rays.
     int outline_rays = 3;
-    // The tolerance of the image in each round, in that of the round before.
+    // Each round multiplies the tolerance of the image by this.
     double finer = 0.1;
-    // Curves that are made finer are off by at most this many tolerances of the next round's image.
+    // Curves are refined to this share of the next round's tolerance.
     double off_curve = 0.2;
-    // Curves are made finer where at most this many lines contradict themselves. Where more do, the curves' tolerance
-    // is not the cause. Larger: more time for torn surfaces.
+    // Curves are refined only if at most this many lines contradict themselves. If there are more, the tolerance of the
+    // curves is not the cause. Larger: more time for torn surfaces.
     std::int64_t most_torn = 50;
-    // This many pieces of a curve before and after one with a doubtful crossing are made finer with it.
+    // Around a doubtful crossing, this many pieces before and after it on both curves are refined, too.
     int beside_crossing = 2;
 };
 inline constexpr VisibilityTuning visibility_tuning;

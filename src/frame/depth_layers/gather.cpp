@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // gather, step by step:
 //
-// 1. set_up_items: how each item is seen, how much ink it has, what its layers let through
-// 2. add_tasks: clusters of runs, several in a task
-// 3. ask_tones: tau of the marks whose tone is a callback's
-// 4. gather_cluster, on threads: a cluster that is outside is passed over; its first marks become splats (put_splats),
-//    and those that its tone shows ink (put_ink)
+// 1. set_up_items: how each item is seen, how much ink it has, and what its layers let through
+// 2. add_tasks: tasks of several clusters of a run
+// 3. ask_tones: tau of the marks whose tone a callback gives
+// 4. gather_cluster, on threads: passes over clusters that are outside; makes splats of a cluster's first marks
+//    (put_splats), and ink of the marks that its tone shows (put_ink)
 #include "frame/depth_layers/gather.h"
 
 #include "base/prefetch.h"
@@ -53,12 +53,13 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
         if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue; // hatching makes its own tone
-        // Lines of blue-noise hatching have one direction, other strokes two with half of the marks each.
+        // Blue-noise hatching has lines of one direction. Other strokes have two directions with half of the marks
+        // each.
         const bool has_one = run.is_scattered() || (run.is_even() && run.marks->kind == marks::Kind::hatch);
         const float spacing = run.pen.spacing;
         ItemInk::Term term{&run.pen,
                            (has_one || run.directions == 3U ? 1.0F : 0.5F) * run.style->share / (spacing * spacing)};
-        // Lines of one direction are a separation apart.
+        // Lines of one direction are one separation apart.
         if (run.pen.separation > 0.0F) term.step = (has_one ? 1.0F : 2.0F) * spacing * spacing / run.pen.separation;
         if (!run.is_scattered()) lines += has_one || run.directions != 3U ? 1.0F : 2.0F;
         terms.push_back(term);
@@ -90,8 +91,8 @@ void set_up_items(const Scene& scene, Gathering& all) {
             all.inks[scene.runs[r].item] = ink_of(scene, r, all.terms);
 }
 
-// The ink of a disc as it is drawn, square pixels: its rim falls off over a pixel, and below half a pixel of radius it
-// gets paler instead of smaller.
+// The ink of a disc as it is drawn, in square pixels. The disc's rim falls off over a pixel, and a disc with a radius
+// below half a pixel gets paler instead of smaller.
 [[nodiscard]] float disc_ink(float radius) noexcept {
     const float drawn = std::max(radius, smallest_radius);
     const float dimmed = radius / drawn;
@@ -103,7 +104,7 @@ void set_up_items(const Scene& scene, Gathering& all) {
     for (const ItemInk::Term& t : terms) {
         const float radius = t.pen->front_ink(pixels_per_unit);
         float area = disc_ink(radius);
-        // The discs of a stroke overlap, and make a line.
+        // The discs of a stroke overlap and form a line.
         if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * pixels_per_unit);
         ink += t.marks_per_area * area;
     }
@@ -112,8 +113,8 @@ void set_up_items(const Scene& scene, Gathering& all) {
 
 // ---- Tasks and tones
 
-// Returns how many marks are in no task: hatching sees its marks itself, and they are needed only where they are
-// splats.
+// Returns how many marks are in no task. Hatching looks at its marks itself, so a run of hatching is in a task only if
+// its marks are splats.
 std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
     tasks.clear();
     std::int64_t unused = 0;
@@ -128,7 +129,7 @@ std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
     return unused;
 }
 
-// Asks for the marks of a cluster that may be seen as ink.
+// Asks for the tones of a cluster's marks that may be seen as ink.
 void ask_cluster(const Scene& scene, const SeeLoops& loops, const Run& run, const marks::Cluster& cluster,
                  Gathering& all) {
     const ItemSight& sight = all.sights[run.item];
@@ -150,7 +151,8 @@ void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
     base::resize_scratch(all.tau, scene.place_count());
-    std::fill(all.tau.begin(), all.tau.end(), 0.0F); // loops read, but do not use those of marks that are not asked for
+    std::fill(all.tau.begin(), all.tau.end(), 0.0F); // loops read the tones of marks that were not asked for, but do
+                                                     // not use them
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
         all.tone_calls.begin(scene.item_of(run), all.tau.data(), 1);
@@ -161,7 +163,7 @@ void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
 
 // ---- Clusters
 
-// All that the clusters of a run are gathered with.
+// The data with which all clusters of a run are gathered.
 struct RunView {
     const Scene& scene;
     const Run& run;
@@ -173,7 +175,7 @@ struct RunView {
     std::uint32_t layer; // number of the run's layer in the drawing
 };
 
-// Where the next dot and splat go, and the counts so far.
+// The places of the next dot and splat, and the counts of those before.
 struct Gathered {
     Dot* dot;
     Splat* splat;
@@ -185,7 +187,7 @@ struct Local {
     const marks::Cluster& cluster;
     const MarkBlock* blocks;
     ClusterView view;
-    float pixel_curvature; // a curvature of 1 in the set's unit, per pixel
+    float pixel_curvature; // the factor from a curvature in the set's unit to one per pixel
     bool whole;            // no mark is near a contour, and all face alike
 
     [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
@@ -193,11 +195,11 @@ struct Local {
     }
 };
 
-// A bound on what select() shows of the front.
+// An upper bound of the share of front marks that select() shows.
 [[nodiscard]] float most_shown(const RunView& v, const Selection& selection, const ClusterView& view) noexcept {
     const Style& style = v.item.style;
     if (selection.by_published || style.tone == Tone::callback) return 1.0F;
-    // The cone of normals holds no normals for tone.
+    // The cone of normals does not bound normals for tone.
     const bool is_bounded = style.tone == Tone::light && !v.run.has_tone_normals();
     float shown = 1.0F - (is_bounded ? LightTone(style).least(view.lit_min) : 0.0F);
     if (selection.coverage) {
@@ -209,7 +211,7 @@ struct Local {
     return 1.001F * selection.share * selection.more * shown + 1e-5F;
 }
 
-// `reach` is that of the largest disc that a mark can bring.
+// `reach` is the radius of the largest disc of a mark, with its rim.
 [[nodiscard]] Selection selection_of(const RunView& v, const Local& local, float reach) noexcept {
     const glm::vec4& viewport = v.scene.lens.viewport;
     const float pixels_per_unit = local.view.pixels_per_unit;
@@ -229,15 +231,15 @@ struct Local {
         selection.per_ink = 1.0F / std::max(ink_per_pixel(terms, pixels_per_unit), v.ink.needed[darkest]);
     selection.share = v.run.style->share;
     selection.fade = style.tone_fade;
-    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
+    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small, so more are shown
     selection.scale = v.run.pen.scale(pixels_per_unit);
-    // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
+    // Coverage accounts for foreshortening. Without it, ink of the front fades where the front turns away.
     const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.by_published;
     selection.turn = vanishes ? layer_tuning.front_fade : 0.0F;
     return selection;
 }
 
-// How many of a cluster's first marks are among the share `shown` of all.
+// How many of a cluster's first marks belong to the share `shown` of all marks.
 [[nodiscard]] std::int64_t count_shown(const Local& local, float shown) noexcept {
     if (!(shown > 0.0F)) return 0;
     std::int64_t low = 0;
@@ -258,19 +260,20 @@ struct Local {
     return local.whole ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
 }
 
-// How many of a cluster's first marks stand for its layer.
+// How many of a cluster's first marks are splats.
 [[nodiscard]] std::int64_t count_splats(const Run& run, const Local& local) noexcept {
     if (!run.splats) return 0;
-    // The first of nested lines leave the others' places open.
+    // The first lines of a nested set leave the places of the others open, so all marks are needed.
     if (run.marks->kind == marks::Kind::hatch || (!run.is_even() && !run.is_scattered())) return local.cluster.count;
     const float pixels = run.pen.spacing * local.view.pixels_per_unit / least_splat_spacing(local);
-    if (!(pixels < 1.0F)) return local.cluster.count; // also for NaN, of a spacing that floats do not hold
-    // The first marks of a cluster are as even as the first of all.
+    if (!(pixels < 1.0F)) return local.cluster.count; // also for NaN, if a float does not hold the spacing
+    // The first marks of a cluster are spread as evenly as the first marks of the layer.
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster.count)));
 }
 
-// A halo goes out from the contour, and may be nowhere before its own line, which may run into the depth. The contour's
-// direction is conjugate to the line of sight, since along it the normal stays across that.
+// Sets the halo of a splat near the contour. The halo starts at the contour, and must nowhere lie before the contour's
+// own line, which may run into the depth. The contour's direction is conjugate to the line of sight, since along the
+// contour the normal stays perpendicular to the line of sight.
 // [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
 void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64_t i, Splat& c) noexcept {
     const float nu = seen.nu[i];
@@ -286,7 +289,7 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     const glm::vec3 turn(s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
                          s[2] * w.x + s[4] * w.y + s[5] * w.z); // the change of the normal for the step w
     const float curvature = glm::dot(w, turn) / glm::dot(w, w); // radial, object space; positive where convex
-    // The mark is at the angle nu from the contour along a circle of that curvature; infinitely far where it is flat.
+    // The mark lies at the angle nu from the contour on a circle of this curvature; a flat surface gives infinity.
     const float bend = std::abs(curvature) * local.pixel_curvature;
     const float away = nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * bend);
     if (!(away <= layer_tuning.contour_band)) return;
@@ -299,8 +302,8 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     c.halo_transmittance = v.transmittance.halo;
     c.halo_x = c.x + away * seen.side_x[i] / side;
     c.halo_y = c.y - away * seen.side_y[i] / side;
-    // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
-    // the halo, and so do things that are hardly farther.
+    // Where a surface bends little, its marks say little about the distance to the contour. The slack keeps the
+    // contour's own line before the halo, and also things that are hardly farther.
     const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
     c.halo_depth = c.depth + -nu * v.sight.scale / curvature + slack / c.pixels_per_unit;
     c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
@@ -348,7 +351,7 @@ void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int
 
 // ---- Ink
 
-// tau of marks; `scratch` holds it where it is not there yet.
+// Returns tau of marks. It is computed into `scratch` unless a callback gave it.
 [[nodiscard]] const float* taus(const RunView& v, const Local& local, const Seen& seen, std::int64_t count,
                                 float* scratch) noexcept {
     const Style& style = v.item.style;
@@ -389,7 +392,7 @@ void put_ink(const RunView& v, const Local& local, const Selection& selection, c
             const std::int64_t i = first + std::countr_zero(bits);
             const float radius = v.run.pen.front_ink(seen.pixels_per_unit[i]) *
                                  (width.empty() ? 1.0F : width[local.cluster.block * MarkBlock::size + i]);
-            // By the side that the splats are on.
+            // The dot's side is that of the splats.
             const bool faces_back = (seen.nu[i] > 0.0F) != v.run.turned;
             const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
                                                          (v.item.model != nullptr ? dot_is_exact : 0));
@@ -422,7 +425,7 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const SeeLo
         return;
     }
     local.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
-    // |nu| up to which a mark may be near the contour, where no curvature is larger than the cluster's.
+    // Marks up to this |nu| may be near the contour, since no curvature exceeds the cluster's bound.
     const float q = layer_tuning.contour_band * (cluster.bend * local.pixel_curvature);
     const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
     const float band = cluster.bend >= 0.0F ? rim : layer_tuning.unknown_rim;

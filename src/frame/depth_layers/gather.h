@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The first half of a frame by layers: from clusters of marks to ink and splats.                          [NPAR 6, 6.2]
+// The first half of a frame by layers: makes ink and splats from clusters of marks.                       [NPAR 6, 6.2]
 //
-// gather: Scene -> dots, splats and counts of a drawing; how items are seen, for hatching
+// gather: Scene -> dots, splats and counts of a drawing; it also finds how items are seen, for hatching
 #pragma once
 
 #include "base/runtime.h"
@@ -29,8 +29,8 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
                                                          0.3755F, 0.4400F, 0.5068F, 0.5772F, 0.6528F, 0.7362F,
                                                          0.8318F, 0.9479F, 1.1005F, 1.3370F, 3.0000F};
 
-// From coverage to ink per area, where discs that overlap count twice. At a coverage of 1 the result is large. `layers`
-// is how many layers of lines lie over each other.
+// Returns the ink per area that gives a coverage. Discs that overlap count twice. At a coverage of 1 the result is
+// large. `layers` is the number of layers of lines that lie over each other.
 [[nodiscard]] inline float ink_for(float coverage, Overlap overlap, float layers) noexcept {
     HRBFNPR_ASSERT(coverage >= 0.0F && coverage <= 1.0F && (overlap != Overlap::lines || layers >= 1.0F));
     const float left = std::max(1.0F - coverage, 1e-4F);
@@ -47,7 +47,7 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
     return blue_noise_ink[cell] + (blue_noise_ink[cell + 1] - blue_noise_ink[cell]) * (at - static_cast<float>(cell));
 }
 
-// How much ink there is per area of an item's image if all of its marks are shown.
+// The ink per area of an item's image if all marks of the item are shown.
 struct ItemInk {
     struct Term {
         const Pen* pen = nullptr;
@@ -55,13 +55,13 @@ struct ItemInk {
         float step = 0.0F;           // distance of marks along a stroke, eye units; 0: the marks form no strokes
     };
     std::int64_t first = 0, end = 0; // the range of its terms in Gathering::terms
-    // ink_for() of these coverages, so that a mark need not take a root.
+    // ink_for() of each coverage k / needed_steps, so that a mark need not take a root
     std::array<float, needed_steps + 1> needed{};
 };
 
 // ---- What gather() makes
 
-// The share of the ink after it that a layer lets through, by |nu|.
+// The share of the ink behind a layer that the layer lets through, by |nu|.
 struct TransmittanceTable {
     static constexpr std::size_t steps = 256;
     std::array<float, steps + 1> front, back;
@@ -78,7 +78,7 @@ struct GatherTask {
     std::int64_t run, begin, end;
 };
 
-// Arrays are kept from frame to frame.
+// The results and scratch of gather(). Arrays are kept from frame to frame.
 struct Gathering {
     explicit Gathering(base::Memory& memory) noexcept
         : sights(memory), tau(memory), inks(memory), terms(memory), transmittances(memory), transmittance_of(memory),
@@ -86,7 +86,7 @@ struct Gathering {
 
     Frustum frustum;
     base::Array<ItemSight> sights; // one for each item
-    base::Array<float> tau;        // the tone at each place in clusters' blocks, where a callback gives it
+    base::Array<float> tau;        // the tones that a callback gives, for each place in clusters' blocks
 
     // Scratch.
     base::Array<ItemInk> inks;                      // one for each item

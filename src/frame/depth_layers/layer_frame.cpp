@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::int64_t strokes_a_task = 256;
 
-// Whether all ink that there can be has one colour: then its order does not matter. Layers of marks have the numbers of
-// their runs, and those of lines follow.
+// Finds whether all ink that may occur has one colour, since then its order does not matter. The first layers belong to
+// the runs, with the same numbers; the layers of lines follow.
 void find_color(const Scene& scene, drawing::Drawing& drawing) {
     HRBFNPR_ASSERT(scene.runs.size() <= drawing.layers.size());
     drawing.one_color = true;
@@ -36,7 +36,7 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
     }
 }
 
-// Puts all dots into tiles but those of hatching.
+// Puts all dots except those of hatching into tiles.
 void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<const Piece> pieces,
               drawing::Drawing& drawing) {
     const glm::vec4& v = scene.lens.viewport;
@@ -57,15 +57,15 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
         drawing.dot_tiles.order(parallel, [&](std::uint32_t a, std::uint32_t b) { return drawing.before(a, b); });
 }
 
-// ---- What each dot of ink is seen through                                                                  [NPAR 6.1]
+// ---- The layers that each dot of ink is seen through                                                      [NPAR 6.1]
 //
-// A mark that faces the eye is never hidden by its own layer, nor by one of its item that faces the eye like it unless
-// one that faces away lies between: solids have both, in turn.
+// A mark that faces the eye is never hidden by its own layer. Another layer of its item that faces the eye hides it
+// only if a layer that faces away lies between them. Solids have both kinds, in turn.
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
 
-// Planes have some pixels around their tile: for dots just outside of the picture, and where items end, to see there
-// how far their surfaces go on.
+// Planes reach some pixels beyond their tile. Dots just outside of the picture need this, and so does the test of how
+// far surfaces go on where items end.
 constexpr std::int32_t tile_size = drawing::tile_size;
 constexpr std::int32_t narrow_apron = 4;
 constexpr std::int32_t wide_apron = 9;
@@ -82,7 +82,7 @@ struct Dimming {
     const Scene& scene;
     const HatchTiles& hatching;
     LayerLoops loops;
-    std::uint32_t ends; // a bit for each item that ends in the open, by its number's lowest bits
+    std::uint32_t ends; // a bit for each item that may end in the open, at the lowest bits of its number
     std::int32_t apron;
 };
 
@@ -104,7 +104,8 @@ struct Dimming {
     return row * p.stride + column;
 }
 
-// Whether the layer there goes on in all directions: it is seen there, or something before where its slope leads.
+// Whether the layer goes on in all directions. In each it must be seen, or something nearer must lie where its slope
+// leads.
 [[nodiscard]] bool goes_on(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
     const float reach = layer_tuning.border_reach * p.largest_splat;
     const std::int32_t here = pixel_at(p, place);
@@ -128,7 +129,7 @@ struct Dimmed {
     float more_from = nothing;
 };
 
-// By the nearest layers and the halo, or by the next ones, at a place in pixels of the planes.
+// Dims ink by the nearest layers and the halo or, if `next`, by the next layers. `place` is in pixels of the planes.
 Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place, bool next) noexcept {
     HRBFNPR_ASSERT(ink.layer < by.scene.runs.size() && ink.pixels_per_unit > 0.0F);
     Dimmed result;
@@ -145,7 +146,7 @@ Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::v
     const auto hides = [&](std::int64_t layer, bool alike) {
         const float depth = p.depth[layer][at];
         const std::uint32_t its = item_of(p.transmittance[layer][at]);
-        // A layer of another item is nowhere the ink's own.
+        // A layer of another item is never the ink's own layer.
         const bool is_other = has_items && depth < nothing && its != item;
         if (alike && !is_other) return depth + own < ink.depth;
         if (!(depth + other < ink.depth)) return false;
@@ -164,8 +165,8 @@ Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::v
     return result;
 }
 
-// Dims the dots whose centres lie in a tile: first through the nearest layers, then, if any ink is still seen after
-// those, through the next. Returns how many are drawn; `largest` becomes the radius of the largest splat.
+// Dims the dots whose centres lie in a tile: first through the nearest layers and then, if any ink is still seen behind
+// those, through the next ones. Returns how many dots are drawn. Sets `largest` to the radius of the largest splat.
 std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile,
                       float& largest) noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;
@@ -234,14 +235,14 @@ std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& 
 
 // ---- Rays
 
-// Multiplies the opacity of the dots that were asked for by the transmittance of the layers that their rays meet.
-// Returns how many are no longer drawn.
+// Multiplies the opacity of the dots in `asked` by the transmittance of the layers that their rays meet. Returns how
+// many dots are no longer drawn.
 std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemView& item, DepthLayers& scratch,
                   drawing::Drawing& drawing) {
     HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.asked.size());
     surface::RaySettings settings;
     settings.maximum_hits = most_layers;
-    if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // at the eye
+    if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // rays end at the eye
     surface::cast_rays(runtime, *item.model, settings, scratch.rays, scratch.hits);
     std::int64_t hidden = 0;
     for (std::int64_t i = 0; i < scratch.asked.size(); ++i) {
@@ -262,9 +263,8 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
     return hidden;
 }
 
-// Bins the drawing's splats, and sets the opacity of each of its dots by the transmittance of the depth layers that
-// the splats stand for. The dots stand in tiles already, and those of hatching in tiles of their own. Returns how many
-// are drawn.
+// Bins the drawing's splats, and sets the opacity of each dot to the transmittance of the depth layers that the splats
+// stand for. The dots are in tiles already; dots of hatching are in tiles of their own. Returns how many are drawn.
 [[nodiscard]] std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, const HatchTiles& hatching,
                                          DepthLayers& scratch, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
@@ -293,7 +293,8 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
     return std::accumulate(scratch.seen.begin(), scratch.seen.end(), std::int64_t{0});
 }
 
-// Multiplies the opacity of the dots of items that have a model. Returns how many are no longer drawn.
+// Multiplies the opacity of the dots of items that have a model by what rays find. Returns how many are no longer
+// drawn.
 // Throws Error{callback, out_of_memory}.
 [[nodiscard]] std::int64_t dim_by_rays(const base::Runtime& runtime, const Scene& scene, DepthLayers& scratch,
                                        drawing::Drawing& drawing) {
@@ -325,7 +326,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
             const double pixel = 1.0 / (static_cast<double>(ink.pixels_per_unit) * scale);
             const glm::dvec3 from = glm::dvec3(run.place_of(mark, item->unit)) +
                                     layer_tuning.off_layer * pixel * glm::dvec3(run.normal_of(mark));
-            // The length does not matter where lines of sight are parallel: rays end with the model's bounds.
+            // The length does not matter if lines of sight are parallel, since rays end at the model's bounds.
             const glm::dvec3 to = parallel ? from - back * centre : back * (centre - glm::dvec3(item->eye_offset));
             scratch.rays.origin.push_back(item->unit * from + item->origin);
             scratch.rays.direction.push_back(item->unit * (to - from));
@@ -386,8 +387,8 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     drawing.counts.dropped_hidden = dots - drawing.dot_count;
 }
 
-// Marks that follow each other along a stroke of a layer that is drawn as strokes, and are shown, become one line;
-// their dots are not drawn any more. A single one stays a dot.
+// Joins marks that follow each other along a stroke into one line, if they are shown and their layer is drawn as
+// strokes. Their dots are not drawn any more. A single mark stays a dot.
 void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
     joined_.strokes.clear();
     joined_.points.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing by depth layers: ink, dimmed by the layers of surface before it.
+// A drawing by depth layers: ink is dimmed by the layers of surface before it.
 //
 // | step | function | makes |
 // | 1 | gather | dots and splats of marks |
@@ -22,8 +22,8 @@ struct DepthLayers {
     explicit DepthLayers(base::Memory& memory) noexcept
         : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), asked(memory) {}
 
-    // The radius of the largest splat in each tile of the drawing's dots, pixels: splats hide ink up to
-    // this far beyond their surface.
+    // The radius of the largest splat in each tile of the drawing's dots, in pixels. Splats hide ink up to this far
+    // beyond their surface.
     base::Array<float> largest;
 
     // Scratch.
@@ -31,7 +31,7 @@ struct DepthLayers {
     base::Array<std::int64_t> seen; // how many dots of each tile are drawn
     surface::Rays rays;
     surface::RayHits hits;
-    base::Array<std::uint32_t> asked; // dots that the rays begin at
+    base::Array<std::uint32_t> asked; // the dots where the rays begin
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return largest.bytes() + planes.bytes() + seen.bytes() + rays.origin.bytes() + rays.direction.bytes() +
@@ -43,14 +43,14 @@ class LayerFrame {
 public:
     explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
-    // Fills the drawing's dots, splats, strokes, tiles and counts. `lines` are strokes that are ready.
+    // Fills the drawing's dots, splats, strokes, tiles and counts. `lines` are finished strokes.
     // Throws Error{callback, cancelled, out_of_memory}.
     void run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // A stroke of a list.
+    // A finished stroke, as its number in a list.
     struct Ready {
         const LineStrokes* list;
         std::int64_t number;

@@ -31,7 +31,7 @@ HWY_INLINE LayerDisc disc_of(const SplatList& list, const Splat& c) {
     return {c.x - list.left, c.y - list.top, c.radius, c.depth, c.slope_x, c.slope_y, c.pixels_per_unit};
 }
 
-// Calls put(offset, depth, inside) for vectors of pixels that may lie within the disc.
+// Calls put(offset, depth, inside) for each vector of pixels that may lie within the disc.
 template <bool round, class Put>
 HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& put) {
     const F d;
@@ -41,7 +41,8 @@ HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& pu
     const std::int32_t right = clamped(disc.x + disc.radius + 1.0F, p.width);
     const std::int32_t top = clamped(disc.y - disc.radius, p.height);
     const std::int32_t bottom = clamped(disc.y + disc.radius + 1.0F, p.height);
-    // Within the disc: (1 + u^2) x^2 + 2 u v x y + (1 + v^2) y^2 <= radius^2, (u, v) its slope in pixels.
+    // A pixel is within the disc if (1 + u^2) x^2 + 2 u v x y + (1 + v^2) y^2 <= radius^2. (u, v) is the slope in
+    // pixels.
     const float u = round ? 0.0F : disc.slope_x * disc.pixels_per_unit;
     const float v = round ? 0.0F : disc.slope_y * disc.pixels_per_unit;
     const W square = hn::Set(d, 1.0F + u * u);
@@ -60,7 +61,7 @@ HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& pu
     }
 }
 
-// The nearer of two layers stays. The first of equals stays, and a tile's splats are always in the same order.
+// Keeps the nearer of two layers, or the first of equal ones. A tile's splats are always in the same order.
 template <class Mask>
 HWY_INLINE void keep_nearer(float* depths, float* transmittances, W depth, W transmittance, Mask inside) {
     const F d;
@@ -94,7 +95,7 @@ HWY_INLINE void lay_next(const LayerPlanes& p, const LayerDisc& disc, const Spla
     for_pixels<false>(p, disc, [&](std::int32_t at, W depth, auto inside) HWY_ATTR {
         auto is_next = hn::Gt(depth, hn::Add(hn::LoadU(d, p.depth[own] + at), gap));
         if (!c.faces_back) {
-            // Between two layers that face the eye there is one that does not: the gap may be small.
+            // Between two layers that face the eye lies one that faces away, so the gap may be small.
             const W back = hn::LoadU(d, p.depth[LayerPlanes::back] + at);
             const auto parted = hn::And(hn::Gt(depth, hn::Add(back, between)),
                                         hn::Gt(back, hn::LoadU(d, p.depth[LayerPlanes::front] + at)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layers of surface at each pixel of a tile, for each instruction set; the same bits from all of them.
+// Finds the layers of surface at each pixel of a tile. All instruction sets give the same bits.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -11,8 +11,9 @@ namespace hrbfnpr::frame {
 
 using drawing::Splat;
 
-// Rows of `stride` floats, one for each pixel. Along a line of sight these are the nearest layer that faces the eye,
-// the nearest that faces away, and the ones after them: their depths and transmittances.
+// Planes with a float for each pixel, in rows of `stride` floats. They hold the depths and transmittances of the
+// nearest layer along the line of sight that faces the eye, of the nearest that faces away, and of the next one of
+// each.
 struct LayerPlanes {
     enum Layer : std::int64_t { front, back, next_front, next_back, layers };
 
@@ -24,13 +25,13 @@ struct LayerPlanes {
     float largest_splat; // radius of the splats laid, pixels
 };
 
-// Splats by their numbers. (left, top) is the planes' first pixel.
+// Splats, given by their numbers. (left, top) is the first pixel of the planes.
 struct SplatList {
     const Splat* splats;
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    float nearest, farthest; // depths between which lay_next() is asked for layers
+    float nearest, farthest; // lay_next() is asked for layers between these depths
 };
 
 struct LayerLoops {

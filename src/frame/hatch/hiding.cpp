@@ -17,7 +17,7 @@ using drawing::StrokePoint;
 namespace {
 
 constexpr float cell_side = 16.0F; // pixels
-// A long edge is cut into at most as many pieces.
+// A long edge is cut into at most this many pieces.
 constexpr float most_pieces = 4096.0F;
 
 [[nodiscard]] glm::vec2 place(const Dot& dot) noexcept { return {dot.x, dot.y}; }
@@ -32,7 +32,7 @@ constexpr float most_pieces = 4096.0F;
                           0.0F, 1.0F));
 }
 
-// The first share of the way from p, outside, at which it comes into the disc around the centre.
+// The first share of the way from p at which it enters the disc around the centre. p lies outside.
 [[nodiscard]] float entry_of_disc(const glm::vec2& p, const glm::vec2& way, const glm::vec2& centre,
                                   float radius) noexcept {
     const glm::vec2 from = p - centre;
@@ -42,7 +42,7 @@ constexpr float most_pieces = 4096.0F;
     return half < 0.0F && root >= 0.0F ? (-half - std::sqrt(root)) / square : NearerEdges::nowhere;
 }
 
-// The same for the points within `radius` of a segment: two discs at its ends and the strip between.
+// The same for the points within `radius` of a segment: two discs at its ends and the strip between them.
 [[nodiscard]] float entry_of_strip(const glm::vec2& p, const glm::vec2& way, const glm::vec2& from, const glm::vec2& to,
                                    float radius) noexcept {
     const glm::vec2 along = to - from;
@@ -60,15 +60,15 @@ constexpr float most_pieces = 4096.0F;
     return first;
 }
 
-// By how many pixels the edge's point nearest to `at` is nearer to the eye than a point of that depth.
+// How many pixels nearer to the eye than `depth` the edge's point nearest to `at` is.
 [[nodiscard]] float nearer_at(const NearerEdge& edge, const glm::vec2& at, float depth,
                               float pixels_per_unit) noexcept {
     const float share = geometry::nearest_share(at, edge.a, edge.b);
     return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
 }
 
-// By how many pixels the edge is nearer to the eye than a line that runs from a on to b, where both, running on, would
-// cross. So it is 0 for an edge of the line's own surface, however steep that is.
+// How many pixels nearer to the eye the edge is than a line from a to b, at the place where both, continued, would
+// cross. So it is 0 for an edge of the line's own surface, however steep the surface is.
 [[nodiscard]] float nearer_on(const NearerEdge& edge, const Dot& a, const Dot& b) noexcept {
     const glm::vec2 way = place(b) - place(a);
     const glm::vec2 along = edge.b - edge.a;
@@ -95,7 +95,7 @@ glm::ivec4 NearerEdges::cells(const glm::vec2& low, const glm::vec2& high) const
             cell(high.y - corner_.y, rows_) + 1};
 }
 
-// Pieces that are no longer than a cell lie in few of those that they might cross.
+// Cuts the edge into pieces no longer than a cell, so that their boxes meet few cells that the edge does not cross.
 template <class F>
 void NearerEdges::for_cells_of(const NearerEdge& edge, const F& f) const {
     const auto pieces = 1 + static_cast<std::int32_t>(std::min(glm::distance(edge.a, edge.b) / cell_side, most_pieces));
@@ -141,7 +141,7 @@ void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer
                 edges_.push_back(edge);
         }
     }
-    // Counts stand one place farther on, so that filling moves them back to where each cell begins.
+    // Counts are stored two places ahead. Filling moves them back, so that first_[cell] is where the cell begins.
     base::resize_scratch(first_, std::int64_t{columns_} * rows_ + 2);
     std::fill(first_.begin(), first_.end(), 0);
     for (const NearerEdge& edge : edges_) for_cells_of(edge, [&](std::int32_t cell) { ++first_[cell + 2]; });
@@ -192,7 +192,7 @@ float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float 
     const float reach = radius + std::max(halo, hatch_tuning.at_edge);
     float least = radius;
     for_near(at - reach, at + reach, [&](const NearerEdge& edge) {
-        // The perpendicular of the line at the point meets the edge.
+        // Only an edge that meets the perpendicular of the line at the point counts.
         const float from = glm::dot(edge.a - at, u);
         const float to = glm::dot(edge.b - at, u);
         if (from * to > 0.0F || from == to) return;
@@ -214,7 +214,7 @@ float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float 
 
 namespace {
 
-// A line whose samples are seen or hidden, and what hides it.
+// A line whose samples are seen or hidden, and the edges that hide it.
 struct SeenLine {
     const Hiding& hiding;
     float halo;
@@ -247,8 +247,8 @@ struct Gap {
     std::int64_t seen, first, end, next;
 };
 
-// Whether splats that reach too far make the gap, also splats of the line's own surface near a crease: the line passes
-// no edge there.
+// Whether the gap comes from splats that reach too far, which may be splats of the line's own surface near a crease.
+// Then the line passes no edge there.
 [[nodiscard]] bool is_mistake(const SeenLine& line, const Gap& gap) noexcept {
     const bool is_short = line.length[gap.end - 1] - line.length[gap.first] <= line.reach_of_splats(gap.first);
     for (std::int64_t i = gap.first; i < gap.end; ++i)
@@ -258,8 +258,8 @@ struct Gap {
     return true;
 }
 
-// The cut near sample `last`, the last one that is seen in the direction `way`, 1 or -1. The search begins at a sample
-// that no edge is near to, at `first_seen` at the earliest, and ends at `last_hidden`.
+// Finds the cut near sample `last`, the last one that is seen in the direction `way`, 1 or -1. The search begins at a
+// sample that is near no edge, but not before `first_seen`, and ends at `last_hidden`.
 [[nodiscard]] HatchCut search(const SeenLine& line, std::int64_t last, std::int64_t way, std::int64_t first_seen,
                               std::int64_t last_hidden) noexcept {
     std::int64_t i = last;
@@ -276,13 +276,14 @@ struct Gap {
 
 // Makes samples seen up to the cut, and hidden after it.
 void apply(const SeenLine& line, const HatchCut& cut, std::int64_t last, std::int64_t way) noexcept {
-    const std::int64_t end = way > 0 ? cut.before : cut.before + 1; // the last one that is seen from now on
+    const std::int64_t end = way > 0 ? cut.before : cut.before + 1; // the last sample that is seen from now on
     const float opacity = line[last].opacity;
     for (std::int64_t i = last; (end - i) * way > 0; i += way) line[i + way].opacity = opacity;
     for (std::int64_t i = last; (i - end) * way > 0; i -= way) line[i].opacity = 0.0F;
 }
 
-// Finds the cuts at both ends of a gap, or closes it. Returns the first sample that is seen after it.
+// Finds the cuts at both ends of a gap, or closes the gap. Returns where the seen stretch after the gap begins; after a
+// closed gap that is where the stretch before it begins.
 std::int64_t cut_gap(const SeenLine& line, const Gap& gap, base::Array<HatchCut>& cuts) {
     HatchCut ends, begins;
     if (gap.first > gap.seen) ends = search(line, gap.first - 1, 1, (gap.seen + gap.first - 1) / 2, gap.end - 1);

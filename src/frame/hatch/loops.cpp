@@ -17,7 +17,7 @@ using I = hn::RebindToSigned<F>;
 using W = hn::Vec<F>;
 using M = hn::Mask<F>;
 
-// Products and sums are rounded one by one: a fused step would give other bits where there is one.
+// Products and sums are rounded separately. Fused steps would give other bits on processors that have them.
 HWY_INLINE W set(float x) { return hn::Set(F(), x); }
 HWY_INLINE W dot3(const float* row, W x, W y, W z) {
     return hn::Add(hn::Add(hn::Mul(set(row[0]), x), hn::Mul(set(row[1]), y)), hn::Mul(set(row[2]), z));
@@ -26,24 +26,24 @@ HWY_INLINE W squared(W x, W y) { return hn::Add(hn::Mul(x, x), hn::Mul(y, y)); }
 HWY_INLINE W squared(W x, W y, W z) { return hn::Add(squared(x, y), hn::Mul(z, z)); }
 HWY_INLINE W clamped(W x, float low, float high) { return hn::Min(hn::Max(x, set(low)), set(high)); }
 
-// Calls f(i) for the first of each vector of marks.
+// Calls step(i) for the first mark i of each vector.
 template <class Step>
 HWY_INLINE void for_vectors(std::int64_t count, Step&& step) {
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(F()));
     for (std::int64_t at = 0; at < count; at += lanes) step(at);
 }
 
-// The logarithm of a positive number to the base 2.
+// The logarithm to the base 2 of a positive number.
 HWY_INLINE W log2(W x) {
     const F d;
     const I i;
     const auto bits = hn::BitCast(i, x);
-    // From the root of 1/2 to the root of 2.
+    // m lies between the square roots of 1/2 and 2.
     const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(i, 0x3F3504F3)));
     const W m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
     const W t = hn::Div(hn::Sub(m, set(1.0F)), hn::Add(m, set(1.0F)));
     const W s = hn::Mul(t, t);
-    // 2 atanh(t) / ln 2, in few steps one after the other
+    // 2 atanh(t) / ln 2, with few steps that depend on each other
     const auto line = [&](float at_0, float rise) HWY_ATTR { return hn::Add(set(at_0), hn::Mul(set(rise), s)); };
     const W square = hn::Mul(s, s);
     const W high = hn::Add(line(0.57707802F, 0.41219858F), hn::Mul(set(0.32059890F), square));
@@ -77,8 +77,8 @@ std::uint32_t may_draw(const HatchBounds& bounds, const float* normals, const fl
     return all;
 }
 
-// A parallelogram with one side along the line and one across it, on the surface, has an area and a base in the
-// picture.  With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
+// The spacing of lines in the picture. It is the height of the image of a parallelogram on the surface, with one side
+// along the line and one across it. With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
 HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
     const F d;
     const Seer& s = *sight.seer;
@@ -119,7 +119,7 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
         const W horizontal = hn::Min(hn::Sub(left, set(sight.left)), hn::Sub(set(sight.right), left));
         const W vertical = hn::Min(hn::Sub(top, set(sight.top)), hn::Sub(set(sight.bottom), top));
         const W margin = hn::Add(set(sight.beyond), hn::Min(horizontal, vertical));
-        // Everything is asked so that a value that is not a number answers "nowhere".
+        // All comparisons are false for NaN, so NaN gives hatch_nowhere.
         const auto between = [&](W value, float low, float high)
                                  HWY_ATTR { return hn::And(hn::Ge(value, set(low)), hn::Le(value, set(high))); };
         const M valid =
@@ -131,8 +131,8 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
     });
 }
 
-// Darkness to coverage, both from 0 to 1, is a little hollow: ink spreads, and dark tones close up. This is within
-// 0.00014 of x to the power of 1.1, as x times a polynomial of its root, which takes far less time.
+// The curve from darkness to coverage, both from 0 to 1, is a little hollow, since ink spreads and dark tones close up.
+// It is x times a polynomial of the root of x, which is within 0.00014 of x^1.1 and takes far less time.
 constexpr float hollow[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
 
 HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
@@ -152,15 +152,16 @@ void coverage(const HatchLaw& law, const float* darkness, std::int64_t count, fl
                 [&](std::int64_t at) HWY_ATTR { hn::StoreU(coverage(law, hn::LoadU(d, darkness + at)), d, to + at); });
 }
 
-// The lines at one place. Those of levels up to `full` are `width` wide, those of the next one `fading`; pixels.
+// The widths of lines at one place, in pixels. Lines of levels up to `full` have `width`, and those of the next
+// `fading`.
 struct Widths {
-    W lambda; // levels that there is room for
+    W lambda; // how many levels there is room for
     W full, width, fading;
     W margin; // the fading level is drawn where this is positive, and full where it is 1
 };
 
-// spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close. gap: the
-// factor by which lines are really farther apart; levels come and go without it.
+// `spacing`: of the lines of level 0 in the picture, pixels; lines of levels 0 to k are 2^k times as close. `gap`: the
+// factor by which lines are really farther apart; the levels that are drawn do not depend on it.
 HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const F d;
     const I i;
@@ -173,7 +174,7 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const W weight = hn::Sub(w.lambda, w.full); // how far the next level has faded in, 0 to 1
     const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // 2^-full
     const W period = hn::Mul(hn::Mul(gap, spacing), half);
-    // A period holds 1 + weight wide lines. Where lines are closer together than asked they are thinner than the pen.
+    // A period holds 1 + weight wide lines. Where lines are closer together than asked, they are thinner than the pen.
     const W lines = hn::Add(one, weight);
     const W ink =
         hn::Min(hn::Mul(coverage, period), hn::Max(hn::Sub(period, hn::Mul(lines, set(law.style->hatch_white))),
@@ -189,7 +190,7 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     return w;
 }
 
-// Numbers before the first and after the last one: those of a closed stroke's other end.
+// Fills `reach` numbers before the first and after the last one, from a closed stroke's other end or with `otherwise`.
 HWY_INLINE void put_around(float* row, std::int64_t count, bool closed, std::int64_t reach, float otherwise) {
     for (std::int64_t k = 1; k <= reach; ++k) {
         row[-k] = closed && k <= count ? row[count - k] : otherwise;
@@ -197,7 +198,7 @@ HWY_INLINE void put_around(float* row, std::int64_t count, bool closed, std::int
     }
 }
 
-// The largest of the numbers up to two away.
+// The largest of the numbers at most two places away.
 HWY_INLINE W largest_near(const float* row) {
     const F d;
     const auto pair = [&](std::int64_t away)
@@ -205,7 +206,7 @@ HWY_INLINE W largest_near(const float* row) {
     return hn::Max(hn::LoadU(d, row), hn::Max(pair(1), pair(2)));
 }
 
-// Sets the tone's margin, and `least` to the least margin of tone, rim and picture.
+// Sets the tone's margin, and sets `least` to the least margin of tone, rim and picture.
 HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
     const F d;
     const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_tone_begin));
@@ -214,11 +215,11 @@ HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
     hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least]);
 }
 
-// Rows that are not needed yet: of each mark alone.
+// These rows are not needed yet. They hold the level's margin and the width of each mark before soften().
 constexpr HatchRow own_margin = HatchRow::near;
 constexpr HatchRow own_width = HatchRow::leg;
 
-// near: the marks for which it is needed, the same for each instruction set.
+// Sets own_margin and own_width. `near` holds the marks that need them, which are the same for each instruction set.
 HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, M near) {
     const F d;
     const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, rows[number]); };
@@ -243,8 +244,8 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
                rows[HatchRow::picture_margin]);
 }
 
-// A line changes its level from one mark to the next, and its width with it: means of each mark, twice, and those
-// beside it.
+// Makes margins and widths change gradually, since a line may change its level from one mark to the next. Each becomes
+// half of its own value and a quarter of either neighbour's.
 HWY_INLINE void soften(const HatchRows& rows, std::int64_t count, bool closed) {
     const F d;
     for (const HatchRow own : {own_margin, own_width}) {
@@ -269,7 +270,7 @@ void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, 
     put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
-        // The numbers after the last mark are left from before, so they must decide nothing.
+        // The numbers after the last mark are left over from before, so they must have no effect.
         const M marks = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
         const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)), marks);
         if (!hn::AllFalse(d, near)) {

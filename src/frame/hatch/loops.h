@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds where and how wide the line of a stroke is drawn, from its marks, on vectors of the processor. All instruction
-// sets give the same bits.
+// Finds where the line of a stroke is drawn and how wide it is, from the marks, on vectors of the processor. All
+// instruction sets give the same bits.
 #pragma once
 
 #include "frame/scene/see_loops.h"
@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::frame {
 
-// The numbers of each mark of a stroke.
+// Rows of numbers. Each row has a number for each mark of a stroke.
 enum class HatchRow : std::int64_t {
     x, // in the space of the point set, in its unit
     y,
@@ -32,20 +32,20 @@ enum class HatchRow : std::int64_t {
     side_x,
     side_y,
     distance,
-    darkness,    // first n . l
-    width,       // the line's, pixels
-    leg,         // from the mark before, pixels; 0 if one of them has no place
-    tone_margin, // the line is drawn where none of the four is negative
+    darkness,    // n . l at first, then the darkness
+    width,       // of the line, pixels
+    leg,         // distance from the mark before, pixels; 0 if one of both has no place
+    tone_margin, // the line is drawn where none of these four is negative
     level_margin,
     rim_margin,
-    picture_margin, // hatch_nowhere: it has no place in the picture's plane
-    least,          // the least of the margins
-    near,           // the greatest of the least margins of the marks up to two away
+    picture_margin, // hatch_nowhere: the mark has no place in the picture's plane
+    least,          // the least of the four margins
+    near,           // the greatest of `least` over the marks up to two away
     rows
 };
 
 inline constexpr float hatch_nowhere = -1e30F;
-// Marks farther outside of the picture have no place in it, nor have those of wider lines, pixels.
+// Marks farther than this outside of the picture count as nowhere, and so do marks of wider lines; pixels.
 inline constexpr float hatch_farthest = 1e6F;
 
 // Rows of numbers that can be read and written `slack` numbers beyond their ends.
@@ -61,7 +61,7 @@ struct HatchRows {
     [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
 };
 
-// How marks are seen.
+// The numbers of the view that decide how marks are seen.
 struct HatchSight {
     const Seer* seer;
     float separation;               // between lines of level 0 on the surface; 0: not known
@@ -90,12 +90,13 @@ struct HatchLoops {
                               std::int64_t count);
     // The share of the paper that lines cover at each darkness.
     void (*coverage)(const HatchLaw& law, const float* darkness, std::int64_t count, float* coverage);
-    // Margins of marks that are seen.
+    // Sets the rim's and the picture's margin of marks that have been seen.
     void (*place)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
-    // Widths and their margins, from darkness and what place() gives, where a mark may be drawn and next to that.  The
-    // rows hold the places before the first and after the last mark, too.
+    // Sets widths, and the margins of tone and level, from the darkness and the results of place(), for marks that may
+    // be drawn and for their neighbours. Rows x, y and z must hold the places before the first and after the last mark,
+    // too.
     void (*widen)(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed);
-    // Legs, and which marks are near to one that is drawn.
+    // Sets the legs, and finds which marks are near a mark that is drawn.
     void (*measure)(const HatchRows& rows, std::int64_t count, bool closed);
 };
 

@@ -39,7 +39,7 @@ void HatchPoints::add_batches(const Scene& scene) {
     }
 }
 
-// Sorts tones by mark: clusters have marks in another order.
+// Sorts tones by mark, since clusters hold marks in another order.
 void HatchPoints::take_taus(const Seen& seen) {
     const Scene& scene = seen.scene;
     if (std::none_of(scene.runs.begin(), scene.runs.end(), [&](const Run& run) { return asks(scene, run); })) return;
@@ -111,7 +111,7 @@ void HatchTiles::build(std::span<HatchPoints::Batch> batches, const drawing::Dra
             runs.back().end = i + 1;
         }
     });
-    // Counts stand one place farther on, so that filling moves them back to where each tile begins.
+    // Counts are stored two places ahead. Filling moves them back, so that offsets_[tile] is where the tile begins.
     base::resize_scratch(offsets_, tiles.tiles() + 2);
     std::fill(offsets_.begin(), offsets_.end(), 0);
     for (const HatchPoints::Batch& batch : batches)

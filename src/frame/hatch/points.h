@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// From the strokes of a run to even samples along their lines in the picture, whatever the distance of the marks.
+// Makes even samples along the lines of a run's strokes in the picture, whatever the distance of the marks.
 //
-// Most of a frame's strokes are not drawn. So first whole pieces of a stroke are passed over by what bounds them, then
-// marks by their normals alone; the rest is projected and given its width on vectors of the processor (loops.h). What
-// is left are chains of marks that follow each other, which are sampled at even steps and where the line may end.
+// Most of a frame's strokes are not drawn. So whole pieces of a stroke are passed over by their bounds first, and then
+// marks by their normals alone. The other marks are projected and given widths on vectors of the processor (loops.h).
+// The result is chains of consecutive marks, which are sampled at even steps and where the line may end.
 #pragma once
 
 #include "base/list.h"
@@ -33,20 +33,20 @@ enum HatchMargin : std::size_t {
 struct HatchMark {
     float x, y; // pixels
     float window, depth;
-    float side_x, side_y; // the unit normal's, eye space
-    float width;          // the line's, pixels
-    float way;            // from the mark before, pixels
+    float side_x, side_y; // x and y of the unit normal, eye space
+    float width;          // of the line, pixels
+    float way;            // distance from the mark before, pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
     float begins_chain; // 1: marks before this one were left out, and the line does not go on over them; else 0
     float unused;
     std::uint32_t id;
 
-    // Whether it has a place in the picture's plane.
+    // Whether the mark has a place in the picture's plane.
     [[nodiscard]] bool is_valid() const noexcept { return margin[margin_picture] > hatch_nowhere; }
 };
 
-// How a line ends where its stroke does.
+// How a line ends at the end of its stroke.
 enum class StrokeEnd : std::uint8_t { open, crease };
 
 // The marks of a stroke that its line needs.
@@ -54,23 +54,24 @@ struct HatchStroke {
     explicit HatchStroke(base::Memory& memory) noexcept
         : mark(memory), may_draw(memory), range(memory), number(memory), row(memory) {}
 
-    // Half-open, places in the order of the strokes.
+    // A half-open range of places in the order of the strokes.
     struct Range {
         std::int64_t begin, end;
     };
 
-    base::Array<HatchMark> mark; // those near places that are drawn; a ring ends with its first mark
+    base::Array<HatchMark> mark; // the marks near places that are drawn; a ring ends with its first mark
     bool ring = false;           // the stroke is closed, and none of its marks was left out
-    std::int64_t first_kept = 0; // the row of mark[0]; its number along the stroke, where no marks were left out
+    std::int64_t first_kept = 0; // the row of mark[0]; this is its number along the stroke if no marks were left out
     StrokeEnd begins = StrokeEnd::open, ends = StrokeEnd::open;
-    bool has_begin = false, has_end = false; // mark[0] is the stroke's first mark; the last one its last
+    bool has_begin = false, has_end = false; // mark[0] is the stroke's first mark; the last mark is the stroke's last
 
     // Scratch.
-    base::Array<std::uint32_t> may_draw; // a bit for each mark of a piece, for each piece
+    base::Array<std::uint32_t> may_draw; // for each piece, a bit for each of its marks
     base::Array<Range> range;            // the places that are looked at, rising
-    base::Array<std::uint32_t> number;   // in the layer, of those marks
+    base::Array<std::uint32_t> number;   // the numbers of these marks in the layer
     base::Array<float> row;              // memory of HatchRows
-    std::int64_t first = 0, count = 0;   // places; of a closed one without a last mark that lies where the first does
+    std::int64_t first = 0, count = 0;   // the stroke's places, without the last mark of a closed stroke if it lies
+                                         // where the first does
     bool closed = false;
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
@@ -78,7 +79,7 @@ struct HatchStroke {
     }
 };
 
-// How marks are seen; the same for all strokes of a frame.
+// The data by which marks are seen, the same for all strokes of a frame.
 struct HatchView {
     const SeeLoops& see;
     const HatchLoops& loops;
@@ -88,18 +89,18 @@ struct HatchView {
 
 // ---- Samples
 
-// A sample has the numbers of a mark at the same places, so that all of them are interpolated at once.
+// A sample has the numbers of a mark at the same offsets, so that all of them are interpolated at once.
 struct HatchSample {
     float x, y, window, depth;
     float side_x, side_y;                    // as in HatchMark
-    float width;                             // the line's, pixels: the mean over half a step to either side
-    float overshoot;                         // pixels by which a hand goes on beyond the tone that the line ends at
+    float width;                             // of the line, pixels: the mean over half a step to either side
+    float overshoot;                         // how far a hand runs on past the end of the line's tone, pixels
     std::array<float, hatch_margins> margin; // as in HatchMark
     float pixels_per_unit;
     std::array<float, 2> unused;
-    std::uint32_t id; // the nearest mark's
+    std::uint32_t id; // of the nearest mark
 
-    // In the picture, of any length: across a contour that would be here.
+    // The direction in the picture across a contour that would be here, with any length.
     [[nodiscard]] glm::vec2 across_rim() const noexcept { return {side_x, -side_y}; }
 };
 static_assert(sizeof(HatchSample) == sizeof(HatchMark) &&
@@ -107,7 +108,7 @@ static_assert(sizeof(HatchSample) == sizeof(HatchMark) &&
               offsetof(HatchSample, side_x) == offsetof(HatchMark, side_x) &&
               offsetof(HatchSample, pixels_per_unit) == offsetof(HatchMark, pixels_per_unit));
 
-// Samples that follow each other at even steps. A stroke has several chains where marks between them were left out.
+// Consecutive samples at even steps. A stroke has several chains where marks between them were left out.
 struct HatchChain {
     std::int64_t first = 0; // its first sample
     std::int64_t count = 0; // 2 and more; the last sample of a ring is its first one
@@ -123,12 +124,12 @@ struct HatchSamples {
     base::Array<HatchChain> chain;
     base::Array<HatchSample> sample;
 
-    // Scratch: the way to each mark of a chain from its first one, pixels; the area of the line up to there; and the
-    // curve's tangent there, of unit length where marks lie evenly.
+    // Scratch. The distance along the line from a chain's first mark to each mark, in pixels; the area of the line up
+    // to there; and the curve's tangent there, of unit length where marks lie evenly.
     base::Array<float> length, area;
     base::Array<glm::vec2> tangent;
     base::Array<float> at;          // lengths at which a chain is sampled
-    base::Array<std::uint8_t> ends; // a bit for each margin that is 0 there
+    base::Array<std::uint8_t> ends; // for each of these lengths, a bit for each margin that is 0 there
 
     void clear() noexcept {
         chain.clear();
@@ -140,7 +141,7 @@ struct HatchSamples {
     }
 };
 
-// Strokes of a run, from the one of number `begin`, whose first piece has the number `piece`, up to `end`.
+// Strokes of a run, from number `begin` up to `end`. `piece` is the number of the first piece of stroke `begin`.
 struct HatchRange {
     std::int64_t begin = 0, end = 0, piece = 0;
 };
@@ -151,7 +152,7 @@ void sample_strokes(const HatchView& view, const Run& run, const ItemSight& sigh
 
 // ---- Samples as dots, so that depth layers hide them as they hide all other ink
 
-// Dots that follow each other in one tile of a picture.
+// Consecutive dots of a batch that lie in one tile of a picture.
 struct HatchDotRun {
     std::int64_t tile, begin, end;
 };
@@ -164,17 +165,17 @@ struct HatchCut {
     [[nodiscard]] bool any() const noexcept { return before >= 0; }
 };
 
-// What strokes are made of a batch of samples (strokes.h).
+// The strokes that are made of a batch of samples (strokes.h).
 struct HatchStrokePart {
     explicit HatchStrokePart(base::Memory& memory) noexcept
         : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory) {}
 
     LineStrokes made;
-    std::int64_t seen = 0;              // dots
+    std::int64_t seen = 0;              // dots that are seen
     std::int64_t shown = 0, hidden = 0; // marks
 
     // Scratch.
-    base::Array<float> length; // the way from a chain's first sample to each, pixels
+    base::Array<float> length; // distance along the line from a chain's first sample to each sample, pixels
     base::Array<HatchCut> cuts;
     base::Array<float> row;         // presences of a chain
     base::Array<std::uint8_t> near; // for each sample, a bit for each reason by which the line ends or fades near it
@@ -193,17 +194,17 @@ struct HatchStrokePart {
 
 class HatchPoints {
 public:
-    // Strokes that follow each other: the unit of work.  Threads fill batches that lie side by side.
+    // Consecutive strokes: the unit of work. Threads fill batches that lie side by side.
     struct alignas(base::Memory::alignment) Batch {
         explicit Batch(base::Memory& memory) noexcept
             : samples(memory), stroke(memory), tile_runs(memory), part(memory) {}
 
         std::int32_t run = 0;
         HatchRange strokes;
-        std::int64_t first_dot = 0; // its first sample in the drawing
+        std::int64_t first_dot = 0; // the number of its first sample among the drawing's dots
         HatchSamples samples;
-        HatchStroke stroke;                 // one of them
-        base::Array<HatchDotRun> tile_runs; // its samples, by the tiles that they are in
+        HatchStroke stroke;                 // scratch for one stroke
+        base::Array<HatchDotRun> tile_runs; // its samples as runs in one tile each
         HatchStrokePart part;
     };
 
@@ -219,7 +220,7 @@ public:
         std::span<const float> taus; // tones that a callback gave, by the place of the mark
     };
 
-    // Adds the samples of all hatching to the drawing's dots, after all others. The drawing has been gathered.
+    // Adds the samples of all hatching after the drawing's other dots. The drawing must have been gathered.
     void run(const Seen& seen, drawing::Drawing& drawing);
 
     // The batches of the last run, in the order of the strokes.
@@ -233,7 +234,7 @@ private:
     const base::Runtime& runtime_;
     SeeLoops see_;
     HatchLoops loops_;
-    base::List<Batch> batches_; // more than `count_` where an earlier frame had more
+    base::List<Batch> batches_; // may hold more than `count_`, if an earlier frame had more
     std::int64_t count_ = 0;
     base::Array<float> taus_; // the tone of each mark of the scene, where callbacks give tones
 };

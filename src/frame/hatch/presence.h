@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which parts of a line are drawn, when gaps that are too short are closed and parts that are too short left out, and
-// neither appears or vanishes at once.
+// Finds which parts of a line are drawn. Short gaps are closed and short parts are left out, but neither appears or
+// vanishes suddenly.
 //
-// The presence of a line at a sample is 1 where it is drawn, 0 where it is not, and between where it fades. What holds
-// together around a sample is measured by its held length: the way along the line to either side, counted less where
-// the presence falls below that of the sample, and not at all beyond a place of no presence. It changes continuously
-// with the presences. So a gap whose held length is below a limit can be closed, one of twice the limit stay open, and
-// one between be half open, and the same for parts.
+// The presence of a line at a sample is 1 where it is drawn, 0 where it is not, and between where it fades. The held
+// length of a sample measures how much of the line holds together around it. It is the length to either side, which
+// counts less where the presence falls below that of the sample, and not at all beyond a place without presence. It
+// changes continuously with the presences. So a gap whose held length is below a limit can be closed, a gap of twice
+// the limit stays open, and a gap in between is half open. The same holds for parts.
 #pragma once
 
 #include "base/assert.h"
@@ -19,7 +19,7 @@ namespace hrbfnpr::frame {
 
 // Samples along a line. The last sample of a ring is its first one.
 struct SampledLine {
-    std::span<const float> length; // the way from the first sample to each, pixels, rising
+    std::span<const float> length; // distance along the line from the first sample to each, pixels, rising
     bool ring = false;
 
     [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(length.size()); }
@@ -27,7 +27,8 @@ struct SampledLine {
         HRBFNPR_ASSERT(i >= 0 && i < size());
         return length[static_cast<std::size_t>(i)];
     }
-    // The neighbour of sample i that way, 1 or -1, and in `step` the distance to it; -1: the line ends at i.
+    // Returns the neighbour of sample i in the direction `way`, 1 or -1, and sets `step` to its distance. Returns -1
+    // where the line ends at i.
     [[nodiscard]] std::int64_t next(std::int64_t i, int way, float& step) const noexcept {
         std::int64_t k = i + way;
         if (k >= 0 && k < size()) {
@@ -47,10 +48,10 @@ struct HeldLength {
     std::int64_t stopped_at = -1; // the first sample without presence; -1: the walk ended for another reason
 };
 
-// Walks from sample i in one direction until the held length is `most`, or nothing holds any more. `presence(i)` is the
-// presence, `weight(i)` the factor that a length there counts by, and `end_share(j, k)` the share of the way from j,
-// which is present, to k, which is not, at which the presence ends. `beyond` is the length that the way beyond the
-// line's end counts.
+// Walks from sample i in one direction until the held length is `most`, or nothing holds together any more.
+// `presence(i)` is the presence, and `weight(i)` the factor by which a length there counts. `end_share(j, k)` is the
+// share of the way from j, which is present, to k, which is not, at which the presence ends. The way beyond the line's
+// end counts as `beyond`.
 template <class Presence, class Weight, class EndShare>
 [[nodiscard]] HeldLength held_length(const SampledLine& line, std::int64_t i, int way, float most, float beyond,
                                      const Presence& presence, const Weight& weight,
@@ -58,7 +59,7 @@ template <class Presence, class Weight, class EndShare>
     const float own = presence(i);
     if (!(own > 0.0F)) return {0.0F, i};
     HeldLength held;
-    float least = 1.0F; // the least presence so far, as a share of sample i's
+    float least = 1.0F; // the least presence up to here, as a share of sample i's
     float before = weight(i);
     for (std::int64_t steps = 0; steps < line.size(); ++steps) {
         float step = 0.0F;
@@ -84,10 +85,10 @@ template <class Presence, class Weight, class EndShare>
         before = after;
         i = k;
     }
-    return held; // all around a ring
+    return held; // the walk went all around a ring
 }
 
-// 0 up to `from`, 1 from `to` on.
+// Rises from 0 at `from` to 1 at `to`.
 [[nodiscard]] inline float risen(float x, float from, float to) noexcept {
     return to > from ? std::clamp((x - from) / (to - from), 0.0F, 1.0F) : x > from ? 1.0F : 0.0F;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // sample_strokes, stroke by stroke:
 //
-// 1. see_stroke: pieces and marks that may be drawn -> rows of numbers for these and the marks around them -> where
-//    they are and how wide their line is there -> HatchStroke: the marks near places that are drawn
-// 2. sample_stroke: chains of marks -> even samples along smooth curves through them
+// 1. see_stroke finds the pieces and marks that may be drawn, loads them and the marks around them into rows of
+//    numbers, finds where they are and how wide their line is, and fills HatchStroke with the marks near drawn places.
+// 2. sample_stroke makes even samples along smooth curves through chains of marks.
 #include "frame/hatch/points.h"
 
 #include "base/assert.h"
@@ -26,13 +26,13 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// Bounds of a piece hold for its marks up to rounding.
+// Bounds of a piece hold for its marks up to these roundings.
 constexpr float rounding_of_margins = 1e-3F;
 constexpr float rounding_of_darkness = 1e-4F;
-constexpr float most_length = 1.01F; // a unit normal's, up to rounding
+constexpr float most_length = 1.01F; // the length of a unit normal, up to rounding
 
 // The longest image, in pixels, of a length of 1 where w is 1, within `beyond` pixels around the picture. In a
-// projection dx = (row_x - x row_w) . d / w, whose largest stretch is convex in the place, so that it is greatest in a
+// projection dx = (row_x - x row_w) . d / w. The largest stretch of this is convex in the place, so it is greatest in a
 // corner.
 [[nodiscard]] float largest_stretch(const Lens& lens, float beyond) noexcept {
     const glm::vec4 row = glm::row(lens.window, 3);
@@ -42,7 +42,7 @@ constexpr float most_length = 1.01F; // a unit normal's, up to rounding
         for (const float y : {v.y - beyond, v.y + v.w + beyond}) {
             const glm::vec3 a(glm::row(lens.window, 0) - x * row);
             const glm::vec3 b(glm::row(lens.window, 1) - y * row);
-            // The root of the largest eigenvalue of their products.
+            // The root of the largest eigenvalue of the matrix of their products.
             const float half = 0.5F * (glm::dot(a, a) - glm::dot(b, b));
             const float mean = 0.5F * (glm::dot(a, a) + glm::dot(b, b));
             stretch = std::max(stretch, std::sqrt(mean + std::sqrt(half * half + glm::dot(a, b) * glm::dot(a, b))));
@@ -51,7 +51,7 @@ constexpr float most_length = 1.01F; // a unit normal's, up to rounding
     return stretch;
 }
 
-// How the strokes of one run are seen.
+// The data by which the strokes of one run are seen.
 struct RunSight {
     const HatchView& view;
     const Run& run;
@@ -59,23 +59,24 @@ struct RunSight {
     const ItemSight& sight;
     const LayerStyle& style;
     const float* taus;
-    std::int32_t levels;      // the finest one
+    std::int32_t levels;      // the finest level
     double per_unit;          // 1 / the item's unit, a power of two
     const float* tone_normal; // the normals that light is bounded by: the marks' own, or those for tone
     bool has_bounds;          // whether marks can be passed over by their normals
-    bool is_unsteady;         // an unsteady hand goes by the numbers of the marks, and past where the tone ends
+    bool is_unsteady;         // the hand is unsteady: it needs the numbers of all marks, and runs past the end of the
+                              // tone
     float beyond;             // the strip around the picture in which lines may end unseen, pixels
     HatchLaw law{};
     float lightest = std::numeric_limits<float>::infinity(); // n . l above which a mark is too light
     float separation = 0.0F;  // between lines of level 0 alone, in the item's unit; 0: not known
     float stretch = 0.0F;     // the longest image of a length of 1 at the distance 1, pixels
-    std::int32_t shown = 255; // finer levels cannot be seen from here
+    std::int32_t shown = 255; // the finest level that can be seen from here
     static constexpr std::size_t steps = 16;
-    std::array<float, steps + 1> most_coverage{}; // the most of all darknesses up to k / steps
+    std::array<float, steps + 1> most_coverage{}; // the largest coverage of all darknesses up to k / steps
 };
 
-// Whether there may be room for lines of a level where no mark is darker than `darkness` and nearer than `nearest`, the
-// w of a place in the picture's projection.
+// Whether there may be room for lines of a level, if no mark is darker than `darkness` or nearer than `nearest`, a w of
+// the picture's projection.
 bool has_room(const RunSight& v, std::int32_t level, float nearest, float darkness) noexcept {
     if (level <= 1 || !(nearest > 0.0F)) return true;
     const auto step =
@@ -87,7 +88,8 @@ bool has_room(const RunSight& v, std::int32_t level, float nearest, float darkne
 RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& sight, const float* taus) noexcept {
     const ItemView& item = view.scene.item_of(run);
     const LayerStyle& style = *run.style;
-    // The report's step of a layer is its lines' separation, but for published strokes, which lie as they grew.
+    // The step in a layer's report is the separation of its lines, except for published strokes, which lie as they
+    // grew.
     const bool nested =
         run.marks->report.step > 0.0 && (run.marks->progressive || run.marks->kind != marks::Kind::hatch);
     RunSight v{view,
@@ -120,7 +122,7 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     view.loops.coverage(v.law, darkness.data(), RunSight::steps + 1, coverage.data());
     for (std::size_t i = 0; i <= RunSight::steps; ++i)
         v.most_coverage[i] = std::max(coverage[i], i > 0 ? v.most_coverage[i - 1] : 0.0F);
-    // The finest level that there may be room for anywhere on the item inside the picture.
+    // The finest level for which there may be room anywhere on the item inside the picture.
     const glm::vec4 row = glm::row(view.scene.lens.window, 3);
     const float nearest = glm::dot(row, glm::vec4(item.to_eye * item.centre + item.eye_offset, 1.0F)) -
                           glm::length(glm::vec3(row)) * sight.scale * item.radius;
@@ -129,14 +131,14 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
     return v;
 }
 
-// Whether a mark of the piece may be drawn. Else all are too light, face away, lie outside, or are of a level that
-// there is no room for.
+// Whether a mark of the piece may be drawn. If not, all marks are too light, face away, lie outside, or have a level
+// without room.
 bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept {
     if (piece.level > v.shown || faces_away(piece, v.sight)) return false;
     const ClusterView view = view_cluster(piece, v.sight, v.view.scene.lens, v.view.frustum);
     if (view.beyond > v.beyond + rounding_of_margins || view.nu_min > hatch_tuning.last_nu + rounding_of_margins)
         return false;
-    // No mark is darker.
+    // No mark is darker than `darkness`.
     const bool is_lit = v.taus == nullptr && v.item.style.tone == Tone::light;
     const float tau = is_lit ? LightTone(v.item.style).least(least_lit(piece, v.sight)) : 0.0F;
     const float darkness = 1.0F - tau + rounding_of_margins;
@@ -144,8 +146,8 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
     return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);
 }
 
-// At a place p of the ball around c, e the eye, n . (p - e) >= n . (c - e) - |n| r: where that is positive it faces
-// away. Returns a bit for each mark that may be drawn.
+// Returns a bit for each mark that may be drawn. At a place p of the ball around c, with the eye e, we have
+// n . (p - e) >= n . (c - e) - |n| r. Where that is positive, the mark faces away.
 std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece) noexcept {
     HatchBounds bounds{};
     const Seer& seer = v.sight.seer;
@@ -160,7 +162,8 @@ std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece)
     return v.view.loops.may_draw(bounds, v.run.normal + first, v.tone_normal + first, piece.count);
 }
 
-// A closed stroke's last mark may lie where its first one does.
+// Finds the places of a stroke, and whether it is closed. A closed stroke's last mark is left out if it lies where the
+// first one does.
 void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noexcept {
     seen.first = v.run.marks->stroke_first[stroke];
     seen.count = std::int64_t{v.run.marks->stroke_first[stroke + 1]} - seen.first;
@@ -183,7 +186,7 @@ void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noex
     if (same) --seen.count;
 }
 
-// Whether any piece may be drawn.
+// Finds the pieces that may be drawn. Returns whether there are any.
 bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count, HatchStroke& seen) {
     constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - marks::StrokePiece::most);
     seen.may_draw.clear();
@@ -194,18 +197,18 @@ bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count
         if (seen.may_draw.back() == 0) continue;
         any = true;
         if (!v.run.marks->stroke_order.empty()) continue;
-        // Soon its marks are asked whether they may be drawn.
+        // find_marks() reads these soon.
         base::prefetch_many(v.run.normal + 3 * std::int64_t{own.first}, 3 * std::int64_t{own.count});
         if (v.run.has_tone_normals() && v.run.normal == v.run.marks->normal.data())
             base::prefetch_many(v.run.marks->tone_normal.data() + 3 * std::int64_t{own.first},
                                 3 * std::int64_t{own.count});
     }
-    // An unsteady hand goes by the numbers of the marks, and past where the tone ends.
+    // An unsteady hand needs the numbers of all marks, and runs past the end of the tone.
     if (any && v.is_unsteady) std::fill(seen.may_draw.begin(), seen.may_draw.end(), all);
     return any;
 }
 
-// Whether any mark may be drawn.
+// Finds the marks that may be drawn. Returns whether there are any.
 bool find_marks(const RunSight& v, std::int64_t piece, HatchStroke& seen) noexcept {
     const bool bounded = v.has_bounds && !v.is_unsteady;
     std::uint32_t any = 0;
@@ -223,8 +226,8 @@ bool find_marks(const RunSight& v, std::int64_t piece, HatchStroke& seen) noexce
     return any != 0;
 }
 
-// The ranges of marks that may be drawn, and of the marks around them that their ends, tangents and spacing need. A few
-// marks between two ranges are looked at rather than left out.
+// Finds the ranges of marks that may be drawn, with the marks around them that their ends, tangents and spacing need.
+// If only a few marks lie between two ranges, they are looked at, too.
 void find_ranges(HatchStroke& seen) {
     const std::int64_t end = seen.first + seen.count;
     const auto add = [&](std::int64_t from, std::int64_t to) {
@@ -252,7 +255,7 @@ void find_ranges(HatchStroke& seen) {
         add(end + std::countr_zero(seen.may_draw[0]) - hatch_tuning.marks_around, end);
 }
 
-// Loads marks whose places follow each other.
+// Loads marks at consecutive places.
 void load_range(const RunSight& v, std::int64_t begin, std::int64_t count, std::uint32_t* numbers,
                 const HatchRows& rows) noexcept {
     const marks::Layer& layer = *v.run.marks;
@@ -310,7 +313,8 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
     const DepthTone depth_tone(style, v.view.scene.lens.eye_per_world);
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i) darkness[i] *= depth_tone(rows[HatchRow::distance][i]);
     if (v.taus == nullptr) return;
-    // A callback is not asked for what faces away or is far outside: such a mark takes the darkness of one beside it.
+    // A callback is not asked about marks that face away or are far outside. Such a mark takes the darkness of a
+    // neighbour.
     const auto asked = [&](std::int64_t i) {
         return i >= 0 && i < count && rows[HatchRow::nu][i] < 0.0F && rows[HatchRow::picture_margin][i] >= 0.0F;
     };
@@ -318,7 +322,7 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
         if (!asked(i)) darkness[i] = asked(i - 1) ? darkness[i - 1] : asked(i + 1) ? darkness[i + 1] : 1.0F;
 }
 
-// The widths of lines whose distance from each other is not known go by the style's radius.
+// Sets widths from the style's radius, for lines whose distance from each other is not known.
 void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
     const float* const darkness = rows[HatchRow::darkness];
@@ -339,7 +343,8 @@ void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers,
 
 void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
-    for (const HatchRow row : {HatchRow::x, HatchRow::y, HatchRow::z}) { // beside the first and the last one
+    // Sets the places before the first and after the last mark.
+    for (const HatchRow row : {HatchRow::x, HatchRow::y, HatchRow::z}) {
         rows[row][-1] = rows[row][closed ? count - 1 : 0];
         rows[row][count] = rows[row][closed ? 0 : count - 1];
     }
@@ -369,9 +374,9 @@ bool has_seam(const HatchStroke& seen) noexcept {
            seen.range.span().back().end == seen.first + seen.count;
 }
 
-// Marks of a gap are near, too, if the gap is so short in the picture that the line may go on over it. Where marks were
-// left out the straight way counts. The marks before the first and after the last near one of a closed stroke are one
-// gap.
+// Marks of a gap count as near, too, if the gap is so short in the picture that the line may go on over it. Where marks
+// were left out, the straight distance counts. In a closed stroke, the marks before the first near one and after the
+// last form one gap.
 void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::near];
@@ -383,7 +388,7 @@ void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     };
     std::int64_t begin = 0; // the first near mark
     while (!is_near(begin)) ++begin;
-    std::int64_t end = count; // after the last one
+    std::int64_t end = count; // the place after the last near mark
     while (!is_near(end - 1)) --end;
     for (std::int64_t i = begin; i < end; ++i) {
         if (is_near(i)) continue;
@@ -408,7 +413,7 @@ constexpr HatchRow rows_of_mark[] = {HatchRow::left,           HatchRow::top,   
                                      HatchRow::pixels_per_unit};
 static_assert(offsetof(HatchMark, begins_chain) == sizeof(float) * std::size(rows_of_mark));
 
-// Keeps the near marks. A gap in them begins a new chain.
+// Keeps the near marks. Each gap between them begins a new chain.
 void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::near];
@@ -450,7 +455,7 @@ void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     seen.mark.resize(kept + (seen.ring ? 1 : 0));
 }
 
-// How the line ends where its stroke does, and where creases may be.
+// Sets how the line ends at the ends of its stroke, where creases may be.
 void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     HRBFNPR_ASSERT(!seen.mark.empty());
     const auto id_at = [&](std::int64_t at) {
@@ -460,7 +465,7 @@ void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     seen.begins = seen.ends = StrokeEnd::open;
     seen.has_begin = !seen.closed && seen.mark[0].id == id_at(seen.first);
     seen.has_end = !seen.closed && seen.mark.back().id == id_at(last);
-    // Marks of a pose are not where creases are.
+    // Posed marks have moved away from the creases.
     if (v.item.lines == nullptr || v.run.is_posed()) return;
     const auto end_at = [&](std::int64_t place, std::int64_t before) {
         const glm::dvec3 end(v.run.position_of(v.run.marks->mark_of(place)));
@@ -472,8 +477,8 @@ void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     if (seen.has_end) seen.ends = end_at(last, last - 1);
 }
 
-// Fills `seen` with the marks of a stroke, whose first piece has the number `piece`. Returns whether anything may be
-// drawn of it.
+// Fills `seen` with the marks of a stroke, whose first piece has the number `piece`. Returns whether any of the stroke
+// may be drawn.
 bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, HatchStroke& seen) {
     const marks::Layer& layer = *v.run.marks;
     const std::int64_t first = layer.stroke_first[stroke];
@@ -505,18 +510,18 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
 
 // ---- Samples
 
-// Lengths are multiples of 1 / this, in pixels, so that sums are exact: chains have the same samples whatever lies
-// before them.
+// Lengths are multiples of 1 / this, in pixels, so that sums are exact and a chain has the same samples whatever lies
+// before it.
 constexpr float length_steps = 1024.0F;
 
-// An unsteady hand: how far a line strays, and how far it runs past the tone that it ends at. Both are smooth noise
-// over the numbers of the stroke's marks, so that it stays in its place on the surface from frame to frame. When the
-// eye comes nearer, swings of half the length take over, so that swings keep their length in the picture.
+// An unsteady hand: how far a line strays, and how far it runs past the end of its tone. Both are smooth noise over the
+// numbers of the stroke's marks, so that the noise stays in place on the surface from frame to frame. When the eye
+// comes nearer, swings of half the length take over, so that swings keep their length in the picture.
 struct HatchHand {
     float wobble, overshoot;        // pixels
-    double wobble_level, end_level; // the length of a swing, as the power of two of a number of marks
+    double wobble_level, end_level; // log2 of the length of a swing in marks
     std::uint64_t seed, stroke;
-    std::int64_t around; // the marks of a closed stroke, after which the noise repeats; else 0
+    std::int64_t around; // how many marks a closed stroke has, after which the noise repeats; else 0
 };
 
 // `step` is the distance from mark to mark, in pixels.
@@ -536,8 +541,8 @@ struct HatchHand {
             around};
 }
 
-// In [-1, 1], at a place along the stroke: uniform cubic B-splines of random numbers, of the two lengths of swings
-// around the wanted one. Round a closed stroke each goes a whole number of times.
+// Noise in [-1, 1] at a place along the stroke. It mixes uniform cubic B-splines of random numbers for the two lengths
+// of swings around the wanted one. Around a closed stroke each has a whole number of knots.
 [[nodiscard]] double noise(const HatchHand& hand, double mark, double wanted, std::size_t which) noexcept {
     const auto octave = [&](int level) {
         double between = std::ldexp(1.0, level) / hatch_tuning.knots_of_swing;
@@ -569,7 +574,7 @@ struct HatchHand {
 
 [[nodiscard]] glm::vec2 place_of(const HatchMark& mark) noexcept { return {mark.x, mark.y}; }
 
-// A chain of marks. Lengths and areas of each mark are counted from the first one.
+// A chain of marks. The length and area of each mark are counted from the first mark.
 struct Marks {
     std::span<const HatchMark> mark;
     const float* length;
@@ -586,7 +591,7 @@ struct Marks {
 // A place between mark `mark` and the next one.
 struct Place {
     std::int64_t mark;
-    float share; // part of the way to the next mark
+    float share; // share of the way to the next mark
 };
 
 // The point of Hermite's cubic between two marks.
@@ -603,7 +608,7 @@ struct Place {
            t * u * way * (u * m.tangent[i] - t * m.tangent[i + 1]);
 }
 
-// The area of the line from the first mark to a place, widths changing evenly from mark to mark.
+// The area of the line from the first mark to a place. Widths change evenly from mark to mark.
 [[nodiscard]] float area_to(const Marks& m, const Place& place) noexcept {
     const std::int64_t i = place.mark;
     if (place.share == 0.0F) return m.area[i];
@@ -611,7 +616,7 @@ struct Place {
     return m.area[i] + place.share * way * (m[i].width + 0.5F * place.share * (m[i + 1].width - m[i].width));
 }
 
-// Moves the place to where the line has that length, which is near.
+// Moves a place along the line to `length`. It goes mark by mark, since the place is near.
 void seek(const Marks& m, Place& place, float length) noexcept {
     while (place.mark > 0 && m.length[place.mark] > length) --place.mark;
     while (place.mark < m.size() - 2 && m.length[place.mark + 1] < length) ++place.mark;
@@ -619,7 +624,7 @@ void seek(const Marks& m, Place& place, float length) noexcept {
     place.share = way > 0.0F ? std::clamp((length - m.length[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
 }
 
-// Sets all numbers of a sample but its width: those of the marks on either side, interpolated.
+// Interpolates all numbers of a sample, except its width, between the marks on either side.
 void see_sample(const Marks& m, const Place& place, HatchSample& sample) noexcept {
     constexpr std::size_t numbers = offsetof(HatchSample, unused) / sizeof(float);
     const std::int64_t i = place.mark;
@@ -643,7 +648,7 @@ void see_sample(const Marks& m, const Place& place, HatchSample& sample) noexcep
         sample.margin.fill(hatch_nowhere);
 }
 
-// Where the hand has the line: aside of its course.
+// Moves a sample to the side, where the hand draws the line.
 void stray(const Marks& m, const HatchHand& hand, const Place& place, double mark, HatchSample& sample) noexcept {
     if (!(hand.wobble > 0.0F)) return;
     const glm::vec2 along =
@@ -684,8 +689,8 @@ constexpr std::array<float, hatch_margins> ramps = {hatch_tuning.tone_ramp, hatc
                                                     hatch_tuning.rim_ramp, 0.0F};
 static_assert(margin_tone == 0 && margin_level == 1 && margin_rim == 2);
 
-// A bit for each margin of a mark that is below 0, and from `below_ramp` on for each that is below its ramp. Marks
-// beside each other mostly have the same, and nothing turns between them.
+// A bit for each margin of a mark that is below 0 and, from `below_ramp` on, for each that is below its ramp.
+// Neighbours mostly have the same bits, and then no presence turns between them.
 constexpr unsigned below_ramp = hatch_margins;
 
 [[nodiscard]] std::uint8_t state_of(const HatchMark& mark) noexcept {
@@ -697,7 +702,7 @@ constexpr unsigned below_ramp = hatch_margins;
     return static_cast<std::uint8_t>(state);
 }
 
-// Whether a line hardly goes on at a mark, and there less than at the marks on either side.
+// Whether a line is weakly present at a mark, and weaker there than at the marks on either side.
 [[nodiscard]] bool is_weakest(const Marks& m, std::int64_t i, std::uint8_t state) noexcept {
     if ((unsigned{state} >> below_ramp & ~unsigned{state} & ((1U << hatch_margins) - 1U)) == 0) return false;
     for (std::size_t k = 0; k < hatch_margins; ++k) {
@@ -707,7 +712,7 @@ constexpr unsigned below_ramp = hatch_margins;
     return false;
 }
 
-// Places between two marks in rising order, and a bit for the margin that is 0 there.
+// Places between two marks in rising order, with a bit for the margin that is 0 there.
 struct Turns {
     struct Turn {
         float at;
@@ -723,8 +728,8 @@ struct Turns {
     }
 };
 
-// Where the line's presence turns between mark i and the next one: where a margin changes its sign, and where it begins
-// to fade.
+// Finds where the line's presence turns between mark i and the next one: where a margin changes its sign or begins to
+// fade.
 [[nodiscard]] Turns turns_after(const Marks& m, std::int64_t i) noexcept {
     Turns turns;
     if (!m[i].is_valid() || !m[i + 1].is_valid()) return turns;
@@ -741,13 +746,13 @@ struct Turns {
     return turns;
 }
 
-// Where the line is sampled, as lengths from the chain's first mark: at even steps, where its presence turns, and where
-// it hardly goes on.
+// Finds where the line is sampled, as lengths from the chain's first mark: at even steps, where its presence turns, and
+// where it is weakest.
 void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     to.at.clear();
     to.ends.clear();
-    std::int64_t next = 0; // the even step that has not been taken
+    std::int64_t next = 0; // the next even step to take
     const auto step_at = [&](std::int64_t k) {
         return k < steps ? whole * (static_cast<float>(k) / static_cast<float>(steps)) : whole;
     };
@@ -756,7 +761,7 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
             to.at.push_back(length);
             to.ends.push_back(ends);
         } else if (ends != 0) {
-            to.at.back() = length; // where it ends it is sampled exactly
+            to.at.back() = length; // where the line ends it is sampled exactly
             to.ends.back() |= ends;
         }
     };
@@ -789,7 +794,7 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     }
 }
 
-// first_mark: the number along the stroke of the chain's first one.
+// Adds the samples of a chain. `first_mark` is the number of the chain's first mark along the stroke.
 void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark, HatchSamples& to) {
     const float whole = m.length[m.size() - 1];
     const auto steps = std::max<std::int64_t>(static_cast<std::int64_t>(std::ceil(whole / hatch_tuning.step)), 1);
@@ -799,9 +804,9 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     const std::int64_t first = to.sample.size();
     to.sample.resize_for_overwrite(first + count);
     Place place{0, 0.0F};
-    Place edge{0, 0.0F}; // where the stretch ends that a sample's width is the mean of
+    Place edge{0, 0.0F}; // the end of the stretch over which a sample's width is averaged
     const float half_step = 0.5F * whole / static_cast<float>(steps);
-    float last = 0.0F; // the length up to the last edge, and the area
+    float last = 0.0F; // the length and the area up to the last edge
     float last_area = 0.0F;
     const auto area_at = [&](float length) {
         if (std::abs(length - last) < hatch_tuning.least_step) return last_area;
@@ -821,23 +826,23 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
         if (hand.overshoot > 0.0F)
             sample.overshoot =
                 hand.overshoot * static_cast<float>(std::clamp(0.5 + noise(hand, mark, hand.end_level, 1), 0.0, 1.0));
-        // From one mark to the next a width may change by much, and samples stand elsewhere in the next frame: a width
-        // is the mean over a step around its place.
+        // From one mark to the next a width may change by much, and samples lie elsewhere in the next frame. So a width
+        // is the mean over a step around the sample.
         const float reach = std::min({half_step, at[i], whole - at[i]});
-        if (!(reach > 0.0F)) continue; // at the ends it is that of the mark
+        if (!(reach > 0.0F)) continue; // at the ends the width is that of the mark
         const float area = area_at(at[i] - reach);
         sample.width = 0.5F * (area_at(at[i] + reach) - area) / reach;
     }
 }
 
-// Appends the chains of a stroke of that number.
+// Appends the chains of stroke `number`.
 void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStroke& stroke, HatchSamples& to) {
     const std::span<const HatchMark> marks = stroke.mark.span();
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < marks.size(); begin = end) {
         end = begin + 1;
         while (end < marks.size() && !(marks[end].begins_chain > 0.0F)) ++end;
-        if (end - begin < 2) continue; // a mark alone is no line
+        if (end - begin < 2) continue; // a single mark is no line
         const std::span<const HatchMark> own = marks.subspan(begin, end - begin);
         measure(own, stroke.ring, to);
         HatchChain chain;

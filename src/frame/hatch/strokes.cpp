@@ -18,12 +18,12 @@ using drawing::StrokePoint;
 
 namespace {
 
-// Near a tip points lie closer, since the width changes like a root there; pixels from it.
+// Distances from a tip at which points are added, in pixels. They are close, since the width changes like a root there.
 constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
-// The directions from a point in which its line may go on: those that pass by all points since nearly enough.
+// The directions from a point in which its line may go on, which are those that pass near enough to all points since.
 struct Passage {
-    // x, y and radius of points are kept as even as these.
+    // How far x, y and radius of a point may be off.
     static constexpr std::array<float, 3> even = {hatch_tuning.straight, hatch_tuning.straight,
                                                   hatch_tuning.even_radius};
 
@@ -34,7 +34,7 @@ struct Passage {
     [[nodiscard]] std::array<float, 3> rise(const StrokePoint& to) const noexcept {
         return {to.x - from.x, to.y - from.y, to.radius - from.radius};
     }
-    // Whether the points taken lie between the first one and this one, and have its opacity.
+    // Whether all points taken are near enough to the line from the first one to this one, and the opacity is the same.
     [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
         const float way = to.length - from.length;
         bool holds = way > 0.0F && to.opacity == from.opacity;
@@ -56,12 +56,13 @@ struct Passage {
     std::array<float, 3> least, most; // slopes
 };
 
-// How wide a line is at this distance from its end, as a share of its width. An ellipse's quarter would be blunter.
+// The width of a line at a distance from its end, as a share of its full width. A quarter of an ellipse would be
+// blunter.
 [[nodiscard]] float narrowed(float from_end, float taper) noexcept {
     return from_end < taper ? std::sqrt(std::max(from_end, 0.0F) / taper) : 1.0F;
 }
 
-// Presences of one chain, a row of numbers each.
+// The presences of one chain. Each is a row with a number for each sample.
 enum Presence : std::size_t {
     by_tone = margin_tone,
     by_level = margin_level,
@@ -72,11 +73,11 @@ enum Presence : std::size_t {
     scratch,
     beyond_tone,
     full_width, // the line's width, up to where all widths count alike
-    filling,    // the factor that a length counts by, for its level
+    filling,    // the factor by which a length counts, for its level
     presences
 };
 
-// The strokes of one chain.
+// Makes the strokes of one chain.
 class ChainStrokes {
 public:
     ChainStrokes(const LayerStyle& style, float halo, const Hiding& hiding, const HatchChain& chain,
@@ -98,8 +99,8 @@ public:
     void operator()() {
         find_presences();
         if (std::none_of(row(by_tone), row(by_tone) + size(), [](float p) { return p > 0.0F; })) return;
-        // Gaps of tone that are no longer than they are wide look like mistakes. Where a line lacks room it has no
-        // width, so that no gap is seen there.
+        // Gaps of tone that are no longer than the line is wide look like mistakes. A line that lacks room has no
+        // width, so no gap is seen there.
         close_gaps(by_tone, [&](std::int64_t i) {
             const float most = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.least_gap_pixels);
             return std::pair(0.5F * most, most);
@@ -139,8 +140,8 @@ private:
         for (std::int64_t i = 0; i < size(); ++i) row(by_hiding)[i] = is_seen(i) ? 1.0F : 0.0F;
     }
 
-    // A quick hand runs on past where its tone ends. `left` says how far it goes beyond the last sample that it
-    // reaches.
+    // Lets the line run on past the end of its tone, like a quick hand. `left` is how far it goes beyond the last
+    // sample that it reaches.
     void overshoot() {
         float* const tone = row(by_tone);
         float* const left = row(beyond_tone);
@@ -163,8 +164,8 @@ private:
         }
     }
 
-    // The share of the way from sample j, where the reason lets the line be drawn, to its neighbour k, where it does
-    // not, at which the line ends.
+    // The share of the way from sample j to its neighbour k at which the line ends for a reason. The reason lets the
+    // line be drawn at j, but not at k.
     [[nodiscard]] float end_share(Presence reason, std::int64_t j, std::int64_t k) const noexcept {
         if (reason == by_hiding) {
             const std::int64_t before = std::min(j, k);
@@ -184,7 +185,7 @@ private:
         const float to = sample(k).margin[reason];
         return from > 0.0F && to < 0.0F ? from / (from - to) : from > 0.0F ? 1.0F : 0.0F;
     }
-    // The share of all reasons.
+    // The least share of all reasons.
     [[nodiscard]] float end_share(std::int64_t j, std::int64_t k) const noexcept {
         float share = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
@@ -201,8 +202,8 @@ private:
     }
     static float as_long(std::int64_t) noexcept { return 1.0F; }
 
-    // Closes the gaps for a reason that are shorter than limit(i).first, and half opens those up to limit(i).second.
-    // They so open little by little.
+    // Closes the gaps of a reason that are shorter than limit(i).first. Gaps up to limit(i).second are partly open, so
+    // that gaps open gradually.
     template <class Limit>
     void close_gaps(Presence reason, const Limit& limit) {
         float* const p = row(reason);
@@ -219,8 +220,8 @@ private:
         std::copy_n(closed, size(), p);
     }
 
-    // A short hidden gap is where a contour and its halo run out; a short part between two hidden ones is in the halo
-    // of a contour that it runs along.
+    // Closes short hidden gaps, where a contour and its halo run out. Leaves out short parts between two hidden ones,
+    // which lie in the halo of a contour that they run along.
     void close_hidden() {
         float* const p = row(by_hiding);
         if (std::all_of(p, p + size(), [](float seen) { return seen == 1.0F; })) return;
@@ -239,14 +240,15 @@ private:
         std::copy_n(kept, size(), p);
     }
 
-    // The share of the law's width that is left: how far a gap is closed, and how much is seen.
+    // The share of the width that is left. It depends on how far a gap is closed, and on how much of the line is seen.
     [[nodiscard]] float ink(std::int64_t i) const noexcept {
         const float tone = sample(i).margin[margin_tone] > 0.0F ? 1.0F : row(by_tone)[i];
         return std::min(tone, row(by_hiding)[i]);
     }
 
-    // A part's length counts less where it is thinner than here: a hairline that joins it changes little. From half a
-    // pen on all widths count alike. Parts between other lines, for which there is hardly room, count less, too.
+    // Leaves out short parts. A part's length counts less where it is thinner than at the sample, since a hairline that
+    // joins it changes little. From half a pen on, all widths count alike. Lines between others that have hardly any
+    // room count less, too.
     void leave_out_short() {
         const float shortest = style_.hatch_shortest;
         float* const p = row(of_all);
@@ -264,11 +266,11 @@ private:
                 std::lerp(hatch_tuning.length_of_filling, 1.0F, std::clamp(sample(i).margin[margin_level], 0.0F, 1.0F));
         }
         const auto presence = [&](std::int64_t k) { return p[k]; };
-        // A presence that fades has half of the way to where it ends.
+        // A presence that fades counts for half of the way to where it ends.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
         const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
-        std::int64_t solid = 0; // samples before this one hold together by themselves
+        std::int64_t solid = 0; // the end of the last stretch that is long enough by itself
         for (std::int64_t i = 0; i < size(); ++i) {
             if (i >= solid && is_solid(i)) {
                 std::int64_t last = i;
@@ -283,7 +285,8 @@ private:
             if (length < most) length += held_length(line_, i, -1, most, 0.0F, presence, weight, share).length;
             kept[i] = risen(length, shortest, most);
         }
-        // Where a line fades it is kept as it is where it is stronger: a part is drawn from end to end, or not at all.
+        // A fading stretch is kept no more than the stronger stretch beside it, so that a part is drawn from end to end
+        // or not at all.
         for (const int way : {-1, 1}) {
             std::int64_t i = way > 0 ? 0 : size() - 1;
             for (std::int64_t steps = 0; steps < (chain_.ring ? 2 : 1) * size(); ++steps) {
@@ -299,7 +302,8 @@ private:
 
     // ---- Tapers
 
-    // How long the end is before sample k, the first that a line going that way does not reach for a reason.
+    // The length of the taper before sample k, the first one that a line in the direction `way` does not reach for a
+    // reason.
     [[nodiscard]] float taper(Presence reason, std::int64_t k, int way) const noexcept {
         if (reason == by_picture) return 0.0F;
         const float longest = longest_taper(reason);
@@ -307,8 +311,8 @@ private:
         return longest * (1.0F - risen(sine_at_rim(k, way), hatch_tuning.runs_along, hatch_tuning.crosses));
     }
 
-    // The sine of the angle between the contour at sample k, where a line going that way ends, and the line's last
-    // part.
+    // The sine of the angle between the contour at sample k, where a line in the direction `way` ends, and the last
+    // part of the line.
     [[nodiscard]] float sine_at_rim(std::int64_t k, int way) const noexcept {
         std::int64_t i = k;
         float length = 0.0F;
@@ -331,21 +335,22 @@ private:
         return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
     }
 
-    // Presences near a contour do not narrow a line: one that crosses it goes on in full.
+    // The presence of a reason, as far as it narrows the line. Fading near a contour does not: a line that crosses it
+    // goes on in full.
     [[nodiscard]] float tapering(Presence reason, std::int64_t i) const noexcept {
         const float p = row(reason)[i];
         const bool fades = reason == by_level || reason == by_hiding || sample(i).margin[reason] <= 0.0F;
         return fades ? p : 1.0F;
     }
-    // The longest taper of that reason.
+    // The longest taper of a reason.
     [[nodiscard]] float longest_taper(Presence reason) const noexcept {
         return reason == by_hiding ? hatch_tuning.hidden_taper
                : reason == by_tone ? style_.hatch_taper
                                    : hatch_tuning.blunt * style_.hatch_taper;
     }
 
-    // Sets a bit of each sample for each reason by which the line may be narrower there. Most samples lie far from
-    // where a line ends or fades.
+    // Sets a bit of each sample for each reason that may narrow the line there. Most samples lie far from where a line
+    // ends or fades.
     void find_near() {
         base::resize_scratch(part_.near, size());
         std::uint8_t* const near = part_.near.data();
@@ -358,7 +363,7 @@ private:
                 if (tapering(reason, i) == 1.0F) continue;
                 near[i] = static_cast<std::uint8_t>(near[i] | bit);
                 for (const int way : {1, -1}) {
-                    float length = 0.0F; // from the last place before sample i at which the line may end
+                    float length = 0.0F; // the length since the last place before sample i where the line may end
                     float step = 0.0F;
                     std::int64_t k = line_.next(i, way, step);
                     for (std::int64_t steps = 0;
@@ -372,7 +377,7 @@ private:
         }
     }
 
-    // How wide the line is at sample i, as a share of its width, by how far it is from the ends.
+    // The width of the line at sample i as a share of its full width, by the distance from the ends.
     [[nodiscard]] float profile(std::int64_t i) const noexcept {
         float least = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
@@ -397,12 +402,12 @@ private:
         return least;
     }
 
-    // The same where the line ends at sample k, after j. Samples do not see ends that are shorter than a pixel.
+    // The same where the line ends between samples j and k. Samples do not see tapers that are shorter than a pixel.
     [[nodiscard]] float profile_at_end(std::int64_t j, std::int64_t k, int way) const noexcept {
         float longest = -1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
             if (row(reason)[j] > 0.0F && !(row(reason)[k] > 0.0F)) longest = std::max(longest, taper(reason, k, way));
-        if (longest < 0.0F) return 0.0F; // what goes on is too short to be drawn
+        if (longest < 0.0F) return 0.0F; // the line goes on, but for too short a way to be drawn
         return 1.0F - std::min(longest, 1.0F);
     }
 
@@ -422,7 +427,7 @@ private:
             whole = false;
             break;
         }
-        const std::int64_t around = size() - 1; // samples of a ring
+        const std::int64_t around = size() - 1; // the number of samples of a ring
         const bool turned = chain_.ring && !whole;
         order_ = {turned ? start : 0, turned ? around : 0};
         const std::int64_t count = turned ? around + 1 : size();
@@ -434,7 +439,7 @@ private:
         }
     }
 
-    // Samples that follow each other, by their places in the order, and whether the line ends beside them.
+    // Consecutive samples, by their places in the order, and whether the line ends before and after them.
     struct Part {
         std::int64_t first, last;
         bool ends_before, ends_after;
@@ -464,7 +469,7 @@ private:
             for (std::size_t k = tip_points.size(); k-- > 0;)
                 points.push_back(tip_point(whole - tip_points[k], whole - hatch_tuning.tip_reach, tip_points[k]));
         points.push_back(raw().back());
-        // However wide the line is, it is narrow at the first point from a tip.
+        // The first point from a tip is narrow, however wide the line is.
         const float widest = 0.5F * hatch_tuning.widest_tip * style_.hatch_pen;
         if (begins_in_tip) points[stroke.first + 1].radius = std::min(points[stroke.first + 1].radius, widest);
         if (ends_in_tip) points[points.size() - 2].radius = std::min(points[points.size() - 2].radius, widest);
@@ -483,7 +488,7 @@ private:
         points.clear();
         float opacity = 1.0F;
         for (std::int64_t k = drawn.first; k <= drawn.last; ++k) {
-            if (!is_seen(order_[k])) continue; // the line goes on over it
+            if (!is_seen(order_[k])) continue; // the line goes on over a hidden sample
             opacity = dot(order_[k]).opacity;
             break;
         }
@@ -508,11 +513,12 @@ private:
              {&StrokePoint::x, &StrokePoint::y, &StrokePoint::opacity, &StrokePoint::depth, &StrokePoint::window,
               &StrokePoint::pixels_per_unit, &StrokePoint::length})
             point.*number = mixed(a.*number, b.*number);
-        point.radius = std::sqrt(mixed(a.radius * a.radius, b.radius * b.radius)); // as near an end
+        // The squares of radii change evenly, as they do near an end.
+        point.radius = std::sqrt(mixed(a.radius * a.radius, b.radius * b.radius));
         return point;
     }
 
-    // Where the line ends between sample j, which is drawn, and k, which is not.
+    // The point where the line ends between sample j, which is drawn, and k, which is not.
     [[nodiscard]] StrokePoint end_point(std::int64_t j, std::int64_t k, int way, float opacity) const noexcept {
         const auto point = [&](const Dot& d) {
             return StrokePoint{d.x, d.y, 0.0F, opacity, d.depth, d.window, d.pixels_per_unit, 0.0F, d.id};
@@ -530,14 +536,14 @@ private:
         return between(a, *next, way > 0.0F ? std::clamp((length - a.length) / way, 0.0F, 1.0F) : 0.0F);
     }
 
-    // A point near a tip, at this length, as wide as a root from the tip to the place `full` asks.
+    // The point at `length` near a tip. Widths follow a root that is 0 at the tip and fits the line's width at `full`.
     [[nodiscard]] StrokePoint tip_point(float length, float full, float from_tip) const noexcept {
         StrokePoint point = raw_at(length);
         point.radius = raw_at(full).radius * std::sqrt(from_tip / hatch_tuning.tip_reach);
         return point;
     }
 
-    // A line goes over no edge that it runs along.
+    // Narrows a line so that it does not cover an edge that it runs along.
     void keep_within_edges(std::int64_t first) noexcept {
         if (hiding_.edges.empty()) return;
         base::Array<StrokePoint>& points = part_.made.points;
@@ -549,11 +555,11 @@ private:
         }
     }
 
-    // Fewer points make fewer edges to draw: leaves out points that lie between those beside them.
+    // Leaves out points that lie between their neighbours, since fewer points make fewer edges to draw.
     void leave_out(std::int64_t first, std::int64_t last) {
         base::Array<StrokePoint>& points = part_.made.points;
         std::int64_t kept = first;
-        std::int64_t from = first; // the point that was kept last
+        std::int64_t from = first; // the last point that was kept
         Passage passage(points[first]);
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
             passage.take(points[i]);
@@ -567,10 +573,10 @@ private:
         points.resize(kept + 1);
     }
 
-    // Samples in the order in which they are drawn: those of a ring begin in a gap.
+    // The order in which samples are drawn. The order of a ring begins in a gap.
     struct Order {
         std::int64_t start = 0;
-        std::int64_t around = 0; // samples of a ring that is turned; else 0
+        std::int64_t around = 0; // the number of samples of a ring that is turned; else 0
 
         [[nodiscard]] std::int64_t operator[](std::int64_t k) const noexcept {
             return around > 0 ? (start + k) % around : k;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Makes strokes of samples along lines of hatching that are known to be seen or hidden.
+// Makes strokes of the samples of hatching, which are already marked as seen or hidden.
 //
-// 1. Each reason for a line to end has a presence along it (presence.h): its tone, its level, the rim, the picture, and
-//    what hides it. Hidden parts begin and end exactly where the edges of what hides them are (hiding.cpp).
-// 2. Short gaps of tone and level, and short hidden ones, are closed.
-// 3. The line is present where all of these are; parts with too little ink are left out.
-// 4. The line's width is that of its samples times the presence, and narrows towards each end as the reason for the
-//    end asks.
+// 1. Each reason for a line to end has a presence along the line (presence.h): its tone, its level, the rim, the
+//    picture, and surfaces that hide it. Hidden parts begin and end exactly at the edges that hide them (hiding.cpp).
+// 2. Short gaps of tone and short hidden gaps are closed.
+// 3. The line is present where all of these are. Parts with too little ink are left out.
+// 4. The line is as wide as its samples times its presence. It narrows towards each end as the reason for the end
+//    asks.
 #pragma once
 
 #include "frame/hatch/points.h"
@@ -17,7 +17,7 @@
 
 namespace hrbfnpr::frame {
 
-// ---- What hides lines of hatching, and where exactly the lines end at it
+// ---- Edges that hide lines of hatching, and where exactly the lines end at them
 //
 // 1. Depth layers say of each sample whether it is seen. They are made of splats, so they are right to the radius of
 //    a splat.
@@ -25,7 +25,7 @@ namespace hrbfnpr::frame {
 //    hatching.
 // 3. `find_cuts` moves each place where a line begins or ends to the edge, or to the border of the edge's halo.
 
-// A part of a line that nothing hides.
+// A segment of a line that nothing hides.
 struct NearerEdge {
     glm::vec2 a, b;
     float depth_a, depth_b;
@@ -41,17 +41,17 @@ public:
     void clear() noexcept { edges_.clear(); }
     [[nodiscard]] bool empty() const noexcept { return edges_.empty(); }
 
-    // Whether an edge that lies before the dot is within `reach` of it, or its halo holds the dot. Edges of the dot's
-    // own surface count, too, where that is slanted.
+    // Whether an edge that lies before the dot is within `reach` of the dot, or the edge's halo holds the dot. If the
+    // dot's own surface is slanted, its edges count, too.
     [[nodiscard]] bool is_near(const drawing::Dot& dot, float reach, float halo) const noexcept;
 
     static constexpr float nowhere = std::numeric_limits<float>::infinity();
-    // The share of the way from a to b at which a line reaches the first edge before it, or that edge's halo, that does
-    // not hold a; else `nowhere`.
+    // The share of the way from a to b at which the line enters the first edge before it, or the edge's halo; else
+    // `nowhere`. Edges whose halo holds a do not count.
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
-    // The largest radius, up to `radius`, that a line through the point in the direction `along` may have so that it
-    // covers no edge before it, nor that edge's halo, nor a crease of its own surface.
+    // The largest radius, up to `radius`, with which a line through the point in the direction `along` covers no edge
+    // before it, nor the edge's halo, nor a crease of its own surface.
     [[nodiscard]] float room(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
                              float halo) const noexcept;
 
@@ -78,16 +78,16 @@ struct Hiding {
     std::span<const float> largest_splat; // in each tile of the drawing's dots, pixels; empty if there are no splats
 };
 
-// Finds the cuts of a line, in its order, whose samples are given as dots that are seen or hidden. `length` is the way
-// to each sample, in pixels. Samples between where the dots said that the line ends and where it does become seen or
-// hidden.
+// Finds the cuts of a line, in the line's order. `dots` are the line's samples, seen or hidden, and `length` is the
+// distance along the line to each, in pixels. Samples between the end that the dots gave and the exact end become seen
+// or hidden.
 void find_cuts(const Hiding& hiding, float halo, std::span<drawing::Dot> dots, const base::Array<float>& length,
                base::Array<HatchCut>& cuts);
 
 // ---- Strokes
 
-// Makes the strokes of each batch. Its dots are not drawn any more, and the drawing's counts, where they were taken for
-// marks, are corrected.
+// Makes the strokes of each batch. The dots of the batch are not drawn any more, and the drawing's counts, which took
+// the dots for marks, are corrected.
 void make_strokes(const base::Runtime& runtime, const Scene& scene, const Hiding& hiding,
                   std::span<HatchPoints::Batch> batches, drawing::Drawing& drawing);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tuning constants of hatching on the screen. Set on a ramp, a sphere, a torus, knots, a head and a bunny, by
-// scripts/bench strokes.
+// `scripts/bench strokes`.
 #pragma once
 
 #include <cstdint>
@@ -10,140 +10,145 @@ namespace hrbfnpr::frame {
 struct HatchTuning {
     // ---- The width law
 
-    // A line of a level that fades in is drawn where it should be at least this wide, in pens. Larger: levels come in
-    // later and are more visible when they do.
+    // A line of a level that fades in is drawn where the law gives it at least this width, in pens. Larger: levels come
+    // in later and are more visible when they do.
     float thinnest_fading = 0.5F;
-    // A line that fades in reaches its width where it should be this much wider than `thinnest_fading`, in pens; until
-    // then the full lines have the rest. Larger: levels come in more slowly.
+    // A line that fades in has its whole width where the law gives it this much more than `thinnest_fading`, in pens.
+    // Until then the full lines get the rest. Larger: levels come in more slowly.
     float fading_ramp = 0.25F;
-    // From this weight on, from 0 to 1, the margin of a level that fades in goes over to that of a full line. Larger:
-    // a steeper change at the end.
+    // From this weight on, from 0 to 1, the margin of a level that fades in rises to that of a full line. Larger: a
+    // steeper change at the end.
     float nearly_full = 0.6F;
 
     // ---- Where a line is drawn
 
-    // Lines end where n . v is above this, just before the contour. Nearer 0: lines end closer to the contour, where
+    // Lines end where n . v rises above this, just before the contour. Nearer 0: lines end closer to the contour, where
     // they run together.
     float last_nu = -0.03F;
-    // Marks that face away by more than this have no width. Larger: more marks are worked on.
+    // Marks with n . v above this have no width. Larger: more marks are worked on.
     float widest_nu = 0.2F;
-    // Where a line is this much darker than where lines begin, both sides hold together in full. Larger:
-    // ends are softer where the tone changes slowly.
+    // A line is fully present where it is this much darker than where lines begin. Below, it fades, and holds the parts
+    // on either side together less. Larger: ends are softer where the tone changes slowly.
     float tone_ramp = 0.03F;
-    // The same of the margin of its level. Larger: levels that hardly have room change more of the lines beside them.
+    // The same for the margin of the line's level. Larger: levels with hardly any room change more of the lines beside
+    // them.
     float level_ramp = 0.8F;
 
-    // The same of n . v. Larger: lines that run along a contour are more broken there.
+    // The same for n . v. Larger: lines that run along a contour are more broken there.
     float rim_ramp = 0.05F;
 
     // ---- Gaps and short parts
 
-    // Gaps of fewer widths are closed; between half of this and this they open. Larger: fewer and longer lines.
+    // Gaps shorter than half of this are closed, in widths; longer ones open gradually up to this. Larger: fewer and
+    // longer lines.
     float least_gap = 2.0F;
-    // A gap is closed no matter how wide the line is where it is shorter than this, in pixels. Larger: lines cross
-    // dots of light.
+    // `least_gap` is at least this, in pixels, however thin the line is. Larger: lines cross dots of light.
     float least_gap_pixels = 1.0F;
-    // A gap that something hides is closed where it is no longer than this many halos, since it is where a contour and
-    // its halo run out; up to `halo_and_more` it opens. Larger: halos are crossed.
+    // A gap that something hides is closed if it is no longer than this many halos, since a contour and its halo run
+    // out there. Up to `halo_and_more` it opens gradually. Larger: halos are crossed.
     float halo_alone = 1.0F;
     float halo_and_more = 1.5F;
-    // A part between two hidden ones is at least this many times the least length. It is in the halo of a line that
-    // runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
+    // A part between two hidden ones must be at least this many times hatch_shortest long, since it lies in the halo of
+    // a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
     float between_hidden = 3.0F;
-    // A line between others, for which there is hardly room, counts as this part of its length where short parts are
-    // left out. Smaller: fewer short lines between long ones.
+    // Where short parts are left out, a line between others with hardly any room counts as this share of its length.
+    // Smaller: fewer short lines between long ones.
     float length_of_filling = 1.0F / 3.0F;
-    // From this many pens on all widths count alike in a part's length. Larger: thin parts must be longer.
+    // Widths above this many pens count alike in a part's length. Larger: thin parts must be longer.
     float full_width = 0.5F;
 
     // ---- Tapers
 
-    // A line's end where its stroke or its level ends, or at a contour that it runs along, is this part of hatch_taper
-    // long. Larger: softer ends.
+    // A line's end is this share of hatch_taper long where its stroke or its level ends, or at a contour that the line
+    // runs along. Larger: softer ends.
     float blunt = 0.35F;
-    // An end at a crease rounds off over this many widths: the face is dark up to its edge. Larger: pointed ends at
-    // creases.
+    // A line's end at a crease rounds off over this many widths, since the face is dark up to its edge. Larger: pointed
+    // ends at creases.
     float round_tip = 0.5F;
     // A line narrows over this many pixels where something hides it. Larger: softer ends at contours.
     float hidden_taper = 2.0F;
-    // A line that meets the contour's normal by at least the first of these sines runs on under the contour; one by
-    // the second narrows before it. Larger: more lines narrow.
+    // A line whose angle with a contour has at least the sine `crosses` runs on under the contour. A line with at most
+    // the sine `runs_along` narrows before it. Larger: more lines narrow.
     float crosses = 0.5F;
     float runs_along = 0.25F;
-    // That angle is of the chord over this part of hatch_taper, since in the end all lines touch the contour. Larger:
-    // lines that bend count as crossing.
+    // That angle is measured on the chord over this share of hatch_taper, since in the end all lines touch the contour.
+    // Larger: lines that bend count as crossing.
     float rim_part = 0.5F;
-    // At the first point from a tip a line is at most this wide, in pens. Larger: blunter tips of wide lines.
+    // The first point from a tip is at most this wide, in pens. Larger: blunter tips of wide lines.
     float widest_tip = 0.1F;
 
     // ---- Points
 
     // The distance between samples of a line, in pixels. Smaller: closer to the curve, more time.
     float step = 2.75F;
-    // Marks around those that may be drawn are looked at, too, as many on either side: the first that is not drawn, the
-    // next one for its tangent, and the next one for the spacing there. Fewer: ends are wrong.
+    // This many marks on either side of those that may be drawn are looked at, too: the first that is not drawn, one
+    // for its tangent, and one for the spacing there. Fewer: ends are wrong.
     std::int64_t marks_around = 3;
-    // Fewer marks between two ranges that may be drawn are looked at. Larger: fewer ranges, more marks.
+    // If fewer marks than this lie between two ranges that may be drawn, they are looked at, too. Larger: fewer ranges,
+    // more marks.
     std::int64_t fewest_left_out = 16;
-    // Between marks that are nearer than this a line is straight, pixels. It leaves the curve by at most an eighth of
-    // it. Larger: corners show.
+    // A line is straight between marks that are nearer to each other than this, in pixels. It leaves the curve by at
+    // most an eighth of that. Larger: corners show.
     float shortest_curve = 1.0F;
-    // Samples are farther apart than this, pixels. Larger: ends are less exact.
+    // Samples are farther apart than this, in pixels. Larger: ends are less exact.
     float least_step = 1.0F / 64.0F;
-    // Samples within this distance of a tip give way to points that follow the root by which the width changes there,
-    // pixels. Larger: less of the samples' own widths.
+    // Within this distance of a tip, in pixels, samples give way to points that follow the square root by which the
+    // width changes there. Larger: less of the samples' own widths.
     float tip_reach = 2.5F;
-    // At most as many points that follow each other are left out. Larger: opacities and ids are coarser.
+    // At most this many consecutive points are left out. Larger: opacities and ids are coarser.
     std::int64_t most_left_out = 6;
-    // Points that differ by less than this from the line between those beside them are left out, in pixels. Larger:
-    // fewer points, corners show.
+    // A point is left out if its place differs by less than `straight` from the line between its neighbours, and its
+    // radius by less than `even_radius`, in pixels. Larger: fewer points, corners show.
     float straight = 0.05F;
     float even_radius = 0.006F;
 
     // ---- Closed strokes
 
-    // A stroke is closed if its ends are no farther apart than this, in steps from mark to mark, and go on into each
-    // other with at least this cosine. Larger gap, smaller cosine: more strokes are closed, also spirals.
+    // A stroke is closed if its ends are no farther apart than `closed_gap`, in steps from mark to mark, and go on into
+    // each other with at least the cosine `closed_cosine`. Larger gap, smaller cosine: more strokes are closed, also
+    // spirals.
     float closed_gap = 1.5F;
     float closed_cosine = 0.8F;
-    // Ends nearer than this are one mark, in steps. Larger: a mark is lost.
+    // Ends that are nearer to each other than this are one mark, in steps. Larger: a mark is lost.
     float same_place = 0.1F;
-    std::int64_t fewest_of_closed = 4; // marks
+    std::int64_t fewest_of_closed = 4; // a closed stroke has at least this many marks
 
     // ---- An unsteady hand
 
-    // The length of a swing: in pens of the hand's wobble, and in the longest overshoot of its ends. Larger: calmer.
+    // The length of a swing: of the wobble in pens, and of the ends in longest overshoots. Larger: calmer.
     float wobble_swing = 60.0F;
     float end_swing = 4.0F;
-    // A swing has as many knots of the noise, and a closed stroke at least as many. Larger: rounder, slower.
+    // The noise has this many knots in a swing, and at least `fewest_knots` around a closed stroke. Larger: rounder,
+    // slower.
     double knots_of_swing = 3.0;
     double fewest_knots = 4.0;
 
     // ---- Edges that hide lines
 
-    // An edge lies before a line if it is nearer to the eye by this, pixels. Larger: creases of the line's own surface
-    // hide less, and so do surfaces just before it.
+    // An edge lies before a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the line's
+    // own surface hide less, and so do surfaces just before it.
     float least_before = 1.0F;
-    // Edges that are nearer by this many times halo_gap have all of their halo. Larger: halos grow more slowly.
+    // Edges that are nearer by this many times halo_gap have their full halo. Larger: halos grow more slowly.
     float full_halo = 3.0F;
-    // Without a halo a line ends as far before an edge, pixels.
+    // Without a halo a line ends this far before an edge, in pixels.
     float at_edge = 0.05F;
-    // Halos wider than this are left as depth layers made them, pixels. Larger: slower.
+    // Halos are exact up to this width, in pixels; beyond, they are left as depth layers made them. Larger: slower.
     float widest_halo = 32.0F;
-    // Where lines that run on would cross an edge at most this far on, pixels, their depths there are compared; else
-    // surfaces may be as steep as `steepest`, depth over pixels. Larger: fewer edges before a slanted surface.
+    // If a line, continued, would cross an edge within this distance, in pixels, their depths are compared there.
+    // Otherwise surfaces may be as steep as `steepest`, depth over pixels. Larger: fewer edges before a slanted
+    // surface.
     float farthest_crossing = 24.0F;
     float steepest = 6.0F;
-    // A line that makes an angle with an edge of at most the first cosine ends bluntly there; one of at least the
-    // second is narrowed so that it does not reach over it.
+    // A line whose angle with an edge has at most the cosine `goes_across` ends bluntly there. From the cosine
+    // `goes_along` on, the line is narrowed so that it does not reach over the edge.
     float goes_across = 0.25F;
     float goes_along = 0.5F;
-    // From the sample that is seen last edges are looked for at least as many samples back, and on to where none is
-    // within `off_edge` pixels. Larger: slower.
+    // The search for edges begins at least this many samples before the last one that is seen, and farther back until
+    // no edge is within `off_edge` pixels. Larger: slower.
     std::int64_t samples_back = 2;
     float off_edge = 1.5F;
-    // Samples may be hidden by mistake as far from an edge as a splat's radius and this, pixels, up to
-    // `farthest_hidden`. Larger: more hidden samples are asked again.
+    // Samples may be hidden by mistake within a splat's radius and this of an edge, in pixels, but not beyond
+    // `farthest_hidden`. Larger: more hidden samples are tested again.
     float beyond_splat = 1.0F;
     float farthest_hidden = 24.0F;
 };

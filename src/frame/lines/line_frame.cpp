@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A frame of lines: curves are traced for the camera (trace_lines): for each item with lines its contours
-// (trace_contours, from the last frame's where the camera moved little), creases that are contours (add_folds) and its
-// border (add_border) become subjects whatever is drawn, as they hide others; then for each style of lines its subjects
-// are found or made (add_style), and get a layer. All of this is seen through a camera that sees no face exactly
-// edge-on (camera_off_planes). Then sheets before the lines are counted (find_invisibility, find_hidden_by), lines
-// numbered as in the last frame (number_lines) and strokes made (add_strokes). For their numbers, points of each line
-// vote for the line of the last frame that has the nearest point of the same direction (count_votes); lines with most
-// points in common are one.
+// A frame of lines, step by step:
+//
+// 1. camera_off_planes makes a camera that sees no face exactly edge-on. All lines are seen through it.
+// 2. trace_lines traces curves for this camera. For each item with lines, its contours (trace_contours, which begins
+//    with those of the last frame where the camera moved little), its creases that are contours (add_folds) and its
+//    border (add_border) become subjects even if they are not drawn, since they hide other lines. Then the subjects of
+//    each style of lines are found or made (add_style), and the style gets a layer.
+// 3. find_invisibility and find_hidden_by count the sheets before the lines.
+// 4. number_lines gives lines the numbers that they had in the last frame. Points of each line vote for the line of the
+//    last frame that has the nearest point with the same direction (count_votes). Lines with most points in common are
+//    one line.
+// 5. add_strokes makes the strokes.
 #include "frame/lines/line_frame.h"
 
 #include "base/assert.h"
@@ -29,7 +33,7 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// Shares of the time.
+// The steps of a frame end at these shares of the time.
 constexpr double traced_end = 0.32;
 constexpr double found_end = 0.8;
 constexpr double hidden_end = 0.9;
@@ -47,15 +51,15 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.tangles = found.report.crossings.tangles;
 }
 
-// An item that has lines, and its subjects: from `contours` on its contours and, at `folds`, creases that are such,
-// then from `border` to `end` its border.
+// An item that has lines, and its subjects. Its contours begin at `contours`, and its creases that are contours are at
+// `folds`. Its border goes from `border` to `end`.
 struct Source {
     const Item& item;
     curves::View view;
     std::int32_t number; // among the occluders
     bool mirrored;
     std::int32_t contours, border, end;
-    std::int32_t folds = -1; // -1: the item has no such creases
+    std::int32_t folds = -1; // -1: no crease of the item is a contour
     const curves::CreaseParts* creases = nullptr;
 
     [[nodiscard]] const curves::LineSet& lines() const noexcept { return *item.lines; }
@@ -64,9 +68,9 @@ struct Source {
 
 // ---- The camera
 
-// The camera for all lines of a scene. A face that is seen exactly edge-on does not tell on which side of its edges it
-// lies, so where an item has creases the eye moves a little to one side, and an orthographic camera becomes one at a
-// large finite distance: faces parallel to its axis turn away a little.
+// The camera for all lines of a scene. A face that is seen exactly edge-on does not show on which side of its edges it
+// lies. So if an item has creases, the eye moves a little to one side, and an orthographic camera becomes a perspective
+// one at a large finite distance, so that faces parallel to its axis turn away a little.
 Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     geometry::Bounds box; // in eye space
     bool sharp = false;
@@ -84,7 +88,8 @@ Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     const double radius = sharp ? 0.5 * glm::length(box.size()) : 0.0;
     const double middle = 0.5 * (box.min.z + box.max.z);
     if (!(radius > 0.0) || !std::isfinite(radius) || !std::isfinite(middle)) return camera;
-    // x and y by (z - middle) to one side; w grows with it, so that an orthographic camera is a finite one.
+    // x and y shift to one side in proportion to z - middle. For an orthographic camera w changes with z, so that the
+    // eye is at a finite distance.
     glm::dmat4 moved(1.0);
     const double shift = line_tuning.off_planes;
     const glm::dvec2 to_side =
@@ -108,7 +113,7 @@ curves::View view_of(const Camera& camera, const Item& item) {
     if (eye.w != 0.0) {
         const glm::dvec3 place = glm::dvec3(eye) / eye.w;
         const geometry::Bounds& region = item.lines->mesh().region;
-        const glm::dvec3 size = glm::abs(place); // whose squares may be no numbers
+        const glm::dvec3 size = glm::abs(place); // its squares may overflow
         const double largest = std::max({size.x, size.y, size.z});
         const bool is_far = !(largest <= line_tuning.parallel_from * glm::distance(region.min, region.max));
         eye = is_far ? glm::dvec4(glm::normalize(0.5 * (region.min + region.max) / largest - place / largest), 0.0)
@@ -131,8 +136,8 @@ visibility::Subject& add_subject(const Source& source, const curves::Curves& cur
     return out.subjects.back();
 }
 
-// The contours of an item, or of a part of it, in this view. Seen from where the last frame saw them, they are the
-// same.
+// The contours of an item, or of a part of it, in this view. If the eye has not moved since the last frame, they are
+// those of the last frame.
 std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::LineSet& lines, std::int64_t item,
                                         std::int64_t part, const curves::ContourLevel& level, ContourList& all_last) {
     const curves::View& view = level.view();
@@ -170,7 +175,7 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::Li
     return contours;
 }
 
-// Contours of a sheet end at its creases.
+// Traces the contours of an item. Contours of a sheet end at the sheet's creases.
 void trace_contours(const base::Work& work, const Source& source, ContourList& last, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
@@ -186,7 +191,7 @@ void trace_contours(const base::Work& work, const Source& source, ContourList& l
     }
 }
 
-// The surface turns over at creases of which one sheet faces the eye.
+// Adds the creases that are contours: the surface turns over where only one sheet of a crease faces the eye.
 void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     if (lines.creases().count() == 0) return;
@@ -207,7 +212,7 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
     HRBFNPR_ASSERT(style != nullptr || sheets > 0);
     if (lines.curves.count() == 0) return;
     for (const bool outside : {true, false}) {
-        // Lines that show the inside are hidden by their own surface, unless that is open.
+        // Lines that show the inside are hidden by their own surface, unless the surface is open.
         if (!outside && sheets == 0 && style->hidden == HiddenParts::none && !source.is_open()) continue;
         const curves::SurfaceLines& parts = *out.lines.add(
             std::make_unique<curves::SurfaceLines>(curves::facing_parts(runtime.memory, lines, source.view, outside)));
@@ -221,7 +226,8 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
     }
 }
 
-// A surface hides other things only up to its border, so the border is needed even where it is not drawn.
+// Adds the border of an item. A surface hides other things only up to its border, so the border is needed even where it
+// is not drawn.
 void add_border(const base::Runtime& runtime, Source& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     source.border = static_cast<std::int32_t>(out.subjects.size());
@@ -231,7 +237,7 @@ void add_border(const base::Runtime& runtime, Source& source, TracedLines& out) 
     for (std::int32_t s = source.border; s < source.end; ++s) out.subjects[s].level = lines.border_level();
 }
 
-// Adds creases that are no contours; these as well where the style draws no contours.
+// Adds the creases that are not contours. If no style of the item draws contours, it adds the other creases as well.
 void add_bent(const base::Runtime& runtime, const Source& source, const LineStyle& style, std::uint32_t layer,
               TracedLines& out) {
     HRBFNPR_ASSERT(source.creases != nullptr);
@@ -260,8 +266,8 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
     out.styles.back().cut = true;
 }
 
-// Adds feature lines by interpolation on the mesh, which is enough to draw. towards: the eye, or the light of
-// isophotes.
+// Adds feature lines by interpolation on the mesh, which is enough to draw. `towards` is the eye or, for isophotes, the
+// light.
 void add_features(const base::Work& work, const Source& source, const LineStyle& style, std::uint32_t layer,
                   const glm::dvec4& towards, TracedLines& out) {
     curves::FeatureRequest request;
@@ -296,7 +302,7 @@ void add_style(const base::Work& work, const Scene& scene, const Source& source,
         break;
     }
     case LineKind::isophote: {
-        // Normals go by the inverse transpose, so that n . l is that of the light's space.
+        // Normals transform by the inverse transpose, so that n . l is the same as in the light's space.
         const glm::dmat3 to_space = item.style.light_space == LightSpace::camera
                                         ? glm::dmat3(scene.camera.view * item.transform)
                                         : glm::dmat3(item.transform);
@@ -311,8 +317,8 @@ void add_style(const base::Work& work, const Scene& scene, const Source& source,
     }
 }
 
-// All lines of the items. Adds a layer to the drawing for each style of lines. Takes contours of the last frame that
-// are the same.
+// Traces all lines of the items, and adds a layer to the drawing for each style of lines. Contours of the last frame
+// that have not changed are moved out of `last`.
 TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<const Item> items, ContourList& last,
                         drawing::Drawing& drawing) {
     TracedLines out(work.memory);
@@ -362,7 +368,7 @@ TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<co
 
 // ---- Numbers
 
-// About how many points of a line of this frame are near a line of the last frame.
+// The approximate number of points of a line of this frame that are near a line of the last frame.
 struct Vote {
     std::int64_t line;
     std::int64_t known;
@@ -489,7 +495,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     };
     TracedLines traced = trace();
     visibility::Invisibility found = count_sheets(traced);
-    // Contours that are whole may still be too coarse, or doubled, where they began with those of the last frame.
+    // Contours that began with those of the last frame may be too coarse, or doubled, even where none is broken.
     const auto is_from_last = [](const auto& contours) { return contours->from_last; };
     if (found.report.settled > 0 && std::any_of(traced.contours.begin(), traced.contours.end(), is_from_last)) {
         contours_.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The strokes of lines: curves traced for this camera, their visibility, and their widths and parts by style.
+// Makes the strokes of lines: curves traced for this camera, with their visibility, widths and parts by style.
 #pragma once
 
 #include "base/list.h"
@@ -21,13 +21,13 @@ struct Contours {
     std::int64_t part = 0;     // the number of the part in LineSet::parts(); 0 if the set has no parts
     glm::dvec4 eye{0.0};       // as View::eye
     curves::Curves traced;     // as traced, before cusps are added
-    curves::Curves with_cusps; // these are drawn
-    bool from_last = false;    // tracing began with the contours of the frame before
+    curves::Curves with_cusps; // these contours are drawn
+    bool from_last = false;    // tracing began with the contours of the last frame
     std::int64_t broken = 0;   // contours that end inside the surface, and places where one was missed
 };
 using ContourList = base::List<std::unique_ptr<Contours>>;
 
-// Only lines of the same family, which is their line set, item and subject, may be one line in two frames.
+// Two frames may have the same line only within a family, which is a line set, an item and a subject.
 struct LineFamily {
     const void* set;
     std::int64_t item;
@@ -36,7 +36,7 @@ struct LineFamily {
     friend bool operator==(const LineFamily&, const LineFamily&) = default;
 };
 
-// The lines of a frame, as far as the next one needs them to number its own.
+// The data about a frame's lines by which the next frame numbers its own.
 struct KnownLines {
     explicit KnownLines(base::Memory& memory) noexcept : line(memory), place(memory), direction(memory) {}
 
@@ -44,7 +44,7 @@ struct KnownLines {
         LineFamily family;
         std::int64_t first, count; // the range of its points
         std::uint32_t number;
-        glm::dvec3 origin; // where its first piece began when it was new, or beside
+        glm::dvec3 origin; // where its first piece began when the line was new, or a place near that
     };
     base::Array<Known> line;
     geometry::VecArray place, direction; // some points of the lines, and the directions there
@@ -56,17 +56,17 @@ public:
     explicit LineFrame(const base::Runtime& runtime) noexcept
         : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), known_(runtime.memory) {}
 
-    // Draws the lines of the items that have lines and styles for them; adds their layers and counts to the drawing.
-    // All items with lines hide each other's.  Throws Error{callback, cancelled, out_of_memory}.
+    // Draws the lines of the items that have lines and styles for them, and adds their layers and counts to the
+    // drawing. All items with lines hide each other's lines. Throws Error{callback, cancelled, out_of_memory}.
     const LineStrokes& run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
                            drawing::Drawing& drawing);
-    // After a frame that was not finished: the next begins with no contours.
+    // Is called after a frame that was not finished. The next frame then uses no contours of the last one.
     void forget() noexcept { contours_.clear(); }
 
 private:
     const base::Runtime& runtime_;
     LineStrokes strokes_;
-    ContourList contours_; // the last frame's: those of the next begin there where the camera moved little
+    ContourList contours_; // of the last frame; tracing begins with them where the camera moved little
     KnownLines known_;
 };
 

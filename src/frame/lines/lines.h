@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of a frame of lines, and what they hand on: all lines of its items, traced for its camera; their numbers;
+// The data that the steps of a frame of lines hand on: all lines of its items, traced for its camera; their numbers;
 // and their strokes.
 #pragma once
 
@@ -28,7 +28,7 @@ struct TracedLines {
 
     base::Array<visibility::Subject> subjects;
     base::Array<visibility::Occluder> occluders;
-    base::Array<std::int32_t> items; // the drawing's item of each occluder
+    base::Array<std::int32_t> items; // the number of each occluder's item in the drawing
     base::Array<DrawnAs> styles;
     std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
     // Subjects and styles refer to these.
@@ -39,12 +39,13 @@ struct TracedLines {
     base::List<base::Array<float>> numbers; // strengths and factors
 };
 
-// Numbers for lines, which a line keeps from one frame to the next: it is known again by where it is on its surface.
+// The numbers of lines. A line keeps its number from frame to frame, and is recognized by its place on its surface.
 struct LineNumbers {
     explicit LineNumbers(base::Memory& memory) noexcept : number(memory), origin(memory) {}
 
     base::Array<std::uint32_t> number; // the number of each line, from 1 on
-    base::Array<std::int64_t> origin;  // the piece of each line that begins where its first one did when it was new
+    base::Array<std::int64_t> origin;  // the piece of each line that begins where the line's first piece began when the
+                                       // line was new
 };
 
 struct LineInput {

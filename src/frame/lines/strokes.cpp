@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Makes strokes of lines. At each point of a curve the factors of depth and light (point_factors) are multiplied by
-// that of curvature (add_curvature), smoothed along the image (smooth_along). Along a line the outline has a factor of
-// its own, which fades out beyond its ends (along). Intervals of a line that look alike become a part (parts_of), with
-// what hugs a contour that is seen (find_hugging) and ends that go on as other lines (find_joined). A part has places:
-// the points of its polyline (places_of), and knots between where its width or wobble changes along a chord (knots_of).
-// It is drawn whole, as dashes, or where it is strong enough (draw), as strokes of points with their widths
-// (add_stroke), wobbled across (Wobble).
+// Makes strokes of lines. At each point of a curve, the factors of depth and light (point_factors) are multiplied by
+// that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a factor of its
+// own, which fades out along the line beyond the outline's ends (along). Intervals of a line that look alike form a
+// part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends go on as other
+// lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots between them
+// where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is strong
+// enough (draw), as strokes of points with their widths (add_stroke), which a wobble moves across the line (Wobble).
 #include "base/assert.h"
 #include "base/random.h"
 #include "frame/lines/lines.h"
@@ -22,14 +22,14 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// A part of a line that is hidden by as many layers of surface everywhere.
+// A part of a line that the same number of surface layers hides everywhere.
 struct Part {
-    visibility::Interval interval; // its `sheets` of no account
+    visibility::Interval interval; // its `sheets` is not used
     std::int32_t layers;           // number of surface layers before it; each is two sheets
     bool free_begin, free_end;     // ends where no other part goes on: at cusps, and at ends of open lines
 };
 
-// A place along a part.
+// A place along a line.
 struct Place {
     double at; // along the line, pixels
     std::int32_t piece;
@@ -44,7 +44,7 @@ struct Path {
     base::Array<double> knot; // where the part has points between its places, in order
 };
 
-// Shares of the way from one place to the next; low > high: nothing.
+// A range of shares of the way from one place to the next; it is empty if low > high.
 struct Shares {
     double low, high;
 };
@@ -57,7 +57,7 @@ float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share
     return (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
 }
 
-// The opacity of a line by its strength at a place.
+// The opacity of a line at a place, from its strength there.
 float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
     if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
     const float full = std::clamp((strength_at(as, piece, share) - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
@@ -69,7 +69,7 @@ struct DepthRange {
     double farthest = -std::numeric_limits<double>::infinity();
 };
 
-// A factor that goes evenly from 1, where share is 0.
+// A factor that changes evenly from 1, where the share is 0, to `factor`, where it is 1.
 double by(float factor, double share) noexcept {
     return glm::mix(1.0, static_cast<double>(factor), std::clamp(share, 0.0, 1.0));
 }
@@ -80,7 +80,7 @@ bool has_point_law(const LineStyle& style) noexcept {
 
 double fade_of(const DrawnAs& as) noexcept { return line_tuning.fade_widths * static_cast<double>(as.style->width); }
 
-// Whether a style's width is another one along the outline.
+// Whether a style has another width along the outline.
 bool changes_along(const DrawnAs& as) noexcept {
     return as.style->outline_factor != 1.0F &&
            (as.style->kind == LineKind::contour || as.style->kind == LineKind::border);
@@ -116,14 +116,16 @@ base::Array<float> point_factors(const LineInput& in, const Light& light, const 
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const double depth = -(to_eye * glm::dvec4(points[i].position, 1.0)).z;
         const float n_dot_l = lit(light, glm::vec3(glm::normalize(points[i].gradient)));
-        const double facing = std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // where f is constant
+        const double facing =
+            std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // n . l is NaN if f is constant
         const double far = range > 0.0 ? (depth - depths.nearest) / range : 0.0;
         factors[i] = static_cast<float>(by(as.style->far_factor, far) * by(as.style->lit_factor, 0.5 + 0.5 * facing));
     }
     return factors;
 }
 
-// On a contour grad g . v = v H v: as n . v = 0 there, the radial curvature is that over |grad f| v^2.
+// Sets the radial curvature. On a contour grad g . v = v H v. Since n . v = 0 there, the radial curvature is
+// v H v / (|grad f| v^2).
 void find_radial_curvature(const visibility::Subject& subject, base::Array<double>& curvature) {
     for (std::int64_t i = 0; i < curvature.size(); ++i) {
         const curves::CurvePoint& p = subject.curves->point[i];
@@ -132,7 +134,8 @@ void find_radial_curvature(const visibility::Subject& subject, base::Array<doubl
     }
 }
 
-// b H b / |grad f|, b tangent to the surface and across the line.
+// Sets the curvature across the line: b H b / |grad f|, where b is tangent to the surface and perpendicular to the
+// line.
 void find_curvature_across(const base::Work& work, const implicit::Implicit& surface,
                            const base::Array<curves::CurvePoint>& points, base::Array<double>& curvature) {
     geometry::VecArray place(work.memory, points.size());
@@ -151,12 +154,12 @@ void find_curvature_across(const base::Work& work, const implicit::Implicit& sur
     }
 }
 
-// Weights fall by e over some pixels of the image. At samples a fit's curvature jumps, and where the line of sight is
-// tangent to a contour its radial curvature is 0: neither is to be seen.
+// Smooths values along the image. Weights fall by a factor of e over `pixels`. A fit's curvature jumps at samples, and
+// a contour's radial curvature is 0 where the line of sight is tangent to the contour; neither should be seen.
 base::Array<double> smooth_along(const visibility::Subject& subject, double pixels, const base::Array<double>& values) {
     const curves::Curves& curves = *subject.curves;
     HRBFNPR_ASSERT(values.size() == curves.point.size() && pixels > 0.0);
-    base::Array<double> kept(values.memory(), values.size()); // share of the value before that goes on
+    base::Array<double> kept(values.memory(), values.size()); // how much of the value before is kept
     base::Array<double> smooth(values.memory(), values.size());
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const std::int64_t first = curves.first[c];
@@ -203,7 +206,7 @@ void add_curvature(const LineInput& in, const DrawnAs& as, base::Array<float>& f
             static_cast<float>(by(as.style->curvature_factor, 1.0 - std::min(1.0, 1.0 / (bent * curvature[i]))));
 }
 
-// Sets the factors of styles at the points of their subjects. Returns the outline, where styles ask for it.
+// Sets the factors of styles at the points of their subjects. Returns the outline if styles ask for it.
 visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress) {
     base::Array<DrawnAs>& styles = in.traced.styles;
     const auto is_by_depth = [](const DrawnAs& as) { return as.style->far_factor != 1.0F; };
@@ -226,13 +229,13 @@ visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& dra
                                     in.traced.occluders.span(), in.found, in.lengths, wanted.span());
 }
 
-// All steps of strokes read these.
+// The data that all steps of making strokes read.
 struct StrokeInput : LineInput {
     const visibility::Outline& outline;
 
     // The length of a closed line, pixels; 0 for an open one.
     [[nodiscard]] double round(std::int32_t l) const noexcept { return line(l).closed ? whole(l) : 0.0; }
-    // A closed line, all of it.
+    // Whether a part is all of a closed line.
     [[nodiscard]] bool is_whole(const Part& part) const noexcept {
         return line(part.interval.line).closed && !part.free_begin && !part.free_end &&
                length_of(part.interval) >= whole(part.interval.line);
@@ -248,12 +251,12 @@ std::span<const visibility::OutlinePart> outline_of(const visibility::Outline& o
     return {first, end};
 }
 
-// The longest chord of a line where its width changes along it, pixels.
+// The longest chord of a line where the line's width changes, pixels.
 double step_of(const DrawnAs& as) noexcept {
     return changes_along(as) ? fade_of(as) / line_tuning.fade_steps : std::numeric_limits<double>::infinity();
 }
 
-// A factor of the width at a place along a line, besides that of the points around it.
+// The factor of the width at a place along a line, apart from the factors of its points.
 double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double at) noexcept {
     if (!changes_along(as)) return 1.0;
     const std::span<const visibility::OutlinePart> parts = outline_of(in.outline, line);
@@ -264,12 +267,12 @@ double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
         if (next != parts.end()) nearest = std::min(nearest, next->begin_at - here);
         if (next != parts.begin()) nearest = std::min(nearest, std::max(0.0, here - std::prev(next)->end_at));
     }
-    // From 1 to 0, with no bend at either end.
+    // Falls from 1 to 0, with slope 0 at either end.
     const double u = std::clamp(1.0 - nearest / fade_of(as), 0.0, 1.0);
     return by(as.style->outline_factor, u * u * (3.0 - 2.0 * u));
 }
 
-// Whether that changes between two places along a line.
+// Whether that factor changes between two places along a line.
 bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double from, double to) noexcept {
     HRBFNPR_ASSERT(!(from > to));
     if (!changes_along(as)) return false;
@@ -284,11 +287,11 @@ bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
 
 // ---- An unsteady hand
 
-// Smooth noise along one line: uniform cubic B-splines of random numbers, so that it is twice smooth and bounded by
-// these. Round a closed line it goes a whole number of times.
+// Smooth noise along one line: uniform cubic B-splines of random numbers. The noise has two continuous derivatives and
+// is bounded by these numbers. Around a closed line it repeats.
 class Wobble {
 public:
-    // line: its number among its kind; whole: its length, pixels.
+    // `line` is the line's number, and `whole` is its length, pixels.
     Wobble(const LineStyle& style, std::uint32_t line, double whole, bool closed) noexcept
         : aside_(static_cast<double>(style.wobble) * static_cast<double>(style.width)),
           width_(static_cast<double>(style.wobble_width)),
@@ -300,17 +303,17 @@ public:
         between_ = whole / knots;
         knots_ = static_cast<std::int64_t>(knots);
     }
-    // Pixels to the left, at a place along the line.
+    // How far the line moves to the left at a place along it, pixels.
     [[nodiscard]] double aside(double at) const noexcept { return aside_ * noise(at, 0); }
-    // A factor of the width.
+    // The factor of the width at a place along the line.
     [[nodiscard]] double factor(double at) const noexcept { return 1.0 + width_ * noise(at, 1); }
-    // The longest chord of the line that follows it, pixels.
+    // The longest chord of a line that follows the wobble, pixels.
     [[nodiscard]] double step() const noexcept {
         return std::max(line_tuning.shortest_step, between_ / line_tuning.steps_a_knot);
     }
 
 private:
-    // In [-1, 1].
+    // A random number in [-1, 1].
     [[nodiscard]] double random(std::int64_t knot, std::size_t which) const noexcept {
         if (knots_ > 0) knot = (knot % knots_ + knots_) % knots_;
         const std::uint64_t index = line_ << 32U | static_cast<std::uint32_t>(knot);
@@ -340,7 +343,7 @@ Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) no
 
 // ---- Parts
 
-// Whether a place is near one of those of a grid of the image, but for the place of one number.
+// Whether a place of the image is near a place of a grid, except the place with the number `but`.
 bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, const glm::dvec2& place, double radius,
              std::int64_t but) {
     bool found = false;
@@ -369,8 +372,9 @@ void walk(const LineInput& in, const visibility::Interval& interval, double step
     }
 }
 
-// 1 for intervals that are hidden and short, of a contour of a surface with creases, and lie all along a
-// contour that is seen, so that they belong to it. `width` is that of the widest lines, pixels.
+// Returns 1 for hidden intervals that belong to a contour that is seen, and 0 for others. Such an interval is short,
+// lies on a contour of a surface with creases, and runs all along the visible contour. `width` is that of the widest
+// lines, pixels.
 base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in, double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<std::uint8_t> hugs(memory, intervals.size());
@@ -403,14 +407,14 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     return hugs;
 }
 
-// Two numbers for each line, at its begin and its end: 1 where an open line of a subject that is `joined` goes on as
-// another one, or is hidden there. A contour that comes out of a crease too weak to be drawn, and turns back as the
-// crease hidden by it, begins like one at a cusp.
+// Returns two numbers for each line, for its begin and its end. The number is 1 where an open line of a `joined`
+// subject goes on as another line, or is hidden. A contour may come out of a crease too weak to be drawn, and turn back
+// as the crease that it hides. Such a contour begins like one at a cusp.
 base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in, const base::Array<std::uint8_t>& hugs,
                                       double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     geometry::VecArray seen(memory);
-    base::Array<std::int64_t> ends(memory); // the end of a line that each place is
+    base::Array<std::int64_t> ends(memory); // 2 * line for a place at a line's begin, 2 * line + 1 at its end
     for (std::int64_t i = 0; i < intervals.size(); ++i) {
         const std::int32_t number = intervals[i].line;
         const visibility::Line& line = in.line(number);
@@ -430,7 +434,7 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
             ends.push_back(2 * std::int64_t{number} + at_end);
         }
     }
-    const double radius = std::max(1e-6, line_tuning.together * width); // pens may have no width
+    const double radius = std::max(1e-6, line_tuning.together * width); // above 0 even if pens have no width
     const geometry::PointGrid grid(seen, radius);
     base::Array<std::uint8_t> goes_on(memory, 2 * in.found.lines.lines.size());
     std::fill(goes_on.begin(), goes_on.end(), std::uint8_t{1});
@@ -440,7 +444,8 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
     return goes_on;
 }
 
-// The intervals of a line that look alike are one part; so are the last and the first of a closed line.
+// Makes a part of consecutive intervals of a line that look alike. On a closed line the last and the first are
+// consecutive.
 void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const base::Array<std::uint8_t>& hugs,
               const base::Array<std::uint8_t>& goes_on, base::Array<Part>& parts) {
     HRBFNPR_ASSERT(first < end && end <= in.found.intervals.size() && hugs.size() >= end);
@@ -478,7 +483,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
     }
 }
 
-// The points of the image along a part, and its ends.
+// Finds the points of the image along a part, with its ends.
 void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& places) {
     const visibility::Interval& its = part.interval;
     const visibility::Line& line = in.line(its.line);
@@ -510,12 +515,12 @@ glm::dvec2 seen_at(const StrokeInput& in, const Place& place) {
         .place;
 }
 
-// The factor of a style's width there, by the points around it.
+// The factor of a style's width at a place, from the curve's points on either side.
 float factor_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
     return as.factor == nullptr ? 1.0F : (1.0F - share) * as.factor[piece.a] + share * as.factor[piece.b];
 }
 
-// A point whose radius is still a factor of its style's width.
+// Makes a point at a place. Its radius is still a factor of the style's width.
 drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Place& place) {
     const visibility::Piece& piece = in.piece(place.piece);
     const visibility::Subject& subject = in.found.subjects[piece.subject];
@@ -533,7 +538,7 @@ drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Pl
     return point;
 }
 
-// The same on the chord from a place to the next. In double: a chord may begin far outside the window.
+// The same on the chord from a place to the next. It uses double, since a chord may begin far outside of the window.
 drawing::StrokePoint point_between(const StrokeInput& in, const Path& path, std::int64_t i, double at) {
     HRBFNPR_ASSERT(i >= 0 && i + 1 < path.place.size());
     const double span = path.place[i + 1].at - path.place[i].at;
@@ -551,7 +556,7 @@ drawing::StrokePoint point_between(const StrokeInput& in, const Path& path, std:
     return point;
 }
 
-// The shares of the chord from a place to the next that are in the window, or beside it by at most some pixels.
+// The shares of the chord from a place to the next that are in the window, or at most `beside` pixels outside of it.
 Shares in_window(const StrokeInput& in, const Place& from, const Place& to, double beside) {
     const glm::dvec2 a = seen_at(in, from);
     const glm::dvec2 b = seen_at(in, to);
@@ -571,8 +576,8 @@ Shares in_window(const StrokeInput& in, const Place& from, const Place& to, doub
     return shares;
 }
 
-// Places between those of a part, so that widths and opacities change evenly from one to the next. A part that is not
-// seen needs no places.
+// Finds knots between the places of a part, so that widths and opacities change evenly from one to the next. Chords
+// that are not seen need no knots.
 void knots_of(const StrokeInput& in, Path& path) {
     path.knot.clear();
     const DrawnAs& as = path.as;
@@ -598,9 +603,9 @@ void knots_of(const StrokeInput& in, Path& path) {
 
 // ---- Strokes
 
-// Moves the points of a stroke across the line: at a point halfway between the directions of the chords beside it. The
-// noise stands still on a line from frame to frame, wherever that begins. `at` holds the places of the points along the
-// line, pixels.
+// Moves the points of a stroke across the line. The direction of the line at a point is the mean of the chords on
+// either side. The noise stays in place on a line from frame to frame, wherever the line begins. `at` holds the places
+// of the points along the line, pixels.
 void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Array<double>& at,
             std::span<drawing::StrokePoint> points) {
     HRBFNPR_ASSERT(points.size() > 1 && static_cast<std::size_t>(at.size()) == points.size());
@@ -659,7 +664,7 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
 
-    base::Array<double> at(in.runtime.memory); // where along the line the stroke's points are
+    base::Array<double> at(in.runtime.memory); // places of the stroke's points along the line
     const auto put = [&](drawing::StrokePoint point, double here) {
         const double narrow = std::min(tapered(part.free_begin, here - part.interval.begin_at),
                                        tapered(part.free_end, part.interval.end_at - here));
@@ -705,7 +710,7 @@ void add_strong(const StrokeInput& in, const Path& path, double from, double to,
         return static_cast<double>(strength_at(path.as, in.piece(place[i].piece), static_cast<float>(place[i].share)) -
                                    path.as.lower);
     };
-    double begin = from; // where the present strong or weak stretch begins, pixels along the line
+    double begin = from; // where the current strong or weak stretch begins, pixels along the line
     HRBFNPR_ASSERT(path.as.strength != nullptr);
     bool strong = strength(0) >= 0.0;
     for (std::int64_t i = 1; i < place.size() && place[i - 1].at < to; ++i) {
@@ -720,8 +725,8 @@ void add_strong(const StrokeInput& in, const Path& path, double from, double to,
     if (strong && to > begin) add_stroke(in, path, begin, to, out);
 }
 
-// Adds the dashes that are seen: a line that passes beside the eye is as long as numbers go. The more layers lie before
-// it, the shorter they are.
+// Adds only the dashes that are seen, since a line that passes beside the eye may be immensely long. The more layers
+// lie before the line, the shorter its dashes are.
 void add_dashes(const StrokeInput& in, const Path& path, LineStrokes& out) {
     const double begin = path.part.interval.begin_at;
     const double whole = length_of(path.part.interval);
@@ -746,8 +751,8 @@ void add_dashes(const StrokeInput& in, const Path& path, LineStrokes& out) {
     }
 }
 
-// The distance between the end of a part and the middle of the nearer line that crosses there: its halo, and half of
-// either width.
+// The distance between the end of a part and the middle of the nearer line that crosses there: the halo and half of the
+// width of each line.
 double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const Place& end, float sine) noexcept {
     HRBFNPR_ASSERT(end.share >= 0.0 && end.share <= 1.0);
     const double joins = line_tuning.joins;
@@ -783,12 +788,13 @@ void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
     if (hidden && style.hidden == HiddenParts::none) return;
     double begin = its.begin_at;
     double end = its.end_at;
-    // A visible line ends before a nearer one that crosses it; not under it, where its end would be seen.
+    // A visible line ends before a nearer line that crosses it, rather than under that line, where its end would be
+    // seen.
     if (!hidden && as.halo > 0.0F && !in.is_whole(part)) {
         begin += gap_at(in, as, its.line, {its.begin_at, its.begin_piece, its.begin_share}, its.begin_sine);
         end -= gap_at(in, as, its.line, {its.end_at, its.end_piece, its.end_share}, its.end_sine);
     }
-    // A line that is seen for a pixel only, between hidden parts, says nothing.
+    // A short visible part between hidden parts would be a dot, so it is left out.
     const bool is_dot = !hidden && length_of(its) < line_tuning.dot * static_cast<double>(style.width) &&
                         length_of(its) < in.whole(its.line);
     if (!(end > begin) || is_dot) return;

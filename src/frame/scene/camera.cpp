@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// 1. look_at, perspective and orthographic build matrices from checked numbers.
-// 2. fit_bounds and fit_points find an eye from which everything is seen, and build a camera there.
+// 1. look_at, perspective and orthographic check their numbers and build matrices from them.
+// 2. fit_bounds and fit_points find an eye that sees everything, and build a camera there.
 // 3. check, make_optics and make_lens prepare any camera, also a host's, for a frame.
 #include "frame/scene/camera.h"
 
@@ -84,7 +84,7 @@ struct Axes {
 };
 
 Axes camera_axes(const glm::dvec3& forward, const glm::dvec3& up) {
-    // Vectors are scaled first, so that neither tiny nor huge ones lose their squares.
+    // Vectors are scaled first, so that the squares of tiny and huge ones stay within the range of a double.
     const auto unit = [](const glm::dvec3& v) {
         const glm::dvec3 a = glm::abs(v);
         const glm::dvec3 scaled = v / std::max({a.x, a.y, a.z});
@@ -113,7 +113,7 @@ glm::dmat4 view_matrix(const Axes& axes, const glm::dvec3& eye) {
     return view;
 }
 
-// Calls make(full_range, near, far): the depth of clip space goes from -1 or from 0 to 1, or back.
+// Calls make(full_range, near, far). The depth of clip space goes from -1 or 0 to 1, or from 1 to 0.
 template <class Make>
 glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane, const Make& make) {
     if (depth > DepthConvention::reversed)
@@ -123,10 +123,10 @@ glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane
     return make(depth == DepthConvention::negative_one_to_one, near_plane, far_plane);
 }
 
-// The extent that a camera has to see, in its own axes (right, up, forward) from an anchor. Seen from an eye e, a point
-// p lies between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), which is p_x - t p_z <= e_x - t e_z:
-// only the largest left side of all points matters, and likewise on the other three sides. With t = 0 the four are the
-// extents of an orthographic picture.
+// The extent that a camera has to see, in the camera's axes (right, up, forward) from an anchor. Seen from an eye e, a
+// point p lies between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), which is the same as
+// p_x - t p_z <= e_x - t e_z. So only the largest left side of all points matters, and likewise on the other three
+// sides. With t = 0 the four numbers are the extents of an orthographic picture.
 struct Support {
     glm::dvec2 above{-std::numeric_limits<double>::infinity()}; // max of p - t p_z
     glm::dvec2 below{-std::numeric_limits<double>::infinity()}; // max of -p - t p_z
@@ -141,15 +141,15 @@ struct Support {
     }
 };
 
-// The near plane stands before the nearest place, and never too close to the eye.
+// Puts the near plane before the nearest point, but never too close to the eye.
 glm::dmat4 perspective_around(double vertical_angle, double width, double height, double nearest, double farthest,
                               double slack, DepthConvention depth) {
     return perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest), farthest + slack,
                        depth);
 }
 
-// The point of eye space that has no image, where all lines of sight meet: the common null vector of the x, y and w
-// rows. It is at infinity for parallel projections.
+// The point of eye space that has no image, where all lines of sight meet. It is the common null vector of the rows for
+// x, y and w, and lies at infinity for parallel projections.
 glm::dvec4 centre_of_projection(const glm::dmat4& projection) {
     const glm::dmat4 rows = glm::transpose(projection);
     const glm::dvec4& a = rows[0];
@@ -221,7 +221,7 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const Axes axes = camera_axes(direction, up);
     const glm::dvec3 centre = bounds.centre();
     glm::dvec3 half = 0.5 * bounds.size();
-    // A point has no size to fill a picture with; it is shown as if it had some.
+    // A single point has no size, so the camera sees it as if it had a small one.
     if (half == glm::dvec3(0.0)) half = glm::dvec3(std::max(1e-3, 1e-6 * glm::length(centre)));
     const double size = 2.0 * glm::length(half);
     const double slack = 0.5 * scene_tuning.fit_slack * size;
@@ -230,7 +230,7 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const double tangent = std::tan(0.5 * vertical_angle);
     const glm::dvec2 slope(tangent * aspect * used, tangent * used);
     glm::dvec3 extent(0.0);
-    // The least distance of the eye from the centre at which it sees all corners between lines of these slopes.
+    // The least distance from the eye to the centre at which the eye sees all corners between lines of these slopes.
     double reach = 0.0;
     for (unsigned i = 0; i < 8; ++i) {
         const glm::dvec3 c = axes.along(
@@ -241,11 +241,11 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     Camera camera{depth, {}, {}, {0.0, 0.0, width, height}};
     double back = extent.z + 2.0 * slack;
     if (vertical_angle == 0.0) {
-        // 1e-9: a line seen end-on has no height.
+        // 1e-9: a line that is seen end-on has no height.
         const double view_height = 2.0 * std::max({extent.y, extent.x / aspect, 1e-9 * size}) / used;
         camera.projection = orthographic(view_height, width, height, slack, 2.0 * back - slack, depth);
     } else {
-        // The eye is never closer than the slack to the nearest corner, or it could touch it.
+        // The eye keeps the slack from the nearest corner, so that it cannot touch the corner.
         back = std::max(reach, extent.z + slack);
         camera.projection =
             perspective_around(vertical_angle, width, height, back - extent.z, back + extent.z, slack, depth);
@@ -269,7 +269,7 @@ Camera fit_points(const base::InView& points, const glm::dvec3& origin, const gl
     const glm::dvec3 anchor = point_at(points, 0);
     Support support;
     for (std::int64_t i = 0; i < points.count; ++i) support.add(axes.along(point_at(points, i) - anchor), slope);
-    const glm::dvec2 needed = 0.5 * (support.above + support.below); // half of the picture
+    const glm::dvec2 needed = 0.5 * (support.above + support.below); // half the extent of the picture
     const double size = std::max({needed.x, needed.y, support.farthest - support.nearest,
                                   1e-6 * glm::length(origin + anchor), 1e-3 * (points.count == 1 ? 1.0 : 0.0)});
     const double slack = scene_tuning.fit_slack * size;
@@ -322,7 +322,7 @@ Optics make_optics(const Camera& camera) {
 Lens make_lens(const Camera& camera) {
     const Optics optics = make_optics(camera);
     const glm::dmat4& p = camera.projection;
-    // The scale is the mean of both axes, whatever turn in the image plane the projection contains.
+    // The scale is the mean over both axes. It does not depend on rotations in the image plane.
     const double x = 0.5 * camera.viewport[2] * std::hypot(p[0][0], p[1][0]);
     const double y = 0.5 * camera.viewport[3] * std::hypot(p[0][1], p[1][1]);
     return {glm::mat4(optics.window),

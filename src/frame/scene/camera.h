@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera as the frame sees it, the helpers that build its matrices, and the numbers that a frame derives from it
+// The camera as the frame sees it, the functions that build its matrices, and the numbers that a frame derives from it
 // once.
 #pragma once
 
@@ -28,8 +28,8 @@ struct Camera {
 [[nodiscard]] Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, const glm::dvec3& up,
                                 double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);
-// The same for points of 3 components, at least one, relative to `origin`: they are as large as the picture allows, and
-// in its middle.
+// The same for points of 3 components relative to `origin`; there is at least one. The points appear as large as the
+// picture allows, in its middle.
 [[nodiscard]] Camera fit_points(const base::InView& points, const glm::dvec3& origin, const glm::dvec3& direction,
                                 const glm::dvec3& up, double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);
@@ -39,11 +39,11 @@ void check(const Camera& camera);
 // How a camera maps eye space, in double. The camera is checked, but its projection may still be singular.
 struct Optics {
     glm::dmat4 window{1.0}; // eye to (x w, y w, depth w, w): pixels and window depth
-    glm::dvec4 centre{0.0}; // where the lines of sight come from (w = 1), or their direction (w = 0), eye space
+    glm::dvec4 centre{0.0}; // the eye (w = 1), or the direction of all lines of sight (w = 0), in eye space
 };
 [[nodiscard]] Optics make_optics(const Camera& camera);
 
-// The same in float, with what else marks need.
+// The optics in float, with other numbers that marks need.
 struct Lens {
     glm::mat4 window{1.0F};
     glm::vec4 centre{0.0F};
@@ -59,7 +59,7 @@ struct Lens {
 };
 [[nodiscard]] Lens make_lens(const Camera& camera);
 
-// The side of a cube of the same volume after the transform.
+// The cube root of the factor by which a transform scales volumes.
 [[nodiscard]] double mean_scale(const glm::dmat4& transform) noexcept;
 
 } // namespace hrbfnpr::frame

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The light on a surface, the tones that follow from it, from distance and from zoom, and which marks they leave. Dots,
-// hatching, lines and published marks all ask these functions.                                              [NPAR 6.2]
+// The light on a surface, the tones that follow from light, distance and zoom, and the marks that are drawn for a tone.
+// Dots, hatching, lines and published marks all use these functions.                                        [NPAR 6.2]
 //
-// 1. lit: n . l of a normal; see_loops.cpp has the same on vectors.
-// 2. LightTone: tau of n . l, and the bound by which clusters are passed over.
-// 3. DepthTone, zoom_scale: what distance and zoom leave of it.
+// 1. lit: n . l of a normal; see_loops.cpp has a version for vectors.
+// 2. LightTone: tau of n . l, and a bound by which clusters are passed over.
+// 3. DepthTone, zoom_scale: the share of the marks that is left at a distance and a zoom.
 // 4. front_verdict, silhouette_shown: whether a mark is drawn.
-// 5. front_alpha, back_alpha, layer_transmittance: what marks and layers hide.
+// 5. front_alpha, back_alpha, layer_transmittance: how much marks and layers hide.
 #pragma once
 
 #include "base/assert.h"
@@ -23,7 +23,7 @@
 
 namespace hrbfnpr::frame {
 
-// n . l of a unit normal. see_loops.cpp gives the same bits.
+// n . l of a unit normal. The function of see_loops.cpp gives the same bits.
 [[nodiscard]] inline float lit(const Light& light, const glm::vec3& n) noexcept {
     const auto dot = [](const float(&row)[3], const glm::vec3& v) {
         return row[0] * v.x + row[1] * v.y + row[2] * v.z;
@@ -41,7 +41,7 @@ namespace hrbfnpr::frame {
     return (exponent == 1.0F ? lit : std::pow(lit, exponent)) + fill * away * away;
 }
 
-// The law of light of a style. There is no fill light as published.
+// The tone that a style gives to light. Published styles have no fill light.
 struct LightTone {
     explicit LightTone(const Style& style) noexcept
         : exponent(static_cast<float>(style.tone_exponent)),
@@ -51,12 +51,12 @@ struct LightTone {
 
     [[nodiscard]] float operator()(float n_dot_l) const noexcept { return light_tone(n_dot_l, exponent, fill); }
 
-    // No place has a lower tone whose n . l is at least `least_lit`. The fill light does not count, since the
-    // terminator may lie between.
+    // A lower bound of the tone where n . l is at least `least_lit`. The fill light does not count, since the
+    // terminator may lie in between.
     [[nodiscard]] float least(float least_lit) const noexcept { return light_tone(least_lit, exponent); }
 
-    // The inverse: where n . l is above this, tones are higher than `tau` by `rounding` at least; infinite if no n . l
-    // is.
+    // The inverse of least(): where n . l is above the result, tones are higher than `tau` by at least `rounding`. The
+    // result is infinite if no n . l is that large.
     [[nodiscard]] float lightest(float tau, float rounding) const noexcept {
         HRBFNPR_ASSERT(rounding > 0.0F);
         constexpr float any = std::numeric_limits<float>::infinity();
@@ -76,7 +76,7 @@ struct LightTone {
     return static_cast<float>(std::clamp(tone, 0.0, 1.0));
 }
 
-// The law of distance of a style.
+// The tone that a style gives to distance.
 struct DepthTone {
     DepthTone(const Style& style, float eye_units_per_world_unit) noexcept
         : depth_min(style.depth_min), depth_max(style.depth_max), eye_per_world(eye_units_per_world_unit),
@@ -92,7 +92,7 @@ struct DepthTone {
     bool is_on;
 };
 
-// The share of the marks that is shown at a zoom below the reference's.
+// The share of the marks that is shown. The reference has a zoom of 1.
 [[nodiscard]] inline float zoom_scale(float zoom, float exponent) noexcept {
     return zoom >= 1.0F ? 1.0F : std::pow(std::max(zoom, 0.0F), exponent);
 }
@@ -107,8 +107,8 @@ struct ToneTerms {
     float share = 1.0F;     // the share of the group's marks that is used at all
 };
 
-// u is the mark's rank. The reason for a drop is the first of share and light, zoom, depth that drops it when they act
-// one after the other.
+// `u` is the mark's rank. Share and light, zoom, and depth act one after the other. The verdict names the first that
+// drops the mark.
 [[nodiscard]] inline Verdict front_verdict(float u, const ToneTerms& t, ToneRule rule) noexcept {
     if (rule == ToneRule::published) {
         if (!(u >= t.tau && u < t.share)) return Verdict::tone;
@@ -129,19 +129,19 @@ struct ToneTerms {
 // ---- Hidden lines: how much paper a mark paints over the ink beyond it, and how much a layer of surface lets through
 //                                                                                                          [NPAR 6.1]
 
-// nu = n . v, v from the camera to the mark: it is negative in front.
+// nu = n . v, where v points from the camera to the mark. nu is negative in front.
 [[nodiscard]] inline float front_alpha(float nu, float lambda) noexcept {
     return std::clamp(nu * nu * lambda, 0.0F, 1.0F);
 }
 
-// The logarithm is the natural one, and the law ends where it does: it is 0 for nu <= 0.05.
+// The logarithm is the natural one. For nu <= 0.05, where it is not defined, the result is 0.
 [[nodiscard]] inline float back_alpha(float nu, float lambda) noexcept {
     if (!(nu > 0.05F)) return 0.0F;
     return std::clamp(0.2F * (std::log(nu - 0.05F) + 5.0F) * lambda, 0.0F, 1.0F);
 }
 
-// How many discs of a layer overlap at a pixel: a disc's area over the screen area of a mark's piece of surface, which
-// shrinks with |nu|. radius and spacing are in pixels.
+// How many discs of a layer overlap at a pixel: the area of a disc divided by the screen area of a mark's piece of
+// surface, which shrinks with |nu|. radius and spacing are in pixels.
 [[nodiscard]] inline float expected_overlap(float radius, float spacing, float nu) noexcept {
     const float piece = spacing * spacing * std::max(std::abs(nu), 0.01F);
     return piece > 0.0F ? std::max(1.0F, std::numbers::pi_v<float> * radius * radius / piece) : 1.0F;
@@ -154,8 +154,8 @@ struct ToneTerms {
     return -std::expm1(std::log1p(-alpha) * layers / overlap);
 }
 
-// The transmittance of an item's layer. Ink that a solid hides lies beyond two layers, one that faces the eye and one
-// that faces away. A surface that is drawn on both sides may be the only one there: it hides like both.
+// The transmittance of an item's layer. Ink that a solid hides lies behind two layers, one that faces the eye and one
+// that faces away. A surface that is drawn on both sides may be the only layer there, so it hides like both.
 [[nodiscard]] inline float layer_transmittance(const Style& style, float nu, bool both_sides) noexcept {
     if (style.hidden_lines == HiddenLines::show) return 1.0F;
     if (style.hidden_lines == HiddenLines::hide) return 0.0F;
@@ -171,8 +171,8 @@ struct ToneTerms {
     return transmittance;
 }
 
-// A transmittance has its item in the lowest bits, where no pixel shows it: planes of items would take as long to lay
-// as planes of depths. Items that agree in these bits are taken for one.
+// The lowest bits of a transmittance hold the number of its item. The change is too small to show in a pixel, and
+// separate planes of items would take as long to lay as planes of depths. Items that agree in these bits count as one.
 inline constexpr std::uint32_t item_bits = 15;
 [[nodiscard]] inline std::uint32_t bits_of_item(std::int32_t item) noexcept {
     return static_cast<std::uint32_t>(item) & item_bits;
@@ -180,7 +180,7 @@ inline constexpr std::uint32_t item_bits = 15;
 [[nodiscard]] inline std::uint32_t item_of(float transmittance) noexcept {
     return base::bit_cast<std::uint32_t>(transmittance) & item_bits;
 }
-// The nearest number with the item's bits that is not above 1.
+// The number nearest to `transmittance` that has the item's bits and is not above 1.
 [[nodiscard]] inline float with_item(float transmittance, std::int32_t item) noexcept {
     HRBFNPR_ASSERT(transmittance >= 0.0F && transmittance <= 1.0F);
     const std::uint32_t own = bits_of_item(item);
@@ -192,17 +192,17 @@ inline constexpr std::uint32_t item_bits = 15;
 
 // ---- The order of painting, as published
 
-// How far after its mark, in eye units, a front mark's disc of paper is painted, so that it lies after all ink of its
-// own layer: within the disc's radius R a sphere of any size that faces the eye under the angle theta falls back by R
-// (1 + sin(theta)) / cos(theta) at most, be it a plane (R tan(theta)) or so small that its contour is just within
-// reach.
+// How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies behind all ink of its
+// own layer. Within the disc's radius R, a sphere of any size that faces the eye at the angle theta falls back by at
+// most R (1 + sin(theta)) / cos(theta). This holds for a plane (R tan(theta)) as well as for a sphere so small that its
+// contour is just within reach.
 [[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
     const float cosine = std::clamp(std::abs(nu), scene_tuning.smallest_cosine, 1.0F);
     return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
 }
 
-// The ink that a back mark must not cover is the contour's, where its layer turns to the front. It is nearer to the
-// eye, so only some slack is needed.
+// The same distance for a back mark. Its disc must not cover the ink of the contour, where its layer turns to the
+// front. The contour is nearer to the eye, so only some slack is needed.
 [[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
 
 } // namespace hrbfnpr::frame

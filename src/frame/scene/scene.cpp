@@ -2,8 +2,8 @@
 // set_up, step by step:
 //
 // 1. unit_camera: the camera in a unit in which floats hold the items' squares and cubes
-// 2. view_of: each item's matrices
-// 3. note_layers: ids of the marks of all layers
+// 2. view_of: the matrices of each item
+// 3. note_layers: the ids of the marks of all layers
 // 4. add_runs: a run for each layer that takes part, and the drawing's layers of ink; once more for the other sides
 // 5. take_pose, pose_runs: places and clusters of marks that have moved
 // 6. turn_runs: normals and clusters of the other sides
@@ -26,14 +26,15 @@ namespace {
 
 using ll = long long; // the type that messages print
 
-constexpr std::int64_t marks_a_call = 4096;     // a tone callback gets at most this many
+constexpr std::int64_t marks_a_call = 4096;     // a tone callback gets at most this many marks
 constexpr std::int64_t most_marks = 0x7FFFFFFF; // an order key holds a mark and one bit in 32
-constexpr double most_off_unit = 1e-2; // lengths of a pose's unit vectors may be off 1 by this: floats are rounded
-constexpr double farthest = 1e33;      // greatest number that a pose may have: marks are floats
+constexpr double most_off_unit = 1e-2; // a pose's unit vectors may differ from length 1 by this, since floats are
+                                       // rounded
+constexpr double farthest = 1e33;      // the greatest number that a pose may have, since marks are floats
 
 // ---- Items
 
-// Inverse transpose, scaled to fit into floats: only the direction of its products counts.
+// The inverse transpose, scaled to fit into floats. Only the direction of its products counts.
 glm::mat3 normal_matrix(const glm::dmat4& m) {
     const glm::dmat3 inverse = glm::inverseTranspose(glm::dmat3(m));
     double largest = 0.0;
@@ -63,7 +64,7 @@ void check_item(std::span<const Item> items, std::int64_t index) {
              ll{index});
 }
 
-// The same camera, whose eye space is measured in a unit that suits the farthest distance of items from the eye.
+// Returns the same camera with its eye space in a unit that suits the farthest distance of items from the eye.
 // Projections give the same pixels for any factor.
 Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     double reach = 0.0;
@@ -96,7 +97,7 @@ ItemView view_of(const Item& item, const Camera& camera) {
         view.centre = glm::vec3((item.set->bounds.centre() - item.set->origin) / view.unit);
         view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() / view.unit) * scene_tuning.rounding;
     }
-    // Far from the world's origin the large numbers cancel here, in double.
+    // Far from the world's origin, large numbers cancel here, in double.
     view.to_world = item.transform;
     for (int axis = 0; axis < 3; ++axis) view.to_world[axis] *= view.unit;
     view.to_world[3] = item.transform * glm::dvec4(item.set->origin, 1.0);
@@ -118,12 +119,12 @@ ItemView view_of(const Item& item, const Camera& camera) {
 
 // ---- Layers and runs
 
-// Whether the layer is spread over the surface. Strokes of the caller's may be few and anywhere: they tell neither
+// Whether the layer is spread over the surface. The caller's own strokes may be few and anywhere. They show neither
 // where the surface is nor where its contours are, and make no tone.
 bool is_surface(const marks::Layer& layer) noexcept { return !(layer.kind == marks::Kind::own && layer.has_strokes()); }
 
-// Whether the layer takes part. One that is not shown may still tell where the surface is that hides other ink, unless
-// its style turns off its contours as well.
+// Whether the layer takes part. A layer that is not shown may still show where the surface hides other ink, unless its
+// style turns off its contours as well.
 bool takes_part(const marks::Layer& layer, const Style& style) noexcept {
     const LayerStyle& own = style.of(layer);
     return layer.count() > 0 && (own.shown || own.contours);
@@ -134,7 +135,7 @@ bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
                        [&](const marks::Layer& layer) { return takes_part(layer, style) && is_surface(layer); });
 }
 
-// The layer whose marks are the splats of an item; -1 for none. Stipples are spread the most evenly.
+// The layer whose marks are the splats of an item; -1: none. Stipples are preferred, since they are spread most evenly.
 std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     const bool any_surface = has_surface(set, style);
     const auto larger = [&](std::int64_t than, std::int64_t i) {
@@ -153,7 +154,7 @@ std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     return static_cast<double>(set.layers[stipples].count()) >= enough ? stipples : largest;
 }
 
-// Ids count the marks of all layers of all items, drawn or not.
+// Gives ids to the marks of all layers of all items, drawn or not.
 void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawing& drawing) {
     for (std::int64_t i = 0; i < set.layers.size(); ++i) {
         const std::int64_t before =
@@ -171,7 +172,7 @@ void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawi
     }
 }
 
-// The run of a layer, but for its place among the scene's. `splats` says whether the item's splats are its marks.
+// Makes the run of a layer without its place in the scene. `splats` says whether its marks are the item's splats.
 Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_surface, const Lens& lens) {
     HRBFNPR_ASSERT(layer.count() > 0);
     const Style& style = item.style;
@@ -190,10 +191,12 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.makes_tone = is_surface(layer) || !any_surface;
     run.splats = style.hidden_lines != HiddenLines::show && splats;
     run.draws_silhouettes = published && own.contours && is_surface(layer);
-    // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
+    // With a given overlap, one evenly spread layer is as opaque as all layers. In published drawings every mark
+    // counts.
     run.paints_paper = style.hidden_lines == HiddenLines::attenuate && (splats || !(style.splat_overlap > 0.0F));
     run.occludes = style.hidden_lines == HiddenLines::hide && splats;
-    // The size of a mark's piece of surface is known for the largest layer; in others it follows from their number.
+    // The size of a mark's piece of surface is known for the largest layer. For others it follows from their mark
+    // counts.
     const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.count());
     const double eye_per_object = mean_scale(item.transform) * static_cast<double>(lens.eye_per_world);
     run.pen = {&style, &own, static_cast<float>(item.set->spacing * std::sqrt(ratio) * eye_per_object)};
@@ -217,7 +220,7 @@ void add_layer(const Run& run, MarkClass mark_class, const float* ink, drawing::
 }
 
 // Adds the runs of the scene's last item, which is the drawing's item `number`. The other side of a surface has only
-// ink, since its front side tells where it is.
+// ink, since the front side shows where the surface is.
 void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t first_of_drawing, bool other_side,
               drawing::Drawing& drawing) {
     const std::int64_t splats = splat_layer(*item.set, item.style);
@@ -244,7 +247,7 @@ void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t 
 
 // ---- Poses and other sides
 
-// Checks a pose of an item, and takes it into the drawing.
+// Checks a pose of an item, and copies it into the drawing.
 void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, drawing::Drawing& drawing) {
     const Pose& pose = item.poses[static_cast<std::size_t>(pose_number)];
     const auto refuse = [&](const char* why) {
@@ -258,7 +261,7 @@ void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, 
     if (run->posed >= 0) refuse("poses the same layer as one before");
     const auto vector = [&](const base::InView& view, std::int64_t i, const char* name) {
         const glm::dvec3 v(view.get(i, 0), view.get(i, 1), view.get(i, 2));
-        // The comparison is false for NaN as well.
+        // The comparison is false for NaN, too.
         if (!(std::abs(v.x) <= farthest && std::abs(v.y) <= farthest && std::abs(v.z) <= farthest))
             fail(Status::invalid_argument,
                  "items[%lld].poses[%lld].%s[%lld] is %g %g %g; numbers must be finite, of 1e33 at most", ll{number},
@@ -286,8 +289,8 @@ void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, 
     }
 }
 
-// Lets the runs of posed layers see where their marks are, and grows their items' balls. From here on the drawing's
-// arrays of poses do not move.
+// Points the runs of posed layers to the moved marks, and grows the items' balls. From here on the drawing's arrays of
+// poses must not move.
 void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
     for (const drawing::Run& run : drawing.runs) {
         ItemView& view = scene.items[run.item];
@@ -315,7 +318,7 @@ void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
 void turn_runs(Scene& scene) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
-    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to its elements
+    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to elements of this list
     scene.turned_normal.resize_for_overwrite(3 * marks);
     float* to = scene.turned_normal.data();
     std::int64_t number = 0;
@@ -461,7 +464,7 @@ Seer seer_of(const ItemView& item, const Lens& lens) noexcept {
     return seer;
 }
 
-// Cosine and sine of an angle in [0, pi].
+// The cosine and sine of an angle in [0, pi].
 struct Angle {
     float cosine, sine;
 };
@@ -476,7 +479,7 @@ struct Range {
     float least, most;
 };
 
-// Cosines of the angles that differ by no more than `spread` from one whose cosine is `middle`.
+// The cosines of all angles that differ by at most `spread` from the angle whose cosine is `middle`.
 [[nodiscard]] Range cosines(float middle, const Angle& spread) noexcept {
     HRBFNPR_ASSERT(spread.sine >= 0.0F && spread.sine <= 1.001F && std::abs(spread.cosine) <= 1.001F);
     middle = std::clamp(middle, -1.0F, 1.0F);
@@ -486,11 +489,11 @@ struct Range {
     return {middle > -spread.cosine ? both - side : -1.0F, middle < spread.cosine ? both + side : 1.0F};
 }
 
-// Where a ball lies. `beyond` is how far it surely lies outside of a side of the picture, in pixels times w; outside of
-// the range of depths it is infinite.
+// Where a ball lies. The ball surely lies farther than `beyond` outside of a side of the picture, in pixels times w;
+// `beyond` is infinite if the ball lies outside of the range of depths.
 struct Sides {
     float beyond = -anywhere;
-    bool inside = true; // surely
+    bool inside = true; // the ball surely lies in the picture
 };
 
 [[nodiscard]] Sides sides_of(const glm::vec4& eye, float radius, const Frustum& frustum) noexcept {
@@ -525,7 +528,7 @@ ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustu
     sight.eye = sight.seer.parallel ? glm::vec3(glm::normalize(back * centre))
                                     : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
     if (!(off <= scene_tuning.angle_tolerance * mean)) return sight;
-    // Normals keep their lengths, and the light comes to them.
+    // Normals keep their lengths, and the direction of the light is taken to their space.
     set_rows(sight.seer.normal, item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
     Light& light = sight.seer.light;
     glm::vec3 towards(0.0F);
@@ -562,7 +565,7 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     const float w = dot_row(seer.clip[3]);
     const float w_most = w + radius * frustum.w_norm;
     if (w_most > 0.0F) view.pixels_per_unit = lens.pixels / (w > 0.0F ? w : w_most);
-    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some may be after the camera's plane
+    if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some marks may be behind the camera's plane
     view.nearest = w - radius * frustum.w_norm;
     const Sides sides = sight.inside ? Sides{} : sides_of(eye, radius, frustum);
     view.beyond = sides.beyond / w_most;
@@ -587,8 +590,9 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     return view;
 }
 
-// At a place v from the eye, n within the cone has n . v >= |v| cos(a + c), a the angle between v and the axis, c the
-// cone's; and elsewhere in the ball n . v is less by no more than its radius. No root is taken.
+// At a place v from the eye, a normal n in the cone has n . v >= |v| cos(a + c), where a is the angle between v and the
+// axis and c is that of the cone. Elsewhere in the ball n . v is smaller by at most the ball's radius. The test takes
+// no root.
 bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept {
     HRBFNPR_ASSERT(extent.radius >= 0.0F);
     if (!sight.seer.rigid || !(extent.cone.cosine > 0.0F)) return false;

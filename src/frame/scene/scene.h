@@ -38,7 +38,7 @@ using drawing::Splat;
 
 // ---- Pens and runs
 
-// Where the marks of one layer are in this drawing: views of as many elements as it has marks.
+// Where the marks of one layer are in this drawing. Each view has an element for each mark of the layer.
 struct Pose {
     std::int64_t layer = 0;
     base::InView position;  // absolute
@@ -85,7 +85,7 @@ struct Pen {
         const float own = std::max(1.0F, scene_tuning.splat_spacings * spacing * pixels_per_unit);
         return std::min(style->splat_radius > 0.0F ? style->splat_radius : own, largest_splat);
     }
-    // The area scales with the zoom. An automatic splat follows the zoom already, so only the halo is left to scale.
+    // The area scales with the zoom. An automatic splat follows the zoom already, so only the halo is scaled.
     [[nodiscard]] float back_splat(float pixels_per_unit) const noexcept {
         const float shrink = std::sqrt(scale(pixels_per_unit));
         if (style->splat_radius > 0.0F)
@@ -107,7 +107,7 @@ private:
     }
 };
 
-// One item's matrices. They take places relative to the set's origin, in `unit`.
+// One item as the frame sees it. Its matrices apply to places relative to the set's origin, in `unit`.
 struct ItemView {
     Style style;
     bool both_sides = false;
@@ -130,8 +130,8 @@ struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
     Pen pen;
-    // Three numbers for each mark; positions are relative to the set's origin. The arrays are the layer's, those of the
-    // item's pose, or those made for the other side.
+    // Three numbers for each mark; positions are relative to the set's origin. The arrays belong to the layer, to the
+    // item's pose, or to the other side.
     const float* position = nullptr;
     const float* normal = nullptr;
     const float* posed_direction = nullptr; // NULL: the pose has none
@@ -140,15 +140,15 @@ struct Run {
     std::int32_t source = 0;      // the item's number in the drawing
     std::int32_t layer = 0;       // its number in the item's set
     std::uint32_t first_id = 0;   // the id of its first mark in the drawing
-    std::int64_t first = 0;       // place of its first mark among the marks of all runs
+    std::int64_t first = 0;       // the number of its first mark, counted over all runs
     std::int64_t count = 0;       // the number of its marks
     std::int64_t first_place = 0; // the first of its places in clusters' blocks, counted over all runs
     std::uint32_t directions = 3; // directions of strokes that are front ink: bit 0 the first, bit 1 the second
     Shape shape = Shape::dots;    // how front ink is drawn: marks that form no strokes are dots whatever the style says
     bool draws_front = false;
-    bool makes_tone = true; // its ink counts for the tone of its item
-    bool splats = false;    // its marks tell where the layers of its item are
-    bool turned = false;    // it is the other side: normals are opposite to those of the marks
+    bool makes_tone = true; // its ink counts towards the tone of its item
+    bool splats = false;    // its marks are the splats that show where the layers of its item are
+    bool turned = false;    // it shows the other side of the surface: its normals are opposite to those of the marks
     // With VISIBILITY_PUBLISHED only.
     bool draws_silhouettes = false;
     bool paints_paper = false; // HIDDEN_LINES_ATTENUATE
@@ -169,7 +169,7 @@ struct Run {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);
     }
     [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
-    // The normal from which tone is found. Where the layer is posed it is turned with normal and direction.
+    // The normal from which tone is found. In a posed layer it is turned together with normal and direction.
     [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
     // Radius of the ink of a front mark, by its number in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
@@ -184,7 +184,7 @@ private:
     }
 };
 
-// Strokes of lines or of hatching, before they stand among the others of a drawing.
+// Strokes of lines or of hatching, before they are sorted into the drawing.
 struct LineStrokes {
     explicit LineStrokes(base::Memory& memory) noexcept : strokes(memory), points(memory) {}
 
@@ -199,8 +199,8 @@ struct Scene {
         : items(memory), runs(memory), posed(memory), turned(memory), turned_normal(memory) {}
 
     Lens lens;
-    Camera camera;               // in the unit that eye space is measured in
-    base::Array<ItemView> items; // those of the other sides come last
+    Camera camera;               // its eye space is measured in the frame's unit
+    base::Array<ItemView> items; // items for the other sides come last
     base::Array<Run> runs;
     base::List<marks::MarkClusters> posed;  // clusters of the layers whose marks have moved
     base::List<marks::MarkClusters> turned; // clusters of the runs of the other sides
@@ -216,18 +216,19 @@ struct Scene {
     [[nodiscard]] std::int64_t bytes() const noexcept { return items.bytes() + runs.bytes() + turned_normal.bytes(); }
 };
 
-// Fills lens, items and runs, and of the drawing its window, paper, layers, items, runs and poses. The drawing has a
-// layer of front ink for each run; as published each is followed by a layer of contours.
+// Fills lens, camera, items and runs of the scene, and window, paper, layers, items, runs and poses of the drawing. The
+// drawing has a layer of front ink for each run. In a published drawing, a layer of contours follows each of them.
 // Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing);
 
-// Asks a style's tone callback for tau, on the thread that entered.
+// Asks a style's tone callback for tau, on the thread that entered the library.
 class ToneCalls {
 public:
     explicit ToneCalls(base::Memory& memory) noexcept
         : positions_(memory), normals_(memory), tau_(memory), places_(memory) {}
 
-    // The answers to all marks added go to out[stride * place]. Call begin() first, for each item, and end() last.
+    // The tone of each added mark goes to out[stride * place]. Call begin() before the marks of an item, and end()
+    // after them.
     void begin(const ItemView& item, float* out, std::int64_t stride) noexcept;
     void add(const glm::vec3& own_position, const glm::vec3& own_normal, std::int64_t place);
     void end();
@@ -244,14 +245,13 @@ private:
     base::Array<std::int64_t> places_;
 };
 
-// ---- What can be said of many marks at once before any of them is looked at: of all that lie in a ball with normals
-// in a cone
+// ---- Bounds that hold for many marks at once: for all that lie in a ball and have normals in a cone
 
 // One item seen from its own space.
 struct ItemSight {
     Seer seer;             // `rigid` if the transform keeps angles, so that cones of normals stay cones
-    float scale = 1.0F;    // eye units per object unit, the largest
-    bool inside = false;   // all of it surely lies in the picture
+    float scale = 1.0F;    // the largest number of eye units per object unit
+    bool inside = false;   // the whole item surely lies in the picture
     glm::vec3 eye{0.0F};   // centre of projection, object space; or the unit direction of all lines of sight
     glm::vec3 light{0.0F}; // unit, object space, if the transform is rigid
 };
@@ -268,22 +268,23 @@ struct Frustum {
 
 // Bounds that hold for all marks of a cluster or of a piece of a stroke.
 struct ClusterView {
-    float beyond = -1.0F; // all marks surely lie more than this outside of the picture, pixels; < 0: they may not
+    float beyond = -1.0F; // all marks surely lie farther than this outside of the picture, pixels; < 0: not known
     bool inside = false;  // all marks surely lie in the picture
     float pixels_per_unit = 1.0F; // at the centre
-    float nearest = 0.0F;         // w of the projection, at least; 0: some marks may be after the camera's plane
+    float nearest = 0.0F;         // a lower bound of w of the projection; 0: some marks may be behind the camera's
+                                  // plane
     float nu_min = -1.0F;
     float nu_max = 1.0F;
-    float lit_min = -1.0F; // by the normals; tone may go by others
+    float lit_min = -1.0F; // from the normals; tone may have normals of its own
 };
 
 [[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,
                                        const Frustum& frustum) noexcept;
 
-// Whether n . v > 0 at all marks; false where that is not known at once.
+// Whether n . v > 0 at all marks. It is false where a quick test cannot tell.
 [[nodiscard]] bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept;
 
-// No n . l of a normal for tone in the piece is less.
+// A lower bound of n . l over the normals for tone of the piece.
 [[nodiscard]] float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept;
 
 } // namespace hrbfnpr::frame

@@ -16,7 +16,7 @@ using F = hn::CappedTag<float, marks::MarkBlock::size>; // a vector never leaves
 using W = hn::Vec<F>;
 using M = hn::Mask<F>;
 
-// Products and sums are rounded one by one: a fused step would give other bits where there is one.
+// Products and sums are rounded separately. Fused steps would give other bits on processors that have them.
 HWY_INLINE W dot3(const float* row, W x, W y, W z) {
     const F d;
     return hn::Add(hn::Add(hn::Mul(hn::Set(d, row[0]), x), hn::Mul(hn::Set(d, row[1]), y)),
@@ -25,7 +25,7 @@ HWY_INLINE W dot3(const float* row, W x, W y, W z) {
 HWY_INLINE W affine(const float* row, W x, W y, W z) { return hn::Add(dot3(row, x, y, z), hn::Set(F(), row[3])); }
 HWY_INLINE W squared(W x, W y, W z) { return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)); }
 
-// n . l as lit() of light.h gives it.
+// n . l, with the same bits as lit() of light.h.
 HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
     if (light.rigid) return dot3(light.towards, nx, ny, nz);
     const W x = dot3(light.normal[0], nx, ny, nz);
@@ -34,7 +34,8 @@ HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
     return hn::Div(dot3(light.towards, x, y, z), hn::Sqrt(squared(x, y, z)));
 }
 
-// load(k) is x, y, z of the place, of the normal, and of the normal for tone.
+// Sees the vector of marks at `at`. load(0) to load(8) give x, y and z of the place, the normal, and the normal for
+// tone.
 template <class Load>
 HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen, const Load& load) {
     const F d;
@@ -104,7 +105,7 @@ void see_rows(const Seer& seer, const MarkRows& m, const SeenRows& to) {
         see_vector(s, at, seen, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
 }
 
-// The share of its area at which a mark is drawn, `place` its 1 - rank: it grows while the last ones shown come in.
+// The share of a mark's area that is drawn. `place` is 1 - rank. The area grows from 0 as `shown` rises above `place`.
 HWY_INLINE W grown(W place, W shown, float fade) {
     const F d;
     const W rest = hn::Sub(shown, place);
@@ -119,13 +120,13 @@ HWY_INLINE M inside(const Selection& j, const Seen& seen, std::int64_t at) {
         const W value = hn::LoadU(d, from + at);
         return hn::And(hn::Ge(value, hn::Set(d, low)), hn::Le(value, hn::Set(d, high)));
     };
-    // Each comparison is false for NaN, which so lies outside.
+    // Each comparison is false for NaN, so NaN counts as outside.
     return hn::And(hn::And(hn::And(between(seen.x, j.left, j.right), between(seen.y, j.top, j.bottom)),
                            hn::And(between(seen.window, 0.0F, 1.0F), between(seen.nu, -1.001F, 1.001F))),
                    hn::Gt(hn::LoadU(d, seen.pixels_per_unit + at), hn::Zero(d)));
 }
 
-// The share of the marks that makes up a tone.
+// The share of the marks that is shown for a tone.
 HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
     const F d;
     const W one = hn::Set(d, 1.0F);
@@ -145,7 +146,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
-// How much of each front mark is drawn; counts why some are not.
+// Returns how much of each front mark is drawn, and counts the reasons why others are not.
 HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
@@ -197,7 +198,7 @@ void select(const Selection& j, const MarkRange& range, const Seen& seen, const 
         const std::int32_t fronts = count(faces);
         selected.fronts += fronts;
         selected.backs += count(valid) - fronts;
-        // Lanes after the last mark have no tone: their garbage would be the place where a table is read.
+        // Lanes after the last mark hold garbage, which must not become an index into a table.
         const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
         const W front = front_of(j, nu, place, tau, tau_depth, faces, selected);
         hn::StoreU(front, d, selected.front + at);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From marks to places on the screen (see, see_rows) and to how much of each is drawn (select), for each instruction
-// set; the same bits from all of them.
+// Finds where marks are on the screen (see, see_rows) and how much of each is drawn (select). There is a version for
+// each instruction set, and all give the same bits.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -10,11 +10,11 @@
 
 namespace hrbfnpr::frame {
 
-// How normals of an item's own space are lit: light.h tells what follows.
+// How normals in an item's own space are lit. light.h makes tones from the result.
 struct Light {
-    bool rigid;         // `towards` is a direction of the item's own space, and `normal` is not needed
-    float normal[3][3]; // to the space that the light is in
-    float towards[3];   // unit
+    bool rigid;         // `towards` is a direction in the item's own space, and `normal` is not needed
+    float normal[3][3]; // takes normals to the space of the light
+    float towards[3];   // unit vector towards the light
 };
 
 // The matrices that take the positions and normals of a set to the picture, as rows.
@@ -35,14 +35,14 @@ struct MarkRange {
     std::int64_t count; // <= Seen::most
 };
 
-// Marks each of whose numbers stands in an array of its own; a vector may end beyond the last.
+// Marks with an array for each of their numbers. A vector may read beyond the last mark.
 struct MarkRows {
     const float *x, *y, *z, *nx, *ny, *nz;
     const float *tone_x, *tone_y, *tone_z; // normals for n . l
     std::int64_t count;
 };
 
-// As Seen, for any number of marks. `along` may be NULL.
+// The numbers of Seen for any number of marks. `along` may be NULL.
 struct SeenRows {
     float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance, *along;
 };
@@ -52,7 +52,7 @@ struct Seen {
     float x[most], y[most];           // pixels
     float window[most];               // depth in the camera's convention
     float depth[most];                // eye units along the view
-    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or not a number: after the camera's plane
+    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or NaN: behind the camera's plane
     float nu[most];                   // n . v
     float lit[most];                  // n . l
     float side_x[most], side_y[most]; // x and y of the unit normal, eye space
@@ -60,20 +60,20 @@ struct Seen {
     float distance[most];             // from the centre of projection, eye units; parallel: depth
 };
 
-// What decides on the marks of one cluster whose front is drawn as ink.
+// The rules by which the front marks of one cluster are drawn as ink.
 struct Selection {
-    // The screen and the strip around it from which a disc can still reach it. all_inside: every mark surely lies
-    // there.
+    // The screen with the strip around it from which a disc can still reach the screen. all_inside: all marks surely
+    // lie there.
     float left, right, top, bottom;
     bool all_inside;
 
-    // By share a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
-    // scale tau_depth; by the published rule it passes test by test.
+    // By the share rule, a mark is shown where 1 - rank <= min(1, needed(1 - tau) |nu| per_ink) share more scale
+    // tau_depth. By the published rule, a mark is shown if it passes one test after the other.
     bool by_published;
     bool coverage;       // false: `needed` and |nu| are left out
     const float* needed; // ink per area needed for each coverage k / needed_steps, k from 0 to needed_steps
     float per_ink, share, more, scale;
-    float fade; // 0: a mark is shown or not
+    float fade; // 0: a mark is shown in full or not at all
     float turn; // > 0: ink vanishes where |nu| falls below it
 };
 inline constexpr int needed_steps = 64;
