@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// split_at_creases, the mesh:
-// 1. find_sheets: the sheet that each vertex is on.
-// 2. settle_alone, settle_equal: vertices between sheets that are hardly apart belong to the first of them.
-// 3. find_edges: where on edges between two sheets these meet. find_corners: the same in triangles of three sheets.
-// 4. halve_unclear: edges where another sheet lies between are halved, and steps 2 to 4 are done again.
-// 5. place_rest: nodes without a place get one beside the surface.
-// 6. find_chains: creases as chains of nodes.
-// 7. build: triangles cut at the nodes.
-// Afterwards sheet_parts takes the mesh apart into one for each sheet.
+// split_at_creases makes the mesh:
+// 1. find_sheets finds the sheet of each vertex.
+// 2. settle_alone, settle_equal assign vertices between sheets that nearly coincide to the first of these.
+// 3. find_edges finds where the sheets of an edge's ends meet; find_corners the same in triangles of three sheets.
+// 4. halve_unclear halves edges where another sheet lies between; then steps 2 to 4 are repeated.
+// 5. place_rest places the remaining nodes near the surface.
+// 6. find_chains makes chains of nodes of the creases.
+// 7. build cuts triangles at the nodes.
+// Afterwards sheet_parts splits the mesh into one for each sheet.
 //
-// trace_creases, once for a model:
-// 1. add_chain: nodes of the mesh as points, without those that crowd; chains are cut where sheets do not meet.
-// 2. measure: the normals of both sheets at each point.
-// 3. drop_returns: points that stand out of order.
-// 4. find_tangents, halve_pieces: more points where a crease turns.
-// parts_in_view, for every camera: creases are cut where one of their sheets turns away from the eye.
+// trace_creases runs once for a model:
+// 1. add_chain makes points of the mesh's nodes, without crowded ones, and cuts chains where sheets do not meet.
+// 2. set_normals sets the normals of both sheets at each point.
+// 3. drop_returns drops points that are out of order.
+// 4. find_tangents, halve_pieces add points where a crease turns.
+// parts_in_view runs for each camera: it cuts creases where one of their sheets turns away from the eye.
 #include "creases/creases.h"
 
 #include "creases/tuning.h"
@@ -37,29 +37,29 @@ namespace {
 // ---- The mesh
 
 constexpr std::int64_t nodes_a_task = 32;
-constexpr double meeting_tolerance = 1e-9; // how exactly places where sheets meet are found, in sides
+constexpr double meeting_tolerance = 1e-9; // the tolerance of places where sheets meet, in sides
 
-// An edge whose ends belong to different sheets.
+// A node of an edge whose ends belong to different sheets.
 struct EdgeNode {
-    std::int64_t edge;                 // the first of its two
-    std::array<std::int32_t, 2> ends;  // its start and end
+    std::int64_t edge;                 // the edge that comes before its opposite
+    std::array<std::int32_t, 2> ends;  // its start and end vertex
     std::array<std::int32_t, 2> sheet; // the sheets of both ends
     CreaseNode at;
-    std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at `at`
-    std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
-    bool alike;                         // each end nearly belongs to the other's sheet
-    bool meet;                          // the sheets meet somewhere beside the edge, on the surface or off it
-    bool near;                          // the sheets meet a little off the surface, at an angle
+    std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
+    std::array<bool, 2> equal; // equal[0]: the start may belong to the end's sheet; equal[1]: the end to the start's
+    bool alike;                // the sheets nearly coincide at both ends
+    bool meet;                 // the sheets meet near the edge, on the surface or off it
+    bool near;                 // the sheets meet slightly off the surface, at an angle
 };
 
-// A triangle whose corners belong to three sheets.
+// A node of a triangle whose corners belong to three sheets.
 struct CornerNode {
     std::int64_t triangle;
     CreaseNode at;
-    std::array<glm::dvec3, 3> gradient; // the gradients of its corners' sheets at `at`
+    std::array<glm::dvec3, 3> gradient; // the gradients at the node of the three corners' sheets
 };
 
-// A mesh with the sheets of its vertices, and with nodes where it crosses creases.
+// A mesh with the sheets of its vertices, and with nodes where its edges cross creases.
 struct SheetMesh {
     SheetMesh(base::Memory& memory, const implicit::Implicit& of, SurfaceMesh given)
         : implicit(of), sheets(*of.sheets()), mesh(std::move(given)), sheet(memory), node(memory), edges(memory),
@@ -69,10 +69,10 @@ struct SheetMesh {
     const implicit::Sheets& sheets;
     SurfaceMesh mesh;
     base::Array<std::int32_t> sheet; // the sheet of each vertex
-    // The place of each edge in `edges`, the same from both of its sides; -1: the edge crosses no crease.
+    // The index in `edges` of each edge, the same for both of its sides; -1: the edge crosses no crease.
     base::Array<std::int32_t> node;
     base::Array<EdgeNode> edges;
-    base::Array<CornerNode> corners; // by triangle
+    base::Array<CornerNode> corners; // ordered by triangle
 
     [[nodiscard]] std::int32_t sheet_at(std::int64_t edge) const noexcept { return sheet[start_of(mesh, edge)]; }
     [[nodiscard]] int sheets_of(std::int64_t triangle) const noexcept {
@@ -81,7 +81,7 @@ struct SheetMesh {
         const std::int32_t c = sheet_at(3 * triangle + 2);
         return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
     }
-    // The corner in a triangle; null: it has none.
+    // The corner of creases in a triangle; null: none.
     [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept {
         const CornerNode* const at =
             std::lower_bound(corners.begin(), corners.end(), triangle,
@@ -122,14 +122,14 @@ void find_sheets(const base::Work& work, SheetMesh& at) {
         });
 }
 
-// Between two sheets that are hardly apart the mesh has a vertex in them by chance only. A vertex of whose sheet no
-// vertex beside it is, and whose neighbours' sheets are alike there, is one more of the first of these, and moves onto
-// it.
+// Where two sheets nearly coincide, a vertex lies on one or the other by chance. A vertex is alone if no neighbour is
+// on its sheet. If all its neighbours' sheets nearly coincide there, a vertex that is alone is assigned to the first of
+// these, and moves onto it.
 void settle_alone(const base::Work& work, SheetMesh& at) {
     constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
     constexpr std::int32_t not_alone = -1;
     SurfaceMesh& mesh = at.mesh;
-    base::Array<std::int32_t> first(work.memory, mesh.vertices()); // the first sheet beside each vertex
+    base::Array<std::int32_t> first(work.memory, mesh.vertices()); // the first sheet among each vertex's neighbours
     std::fill(first.begin(), first.end(), none);
     const auto for_neighbours = [&](const auto& visit) {
         for (const std::int64_t e : work.over(mesh.corner.size())) {
@@ -158,12 +158,12 @@ void settle_alone(const base::Work& work, SheetMesh& at) {
     }
 }
 
-// Whether f is the larger or the lesser of both sheets around the place. Beyond a corner it may be 0 where both are,
-// and one of them: where they differ most it then has opposite signs to either side, and the edge passes a third sheet.
-// far: where f is looked at, to either side.
+// Whether f is the maximum or the minimum of both sheets around the node. Beyond a corner, f may be 0 at the node but
+// follow only one of them, because the edge passes a third sheet. Then f has opposite signs on both sides of the node,
+// in the direction in which the sheets differ most. far: the distance to either side at which f is evaluated.
 bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
-    // The sine of half the angle: at a distance aside f is that share of the distance.
+    // The sine of half the angle: f at a distance aside is this share of the distance.
     const double sine = 0.5 * glm::length(across);
     if (!(sine > crease_tuning.least_sine)) return true;
     const glm::dvec3 way = far / (2.0 * sine) * across;
@@ -176,7 +176,7 @@ bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
     return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far);
 }
 
-// Looks for the meeting from where the difference of both sheets is 0 as it is linear along the edge.
+// Searches for the meeting from the point of the edge where the difference of both sheets is 0 by linear interpolation.
 void look_at(const SheetMesh& in, EdgeNode& node) {
     const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
     std::array<double, 2> off{}; // the signed distance of each end from the other end's sheet
@@ -202,12 +202,12 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
     const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
     node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface * in.mesh.side);
     const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
-    // A fold beside the surface is looked at from a distance at which it makes no difference where it is.
+    // A fold near the surface is tested from a distance at which its exact place does not matter.
     node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
                 folds(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
 }
 
-// Nodes of edges that had the same ends and sheets before are kept.
+// Nodes are kept for edges whose ends and sheets have not changed.
 void find_edges(const base::Work& work, SheetMesh& in) {
     const auto by_ends = [](const EdgeNode& a, const EdgeNode& b) { return a.ends < b.ends; };
     base::Array<EdgeNode> before(work.memory);
@@ -238,7 +238,8 @@ void find_edges(const base::Work& work, SheetMesh& in) {
     });
 }
 
-// Where sheets lie upon each other any is active: the first of them gets all. Returns whether anything changed.
+// Where sheets coincide any of them may be active: all vertices are assigned to the first. Returns whether anything
+// changed.
 bool settle_equal(SheetMesh& in) {
     bool changed = false;
     for (const EdgeNode& node : in.edges) {
@@ -274,8 +275,8 @@ void find_corners(const base::Work& work, SheetMesh& in) {
     });
 }
 
-// Halves edges whose sheets meet beside them, but not on the surface, since another sheet lies between, and the longest
-// of triangles that have no corner where theirs do. Returns whether there were any.
+// Halves edges whose sheets meet near them but not on the surface, since another sheet lies between. Also halves the
+// longest edge of each triangle of three sheets that do not meet on the surface. Returns whether any edge was halved.
 bool halve_unclear(const base::Work& work, SheetMesh& in) {
     base::Array<std::uint8_t> chosen(work.memory, in.mesh.corner.size());
     base::Array<std::int64_t> edges(work.memory);
@@ -299,11 +300,10 @@ bool halve_unclear(const base::Work& work, SheetMesh& in) {
     return true;
 }
 
-// Nodes without a place lie where they were looked for, with the gradients of their sheets there. Beside a seam f is a
-// mean of both parts, and a little off either one: the crease of one part with another sheet is near enough there.
-// Two sheets of a corner may be parts of one patch, nearly one beside their seam, and meet nowhere there. A
-// crease comes to such a seam on one of them and goes on along the other: it does both where the third and one of these
-// meet.
+// Nodes that were not found stay where their search started, with the gradients of their sheets there. At a seam f
+// blends two patches and is slightly off each: there the crease of one patch with another sheet is accurate enough. Two
+// sheets of a corner may be adjacent patches that nearly coincide at their seam and do not meet there. A crease comes
+// to the seam on one of them and continues on the other, so the corner is where the third sheet meets one of them.
 void place_rest(SheetMesh& in) {
     for (EdgeNode& node : in.edges) {
         if (node.at.exact) continue;
@@ -328,17 +328,17 @@ void place_rest(SheetMesh& in) {
     }
 }
 
-// Chains begin at corners and at the border; the others are closed.
+// Open chains start at corners and at the border; the others are closed.
 void find_chains(const SheetMesh& in, CreaseChains& chains) {
     const SurfaceMesh& mesh = in.mesh;
-    base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that chains have passed
+    base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that a chain has passed
     const auto put = [&](std::int64_t edge) { chains.point.push_back(in.edges[in.node[edge]].at); };
     const auto end = [&](std::int32_t left, std::int32_t right, bool closed) {
         chains.end(closed);
         chains.left.push_back(left);
         chains.right.push_back(right);
     };
-    // Through the triangle of an edge, and on; the sheet of the edge's start lies to the left.
+    // Follows a chain into the triangle of an edge and onwards; the sheet of the edge's start lies to the left.
     const auto follow = [&](std::int64_t entered) {
         bool closed = false;
         for (std::int64_t e = entered; e >= 0 && taken[e] == 0;) {
@@ -366,7 +366,7 @@ void find_chains(const SheetMesh& in, CreaseChains& chains) {
                 follow(next);
                 continue;
             }
-            put(e); // two nodes, with its sides the other way round
+            put(e); // a chain of two nodes, with left and right exchanged
             end(in.sheet_at(next_in_triangle(e)), in.sheet_at(e), false);
         }
     for (const bool border : {true, false})
@@ -383,7 +383,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
     to.missed_seeds = in.mesh.missed_seeds;
     std::swap(to.position, in.mesh.position);
     std::swap(to.gradient, in.mesh.gradient);
-    const auto add_vertices = [&](const auto& nodes) { // a vertex of each node for each of its sheets
+    const auto add_vertices = [&](const auto& nodes) { // adds one vertex for each node and each of its sheets
         const auto first = static_cast<std::int32_t>(to.vertices());
         for (const auto& node : nodes)
             for (const glm::dvec3& gradient : node.gradient) {
@@ -394,7 +394,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
     };
     const std::int32_t first_of_edges = add_vertices(in.edges);
     const std::int32_t first_of_corners = add_vertices(in.corners);
-    // The vertex on an edge that belongs to the sheet of its start or its end.
+    // The vertex of an edge's node for the sheet of the edge's start or end.
     const auto vertex_of = [&](std::int64_t edge, bool at_start) {
         const bool first = in.edges[in.node[edge]].edge == edge;
         return first_of_edges + 2 * in.node[edge] + (first == at_start ? 0 : 1);
@@ -414,9 +414,9 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
         const int count = in.sheets_of(t);
         if (count == 1) {
             add(at(0), at(1), at(2), in.sheet[at(0)]);
-            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles are slivers, which say nothing
+            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles, as slivers, do not count
         } else if (count == 2) {
-            std::int64_t k = 0; // the corner that stands alone
+            std::int64_t k = 0; // the corner whose sheet differs from the others
             while (in.sheet[at(k)] == in.sheet[at(k + 1)] || in.sheet[at(k)] == in.sheet[at(k + 2)]) ++k;
             add(at(k), vertex_of(edge(k), true), vertex_of(edge(k + 2), false), in.sheet[at(k)]);
             add_quad({vertex_of(edge(k), false), at(k + 1), at(k + 2), vertex_of(edge(k + 2), true)},
@@ -448,7 +448,7 @@ void set_normals(const implicit::Sheets& sheets, const Creases& creases, std::in
     p.right = glm::normalize(surface::sheet_at(sheets, creases.right[crease], p.position).gradient);
 }
 
-// The points since the last crease become one, unless it is too short.
+// Makes a crease of the points since the last crease, unless it is too short.
 void end_crease(Creases& creases, bool closed, std::int32_t left, std::int32_t right, double side) {
     const std::int64_t first = creases.first.back();
     double length = 0.0;
@@ -471,7 +471,7 @@ void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Crea
         const auto crowds = [&](std::int64_t i, const glm::dvec3& place) {
             return glm::distance(creases.point[i].position, place) < nearest;
         };
-        // A gap that is narrow is bridged.
+        // Narrow gaps are bridged.
         if (creases.point.size() > first && !crowds(creases.point.size() - 1, node[begin % count].position))
             end_crease(creases, false, chains.left[chain], chains.right[chain], side);
         const std::int64_t start = creases.first.back();
@@ -490,7 +490,7 @@ void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Crea
     end_crease(creases, false, chains.left[chain], chains.right[chain], side);
 }
 
-// Whether a crease that comes from a to p and goes on to b turns back there.
+// Whether a crease from a over p to b turns back at p.
 bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b) noexcept {
     const glm::dvec3 along = glm::cross(p.left, p.right);
     const double size = glm::length(along);
@@ -500,8 +500,8 @@ bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b
     return in * out < 0.0 && std::min(std::abs(in), std::abs(out)) > crease_tuning.returns;
 }
 
-// Beside a corner nodes may not stand in the order in which edges of the mesh cross the crease, as Newton's steps lead
-// them along it.
+// Near a corner, nodes may not be in the order in which edges of the mesh cross the crease, since Newton's steps move
+// them along it. Drops such nodes.
 Creases drop_returns(const Creases& found, double side) {
     Creases kept(found.first.memory());
     for (std::int64_t c = 0; c < found.count(); ++c) {
@@ -537,7 +537,7 @@ void find_tangents(Creases& creases) {
     }
 }
 
-// Where n . v of a sheet vanishes along a piece, by its values at both ends.
+// Finds the zero of n . v of a sheet along a piece, from its values at both ends.
 double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPiece& piece, double from, double to,
                const View& view) {
     Illinois root(from, to);
@@ -549,7 +549,7 @@ double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPi
     return std::clamp(root.trial, root.low, root.high);
 }
 
-// The points of a crease, with more of them where a sheet turns away from the eye or to it.
+// The points of a crease, and additional points where a sheet turns to the eye or away from it.
 base::Array<CreasePoint> path_of(base::Memory& memory, const implicit::Sheets& sheets, const Creases& creases,
                                  std::int64_t crease, const View& view) {
     base::Array<CreasePoint> path(memory);
@@ -586,8 +586,8 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
                CreaseParts& parts) {
     const std::int64_t size = path.size();
     HRBFNPR_ASSERT(size >= 2);
-    // Which sheets of the piece from point k to the next face the eye. The middle tells, since at an end one of them
-    // may be turning.
+    // Tells which sheets face the eye between point k and the next one. The middle is used, since a sheet may be
+    // turning at an end.
     struct Facing {
         bool left, right;
         bool operator==(const Facing&) const = default;
@@ -619,12 +619,12 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
 
 // ---- Sheets
 
-// One sheet of a whole surface: it is where this sheet is f.
+// The domain of one sheet of a whole surface: the places where this sheet is the active one.
 class SheetDomain final : public implicit::Domain {
 public:
-    // creases: places along those of all sheets, no farther apart than a side of the mesh. Near any crease a sheet may
-    // end: a curve that leaves it may come to another sheet that is the same function, as for cylinders on one axis.
-    // own: the sheet's triangles, which must outlive it. base: the domain of the whole surface, or null.
+    // creases: places along the creases of all sheets, at most a side of the mesh apart. A sheet may end near any
+    // crease: a curve that leaves it may come to another sheet with the same function, as with cylinders on one axis.
+    // own: the sheet's triangles, which must outlive this object. base: the domain of the whole surface, or null.
     SheetDomain(const implicit::Implicit& whole, std::int32_t sheet, std::shared_ptr<const geometry::PointGrid> creases,
                 const SurfaceMesh& own, const implicit::Domain* base)
         : whole_(whole), sheet_(sheet), own_(own), creases_(std::move(creases)),
@@ -635,9 +635,8 @@ public:
     [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
         return (base_ != nullptr && base_->near_end(place)) || creases_->any_around(place);
     }
-    // The distance from the whole surface, or a side where that is another sheet, unless the sheet is the active one.
-    // Either of two equal sheets may be active: a place on the whole surface belongs to this sheet if one of its
-    // vertices is near.
+    // Returns the distance from the whole surface if the sheet is not active. If that is 0 because another sheet is
+    // active, returns a side, unless a vertex of this sheet is near: either of two equal sheets may be active there.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
         const double on_surface = curve_tuning.on_sheet * own_.side;
         if (surface::active_at(*whole_.sheets(), place) != sheet_) {
@@ -692,12 +691,12 @@ base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
     const implicit::Sheets* const all = whole.sheets();
     if (all == nullptr) return parts;
     const std::int32_t sheets = all->count();
-    // The triangles of sheet s are order[begin[s]] to order[begin[s + 1]].
+    // The triangles of sheet s are order[begin[s]] to order[begin[s + 1] - 1].
     base::Array<std::int64_t> begin(runtime.memory, sheets + 2), order(runtime.memory, mesh.sheet.size());
     for (const std::int32_t sheet : mesh.sheet) ++begin[sheet + 2];
     for (std::int64_t s = 2; s < begin.size(); ++s) begin[s] += begin[s - 1];
     for (std::int64_t t = 0; t < mesh.sheet.size(); ++t) order[begin[mesh.sheet[t] + 1]++] = t;
-    base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices()); // in its part, and 1
+    base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices()); // 1 + its number in the part; 0: none
     geometry::VecArray creases(runtime.memory);
     for (std::int32_t sheet = 0; sheet < sheets; ++sheet) {
         if (begin[sheet] == begin[sheet + 1]) continue;
@@ -826,7 +825,7 @@ SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, const b
                         CreaseSide side, double lower, double upper) {
     const Curves& curves = lines.curves;
     HRBFNPR_ASSERT(of.size() == curves.count());
-    SurfaceLines bent(memory); // lines that are sharp enough somewhere, with angles to that side
+    SurfaceLines bent(memory); // lines that are sharp enough somewhere, with angles to this side
     LineBuilder builder(bent, true);
     base::Array<double> above(memory);
     for (std::int64_t c = 0; c < curves.count(); ++c) {

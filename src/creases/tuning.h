@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of creases. "Sides" are those of the mesh's cells. scripts/bench edges measures
-// their effects on trees of solids and on fitted patches.
+// The tuning constants of creases. A side is the longest side of the mesh's cells. scripts/bench edges measures their
+// effects on trees of solids and on fitted patches.
 #pragma once
 
 namespace hrbfnpr::curves {
@@ -8,47 +8,50 @@ namespace hrbfnpr::curves {
 struct CreaseTuning {
     // ---- The mesh that is cut at creases
 
-    // A place is on the whole surface if it is within this of it, in sides. Larger: creases go on beyond corners.
+    // A place is on the whole surface if it is within this distance of it, in sides. Larger: creases continue beyond
+    // corners.
     double on_surface = 1e-3;
-    // Where sheets meet this near to the surface, in sides, a crease goes on through a seam between two patches, which
-    // blends them. Larger: creases appear that are covered by another sheet.
+    // If sheets meet this near to the surface, in sides, a crease continues through a seam between two patches, where
+    // the surface blends them. Larger: creases appear that another sheet covers.
     double beside_surface = 0.02;
-    // Sheets that are no farther apart than this, in sides, and as parallel, in radians, are nearly one: no crease is
-    // looked for beyond others. Larger: shallow creases are coarse.
+    // Sheets nearly coincide if they are closer than this, in sides, and their normals differ by less than this, in
+    // radians. Edges between them are not halved to find hidden creases. Larger: shallow creases are coarse.
     double alike = 0.02;
-    // The same for sheets that are one. Larger: sheets are merged that cross.
+    // The same for sheets that coincide. Larger: sheets are merged that cross.
     double equal = 1e-7;
-    // Sheets may meet as far as this from an edge, in sides, or twice the edge's length if that is less. Larger:
+    // Sheets may meet at most this far from an edge, in sides, or in twice the edge's length if that is less. Larger:
     // creases of other places are found.
     double farthest_meeting = 1.5;
-    // Below this sine of half their angle, sheets are not tested for a fold, since their curvature may be more than the
-    // angle. Larger: creases pass other sheets.
+    // If the sine of half the angle between sheets is below this, they are not tested for a fold, since their curvature
+    // may exceed the angle. Larger: creases pass other sheets.
     double least_sine = 0.02;
-    // No crease goes on through a seam where that sine is smaller: 11 degrees. Smaller: creases of winding threads
-    // leave them, as a screw's do.
+    // A crease continues through a seam only if that sine is above this: 11 degrees. Smaller: creases of winding
+    // threads, such as a screw's, leave them.
     double sharp_sine = 0.1;
     // Edges shorter than this are not halved, in sides. Smaller: more triangles at corners.
     double shortest_edge = 0.01;
-    // Edges are halved in this many rounds at most, and sheets merged in this many. More: finer corners, more time.
+    // The greatest number of rounds of halving edges, and of rounds of merging sheets. More: finer corners, more time.
     int rounds = 6;
     int settlings = 20;
 
     // ---- Creases as curves
 
-    // Nodes nearer than this to the one before say nothing more, in sides; wider gaps of inexact nodes end a crease.
+    // Nodes nearer than this to the previous one are dropped, in sides; wider gaps of inexact nodes end a crease.
     // Larger: fewer points, and more gaps are bridged.
     double nearest_node = 0.1;
-    // A piece is halved if it is longer than the first, in sides, or if it turns by more than 0.1 radians, as a cosine,
-    // and is longer than the second. Creases shorter than the second are dropped.
+    // A piece is halved if it is longer than `longest_piece`, in sides. It is also halved if it is longer than
+    // `shortest_piece` and turns by more than 0.1 radians, given as a cosine. Creases shorter than `shortest_piece` are
+    // dropped.
     double longest_piece = 1.0;
     double shortest_piece = 1e-3;
     double straight_turn = 0.995;
-    // Steps along a crease are forth or back if the cosine of the angle to it is larger. Smaller: more points are
-    // dropped beside corners.
+    // A step along a crease counts as forwards or backwards if the cosine of the angle to it is larger. Smaller: more
+    // points are dropped near corners.
     double returns = 0.7;
-    // Below this sine of the angle between sheets, a crease runs as its points say, not as both normals do.
+    // If the sine of the angle between sheets is below this, the direction of a crease comes from its points, not from
+    // the normals.
     double least_crease_sine = 1e-3;
-    // A place is on a crease if it is within this of it at most, in sides.
+    // A place is on a crease only if it is within this distance of it, in sides.
     double farthest_beside = 0.5;
 };
 inline constexpr CreaseTuning crease_tuning;

@@ -10,13 +10,13 @@
 
 namespace hrbfnpr::curves {
 
-// Open or closed chains, one after the other.
+// Open or closed chains, stored one after the other.
 template <class T>
 struct Chains {
     explicit Chains(base::Memory& memory) : first(memory, 1), closed(memory), point(memory) {}
 
-    base::Array<std::int64_t> first;  // the first point of each chain, and the end of the last chain
-    base::Array<std::uint8_t> closed; // 1: the last point is followed by the first, which stands there once
+    base::Array<std::int64_t> first;  // the first point of each chain; at the end, the number of points
+    base::Array<std::uint8_t> closed; // 1: the first point follows the last one; it is stored once
     base::Array<T> point;
 
     [[nodiscard]] std::int64_t count() const noexcept { return closed.size(); }
@@ -24,7 +24,7 @@ struct Chains {
         HRBFNPR_ASSERT(chain >= 0 && chain < count());
         return first[chain + 1] - first[chain];
     }
-    // The point after point i of a chain; -1: the chain ends at i.
+    // The index of the point after point i of a chain; -1: i is the last one.
     [[nodiscard]] std::int64_t next(std::int64_t chain, std::int64_t i) const noexcept {
         HRBFNPR_ASSERT(i >= first[chain] && i < first[chain + 1]);
         if (i + 1 < first[chain + 1]) return i + 1;
@@ -34,7 +34,7 @@ struct Chains {
     [[nodiscard]] std::int64_t pieces_of(std::int64_t chain) const noexcept {
         return size_of(chain) - (closed[chain] != 0 ? 0 : 1);
     }
-    // The points since the last chain become one.
+    // Makes a chain of the points since the last chain.
     void end(bool is_closed) {
         HRBFNPR_ASSERT(first.size() == closed.size() + 1);
         first.push_back(point.size());
@@ -43,8 +43,8 @@ struct Chains {
     [[nodiscard]] std::int64_t bytes() const noexcept { return first.bytes() + closed.bytes() + point.bytes(); }
 };
 
-// Calls part(begin, end, whole) for each run of the points 0 to count - 1 that are wanted. Points are counted on around
-// a closed chain: point i is i % count. whole: all of a closed chain is wanted.
+// Calls part(begin, end, whole) for each maximal run of wanted points among the points 0 to count - 1. In a closed
+// chain indices continue past its end: i stands for point i % count. whole: all points of a closed chain are wanted.
 template <class Wanted, class Part>
 void for_parts(std::int64_t count, bool closed, Wanted&& wanted, Part&& part) {
     HRBFNPR_ASSERT(count >= 0);
@@ -62,8 +62,8 @@ void for_parts(std::int64_t count, bool closed, Wanted&& wanted, Part&& part) {
     }
 }
 
-// The same for runs of points, each of which is joined to the next: joined(i) tells it of point i and the one after it.
-// It is not asked of the last point of an open chain.
+// Calls part(begin, end, whole) for each maximal run of joined points. joined(i) tells whether point i is joined to the
+// next point; it is not called for the last point of an open chain.
 template <class Joined, class Part>
 void for_joined(std::int64_t count, bool closed, Joined&& joined, Part&& part) {
     HRBFNPR_ASSERT(count >= 0);
@@ -89,9 +89,9 @@ void for_pieces(const Chains<T>& chains, Visit&& visit) {
             if (const std::int64_t j = chains.next(c, i); j >= 0) visit(i, j);
 }
 
-// Puts points into pieces of chains, and returns whether there were any. wanted(chain, i, j, p) tells whether the piece
-// from point i to point j wants one, and sets p to a guess of it. bring(points, chains, pieces) improves the guesses
-// and returns an array of 1 for each that may be put there, else 0; pieces are told by their first points.
+// Inserts points into pieces of chains, and returns whether any was inserted. wanted(chain, i, j, p) tells whether the
+// piece from point i to point j needs a point, and sets p to a guess. bring(points, chains, pieces) improves the
+// guesses and returns 1 for each point to insert, else 0; a piece is given by its first point.
 template <class T, class Wanted, class Bring>
 bool halve_pieces(Chains<T>& chains, Wanted&& wanted, Bring&& bring) {
     base::Memory& memory = chains.first.memory();

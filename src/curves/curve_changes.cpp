@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All changes are found in one way: where a function has different signs at the ends of a piece, the Illinois method
-// finds its zero, and the places that it asks for are points of the piece's cubic, brought onto the curve.
+// All changes are found in the same way: if a function has different signs at the ends of a piece, the Illinois method
+// finds its zero. It evaluates the function at points of the piece's cubic that are brought onto the curve.
 #include "curves/curve_changes.h"
 
 #include "curves/curves.h"
@@ -14,22 +14,22 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// The zero of a function on a piece of a curve.
+// A zero of a function on a piece of a curve.
 struct Change {
-    std::int64_t piece, next; // the points of the curve between which it lies
+    std::int64_t piece, next; // the two points of the curve around the zero
     Illinois root;
-    double share = 0.5; // where the function was evaluated last: in the end the zero
+    double share = 0.5; // the last evaluated place; finally the zero
 };
 
-// A place of the cubic between two points of a curve, to be brought onto the curve.
+// A place on the cubic between two points of a curve, to be brought onto the curve.
 struct OnPiece {
     CurvePoint a, b;
     double share;
     CurvePoint found = {};
-    bool astray = false; // whether it came onto another curve; then `found` is left on the cubic
+    bool astray = false; // whether it moved to another curve; then `found` stays on the cubic
 };
 
-// Brings places onto their curves by one or two of Newton's steps. Adds to `evaluations`.
+// Brings places onto their curves by one or two Newton steps. Adds to `evaluations`.
 void bring_onto(const base::Work& work, const Level& level, base::Array<OnPiece>& places, std::int64_t& evaluations) {
     base::Array<CurvePoint> points(work.memory, places.size());
     base::Array<double> enough(work.memory, places.size());
@@ -49,12 +49,12 @@ void bring_onto(const base::Work& work, const Level& level, base::Array<OnPiece>
     }
 }
 
-// Finds the zeros, all side by side; value(place) is the function at a point of the curve. Returns the points.
+// Finds all zeros in parallel; value(place) is the function at a point of the curve. Returns the points.
 template <class Value>
 base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, const Curves& curves,
                                    base::Array<Change>& changes, Value&& value, std::int64_t& evaluations) {
     base::Array<CurvePoint> found(work.memory, changes.size());
-    // The piece between the ends of the search: it comes to lie on the curve.
+    // The piece between the ends of each search. Its ends are on the curve.
     base::Array<OnPiece> ends(work.memory);
     base::Array<std::int64_t> active(work.memory);
     for (std::int64_t i = 0; i < changes.size(); ++i) {
@@ -89,15 +89,15 @@ base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, c
 
 // ---- Cusps
 
-// v^T H v = v . grad g on the contour: the radial curvature but for a positive factor.
+// v^T H v = v . grad g on the contour: the radial curvature times a positive factor.
 double radial(const CurvePoint& p, const View& view) noexcept {
     return glm::dot(p.level_gradient, view.sight(p.position));
 }
 
-// Two cusps may lie between two points: pieces that may have one get points at these shares.
+// Two cusps may lie between two points, so pieces that may have cusps get points at these parameters.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
 
-// Whether the radial curvature may change its sign on the way.
+// Whether the radial curvature may change its sign between the points.
 bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept {
     // The sine of the angle between the curve and the line of sight, with the sign of the radial curvature.
     const auto sine = [&](const CurvePoint& p) {
@@ -108,8 +108,8 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
     const double end = sine(b);
     if (std::min(begin, end) > curve_tuning.clear_of_cusps || std::max(begin, end) < -curve_tuning.clear_of_cusps)
         return false;
-    // The same along the cubic by normals between the ends', but for the length of n x grad g:
-    // t . (n x v) = v . grad g for t = n x grad g.
+    // Along the cubic the same sign comes from normals interpolated between the ends, up to the length of n x grad g: t
+    // . (n x v) = v . grad g for t = n x grad g.
     const CubicPiece cubic(a, b);
     const auto turned = [&](double u) {
         const glm::dvec3 normal = (1.0 - u) * glm::normalize(a.gradient) + u * glm::normalize(b.gradient);
@@ -122,7 +122,7 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 Curves refined_at_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations) {
     base::Array<OnPiece> places(work.memory);
-    base::Array<std::int64_t> piece(work.memory); // the first point of the piece that each place is on
+    base::Array<std::int64_t> piece(work.memory); // the first point of each place's piece
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (!changes_between(curves.point[at], curves.point[next], view)) return;
         for (const double u : inner_shares) {
@@ -145,7 +145,8 @@ Curves refined_at_cusps(const base::Work& work, const Level& contour, const View
 
 // ---- The border
 
-// Whether the surface is there, for each point. Far from the border a curve is where it was when it last came near it.
+// Tells for each point whether the surface exists there. Far from the border, points take the state of the last point
+// near it.
 base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit::Domain& domain,
                                     const Curves& curves) {
     constexpr std::uint8_t unknown = 2;
@@ -161,7 +162,7 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit
         const std::int64_t count = curves.size_of(c);
         std::int64_t begin = 0;
         while (begin < count && holds[first + begin] == unknown) ++begin;
-        // A curve that is nowhere near the border is there as a whole.
+        // A curve that is nowhere near the border lies on the surface as a whole.
         std::uint8_t last = begin < count ? holds[first + begin] : 1;
         for (std::int64_t k = 0; k < count; ++k) {
             std::uint8_t& held = holds[first + (begin + k) % count];
@@ -192,7 +193,7 @@ Curves with_cusps(const base::Work& work, const Level& contour, const View& view
     };
     std::int64_t s = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
-        bool replaced = false; // whether a cusp just before the next point stands for it
+        bool replaced = false; // whether a cusp just before the next point replaces it
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
             const bool is_before = s < changes.size() && changes[s].piece == at; // before a cusp
             const double share = is_before ? changes[s].share : 0.5;
@@ -210,9 +211,9 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
     HRBFNPR_ASSERT(static_cast<std::int64_t>(marked.size()) == curves.point.size());
     struct FinePoint {
         CurvePoint at;
-        bool halved; // whether the piece that begins there is to be halved
+        bool halved; // whether the piece that begins here is to be halved
     };
-    Chains<FinePoint> fine(work.memory); // the curves that have a mark
+    Chains<FinePoint> fine(work.memory); // the curves with a mark
     base::Array<std::uint8_t> changes(work.memory, curves.count());
     std::int64_t marks = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
@@ -253,7 +254,7 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
     changed.closed = std::move(fine.closed);
     const Curves with = with_cusps(work, contour, view, changed, evaluations);
     Curves result(work.memory);
-    std::int64_t number = 0; // the place of the next changed curve in `with`
+    std::int64_t number = 0; // the index of the next changed curve in `with`
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const Curves& from = changes[c] != 0 ? with : curves;
         const std::int64_t curve = changes[c] != 0 ? number++ : c;
@@ -276,7 +277,7 @@ Curves clip(const base::Work& work, const Level& level, const implicit::Domain& 
     std::int64_t evaluations = 0;
     const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
     Curves result(work.memory);
-    // The points of a curve with its ends on the border, and whether the surface is there.
+    // The points of a curve including its ends on the border, and whether the surface exists at each.
     base::Array<CurvePoint> points(work.memory);
     base::Array<std::uint8_t> held(work.memory);
     std::int64_t next = 0; // the next change

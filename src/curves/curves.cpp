@@ -11,12 +11,12 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// A cubic between points that turns by less than a right angle is no farther from its chord than this, in chords.
+// The greatest distance from its chord of a cubic that turns by less than a right angle, in chords.
 constexpr double piece_bulge = 0.25;
-// This is small enough for two threads to share a few hundred points, and several vectors long.
+// This is small enough to split a few hundred points between two threads, and several vectors long.
 constexpr std::int64_t points_a_task = 32;
 
-// Evaluates points[order[i]] for each i < count, side by side.
+// Evaluates points[order[i]] for each i < count as one batch.
 void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* order, std::int64_t count) {
     using Column = std::array<double, static_cast<std::size_t>(points_a_task)>;
     HRBFNPR_ASSERT(count <= points_a_task);
@@ -48,13 +48,13 @@ bool is_last(double step, double step_before, double tolerance) noexcept {
 }
 
 constexpr std::int64_t vertices_a_task = 16384;
-// Points whose Hessians are held at a time: a caller's function runs on the same small stack.
+// The number of points whose Hessians are stored at a time, which limits the use of the stack by a caller's function.
 constexpr std::int64_t hessian_block = 32;
-// The value of s where no sample is near. It is so large that no step leads there.
+// The value of s where no sample is near. It is too large for any step to lead there.
 constexpr double unsupported = 1e6;
 
-// Evaluates f with its Hessian block by block. level(place, grad f, times, slope) returns g at each point and sets
-// slope to its gradient; times(v) is H v there.
+// Evaluates f with its Hessian in blocks. level(place, grad f, times, slope) returns g at a point and sets slope to its
+// gradient; times(v) is H v there.
 template <class LevelAt>
 void evaluate_blocks(const implicit::Implicit& surface, const implicit::PointBatch& points, const LevelBatch& out,
                      LevelAt&& level) {
@@ -81,7 +81,7 @@ void evaluate_blocks(const implicit::Implicit& surface, const implicit::PointBat
     }
 }
 
-// As CurvePoint::direction() wants it: gradient x level_gradient is the tangent.
+// Sets the gradients so that CurvePoint::direction(), gradient x level_gradient, is the tangent.
 void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexcept {
     glm::dvec3 n = glm::normalize(p.gradient);
     const double square = glm::dot(tangent, tangent);
@@ -93,7 +93,7 @@ void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexce
     p.level_gradient = length > 0.0 ? glm::cross(along / length, n) : glm::cross(tangent, n);
 }
 
-// n . v, negative where the outside of the surface is seen.
+// n . v, negative where the eye sees the outside of the surface.
 double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& view) noexcept {
     return glm::dot(gradient, view.sight(place)) / glm::length(gradient);
 }
@@ -102,7 +102,7 @@ double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& v
 
 // ---- Levels
 
-// grad g = H v + grad f where v depends on the point, H v where it does not.
+// grad g = H v + grad f if v depends on the point, else H v.
 void ContourLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     const double own = view_.eye.w == 0.0 ? 0.0 : 1.0;
     evaluate_blocks(surface_, points, out,
@@ -121,7 +121,7 @@ void ContourLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
     });
 }
 
-// The normal changes along with the place by the Hessian over |grad f|.
+// The normal changes with the place by the Hessian over |grad f|.
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     evaluate_blocks(surface_, points, out,
                     [&](const glm::dvec3& p, const glm::dvec3& gradient, const auto& times, glm::dvec3& slope) {
@@ -139,8 +139,8 @@ void SupportLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
 
 // ---- Points and curves
 
-// The step goes by the part of grad g across grad f, because the product J J^T would lose half of the digits where the
-// gradients are nearly parallel.
+// The step for g uses the part of grad g perpendicular to grad f, because the product J J^T would lose half of the
+// digits where the gradients are nearly parallel.
 glm::dvec3 CurvePoint::newton_step() const noexcept {
     const double slope = glm::length(gradient);
     const glm::dvec3 normal = gradient / slope;
@@ -150,7 +150,7 @@ glm::dvec3 CurvePoint::newton_step() const noexcept {
     return -height * normal - (level - along * height) / glm::dot(across, across) * across;
 }
 
-// The points are worked on cell by cell where the surface has cells and that pays.
+// Sorts the points by the surface's cells if it has cells and this pays.
 void evaluate(const base::Work& work, const Level& level, base::Array<CurvePoint>& points) {
     base::Array<std::int32_t> order(work.memory);
     if (points.size() > points_a_task) order = implicit::order_by_cell(work, level.surface(), positions_of(points));
@@ -228,8 +228,8 @@ std::int64_t halve(const base::Work& work, const Level& level, const base::Array
     for (int step = 0; step < halvings; ++step) {
         for (std::int64_t i = 0; i < places.size(); ++i)
             points[i].position = 0.5 * (between[i].negative + between[i].positive);
-        // The middle of a chord is off the surface by the square of its length; one step leaves the fourth power. A
-        // step longer than half of the chord leads elsewhere, as where f hardly rises or has a crease.
+        // The middle of a chord is off the surface by the square of the chord's length; one step leaves the fourth
+        // power. A step longer than half of the chord leads elsewhere, as where f hardly rises or has a crease.
         evaluate(work, level, points);
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const glm::dvec3 middle = points[i].position;
@@ -294,7 +294,7 @@ NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& 
 }
 
 bool NearCurves::passes(const glm::dvec3& place, const glm::dvec3& along, double distance, std::int64_t& guess) const {
-    constexpr std::int64_t beside = 2; // points before and after the guess
+    constexpr std::int64_t beside = 2; // the number of points before and after the guess
     Foot best;
     best.distance = std::nextafter(distance, HUGE_VAL);
     const auto look = [&](std::int64_t point) {
@@ -358,12 +358,12 @@ SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& v
     SurfaceLines parts(value.memory());
     LineBuilder builder(parts, as_given);
     const auto wanted = [&](std::int64_t i) { return (value[i] < 0.0) == below; };
-    // Where the value vanishes between a point that is wanted and one that is not.
+    // Adds the place where the value vanishes between a wanted point and an unwanted one.
     const auto put_between = [&](std::int64_t a, std::int64_t b) {
         const CurvePoint& p = curves.point[a];
         const CurvePoint& q = curves.point[b];
         const double u = std::clamp(value[a] / (value[a] - value[b]), 0.0, 1.0);
-        // A point that stands there already is the end.
+        // If a wanted point coincides with that place, it is the end.
         if ((u < curve_tuning.at_point && wanted(a)) || (u > 1.0 - curve_tuning.at_point && wanted(b))) return;
         const auto strength =
             static_cast<double>(lines.strength[a]) * (1.0 - u) + static_cast<double>(lines.strength[b]) * u;
@@ -396,7 +396,7 @@ SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
                         const View& view) {
     const Curves& curves = lines.curves;
     struct Turn {
-        std::int64_t a, b; // the points of a piece at whose ends n . v has different signs
+        std::int64_t a, b; // points of a piece at whose ends n . v has different signs
         Illinois root;
         double share;
         glm::dvec3 gradient;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Curves f = g = 0 on a surface as polylines that cubics go through: their points, Newton's steps that bring places
-// onto a curve, the cubic pieces between points, and the question whether a curve passes by a place. Lines that lie on
-// a surface whatever the camera, as curves with a strength along them; and the parts of them that face a camera.
+// Curves f = g = 0 on a surface, as polylines with a cubic between consecutive points: their points, Newton's method
+// that brings places onto a curve, the cubics, and queries whether a curve passes near a place. Also lines on a surface
+// that do not depend on the camera, as curves with a strength at each point, and their parts that face a camera.
 #pragma once
 
 #include "base/assert.h"
@@ -24,20 +24,20 @@
 
 namespace hrbfnpr::curves {
 
-// ---- Levels: a function g in space. Its zero lines on the surface f = 0 are curves to be drawn.
+// ---- Levels: a function g in space. Its zero lines on the surface f = 0 are the curves to be drawn.
 
-// The camera as curves see it: in the surface's own coordinates.
+// The camera in the surface's own coordinates.
 struct View {
-    // Where a place is seen.
+    // The image of a place.
     struct Seen {
         glm::dvec2 place; // pixels
-        double w;         // > 0 before the eye
+        double w;         // > 0 in front of the eye
     };
 
-    glm::dvec4 eye{0.0, 0.0, 0.0, 1.0}; // w = 1: where the eye is; w = 0: the direction in which it looks
+    glm::dvec4 eye{0.0, 0.0, 0.0, 1.0}; // w = 1: the position of the eye; w = 0: the viewing direction
     glm::dmat4 to_window{1.0};          // to (x w, y w, depth w, w), pixels
 
-    // From the eye to a point, not normalised.
+    // The vector from the eye to a point, not normalised.
     [[nodiscard]] glm::dvec3 sight(const glm::dvec3& p) const noexcept {
         return eye.w == 0.0 ? glm::dvec3(eye) : p - glm::dvec3(eye);
     }
@@ -47,7 +47,7 @@ struct View {
     }
 };
 
-// Where the values of f and g and their gradients are written. No pointer is null.
+// The arrays for the values of f and g and their gradients. No pointer is null.
 struct LevelBatch {
     double* value = nullptr;
     std::array<double*, 3> gradient{};
@@ -63,14 +63,14 @@ public:
     virtual ~Level() = default;
 
     [[nodiscard]] virtual const implicit::Implicit& surface() const noexcept = 0;
-    // Evaluates at most implicit::batch_size points on the calling thread. g and its gradient need to be right near
-    // f = 0 only.
+    // Evaluates at most implicit::batch_size points on the calling thread. g and its gradient need not be correct far
+    // from f = 0.
     virtual void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const = 0;
-    // g at the vertices of a mesh of the surface, by the gradients that the mesh holds. `level` is resized.
+    // Computes g at the vertices of a mesh of the surface from the gradients that the mesh stores. `level` is resized.
     virtual void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const = 0;
 };
 
-// The occluding contour: g = grad f . v, where v leads from the eye to the point.
+// The occluding contour: g = grad f . v, where v is the vector from the eye to the point.
 class ContourLevel final : public Level {
 public:
     ContourLevel(const implicit::Implicit& surface, const View& view) noexcept : surface_(surface), view_(view) {}
@@ -85,7 +85,7 @@ private:
     View view_;
 };
 
-// The border of the support: g = s - limit, s of surface/support.h. The surface lies to the left of the border.
+// The border of the support: g = s - limit, with s from surface/support.h. The surface lies to the left of the border.
 class SupportLevel final : public Level {
 public:
     SupportLevel(const implicit::Implicit& surface, const surface::Support& support, double limit) noexcept
@@ -110,51 +110,51 @@ struct CurvePoint {
     glm::dvec3 level_gradient{0.0}; // grad g
     double value = 0.0;             // f
     double level = 0.0;             // g
-    std::int64_t is_cusp = 0;       // 1: the line of sight is tangent to the curve here, as with_cusps() finds
+    std::int64_t is_cusp = 0;       // 1: the line of sight is tangent to the curve here; set by with_cusps()
 
-    // The direction of the curve, with negative g to its left; it is not unit.
+    // The direction of the curve, with negative g to its left; not normalised.
     [[nodiscard]] glm::dvec3 direction() const noexcept { return glm::cross(gradient, level_gradient); }
-    // The shortest way to f = g = 0 where both are taken as linear: -J^T (J J^T)^-1 (f, g). It is not finite where the
-    // gradients are parallel.
+    // The shortest step to f = g = 0 if both are linear: -J^T (J J^T)^-1 (f, g). It is not finite if the gradients are
+    // parallel.
     [[nodiscard]] glm::dvec3 newton_step() const noexcept;
 };
 
-// Evaluates f and g at the positions of all points, on all threads.
+// Evaluates f and g at the positions of all points, in parallel.
 void evaluate(const base::Work& work, const Level& level, base::Array<CurvePoint>& points);
 
-// Brings points onto their curves by one of Newton's steps, and by a second one where the first was longer than
-// `enough` of that point. Adds to `evaluations`.
+// Brings each point onto its curve by one Newton step, and by a second one if the first was longer than enough[i]. Adds
+// to `evaluations`.
 void bring_closer(const base::Work& work, const Level& level, const base::Array<double>& enough,
                   base::Array<CurvePoint>& points, std::int64_t& evaluations);
 
 struct NewtonSettings {
-    double tolerance = 0.0; // a shorter step is the last one, and a longer one if the next one would be negligible
-    double farthest = 0.0;  // a point that is led farther from where it began is given up
+    double tolerance = 0.0; // a shorter step is the last one, and a longer one if the next would be negligible
+    double farthest = 0.0;  // a point that moves farther from its start is given up
 };
 
-// Brings points onto curves, all at once. found[i] is 1 where that succeeded. Returns the number of evaluations.
+// Brings points onto curves, all in parallel. found[i] is 1 if point i got there. Returns the number of evaluations.
 std::int64_t bring_to_curve(const base::Work& work, const Level& level, const NewtonSettings& settings,
                             base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found);
 
-// Two places of the surface near each other: g < 0 at one and >= 0 at the other, so that g has a zero
+// Two places of the surface near each other, with g < 0 at the first and g >= 0 at the second, so that g has a zero
 // between them.
 struct Straddle {
     glm::dvec3 negative, positive;
 };
 
-// Finds zeros of g between places by halving, on the surface: each point is within 2^-halvings of the places' distance
-// of one. Returns the number of evaluations.
+// Finds a zero of g between each pair of places by bisection on the surface. Each point is within 2^-halvings of the
+// places' distance of a zero. Returns the number of evaluations.
 std::int64_t halve(const base::Work& work, const Level& level, const base::Array<Straddle>& places, int halvings,
                    base::Array<CurvePoint>& points);
 
-// Makes a step towards f = 0 along grad f.
+// Makes a Newton step towards f = 0 along grad f.
 inline void step_to_surface(CurvePoint& p) noexcept {
     p.position -= p.value / glm::dot(p.gradient, p.gradient) * p.gradient;
 }
 
 // ---- Curves
 
-// Points stand in the order of CurvePoint::direction().
+// The points are in the order of CurvePoint::direction().
 using Curves = Chains<CurvePoint>;
 
 // The cubic between two points of a curve.
@@ -162,8 +162,8 @@ class CubicPiece {
 public:
     CubicPiece(const CurvePoint& a, const CurvePoint& b) noexcept
         : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)), begin_(tangent(a)), end_(tangent(b)) {
-        // The middle of the cubic lies on the arc of a circle with this speed at both ends, in chords: an arc of the
-        // angle t wants 4 tan(t / 4) radii, and its chord has 2 sin(t / 2).
+        // With this speed at both ends, in chords, the middle of the cubic lies on a circular arc: an arc of angle t
+        // needs the speed 4 tan(t / 4) radii, and its chord is 2 sin(t / 2) radii.
         const double cosine = std::clamp(glm::dot(begin_, end_), 0.0, 1.0);
         const double speed = length_ * (2.0 / (1.0 + std::sqrt(0.5 * (1.0 + cosine))));
         begin_ *= speed;
@@ -181,7 +181,7 @@ public:
     [[nodiscard]] double length() const noexcept { return length_; }
 
 private:
-    // The tangent is the chord where the curve has no direction, as where one of its functions is constant.
+    // Returns the chord if the curve has no direction, as where one of its functions is constant.
     [[nodiscard]] glm::dvec3 tangent(const CurvePoint& point) const noexcept {
         const glm::dvec3 unit = glm::normalize(point.direction());
         if (std::isfinite(unit.x + unit.y + unit.z)) return unit;
@@ -193,21 +193,21 @@ private:
     glm::dvec3 begin_, end_;
 };
 
-// The search for a zero of a function between two places where its signs differ: the Illinois method. [Dowell & Jarratt
+// The search for a zero between two places where a function has different signs: the Illinois method. [Dowell & Jarratt
 // 1971]
 struct Illinois {
     double low = 0.0, high = 1.0;
-    double at_low, at_high; // the values there; the value of an end that stays is halved
-    double trial;           // where the function is asked for next
-    int trusted;            // from this many steps on it halves
+    double at_low, at_high; // the values there; that of an end that stays is halved
+    double trial;           // the place of the next evaluation
+    int trusted;            // after this many steps the search bisects
     int steps = 0;
-    int kept = 0; // how many times in a row the same end stayed: above 0 the higher one
+    int kept = 0; // how often in a row the same end stayed: > 0: the higher end, < 0: the lower end
 
     Illinois(double from, double to, int trusted_steps = curve_tuning.most_steps) noexcept
         : at_low(from), at_high(to), trial(from / (from - to)), trusted(trusted_steps) {
         HRBFNPR_ASSERT(!(from * to > 0.0));
     }
-    // The value at the trial.
+    // Takes the function's value at the trial.
     void take(double value) noexcept {
         const bool same = (value < 0.0) == (at_low < 0.0);
         (same ? low : high) = trial;
@@ -217,7 +217,7 @@ struct Illinois {
         if (kept < -1) at_low *= 0.5;
         trial = low + (high - low) * at_low / (at_low - at_high);
         const bool found = at_low == 0.0 || at_high == 0.0;
-        // The value may jump, as at a sample: then halving goes on.
+        // The value may jump, as at a sample: then bisection continues.
         if (++steps > trusted || (!found && !(trial > low && trial < high))) trial = 0.5 * (low + high);
     }
     [[nodiscard]] bool done(double width) const noexcept {
@@ -228,40 +228,41 @@ struct Illinois {
 // ---- Nearness
 
 [[nodiscard]] geometry::VecArray positions_of(const base::Array<CurvePoint>& points);
-// The curve of each point.
+// The number of the curve of each point.
 [[nodiscard]] base::Array<std::int32_t> curve_of_points(const Curves& curves);
 
 class NearCurves {
 public:
-    // Answers for curves whose pieces are no longer than `longest`, up to the distance `farthest`. The curves must
-    // outlive it.
+    // Supports queries up to the distance `farthest`, for curves whose pieces are no longer than `longest`. The curves
+    // must outlive it.
     NearCurves(const Curves& curves, double longest, double farthest)
         : curves_(curves), longest_(longest), curve_(curve_of_points(curves)),
           grid_(positions_of(curves.point), longest + farthest) {
         HRBFNPR_ASSERT(longest > 0.0 && farthest >= 0.0);
     }
 
-    // A place of a cubic.
+    // The nearest place on a cubic.
     struct Foot {
         glm::dvec3 place{0.0};
         double distance = HUGE_VAL;
         std::int64_t curve = -1; // -1: no curve is near
     };
-    // The nearest place of the curves other than `but` that run in the direction `along`, if it is nearer than `most`.
+    // Returns the nearest place on the curves that run in the direction `along`, if it is nearer than `most`. The curve
+    // `but` is ignored.
     [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but = -1,
                                double most = HUGE_VAL) const;
-    // The nearest of these curves if it is within the distance; -1: it is farther.
+    // Returns the nearest such curve if it is within `distance`, else -1.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const {
         return nearest(place, along, but, std::nextafter(distance, HUGE_VAL)).curve;
     }
-    // Whether one of these curves is within the distance. Looks beside the point `guess` first, and sets it to the
-    // point that the curve was found beside.
+    // Whether such a curve is within `distance`. Looks near the point `guess` first, and sets it to the point near
+    // which a curve was found.
     [[nodiscard]] bool passes(const glm::dvec3& place, const glm::dvec3& along, double distance,
                               std::int64_t& guess) const;
 
 private:
-    // Sets `best` to the nearest place of the pieces on both sides of a point, if that is nearer.
+    // Examines the pieces on both sides of a point, and sets `best` to their nearest place if that is nearer.
     void look_beside(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along, Foot& best) const noexcept;
 
     const Curves& curves_;
@@ -270,9 +271,9 @@ private:
     geometry::PointGrid grid_;
 };
 
-// ---- Lines on a surface, whatever the camera
+// ---- Lines on a surface that do not depend on the camera
 
-// CurvePoint::direction() runs along the line, and `gradient` is the surface's normal; f and g mean nothing.
+// CurvePoint::direction() runs along the line, and `gradient` is the surface's normal; f and g are unused.
 struct SurfaceLines {
     explicit SurfaceLines(base::Memory& memory) : curves(memory), strength(memory) {}
 
@@ -282,8 +283,8 @@ struct SurfaceLines {
     [[nodiscard]] std::int64_t bytes() const noexcept { return curves.bytes() + strength.bytes(); }
 };
 
-// The tangent at a point of the circle through it and the points before and after it, by the ways to it and on from it;
-// the nearer point counts more. It is not unit.
+// The tangent of the circle through three consecutive points at the middle one. `in` and `out` are the vectors to that
+// point and from it; the nearer point has more weight. The tangent is not normalised.
 [[nodiscard]] inline glm::dvec3 tangent_between(const glm::dvec3& in, const glm::dvec3& out) noexcept {
     const double a = glm::dot(in, in);
     const double b = glm::dot(out, out);
@@ -294,15 +295,15 @@ struct SurfaceLines {
 class LineBuilder {
 public:
     // as_given: tangents are kept and normals made perpendicular to them, since the lines need not lie on the surface;
-    // else it is the other way round.
+    // otherwise normals are kept and tangents changed.
     explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept : lines_(lines), as_given_(as_given) {}
 
-    // A point in the place of the last one is left out. tangent: where it is known, of any length; 0: from the points.
+    // Adds a point unless it coincides with the last one. tangent: of any length; 0: it is computed from the points.
     void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
              const glm::dvec3& tangent = glm::dvec3(0.0));
-    // The same of a point of other lines.
+    // Adds a point of other lines.
     void add(const SurfaceLines& from, std::int64_t point);
-    // Ends the line, which is dropped if it has less than two points.
+    // Ends the line. It is dropped if it has too few points: two for an open line, three for a closed one.
     void end(bool closed);
 
 private:
@@ -310,17 +311,17 @@ private:
     bool as_given_;
 };
 
-// The parts of lines whose points have a value below 0, or those whose points have not, by one value for each point;
-// they end where it is 0 by interpolation. as_given: as LineBuilder has it.
+// The parts of lines where `value` is below 0 if `below` is set, else those where it is not. `value` has one entry for
+// each point; parts end at its zeros by interpolation. as_given: see LineBuilder.
 [[nodiscard]] SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& value, bool below,
                                        bool as_given);
-// The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
-// tangent to the surface, by the normals that the lines have.
+// The parts where the surface shows its outside to the eye if `outside` is set, else its inside. They end where the
+// line of sight is tangent to the surface, according to the lines' normals.
 [[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,
                                         bool outside);
 
-// The lines with a point more on each piece that turns over, where grad f at the piece is perpendicular to the line of
-// sight: parts that begin and end there fit to contours that end there.
+// Adds a point to each piece on which the surface turns from facing the eye to facing away, where grad f is
+// perpendicular to the line of sight. Parts that end there then meet the contours that end there.
 [[nodiscard]] SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
                                       const implicit::Implicit& surface, const View& view);
 

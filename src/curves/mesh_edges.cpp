@@ -19,7 +19,8 @@ struct CutEdge {
     [[nodiscard]] auto operator<=>(const CutEdge&) const noexcept = default;
 };
 
-// Cuts each triangle into one to four. middle[e] is the vertex on edge e, the same one on both sides of it; < 0: none.
+// Cuts each triangle into one to four. middle[e] is the vertex on edge e, the same for both sides of the edge; < 0:
+// none.
 void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh) {
     HRBFNPR_ASSERT(middle.size() == mesh.corner.size());
     base::Array<std::int32_t> corner(runtime.memory);
@@ -39,7 +40,8 @@ void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t
             add(at(k), cut(k), at(k + 2));
             add(cut(k), at(k + 1), at(k + 2));
         } else if (cuts == 2) {
-            // Edges k and k + 1 are cut, and their corner k + 1 is cut off. The shorter diagonal divides the rest.
+            // Edges k and k + 1 are cut, which cuts off corner k + 1. The shorter diagonal divides the remaining
+            // quadrilateral.
             while (cut(k + 2) >= 0) ++k;
             add(cut(k), at(k + 1), cut(k + 1));
             const bool first = glm::distance(mesh.position[cut(k)], mesh.position[at(k + 2)]) <
@@ -67,8 +69,8 @@ double area_of(const SurfaceMesh& mesh) noexcept {
     return sum;
 }
 
-// The place where g is 0 on each of the edges, by Newton's steps from where it is 0 by its values at the ends; where
-// these fail, from where halving leads.
+// Finds the zero of g on each edge by Newton's steps from the linear interpolation of its values at the ends. If these
+// fail, bisection is used.
 base::Array<CurvePoint> find_cut_points(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                                         const base::Array<double>& value, const base::Array<CutEdge>& edges) {
     const double tolerance = curve_tuning.exact * mesh.side;
@@ -106,7 +108,7 @@ std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
 base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
                                           std::int64_t vertices) {
     HRBFNPR_ASSERT(corner.size() % 3 == 0);
-    // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
+    // Lists edges by their start vertex: edge e = 3 t + k leads from corner k of triangle t.
     base::Array<std::int64_t> begin(work.memory);
     base::resize_long(begin, vertices + 2, work);
     for (const std::int64_t e : work.over(corner.size())) {
@@ -176,7 +178,7 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
     to.side = mesh.side;
     to.unresolved = mesh.unresolved;
     to.missed_seeds = mesh.missed_seeds;
-    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // the new numbers of the vertices that are kept
+    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // the new numbers of the kept vertices
     for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
         if (!keeps(v)) continue;
         number[v] = static_cast<std::int32_t>(to.vertices());
@@ -215,7 +217,7 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
             put(number[v[0]], number[v[1]], number[v[2]]);
             continue;
         }
-        int odd = 0; // the corner that stands alone
+        int odd = 0; // the corner that is kept alone or lost alone
         while (keeps(v[odd]) != (kept == 1)) ++odd;
         const std::int32_t a = v[odd];
         const std::int32_t b = v[(odd + 1) % 3];
@@ -243,11 +245,11 @@ Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh, c
             const bool a = level[corner[0]] < 0.0;
             const bool b = level[corner[1]] < 0.0;
             const bool c = level[corner[2]] < 0.0;
-            if (a == b && b == c) continue; // as nearly everywhere
+            if (a == b && b == c) continue; // this holds for nearly all triangles
             crossed[t] = static_cast<std::uint8_t>((a != b ? 1 : 0) | (b != c ? 2 : 0) | (c != a ? 4 : 0));
         }
     });
-    // A walk comes in from the negative side of an edge's start, so that this stays to the left.
+    // A walk enters over an edge whose start is negative, so that negative g stays to the left.
     const auto enters = [&](std::int64_t edge) { return level[start_of(mesh, edge)] < 0.0; };
     Chains<std::int64_t> edges = walk_chains(mesh, crossed, enters);
     Chains<Bead> chains(runtime.memory);

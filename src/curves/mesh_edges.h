@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A mesh by its edges: which triangle lies across each of them (find_neighbours); triangles cut at places on their
-// edges, so that they still meet nowhere but in edges and corners, at the middles of edges that are too long
-// (halve_edges) or where a function g on the surface is 0 (clip); and chains of edges that lines cross (walk_chains).
+// Functions for the edges of a mesh: find_neighbours finds the triangle across each edge. halve_edges cuts triangles at
+// the middles of edges that are too long, and clip where a function g on the surface is 0; the triangles still meet
+// only in edges and corners. walk_chains finds chains of edges that a line crosses.
 #pragma once
 
 #include "base/operation.h"
@@ -23,21 +23,21 @@ namespace hrbfnpr::curves {
 [[nodiscard]] inline std::int32_t end_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return start_of(mesh, next_in_triangle(edge));
 }
-// The same edge of the triangle across; -1 at a border.
+// The same edge as seen from the adjacent triangle; -1 at a border.
 [[nodiscard]] std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept;
-// Whether the edge comes before its opposite one, so that each pair is visited once.
+// Whether this edge comes before its opposite edge; used to visit each pair once.
 [[nodiscard]] inline bool is_first(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || mesh.neighbour[edge] > edge / 3;
 }
 
-// For oriented triangles, no two of which have an edge in the same direction, as SurfaceMesh::neighbour.
+// Computes SurfaceMesh::neighbour for oriented triangles, no two of which have an edge in the same direction.
 [[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
                                                         std::int64_t vertices);
 
-// Halves edges, each told by one of its two sides: brings their middles onto the surface, and cuts the triangles there.
-// An edge stays whole if its middle has no place on the surface within `farthest` of its length, or, where the surface
-// is smooth, one whose gradient turns away from those at its ends, as across a thin wall. Returns whether any was
-// halved.
+// Cuts triangles at the middles of the given edges, and brings the middles onto the surface; of each edge one of its
+// two sides is given. An edge stays whole if its middle moves farther than `farthest` of the edge's length. If `smooth`
+// is set, it also stays whole if the gradient at the middle points away from those at its ends, as across a thin wall.
+// Returns whether any edge was halved.
 bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, const base::Array<std::int64_t>& edges,
                  double farthest, bool smooth, SurfaceMesh& mesh);
 
@@ -46,10 +46,10 @@ bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, con
 struct ClippedMesh {
     explicit ClippedMesh(base::Memory& memory) noexcept : mesh(memory), cut(memory) {}
 
-    SurfaceMesh mesh; // vertices from `first_cut` on stand on the curve, with f = g = 0
+    SurfaceMesh mesh; // vertices from `first_cut` on lie on the curve f = g = 0
     std::int64_t first_cut = 0;
     base::Array<CurvePoint> cut; // the curve's points at these vertices
-    double left_out = 0.0;       // the share of the area that was cut away
+    double left_out = 0.0;       // the share of the area that was removed
 };
 
 // The same bits for any thread count.
@@ -57,15 +57,16 @@ struct ClippedMesh {
 
 // ---- Chains of edges
 
-// Walks along the lines that cross triangles. crossed: two edges of each triangle as bits 1, 2, 4, or 0; it is 0
-// afterwards. may_enter(edge) tells whether a walk may come into the triangle of an edge over it. Open chains are the
-// edge that the first triangle is entered by and those that each is left by; closed ones only the latter.
+// Follows the lines that cross triangles, as chains of edges. crossed: two edges of each triangle as bits 1, 2, 4, or
+// 0; it is 0 afterwards. may_enter(edge) tells whether a walk may enter the edge's triangle over this edge. A chain has
+// the edge over which each of its triangles is left; an open one also starts with the edge over which the first
+// triangle is entered.
 template <class MayEnter>
 [[nodiscard]] Chains<std::int64_t> walk_chains(const SurfaceMesh& mesh, base::Array<std::uint8_t>& crossed,
                                                MayEnter&& may_enter) {
     HRBFNPR_ASSERT(crossed.size() == mesh.triangles());
     Chains<std::int64_t> chains(crossed.memory());
-    base::Array<std::int32_t> found(crossed.memory()); // the triangles that are crossed
+    base::Array<std::int32_t> found(crossed.memory()); // the crossed triangles
     for (std::int64_t t = 0; t < crossed.size(); ++t) {
         std::uint64_t eight = 1;
         if (t + 8 <= crossed.size()) std::memcpy(&eight, crossed.data() + t, sizeof eight);
@@ -103,11 +104,12 @@ struct Bead {
     std::int32_t negative, positive; // vertices
     Straddle edge;                   // their positions
     glm::dvec3 place;                // by linear interpolation
-    glm::dvec3 way;                  // the direction of its chain there, from the place before to the place after
+    glm::dvec3 way;                  // the chain's direction, from the previous place to the next one
 };
 
-// The beads along each chain of edges, by one value of g for each vertex; 0 counts as positive. Along a chain negative
-// g lies to the left, as seen from outside: the direction of grad f x grad g. The same bits for any thread count.
+// Finds the beads along each chain of edges from the values of g at the vertices; 0 counts as positive. Negative g lies
+// to the left of a chain as seen from outside: chains run in the direction of grad f x grad g. The same bits for any
+// thread count.
 [[nodiscard]] Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                       const base::Array<double>& level);
 

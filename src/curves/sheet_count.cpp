@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Counting in four steps, each for all segments at once:
+// Counting has four steps, each for all segments at once:
 //
-//   line_of         the part of a segment in the mesh's region, as a line from the segment's end `to`
-//   find_spans      spans of a line in which the surface may be, and its crossings with triangles there
-//   count_roots     the roots of f in each span, by f and its slope along the line
-//   drop_roots      roots beyond the surface's end are taken away
+//   line_of         computes the part of a segment in the mesh's region, as a line from the segment's end `to`
+//   find_spans      finds spans of a line that may contain the surface, and its crossings with triangles there
+//   count_roots     counts the roots of f in each span, from f and its slope along the line
+//   drop_roots      removes roots beyond the surface's end
 #include "curves/sheet_count.h"
 
 #include "base/list.h"
@@ -25,20 +25,20 @@ constexpr std::int64_t segments_a_task = 16;
 
 // ---- Lines
 
-// The places origin + s direction, low <= s <= high, of a segment that lie in the mesh's region. It begins at the
-// segment's end `to`, so that places near that are exact however far away the other end is.
+// The part of a segment in the mesh's region: origin + s direction for low <= s <= high. The origin is the segment's
+// end `to`, so that places near it are exact however far away the other end is.
 struct Line {
     geometry::Bounds region;
     glm::dvec3 origin{0.0};
     glm::dvec3 direction{0.0};      // unit
     glm::dvec3 right{0.0}, up{0.0}; // orthonormal with the direction
     double low = 0.0, high = -1.0;
-    bool low_is_end = false, high_is_end = false; // whether the line ends where the segment does, not at the region
+    bool low_is_end = false, high_is_end = false; // the line ends at the segment's end, not at the region
 
-    // A point relative to the origin, as seen along the line.
+    // The projection along the line of a point relative to the origin.
     [[nodiscard]] glm::dvec2 seen(const glm::dvec3& p) const noexcept { return {glm::dot(p, right), glm::dot(p, up)}; }
     [[nodiscard]] glm::dvec3 at(double s) const noexcept {
-        return glm::clamp(origin + s * direction, region.min, region.max); // rounding may lead out of the region
+        return glm::clamp(origin + s * direction, region.min, region.max); // rounding may leave the region
     }
 };
 
@@ -77,8 +77,8 @@ Line line_of(const geometry::Bounds& region, const glm::dvec3& from, const glm::
 struct Span {
     double begin, end;
     std::int64_t line;
-    std::int64_t places;    // the number of places, in order from begin to end, where f is evaluated at first
-    std::int32_t crossings; // how often the line crosses the mesh in the span
+    std::int64_t places;    // the number of places at which f is first evaluated, in order from begin to end
+    std::int32_t crossings; // how often the line crosses triangles of the mesh in the span
     bool line_begins, line_ends;
 };
 
@@ -86,7 +86,7 @@ struct Spans {
     explicit Spans(base::Memory& memory) noexcept : span(memory), place(memory) {}
 
     base::Array<Span> span;
-    base::Array<double> place; // the places in all spans
+    base::Array<double> place; // the places of all spans
 };
 
 // A part of a line near a triangle.
@@ -107,10 +107,10 @@ struct Range {
 
 struct TriangleCrossing {
     double at;
-    bool rising; // through the triangle, to where f > 0
+    bool rising; // the line passes through the triangle to f > 0
 };
 
-// An arc over a chord of length h that leaves it at an angle a is h a / 4 away from it; this is twice that, for arcs
+// An arc that meets its chord of length h at an angle a is h a / 4 away from it. The bulge is twice that, to cover arcs
 // that are not circles.
 double bulge_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
     const std::array<glm::dvec3, 3> p = corners_of(mesh, triangle);
@@ -126,8 +126,8 @@ double bulge_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
     return curve_tuning.least_bulge * mesh.side + 0.5 * longest * std::min(sine, 1.0);
 }
 
-// Finds the line's range in a prism that holds the triangle and all places no farther from it than its bulge, and where
-// the line crosses the triangle.
+// Finds the line's range in a prism that contains the triangle and all places within its bulge, and the place where the
+// line crosses the triangle.
 void look_at_triangle(const std::array<glm::dvec3, 3>& corner, double bulge, const Line& line,
                       base::Array<Range>& ranges, base::Array<TriangleCrossing>& crossings) {
     const std::array<glm::dvec3, 3> p{corner[0] - line.origin, corner[1] - line.origin, corner[2] - line.origin};
@@ -154,9 +154,9 @@ void look_at_triangle(const std::array<glm::dvec3, 3>& corner, double bulge, con
     }
     if (!(range.low <= range.high)) return;
     ranges.push_back(range);
-    // Three signs say on which side of the triangle's edges the line passes, as seen along it. All triangles of a
-    // corner see it in the same place, and those of an edge find the same number with opposite signs, to the last bit:
-    // no line passes between them.
+    // Three signs tell on which side of the triangle's edges the line passes, as seen along it. All triangles at a
+    // corner project it to the same place, and the two triangles at an edge compute the same number with opposite
+    // signs, to the last bit. So no line passes between triangles.
     const std::array<glm::dvec2, 3> q{line.seen(p[0]), line.seen(p[1]), line.seen(p[2])};
     const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
     const glm::dvec3 side(cross(q[1], q[2]), cross(q[2], q[0]), cross(q[0], q[1]));
@@ -168,7 +168,7 @@ void look_at_triangle(const std::array<glm::dvec3, 3>& corner, double bulge, con
     if (at >= line.low && at <= line.high) crossings.push_back({at, rising});
 }
 
-// Sorts ranges and joins those that overlap or hardly leave a gap.
+// Sorts ranges and merges those that overlap or nearly touch.
 void merge_ranges(double gap, base::Array<Range>& ranges) noexcept {
     std::sort(ranges.begin(), ranges.end(),
               [](const Range& a, const Range& b) { return a.low < b.low || (a.low == b.low && a.high < b.high); });
@@ -182,7 +182,7 @@ void merge_ranges(double gap, base::Array<Range>& ranges) noexcept {
     ranges.resize(kept);
 }
 
-// Sorts crossings; those through edges and corners were found once for each triangle there, and are kept once.
+// Sorts crossings. Those through edges and corners are found for each triangle there; one of them is kept.
 void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noexcept {
     std::sort(crossings.begin(), crossings.end(), [](const TriangleCrossing& a, const TriangleCrossing& b) {
         return a.at < b.at || (a.at == b.at && a.rising < b.rising);
@@ -197,8 +197,8 @@ void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noex
     crossings.resize(kept);
 }
 
-// Adds the spans of line number `number`. Between two crossings in a span there is a place, so that each sheet has a
-// part of its own.
+// Adds the spans of the line with this number. Each span has a place between two crossings, so that each sheet has a
+// piece of its own.
 void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const base::Array<double>& bulge,
                 const Line& line, std::int64_t number, Spans& found) {
     if (!(line.low < line.high)) return;
@@ -243,18 +243,18 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
 
 struct RootCount {
     std::int32_t roots = 0;
-    bool certain = true; // false: f touches 0, or is no number somewhere
+    bool certain = true; // false: f touches 0, or is NaN or infinite somewhere
 };
 
-// A root of a span lies between these places of its line, and no other.
+// A range of a line that contains exactly one root of a span.
 struct Root {
     std::int64_t span;
     double low, high;
-    double at; // about there
+    double at; // the approximate root
     Illinois search;
 };
 
-// A place on a line: f, its slope along the line, and the length of its gradient.
+// A place on a line: f, its slope along the line, and the length of its gradient there.
 struct Place {
     double at, value, slope, gradient;
 
@@ -264,7 +264,7 @@ struct Place {
     [[nodiscard]] bool negative() const noexcept { return value < 0.0; }
 };
 
-// The part of a span between two places, to be split at `at`.
+// A part of a span between two places, to be split at `at`.
 struct Piece {
     Place low, high;
     std::int64_t span;
@@ -272,7 +272,7 @@ struct Piece {
     double at;
 };
 
-// f and its gradient at places.
+// The values and gradients of f at a batch of places.
 struct Field {
     Field(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& point)
         : value(work.memory, point.size()), gradient(work.memory, point.size()) {
@@ -287,12 +287,13 @@ struct Field {
     geometry::VecArray gradient;
 };
 
-// Tells from the values and slopes at a piece's ends: no root (NaN), one root (-1), or where to split the piece.
+// Tells from the values and slopes at a piece's ends whether it has no root (NaN) or one root (-1), or where to split
+// it.
 double split_of(const Place& a, const Place& b) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double length = b.at - a.at;
     if (a.negative() != b.negative()) {
-        // The cubic with these values and slopes is monotone: one root.  [Fritsch & Carlson 1980]
+        // The cubic with these values and slopes is monotone, so there is one root. [Fritsch & Carlson 1980]
         const double rise = b.value - a.value;
         const double first = length * a.slope / rise;
         const double last = length * b.slope / rise;
@@ -301,24 +302,24 @@ double split_of(const Place& a, const Place& b) noexcept {
     const double sign = a.negative() ? -1.0 : 1.0;
     const double d0 = sign * length * a.slope;
     const double d1 = sign * length * b.slope;
-    // The cubic is above the least of its control values.
+    // The cubic is above its least control value.
     if (sign * a.value + d0 / 3.0 > 0.0 && sign * b.value - d1 / 3.0 > 0.0) return none;
-    // Else the piece is split where the cubic is least, unless it is clearly above 0 there.
+    // Otherwise the piece is split at the cubic's minimum, unless that is clearly above 0.
     const double f0 = sign * a.value;
     const double f1 = sign * b.value;
     const double third = 2.0 * (f0 - f1) + d0 + d1;
     const double second = 3.0 * (f1 - f0) - 2.0 * d0 - d1;
-    // A quarter of the discriminant of the derivative, d0 + 2 second t + 3 third t^2.
+    // A quarter of the discriminant of the derivative d0 + 2 second t + 3 third t^2.
     const double root = second * second - 3.0 * third * d0;
     if (!(root >= 0.0)) return none;
-    // The derivative rises at this root, which is written so that nothing cancels.
+    // The derivative increases at this root. The two forms avoid cancellation.
     const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
     if (!(t > 0.0 && t < 1.0) || f0 + t * (d0 + t * (second + t * third)) > 0.5 * std::min(f0, f1)) return none;
     return std::clamp(t, 0.05, 0.95);
 }
 
-// Counts the roots in each span, and lists those that are certain. Pieces of spans are split, all of them at once,
-// until the values and slopes at their ends tell the number of roots.
+// Counts the roots in each span, and lists those that are bracketed. Pieces of spans are split, all in parallel, until
+// the values and slopes at their ends give the number of roots.
 void count_roots(const base::Work& work, const implicit::Implicit& implicit, const base::Array<Line>& lines,
                  const Spans& spans, base::Array<RootCount>& counts, base::Array<Root>& roots) {
     const double noise = curve_tuning.root_noise * implicit.diagonal();
@@ -330,7 +331,7 @@ void count_roots(const base::Work& work, const implicit::Implicit& implicit, con
         return std::abs(at.value) <= curve_tuning.touching * implicit.diagonal() * at.gradient &&
                std::abs(at.slope) <= curve_tuning.along_surface * at.gradient;
     };
-    // Where the segment ends on the surface, f just before decides: its slope tells.
+    // If the segment ends on the surface, the slope there gives the sign of f just inside the segment.
     const auto settle_end = [&](RootCount& count, Place& end, double way) {
         if (!(std::abs(end.value) <= noise * end.gradient)) return;
         if (!(std::abs(end.slope) > curve_tuning.leaves_surface * end.gradient)) count.certain = false;
@@ -356,7 +357,7 @@ void count_roots(const base::Work& work, const implicit::Implicit& implicit, con
             point.push_back(lines[spans.span[span].line].at(middle));
             return;
         }
-        // A piece that has become too short has the roots that its ends tell.
+        // A piece that is too short to split has the roots that the signs at its ends give.
         count.certain = false;
         if (a.negative() != b.negative()) ++count.roots;
     };
@@ -404,8 +405,8 @@ void count_roots(const base::Work& work, const implicit::Implicit& implicit, con
     }
 }
 
-// Takes the roots beyond the surface's end from the list and from the counts; those near the border are found exactly
-// first. Where one lies on the border, as far as numbers tell, its count is not certain.
+// Removes the roots beyond the surface's end from the list and the counts; those near the border are computed exactly
+// first. If a root lies on the border within rounding, its count is not certain.
 void drop_roots(const base::Work& work, const implicit::Implicit& implicit, const implicit::Domain& domain,
                 const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                 base::Array<RootCount>& counts) {
@@ -415,7 +416,7 @@ void drop_roots(const base::Work& work, const implicit::Implicit& implicit, cons
     };
     base::Array<double> beyond(work.memory, roots.size());
     std::fill(beyond.begin(), beyond.end(), -1.0);
-    base::Array<std::int64_t> left(work.memory); // the roots that are still searched
+    base::Array<std::int64_t> left(work.memory); // the roots whose search continues
     for (std::int64_t i = 0; i < roots.size(); ++i)
         if (domain.near_end(line(roots[i]).at(0.5 * (roots[i].low + roots[i].high)))) left.push_back(i);
     geometry::VecArray place(work.memory);

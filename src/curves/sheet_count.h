@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often the surface lies between two points: the quantitative invisibility of one seen from the other [Appel 1967].
+// Counts how often the surface lies between two points: the quantitative invisibility of one seen from the other [Appel
+// 1967].
 #pragma once
 
 #include "base/memory.h"
@@ -14,21 +15,22 @@
 
 namespace hrbfnpr::curves {
 
-// It is made once for a mesh, which must outlive it; const afterwards, for any number of threads.
+// Built once for a mesh, which must outlive it; immutable afterwards and thread-safe.
 class SheetCounter {
 public:
     SheetCounter(const base::Work& work, const SurfaceMesh& mesh);
 
     struct Answer {
         std::int32_t sheets = 0;
-        double nearest = 0.0; // about the distance from `to` to the nearest crossing, where there are any
-        bool certain = true;  // false: the segment grazes the surface, or its two counts do not agree
+        double nearest = 0.0; // the approximate distance from `to` to the nearest crossing, if there is any
+        bool certain = true;  // false: the segment grazes the surface, or the two ways of counting disagree
     };
-    // Counts the crossings of f = 0 with the open segments from[i] to to[i], as far as the mesh goes.  `to` may itself
-    // lie on the surface: crossings nearer to it than clear[i] are not counted.  answer is resized.
+    // Counts the crossings of the open segments from[i] to to[i] with f = 0 inside the mesh. `to` may itself lie on the
+    // surface: crossings nearer to it than clear[i] are not counted. answer is resized.
     //
-    // Triangles say where to look, and within these spans f and its slope along the segment decide; both are counted.
-    // Beside an end of the segment f alone is asked: there the triangles are not near enough to the surface.
+    // Triangles give the spans in which to look; in these, crossings are counted both by f with its slope along the
+    // segment and by triangles. Near an end of the segment only f is used, since the triangles are not near enough to
+    // the surface.
     void count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer) const;
 
@@ -37,8 +39,8 @@ public:
 
 private:
     const SurfaceMesh& mesh_;
-    base::Array<double> bulge_; // how far the surface may be from each triangle, by the gradients at its corners
-    geometry::BoxTree tree_;    // the boxes around the triangles with their bulges
+    base::Array<double> bulge_; // bound on the surface's distance from each triangle, from the gradients at its corners
+    geometry::BoxTree tree_;    // the triangles' boxes, grown by their bulges
 };
 
 } // namespace hrbfnpr::curves

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Marching tetrahedra [Doi & Koide 1991] over the cells that a flood from seeds reaches:
 //
-//   seeds_on_surface     seeds are projected onto f = 0
-//   find_crossed_cells   a flood from their cells over all faces that the surface crosses, by the signs of f at corners
-//   clear_corners        corners that are very near the surface move away from it
-//   number_edges         edges of tetrahedra that the surface crosses become vertices
-//   find_vertices        the root of f on each of these edges
-//   add_triangles        one or two triangles in each tetrahedron
-//   count_missed         seeds that have no part of the mesh beside them
+//   seeds_on_surface     projects seeds onto f = 0
+//   find_crossed_cells   floods from their cells over all faces that the surface crosses, by the signs of f at corners
+//   clear_corners        moves corners that are very near the surface away from it
+//   number_edges         makes a vertex of each tetrahedron edge that the surface crosses
+//   find_vertices        finds the root of f on each of these edges
+//   add_triangles        adds one or two triangles in each tetrahedron
+//   count_missed         counts seeds without a part of the mesh near them
 //
-// Vertices stand on edges of the tetrahedra, so that triangles meet nowhere but in their edges and corners.
+// Vertices lie on edges of the tetrahedra, so triangles meet only in their edges and corners.
 #include "curves/surface_mesh.h"
 
 #include "base/long_array.h"
@@ -32,15 +32,15 @@ namespace {
 
 using Cell = geometry::CellGrid::Cell;
 
-constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // corners of triangles have 32-bit numbers
+constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // corners of triangles are 32-bit indices
 
 // ---- The lattice
 
-// A region cut into equal cells that fill it, so that f is not evaluated beyond it.
+// A region cut into equal cells that fill it exactly, so that f is not evaluated outside it.
 struct Lattice {
     geometry::Bounds region;
     glm::dvec3 side{0.0};
-    Cell cells{}; // the number along each axis
+    Cell cells{}; // the number of cells along each axis
 
     [[nodiscard]] double longest() const noexcept { return std::max({side.x, side.y, side.z}); }
     [[nodiscard]] bool inside(const Cell& cell) const noexcept {
@@ -80,12 +80,12 @@ Lattice lattice_of(const MeshSettings& settings) {
 
 // ---- Tetrahedra
 
-// A cube is cut into six tetrahedra around its diagonal (Kuhn 1960), in every cube alike, so that those of adjacent
-// cubes share their faces. Corners of the cube are numbered by bits: x, y, z. A tetrahedron goes from corner 0 to
-// corner 7 by one bit at a time, so that every edge leads from a corner to one with more bits.
+// A cube is cut into six tetrahedra around its diagonal (Kuhn 1960). All cubes are cut in the same way, so that
+// tetrahedra of adjacent cubes share their faces. Bits number the corners of the cube: x, y, z. A tetrahedron goes from
+// corner 0 to corner 7 by adding one bit at a time, so every edge leads to a corner with more bits.
 struct Tetrahedron {
     std::array<std::uint8_t, 4> corner;
-    std::uint8_t corners; // as a set
+    std::uint8_t corners; // as a bit set
     bool even;            // positively oriented
 };
 
@@ -98,15 +98,15 @@ constexpr std::array<Tetrahedron, 6> tetrahedra{{
     {{0, 4, 6, 7}, 0xD1, false},
 }};
 
-// Where the surface meets a tetrahedron: a polygon with a corner on each of these edges, counter-clockwise as seen from
-// the positive corners if the tetrahedron is even, else clockwise.
+// The intersection of the surface with a tetrahedron: a polygon with a corner on each of these edges. It is
+// counter-clockwise as seen from the positive corners if the tetrahedron is even, else clockwise.
 struct Section {
     std::uint8_t size = 0;                             // 0, 3 or 4
-    std::array<std::array<std::uint8_t, 2>, 4> edge{}; // between corners of the tetrahedron, the lower one first
+    std::array<std::array<std::uint8_t, 2>, 4> edge{}; // two corners of the tetrahedron, the lower one first
 };
 
-// The section for each set of negative corners: a triangle around the corner that stands alone, or a quadrilateral
-// between two corners and the other two.
+// The section for each set of negative corners: a triangle around a single corner, or a quadrilateral between two
+// corners and the other two.
 constexpr std::array<Section, 16> sections{{
     {},
     {3, {{{0, 3}, {0, 1}, {0, 2}}}},
@@ -129,7 +129,7 @@ constexpr std::array<Section, 16> sections{{
 // ---- Cells
 
 struct CrossedCell {
-    std::uint64_t code; // geometry/morton.h
+    std::uint64_t code; // see geometry/morton.h
     std::array<std::int32_t, 8> corner;
 };
 
@@ -138,8 +138,8 @@ struct CrossedCells {
         : lattice(cut), cell(memory), place(memory), position(memory), value(memory) {}
 
     Lattice lattice;
-    base::Array<CrossedCell> cell;    // along a space-filling curve
-    base::Array<std::uint64_t> place; // the place of each corner in the lattice, packed
+    base::Array<CrossedCell> cell;    // in the order of a space-filling curve
+    base::Array<std::uint64_t> place; // the lattice coordinates of each corner, packed
     geometry::VecArray position;      // the position of each corner
     base::Array<double> value;        // f at each corner
     std::int64_t triangles = 0;
@@ -149,7 +149,7 @@ struct CrossedCells {
         for (unsigned k = 0; k < 8; ++k) set |= (value[of.corner[k]] < 0.0 ? 1U : 0U) << k;
         return set;
     }
-    // Calls visit(tetrahedron, section) for those tetrahedra that the surface passes through and f is a number in.
+    // Calls visit(tetrahedron, section) for the tetrahedra that the surface crosses and at whose corners f is finite.
     template <class Visit>
     void sections_of(const CrossedCell& of, Visit&& visit) const {
         const unsigned negative = negative_corners(of);
@@ -163,7 +163,7 @@ struct CrossedCells {
     }
 };
 
-// Numbers corners in the order in which they are asked for.
+// Numbers corners in the order of the first request.
 class CornerMap {
 public:
     explicit CornerMap(base::Memory& memory) noexcept : table_(memory) {}
@@ -178,7 +178,7 @@ public:
 
 private:
     struct Entry {
-        std::uint64_t name; // the packed corner plus 1; 0: a free place
+        std::uint64_t name; // the packed corner plus 1; 0: a free entry
         std::int32_t number;
     };
 
@@ -198,11 +198,11 @@ private:
         table_ = std::move(larger);
     }
 
-    base::Array<Entry> table_; // open addressing, a power of two, at most half full
+    base::Array<Entry> table_; // open addressing; the size is a power of two, at most half is used
     std::int64_t count_ = 0;
 };
 
-// Seeds brought onto the surface, without those that do not come there or have to go far.
+// Projects seeds onto the surface, and drops those that do not converge or move too far.
 surface::Projection seeds_on_surface(const base::Work& work, const implicit::Implicit& implicit,
                                      const geometry::VecArray& seeds, const MeshSettings& settings) {
     surface::Projection on(work.memory);
@@ -230,11 +230,11 @@ surface::Projection seeds_on_surface(const base::Work& work, const implicit::Imp
     return on;
 }
 
-// The flood goes in waves: the cells of a wave get their corners, new corners their values, and over each face that the
-// surface passes through it goes on. Blocks of cells that are surely beyond the end of the surface are left out.
+// Floods in waves: the cells of a wave get their corners, new corners get their values, and the flood continues over
+// each face that the surface crosses. Blocks of cells that are certainly beyond the surface's end are left out.
 CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit& implicit,
                                 const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings) {
-    // The corners of a cell's faces, and the ways over them.
+    // The corners of each face of a cell, and the step to the cell across the face.
     struct Face {
         unsigned corners;
         Cell way;
@@ -266,7 +266,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
         return beyond.contains(packed);
     };
     geometry::CellSet known(work.memory);
-    base::Array<std::uint64_t> front(work.memory), next(work.memory); // packed cells of this wave and the next
+    base::Array<std::uint64_t> front(work.memory), next(work.memory); // packed cells of this wave and of the next
     const auto go_to = [&](const Cell& cell) {
         if (!lattice.inside(cell) || is_beyond(cell)) return;
         if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known.insert(packed)) next.push_back(packed);
@@ -276,7 +276,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
 
     CornerMap corners(work.memory);
     base::Array<CrossedCell> wave(work.memory);
-    geometry::VecArray fresh(work.memory); // corners that no wave before had
+    geometry::VecArray fresh(work.memory); // corners that are new in this wave
     base::Array<double> value(work.memory);
     for (bool seeded = true; !next.empty(); seeded = false) {
         work.check();
@@ -312,8 +312,8 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
             cells.triangles += triangles;
             for (const Face& face : faces)
                 if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
-            // A seed may be nearer to the surface than the corners of its own cell can tell: then the flood begins in
-            // the cells around.
+            // A seed may be nearer to the surface than the corners of its cell can show: then the flood starts in the
+            // adjacent cells.
             if (seeded && triangles == 0)
                 for (int step = 0; step < geometry::neighbour_count; ++step) go_to(geometry::neighbour(place, step));
         }
@@ -328,9 +328,9 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
     return cells;
 }
 
-// A surface that passes a corner very near cuts all edges there in the same point, and the triangles degenerate.
-// Corners that are very near move away from it, along the region's faces where they are on these. Signs stay, and so
-// does the way in which triangles are connected.
+// A surface that passes very near a corner cuts all edges there in nearly the same point, and the triangles degenerate.
+// So corners that are very near move away from the surface; corners on the region's faces move along these. The signs
+// of f do not change, so the triangles are connected as before.
 void clear_corners(const base::Work& work, const implicit::Implicit& implicit, CrossedCells& cells) {
     const double clearance = curve_tuning.corner_clearance;
     const Lattice& lattice = cells.lattice;
@@ -383,12 +383,12 @@ void clear_corners(const base::Work& work, const implicit::Implicit& implicit, C
 
 // ---- Vertices
 
-// Two corners at which f has different signs.
+// An edge between two corners at which f has different signs.
 struct CrossedEdge {
     std::int32_t from, to;
 };
 
-// An edge is known by its lower corner and by its way from there, of which there are 7.
+// An edge's number follows from its lower corner and its direction, one of 7.
 std::int64_t edge_number(const CrossedCell& cell, const Tetrahedron& tetrahedron,
                          const std::array<std::uint8_t, 2>& between) noexcept {
     const std::uint8_t from = tetrahedron.corner[between[0]];
@@ -397,7 +397,7 @@ std::int64_t edge_number(const CrossedCell& cell, const Tetrahedron& tetrahedron
     return std::int64_t{7} * cell.corner[from] + way - 1;
 }
 
-// Lists the edges that the surface crosses, each once. Returns 1 + the place in the list for each edge number.
+// Lists the edges that the surface crosses, each once. Returns for each edge number 1 + its index in the list, or 0.
 base::Array<std::int32_t> number_edges(const CrossedCells& cells, base::Array<CrossedEdge>& edges,
                                        const base::Progress& progress) {
     base::Array<std::int32_t> numbers(edges.memory());
@@ -417,7 +417,7 @@ base::Array<std::int32_t> number_edges(const CrossedCells& cells, base::Array<Cr
     return numbers;
 }
 
-// An edge in its own coordinate, from 0 to 1, and the bracket of its root.
+// An edge with parameters from 0 to 1, and the bracket of its root.
 struct RootSearch {
     glm::dvec3 from{0.0}, along{0.0};
     double low = 0.0, high = 1.0;
@@ -427,7 +427,8 @@ struct RootSearch {
     int evaluations = 0;
 };
 
-// The root of the cubic that has the bracket's values and, at the last place, f and its slope: by Newton from there.
+// Returns the root, by Newton's method, of the cubic with the bracket's values, and with value and slope of f at the
+// last place.
 double root_of_cubic(const RootSearch& search, double value, double slope) noexcept {
     const double x = search.low - search.at;
     const double y = search.high - search.at;
@@ -444,7 +445,7 @@ double root_of_cubic(const RootSearch& search, double value, double slope) noexc
     return search.at + t;
 }
 
-// Searches that go on side by side, and the values at their places.
+// A batch of searches, and the values at their places.
 struct RootLanes {
     static constexpr auto size = static_cast<std::size_t>(implicit::batch_size);
     RootLanes() noexcept {} // NOLINT(modernize-use-equals-default): the columns stay as they are
@@ -453,8 +454,8 @@ struct RootLanes {
     std::array<double, size> x, y, z, f, gx, gy, gz;
 };
 
-// Puts the roots of the edges order[begin] to order[end - 1] into mesh; without an order, those of the edges begin to
-// end - 1. Returns the number of edges whose root was not found; their vertex is where the search ended.
+// Sets the vertices of the edges order[begin] to order[end - 1], or without an order of the edges begin to end - 1.
+// Returns the number of edges whose root was not found; their vertex is the last place of the search.
 std::int64_t find_some_vertices(const implicit::Implicit& implicit, const CrossedCells& cells,
                                 const base::Array<CrossedEdge>& edges, const std::int32_t* order, std::int64_t begin,
                                 std::int64_t end, double tolerance, RootLanes& lanes, SurfaceMesh& mesh,
@@ -473,7 +474,7 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
                            high, share > 0.0 && share < 1.0 ? share : 0.5, index, 0};
     }
     std::int64_t unresolved = 0;
-    // Whether the search goes on after f was evaluated at its place; else its vertex is set.
+    // Takes f at the search's place. Returns whether the search continues; if not, its vertex is set.
     const auto goes_on = [&](RootSearch& search, double value, const glm::dvec3& gradient) {
         const double slope = glm::length(gradient);
         const bool usable = std::isfinite(value) && std::isfinite(slope);
@@ -512,7 +513,7 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
     return unresolved;
 }
 
-// Sets position, gradient and unresolved of the mesh: one vertex for each edge.
+// Sets position, gradient and unresolved of the mesh, with one vertex for each edge.
 void find_vertices(const base::Work& work, const implicit::Implicit& implicit, const CrossedCells& cells,
                    const base::Array<CrossedEdge>& edges, double tolerance, SurfaceMesh& mesh) {
     const std::int64_t count = edges.size();
@@ -534,7 +535,7 @@ void find_vertices(const base::Work& work, const implicit::Implicit& implicit, c
 
 // ---- Triangles
 
-// A quadrilateral is cut along its shorter diagonal.
+// Cuts quadrilaterals along their shorter diagonals.
 void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& numbers, SurfaceMesh& mesh,
                    const base::Progress& progress) {
     mesh.corner.reserve(3 * cells.triangles);
@@ -561,7 +562,7 @@ void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& n
     HRBFNPR_ASSERT(mesh.triangles() == cells.triangles);
 }
 
-// The number of i in [0, total) that holds(i) is true for.
+// Counts the i in [0, total) for which holds(i) is true.
 template <class Holds>
 std::int64_t count_all(const base::Work& work, std::int64_t total, Holds&& holds) {
     std::atomic<std::int64_t> sum{0};

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The steps of tracing:
 //
-//   find_beads         (mesh_edges.h) the mesh's changes of sign, as places and directions
-//   runs_from          runs of points on curves, from beads or from the curves of the view before: starts are brought
-//                      onto curves all at once, and gaps between them halved until a cubic links them or they are
-//                      parted
-//   follow             predictor and corrector from the ends of runs until each comes to where a run begins
-//   uncovered          beads that no curve passes by; curves start from these by Newton's steps, else by halving
-//   find_small_loops   curves between the mesh's vertices, around extrema of g
-//   look_closer        a finer mesh where changes of sign are left that no curve was found for
-//   clip               (curve_changes.h) the parts of curves where the surface is
+//   find_beads         (mesh_edges.h) finds the mesh's changes of sign, as places and directions
+//   runs_from          makes runs of points on curves, from beads or from the curves of the previous view: it brings
+//                      all starts onto curves at once, and halves gaps between them until a cubic links their ends or
+//                      they are parted
+//   follow             traces by predictor and corrector from the ends of runs to where the next run begins
+//   uncovered          finds beads without a curve near them; curves start from these by Newton's steps, or by
+//                      bisection
+//   find_small_loops   finds curves between the mesh's vertices, around extrema of g
+//   look_closer        makes a finer mesh around changes of sign for which no curve was found
+//   clip               (curve_changes.h) keeps the parts of curves that lie on the surface
 #include "curves/trace.h"
 
 #include "base/list.h"
@@ -29,7 +30,7 @@ namespace {
 
 glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(p.direction()); }
 
-// Whether the curve is known to lead from a point of a chain to the next.
+// Whether the curve is known to lead from a point of a chain to the next one.
 enum class Link : std::uint8_t { unknown, linked, parted };
 
 struct RunPoint {
@@ -37,7 +38,7 @@ struct RunPoint {
     Link link = Link::unknown;
 };
 
-// Whether the cubic between two points is the curve.
+// Whether the cubic between two points follows the curve.
 bool is_linked(const CurvePoint& a, const CurvePoint& b, double side, const TraceSettings& settings) noexcept {
     const glm::dvec3 way = b.position - a.position;
     const double length = glm::length(way);
@@ -49,8 +50,8 @@ bool is_linked(const CurvePoint& a, const CurvePoint& b, double side, const Trac
            glm::distance(end, way / length) <= curve_tuning.off_chord * limit;
 }
 
-// Newton's steps go along the curve, too: points may have come together, or passed each other. Where the curve turns
-// it is not known whether they have.
+// Newton's steps also move points along the curve, so points may coincide or be out of order. Where the curve turns
+// sharply this cannot be decided, and the points are kept.
 bool in_order(const CurvePoint& before, const CurvePoint& p, double side, const TraceSettings& settings) noexcept {
     const glm::dvec3 way = p.position - before.position;
     const glm::dvec3 a = unit_direction(before);
@@ -66,7 +67,7 @@ bool is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoint& b) n
            glm::dot(m.direction(), way) > 0.0;
 }
 
-// Leaves out points that a longer run passes by, as where the mesh crosses a curve to and fro.
+// Drops points near which a longer run passes, as where the mesh crosses a curve to and fro.
 Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
     const NearCurves near(runs, longest, distance);
     base::Array<std::uint8_t> doubled(runtime.memory, runs.point.size());
@@ -94,7 +95,7 @@ Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double 
     return kept;
 }
 
-// Places of each chain of beads that are part of a step from each other. Only positions count.
+// Chooses places from each chain of beads at a fixed share of the longest step. Only positions are set.
 Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Chains<Bead>& beads,
                  const TraceSettings& settings) {
     Curves starts(runtime.memory);
@@ -112,7 +113,7 @@ Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Ch
     return starts;
 }
 
-// Starts with known directions, as far apart as starts from chains, and closer where the curve turns.
+// Thins starts with known directions to the distance of starts from beads; they stay closer where the curve turns.
 Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                const TraceSettings& settings) {
     const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
@@ -133,8 +134,8 @@ Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curv
     return kept;
 }
 
-// Runs of points from starts: each is a part of a curve, or all of it if it is closed. No place of a curve is in two
-// runs, but beside their ends. Starts follow each other as the points of a curve do.
+// Makes runs of points from starts; each is a part of a curve, or a whole closed curve. Runs do not overlap except near
+// their ends. The starts are in order along their curves.
 Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
                  const TraceSettings& settings, TraceReport& report) {
     const double side = mesh.side;
@@ -147,7 +148,7 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
     base::Array<CurvePoint> points(work.memory, starts.point.size());
     std::copy(starts.point.begin(), starts.point.end(), points.begin());
     const base::Array<std::uint8_t> brought = bring_points(points, curve_tuning.start_reach * side);
-    Chains<RunPoint> chains(work.memory); // the starts that could be brought onto curves
+    Chains<RunPoint> chains(work.memory); // the starts that were brought onto curves
     for (std::int64_t c = 0; c < starts.count(); ++c) {
         for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
             if (brought[i] != 0 && (chains.point.size() == chains.first.back() ||
@@ -155,7 +156,7 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
                 chains.point.push_back({points[i]});
         chains.end(starts.closed[c] != 0);
     }
-    // A chain of two points has no gap from the second one back to the first.
+    // A chain of two points has no second gap from its last point to its first.
     const auto is_gap_between = [&](std::int64_t c, std::int64_t i, std::int64_t j) {
         return j > i || (j >= 0 && chains.size_of(c) > 2);
     };
@@ -216,29 +217,29 @@ enum class PathEnd : std::uint8_t { none, at_run, border, broken };
 
 // A curve that is being followed.
 struct Path {
-    std::int64_t start; // its run
-    double sense;       // 1, or -1 backwards
+    std::int64_t start; // the number of its run
+    double sense;       // 1: forwards, -1: backwards
     CurvePoint last;
-    glm::dvec3 tangent;   // unit, in its sense
-    glm::dvec3 bend{0.0}; // change of the tangent along the last step, by length
+    glm::dvec3 tangent;   // unit, in the direction of the path
+    glm::dvec3 bend{0.0}; // change of the tangent per length, over the last step
     double step;
     CurvePoint trial;
     glm::dvec3 predicted{0.0};
     int iteration = 0;
     std::int32_t steps = 0, evaluations = 0;
-    std::int64_t passed = -1;   // the point that it passed last; -1: none yet
-    std::int64_t met = -1;      // the run that it came to
-    std::int64_t met_point = 0; // where: the first point of that run, or a later one if the ends overlapped
+    std::int64_t passed = -1;   // index in Paths::passed of the last point; -1: none
+    std::int64_t met = -1;      // the run that the path met
+    std::int64_t met_point = 0; // the point of that run that was met: the first one, or a later one if the ends overlap
     PathEnd end = PathEnd::none;
 };
 
-// A point that a path went through, and the one before it; -1: it is the first.
+// A point of a path, and the index of the point before it; -1: it is the first.
 struct Passed {
     CurvePoint point;
     std::int64_t before;
 };
 
-// The paths between runs, and the data that they share.
+// The paths between runs and their common data.
 struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),
@@ -254,14 +255,14 @@ struct Paths {
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<Passed> passed;
-    // Each run's two paths, and the run whose path leads to it; -1: none.
+    // The two paths of each run, and the run whose path leads to it; -1: none.
     base::Array<std::int64_t> forward, backward, before;
-    base::Array<std::uint8_t> passed_by; // 1: another path goes past this run, which then is left out
+    base::Array<std::uint8_t> passed_by; // 1: another path passes this run, which is then left out
     base::Array<std::int32_t> run_of;    // the run of each point of the runs
     geometry::PointGrid grid;            // the points of the runs by their positions
 };
 
-// The most that a path may turn in a step of a length in sides.
+// The greatest turn in a step of this length, in sides.
 double turn_limit(const TraceSettings& settings, double step) noexcept {
     return step < curve_tuning.kink_length ? curve_tuning.sharpest_kink : settings.turn;
 }
@@ -283,8 +284,8 @@ void shorten(const Paths& paths, Path& path, double share) noexcept {
         predict(path);
 }
 
-// Finds the first point of a run on the way, and sets `met` to it. The cubic through both ends of the step says how far
-// beside the curve a point lies.
+// Finds the first point of a run on the way, and sets `met` to its run. The cubic through both ends of the step
+// approximates the curve, from which the point's distance is measured.
 bool meets_run(const Paths& paths, Path& path, const glm::dvec3& tangent) {
     const double within = curve_tuning.beside;
     const glm::dvec3 a = path.last.position;
@@ -311,7 +312,7 @@ bool meets_run(const Paths& paths, Path& path, const glm::dvec3& tangent) {
     return path.met >= 0;
 }
 
-// Goes on from a point of the curve.
+// Accepts the trial as the next point of the path.
 void accept(Paths& paths, Path& path, const glm::dvec3& tangent) {
     const double side = paths.mesh.side;
     HRBFNPR_ASSERT(std::abs(glm::length(tangent) - 1.0) < 1e-9);
@@ -335,7 +336,7 @@ void accept(Paths& paths, Path& path, const glm::dvec3& tangent) {
     predict(path);
 }
 
-// Looks at the trial that was evaluated.
+// Examines a trial after its evaluation.
 void take(Paths& paths, Path& path) {
     if (++path.evaluations > paths.settings.evaluation_limit) {
         path.end = PathEnd::broken;
@@ -354,14 +355,14 @@ void take(Paths& paths, Path& path) {
     const double turn = glm::distance(tangent, path.tangent);
     if (!(turn <= limit)) return shorten(paths, path, std::clamp(curve_tuning.step_safety * limit / turn, 0.25, 0.7));
     if (paths.mesh.region.contains(path.trial.position)) return accept(paths, path, tangent);
-    // Shorter steps lead up to the region's wall.
+    // Shorter steps approach the region's wall.
     if (path.step <= curve_tuning.close * paths.mesh.side)
         path.end = PathEnd::border;
     else
         shorten(paths, path, 0.5);
 }
 
-// Follows one path from each of these runs, all in step: from its last point, or backwards from its first.
+// Follows a path from each of these runs, all in parallel: forwards from its last point, or backwards from its first.
 void follow_from(const base::Work& work, const Level& level, const base::Array<std::int64_t>& from, double sense,
                  Paths& paths, TraceReport& report) {
     const Curves& runs = paths.runs;
@@ -371,7 +372,7 @@ void follow_from(const base::Work& work, const Level& level, const base::Array<s
         const CurvePoint& last = runs.point[sense > 0.0 ? runs.first[r + 1] - 1 : runs.first[r]];
         Path path{r, sense, last, unit_along(last, sense), glm::dvec3(0.0), curve_tuning.first_step * paths.mesh.side,
                   {}};
-        if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1); // it came along its run
+        if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1); // its run counts as steps
         predict(path);
         (sense > 0.0 ? paths.forward : paths.backward)[r] = paths.path.size();
         active.push_back(paths.path.size());
@@ -394,12 +395,12 @@ void follow_from(const base::Work& work, const Level& level, const base::Array<s
     }
 }
 
-// Whether no path leads to the run.
+// Whether no path leads to this open run.
 bool is_first(const Paths& paths, std::int64_t r) noexcept {
     return paths.runs.closed[r] == 0 && paths.before[r] < 0 && paths.passed_by[r] == 0;
 }
 
-// Adds the curves that the runs and the paths between them make.
+// Adds the curves that consist of runs and the paths between them.
 void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
     const Curves& runs = paths.runs;
     base::Array<std::uint8_t> done(runs.point.memory(), runs.count());
@@ -414,7 +415,7 @@ void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
         while (run >= 0 && done[run] == 0) {
             done[run] = 1;
             const bool closed = runs.closed[run] != 0;
-            // A path may have come to a later point of the run than its first.
+            // A path may have met a later point of the run than its first.
             const std::int64_t before = closed ? -1 : paths.before[run];
             const std::int64_t first = before >= 0 ? paths.path[paths.forward[before]].met_point : runs.first[run];
             for (std::int64_t i = first; i < runs.first[run + 1]; ++i) curves.point.push_back(runs.point[i]);
@@ -441,7 +442,7 @@ void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
     }
 }
 
-// Adds the curves that go through the runs.
+// Connects the runs by paths, and adds the resulting curves.
 void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh, const Curves& runs,
             const TraceSettings& settings, Curves& curves, TraceReport& report) {
     report.starts += runs.count();
@@ -449,14 +450,14 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
     base::Array<std::int64_t> all(work.memory), first(work.memory);
     for (std::int64_t r = 0; r < runs.count(); ++r) all.push_back(r);
     follow_from(work, level, all, 1.0, paths, report);
-    // The path that comes to the first point of a run leads to it.
+    // If several paths meet a run, the one that meets its earliest point leads to it.
     for (const Path& path : paths.path) {
         if (path.met < 0) continue;
         std::int64_t& before = paths.before[path.met];
         if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
     }
-    // Where two paths come to one run, and none to the run of one of them, the other has passed that by at a kink:
-    // there is nothing left for it to do. Changes of sign that no curve passes by tell of curves that are lost so.
+    // If two paths meet the same run, and no path leads to the run of one of them, the other path has passed that run
+    // at a kink, and the run is left out. If this loses a curve, its changes of sign remain uncovered.
     for (std::int64_t r = 0; r < runs.count(); ++r) {
         const std::int64_t met = runs.closed[r] != 0 ? -1 : paths.path[paths.forward[r]].met;
         if (met < 0 || paths.before[met] == r) continue;
@@ -473,7 +474,7 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
 // ---- Loops between vertices
 
 // Whether holds(other) is true for all neighbours of a triangle's corner. Walks around the corner over the edges that
-// begin there, and from a border of the mesh the other way, too.
+// begin there; at a border of the mesh it then walks the other way.
 template <class Holds>
 bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex, const Holds& holds) {
     for (const std::int64_t over : {0, 2}) {
@@ -490,9 +491,9 @@ bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t
     return true;
 }
 
-// Whether g has one sign at the corners of a triangle and |g| is low at one of them: lower than its difference to
-// another corner. The extremum of a quadratic is nearer than half an edge, and lower by a quarter of that difference.
-// Every triangle is asked, so there are no branches.
+// Whether g has one sign at the corners of a triangle and |g| at one corner is lower than its difference to another
+// corner. The extremum of a quadratic is then nearer than half an edge, and lower by a quarter of that difference. This
+// runs for every triangle, so it has no branches.
 bool is_low(double a, double b, double c) noexcept {
     const double least = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
     const double most = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
@@ -500,7 +501,8 @@ bool is_low(double a, double b, double c) noexcept {
     return (unsigned(least < most - least) & ~parted) != 0;
 }
 
-// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending.
+// Finds vertices where |g| is low and no larger than at any neighbour, and all neighbours have the same sign of g;
+// ascending.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
     constexpr std::int64_t triangles_a_task = 8192;
@@ -527,7 +529,7 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
     return all;
 }
 
-// Evaluates f and g at the points, and again after a step along grad f where that is longer than `near`.
+// Evaluates f and g at the points. If a step along grad f is longer than `near`, evaluates again after the step.
 void evaluate_on_surface(const base::Work& work, const Level& level, double near, base::Array<CurvePoint>& points,
                          std::int64_t& evaluations) {
     evaluate(work, level, points);
@@ -545,18 +547,18 @@ void evaluate_on_surface(const base::Work& work, const Level& level, double near
     for (std::int64_t k = 0; k < which.size(); ++k) points[which[k]] = off[k];
 }
 
-// Loops of g = 0 that pass between the vertices of the mesh: each goes round an extremum of g beside a vertex where |g|
-// is least. Searches for these extrema by Newton's steps, and returns a place on either side of each loop where g has
-// changed its sign on the way. Adds to `evaluations`.
+// Finds loops of g = 0 that pass between the vertices of the mesh. Each goes round an extremum of g near a vertex where
+// |g| is least. Searches for these extrema by Newton's steps; where g changes its sign on the way, returns the places
+// on both sides. Adds to `evaluations`.
 base::Array<Straddle> find_small_loops(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                                        const base::Array<double>& at_vertices, std::int64_t& evaluations) {
-    // The three points of a search are its place and one beside it in each tangent direction.
+    // A search evaluates three points: its place and one next to it in each tangent direction.
     HRBFNPR_ASSERT(at_vertices.size() == mesh.vertices());
     const double side = mesh.side;
     const double probe = curve_tuning.probe * side;
     struct Search {
         std::int32_t vertex;
-        glm::dvec3 place, u, v; // u and v are tangent at the vertex
+        glm::dvec3 place, u, v; // u and v: tangents at the vertex
     };
     base::Array<Search> active(work.memory);
     for (const std::int32_t vertex : find_low(work, mesh, at_vertices)) {
@@ -565,8 +567,8 @@ base::Array<Straddle> find_small_loops(const base::Work& work, const Level& leve
         active.push_back({vertex, mesh.position[vertex], u, glm::cross(n, u)});
     }
     base::Array<Straddle> found(work.memory);
-    // Makes Newton's step to where the part of grad g in the tangent plane is 0, by its differences between the three
-    // points. Whether the search goes on.
+    // Makes a Newton step to a zero of grad g in the tangent plane, with finite differences between the three points.
+    // Returns whether the search continues.
     const auto go_on = [&](Search& search, const CurvePoint* three) {
         const glm::dvec3 vertex = mesh.position[search.vertex];
         const double known = at_vertices[search.vertex];
@@ -618,7 +620,7 @@ base::Array<Straddle> find_small_loops(const base::Work& work, const Level& leve
 
 // ---- Starts
 
-// The curves that are known already, and the arguments of trace().
+// The curves found until now, and the arguments of trace().
 struct Tracing {
     const base::Work& work;
     const Level& level;
@@ -633,12 +635,12 @@ struct Tracing {
     void add(const Curves& runs) { follow(work, level, mesh, runs, settings, curves, report); }
 };
 
-// Beads that no curve passes by.
+// Returns the beads without a curve near them.
 base::Array<Bead> uncovered(const Tracing& tracing, const base::Array<Bead>& beads) {
     const NearCurves near = tracing.near_curves();
     base::Array<std::uint8_t> is_covered(tracing.work.memory, beads.size());
     tracing.work.for_chunks(beads.size(), 512, [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t guess = 0; // beads follow each other along curves
+        std::int64_t guess = 0; // consecutive beads lie along a curve
         for (std::int64_t i = begin; i < end; ++i)
             is_covered[i] =
                 near.passes(beads[i].place, beads[i].way, curve_tuning.covered * tracing.mesh.side, guess) ? 1 : 0;
@@ -649,8 +651,9 @@ base::Array<Bead> uncovered(const Tracing& tracing, const base::Array<Bead>& bea
     return left;
 }
 
-// Which points lie on a curve that is known.  Where samples lie a cubic may be off its curve by some percent of its
-// length: then its foot is brought onto the curve, and the point must lie along that from there.
+// Tells which points lie on a known curve. Near samples a cubic may deviate from its curve by some percent of its
+// length. In that case the nearest place on the cubic is brought onto the curve, and the point must lie on the tangent
+// there.
 base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoint>& points) {
     const double side = tracing.mesh.side;
     const NearCurves near = tracing.near_curves();
@@ -676,8 +679,8 @@ base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoi
     return on;
 }
 
-// Follows curves from those of the points that can be brought onto one, once for each place and not where a curve
-// passes already. Returns which of the points could not be brought onto a curve.
+// Brings points onto curves, and follows the curves from those that are not on a known curve, once for each place.
+// Returns the indices of the points that could not be brought onto a curve.
 base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> points) {
     base::Memory& memory = tracing.work.memory;
     const double side = tracing.mesh.side;
@@ -687,7 +690,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     const base::Array<std::uint8_t> known = on_curves(tracing, points);
     base::Array<CurvePoint> fresh(memory);
     base::Array<std::int64_t> lost(memory);
-    geometry::VecArray places(memory); // the positions of the fresh points
+    geometry::VecArray places(memory); // the positions of `fresh`
     for (std::int64_t i = 0; i < points.size(); ++i) {
         if (found[i] == 0) lost.push_back(i);
         if (found[i] == 0 || known[i] != 0) continue;
@@ -696,7 +699,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     }
     const double same = curve_tuning.close * side;
     const geometry::PointGrid grid(places, same);
-    Curves runs(memory); // one point each
+    Curves runs(memory); // of one point each
     for (std::int64_t i = 0; i < fresh.size(); ++i) {
         bool first = true;
         grid.around(places[i], [&](std::int64_t at) {
@@ -712,7 +715,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     return lost;
 }
 
-// The same from zeros of g that halving finds.
+// The same from zeros of g that bisection finds.
 base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& places) {
     base::Array<CurvePoint> points(tracing.work.memory);
     tracing.report.evaluations += halve(tracing.work, tracing.level, places, curve_tuning.halvings, points);
@@ -721,7 +724,7 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& 
     return lost;
 }
 
-// The same from beads that no curve passes by: by Newton's steps, and by halving where these fail.
+// The same from uncovered beads: by Newton's steps, and by bisection where these fail.
 base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& beads) {
     const base::Array<Bead> left = uncovered(tracing, beads);
     base::Array<CurvePoint> points(tracing.work.memory, left.size());
@@ -731,12 +734,12 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& bead
     return start_from(tracing, edges);
 }
 
-// Changes of sign that no curve was found for are looked at on a mesh of smaller cells, which need not join parts that
-// the surface does not join, as where |grad f| nearly vanishes. Returns the number of those that are left.
+// Meshes the places of changes of sign without a curve again with smaller cells. These need not connect parts that the
+// surface does not connect, as where |grad f| nearly vanishes. Returns the number of changes of sign that remain.
 std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
     const base::Work work = tracing.work.standing();
     const SurfaceMesh& mesh = tracing.mesh;
-    base::Array<geometry::Bounds> boxes(work.memory); // around places that are near each other
+    base::Array<geometry::Bounds> boxes(work.memory); // boxes around places that are near each other
     geometry::VecArray seeds(work.memory);
     for (const Straddle& edge : lost) {
         seeds.push_back(edge.negative);

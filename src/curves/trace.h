@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// All curves of f = g = 0 on a meshed surface: where the mesh sees g change its sign, points are brought onto curves,
-// all at once; gaps between those that cannot be linked are followed step by step. Then every change of sign is asked
-// for its curve, and every vertex where |g| is least for a loop between vertices.
+// Traces all curves f = g = 0 on a meshed surface. Where g changes its sign on the mesh, points are brought onto
+// curves, all in parallel; gaps between points that cannot be linked are followed step by step. Afterwards every change
+// of sign is checked for its curve, and every vertex where |g| is least for a loop between vertices.
 #pragma once
 
 #include "base/operation.h"
@@ -11,10 +11,10 @@
 namespace hrbfnpr::curves {
 
 struct TraceSettings {
-    double longest = 1.0;                  // step, in sides of the mesh
-    double shortest = 1e-4;                // in sides: a curve that needs shorter steps is given up
-    double turn = 0.33;                    // radians between points, at most
-    double tolerance = 2e-4;               // in sides: a shorter step of Newton's is the last one
+    double longest = 1.0;                  // the longest step, in sides of the mesh
+    double shortest = 1e-4;                // in sides: curves that need shorter steps are given up
+    double turn = 0.33;                    // the greatest turn between points, in radians
+    double tolerance = 2e-4;               // in sides: a shorter Newton step is the last one
     std::int32_t evaluation_limit = 20000; // for each start
 };
 
@@ -22,19 +22,19 @@ struct TraceReport {
     std::int64_t starts = 0;
     std::int64_t evaluations = 0;
     std::int64_t broken = 0; // curves that end inside the surface: steps became too short
-    std::int64_t added = 0;  // starts on curves that the first ones had not led to
-    std::int64_t loops = 0;  // those of the added ones that are on loops between the mesh's vertices
-    std::int64_t missed = 0; // changes of sign that no curve was found for
+    std::int64_t added = 0;  // starts on curves that the first starts missed
+    std::int64_t loops = 0;  // the number of added starts that are on loops between the mesh's vertices
+    std::int64_t missed = 0; // changes of sign without a curve
 };
 
-// The same bits for any thread count.  near: places near the curves, in their order, that are tried before the changes
-// of sign on the mesh, as the curves of the view before, moved_contours(). Curves that they miss are found as without
-// them.
+// The same bits for any thread count. near: places near the curves, in order along them, such as moved_contours() of
+// the previous view. They are tried before the changes of sign on the mesh; curves that they miss are still found from
+// these.
 [[nodiscard]] Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                            const TraceSettings& settings, TraceReport& report, const Curves* near = nullptr);
 
-// Where points of contours of another view come to in this one, by a step of Newton's with f as it is known there:
-// grad g changes as little as the view. Points that move by more than `farthest` are left out.
+// Predicts where points of another view's contours lie in this view, by one Newton step with the stored derivatives of
+// f: grad g changes as little as the view. Points that move by more than `farthest` are dropped.
 [[nodiscard]] Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest);
 
 } // namespace hrbfnpr::curves

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Shape:
-// 1. shape_point, measure_shape: curvatures and their derivatives from derivatives of f up to the third.
-// 2. measured_mesh: a copy of the mesh is measured at its vertices; edges along which a curvature does not change as
-//    its derivatives at both ends say are halved, and measured in the middle, some times.
-// 3. feature_value: g, strength and direction of each kind of line, from a measured point.
+// 1. shape_point, measure_shape compute curvatures and their derivatives from derivatives of f up to the third.
+// 2. measured_mesh measures a copy of the mesh at its vertices. In each of several rounds it halves edges along which a
+//    curvature does not change as its derivatives at both ends predict, and measures the middles.
+// 3. feature_value computes g, strength and direction of each kind of line from a measured point.
 //
 // Lines:
-// 1. vertex_values: g, strength and facing at the mesh's vertices.
-// 2. find_crossings: chains of edges between whose ends g changes its sign, each with the root by interpolation.
-// 3. keep_candidates: the parts of chains that may become lines.
-// 4. refine_crossings, refine_section: each root, brought onto the surface and to g = level.
-// 5. weigh_by_drop: ridges and valleys are weaker where the curvature hardly drops beside them.
-// 6. add_lines: chains are cut where they are too weak; strong and long enough parts are lines.
+// 1. vertex_values computes g, strength and facing at the mesh's vertices.
+// 2. find_crossings makes chains of edges on which g changes its sign, each with the root by interpolation.
+// 3. keep_candidates selects the parts of chains that may become lines.
+// 4. refine_crossings, refine_section bring each root onto the surface and to g = level.
+// 5. weigh_by_drop weakens ridges and valleys if the curvature hardly drops on their sides.
+// 6. add_lines cuts chains where they are too weak, and makes lines of strong and long enough parts.
 #include "features/feature_lines.h"
 
 #include "base/assert.h"
@@ -35,7 +35,7 @@ namespace {
 
 // ---- Shape
 
-// Few, since third derivatives by sums over 100 000 centres take half a millisecond a point.
+// This is small, since third derivatives by sums over 100 000 centres take half a millisecond per point.
 constexpr std::int64_t points_a_look = 32;
 using ShapeColumn = std::array<double, static_cast<std::size_t>(points_a_look)>;
 
@@ -44,7 +44,7 @@ glm::dvec3 times(const std::array<double, 6>& h, const glm::dvec3& v) noexcept {
             h[2] * v.x + h[4] * v.y + h[5] * v.z};
 }
 
-// T(v, ., .) as a symmetric matrix.
+// Returns T(v, ., .) as a symmetric matrix.
 std::array<double, 6> contracted(const std::array<double, 10>& t, const glm::dvec3& v) noexcept {
     return {t[0] * v.x + t[1] * v.y + t[2] * v.z, t[1] * v.x + t[3] * v.y + t[4] * v.z,
             t[2] * v.x + t[4] * v.y + t[5] * v.z, t[3] * v.x + t[6] * v.y + t[7] * v.z,
@@ -70,10 +70,10 @@ struct ShapeBatch {
     }
 };
 
-// Derivatives of II(u, v) = -H(u, v) / |g| along w, for tangent vectors that keep to the surface.  With
-// D_w n = P H w / |g| and D_w |g| = H(n, w), the projections onto the tangent plane in -P H P / |g| add
+// Derivatives of II(u, v) = -H(u, v) / |g| along w, for tangent vectors that stay tangent.  With D_w n = P H w / |g|
+// and D_w |g| = H(n, w), the projections onto the tangent plane in -P H P / |g| add
 //   C(u, v, w) = -T(u, v, w) / |g| + (H(u, w) H(n, v) + H(v, w) H(n, u) + H(u, v) H(n, w)) / |g|^2,
-// which is symmetric, as Codazzi's equations demand.  [Rusinkiewicz 2004 has the case of a mesh.]
+// which is symmetric, as Codazzi's equations require.  [Rusinkiewicz 2004 has the case of a mesh.]
 std::array<double, 4> change_of_curvature(const std::array<glm::dvec3, 2>& d, const glm::dvec2& bend,
                                           const glm::dvec2& normal_part, const std::array<double, 10>& third,
                                           double slope) noexcept {
@@ -96,7 +96,7 @@ double largest_change(const ShapePoint& s) noexcept {
     return std::max({std::abs(s.c[0]), std::abs(s.c[1]), std::abs(s.c[2]), std::abs(s.c[3])});
 }
 
-// The second fundamental form on an edge's direction and across it, and its derivatives along the edge.
+// The second fundamental form for an edge's direction and the direction across it, and its derivatives along the edge.
 struct AlongEdge {
     std::array<double, 3> value;
     std::array<double, 3> change;
@@ -109,8 +109,8 @@ struct AlongEdge {
     }
 };
 
-// Whether the form changes otherwise than its derivatives tell by the trapezoid rule. A form that is off by e and
-// changes by C along the surface has its zeros off by e / C; less, since g is a cubic along edges.
+// Whether the form's change differs from its derivatives by the trapezoid rule. If a form has the error e and changes
+// by C along the surface, its zeros are off by e / C; by less in fact, since g is a cubic along edges.
 bool is_rough(const ShapePoint& a, const ShapePoint& b, const glm::dvec3& edge, double least, double place) noexcept {
     const AlongEdge from(a, edge);
     const AlongEdge to(b, edge);
@@ -158,7 +158,7 @@ void copy(const geometry::VecArray& from, geometry::VecArray& to, const base::Pr
 
 // ---- Feature values
 
-// The direction v to the eye: unit, in the tangent basis and along the normal.
+// The unit direction v to the eye, in the tangent basis and along the normal.
 struct LookedFrom {
     glm::dvec2 w;
     double facing;   // n . v
@@ -172,8 +172,8 @@ struct LookedFrom {
         facing = glm::dot(shape.normal, inverse * v);
         nearness = std::abs(towards.w) * inverse;
     }
-    // The derivative of w along the surface, a symmetric map: D_u n = -bend(u), and v turns by
-    // -(u - v (v . u)) / distance.
+    // The derivative of w along the surface, a symmetric map: D_u n = -bend(u), and v turns by -(u - v (v . u)) /
+    // distance.
     [[nodiscard]] glm::dvec2 turn(const ShapePoint& shape, const glm::dvec2& u) const noexcept {
         return facing * shape.bend(u) - nearness * (u - glm::dot(w, u) * w);
     }
@@ -182,7 +182,7 @@ struct LookedFrom {
     }
 };
 
-// With B = -II, so that a ball has B > 0, the line is B(w, w) = 0 where D_w (B(w, w)) > 0; there
+// Let B = -II, so that a ball has B > 0. The line is B(w, w) = 0 where D_w (B(w, w)) > 0, with
 //   D_w (B(w, w)) = -C(w, w, w) - 2 (n . v) |B w|^2   [DeCarlo 2003, appendix].
 FeatureValue suggestive(const ShapePoint& shape, const LookedFrom& view, double unit) noexcept {
     const glm::dvec2 bent = shape.bend(view.w);
@@ -196,7 +196,7 @@ FeatureValue suggestive(const ShapePoint& shape, const LookedFrom& view, double 
     return value;
 }
 
-// Both signs of curvature have their own direction: where |k1| = |k2| nothing changes over.
+// Each sign of curvature has its own direction, so nothing changes abruptly where |k1| = |k2|.
 FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
     FeatureValue value;
     value.along = convex ? shape.d2() : shape.d1;
@@ -205,9 +205,9 @@ FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
     return value;
 }
 
-// The turn of the normal along a unit of the image is Q = II P^-1, where P takes tangent vectors to the image plane
-// through the point.  P shortens w by n . v, so that P^-1 P^-T = M = I + w w^T / (n . v)^2.  q1^2 is the larger
-// eigenvalue of Q Q^T = II M II, with x its eigenvector; t1 = Q^T x / q1 stands on the surface at s = M II x / q1.
+// The turn of the normal per unit of length in the image is Q = II P^-1, where P maps tangent vectors to the image
+// plane through the point.  P shortens w by n . v, so that P^-1 P^-T = M = I + w w^T / (n . v)^2.  q1^2 is the larger
+// eigenvalue of Q Q^T = II M II, with eigenvector x; t1 = Q^T x / q1 corresponds to s = M II x / q1 on the surface.
 //   D_s q1^2 = 2 q1 C(x, s, s) + y^T (D_s M) y,     y = II x
 FeatureValue apparent_ridge(const ShapePoint& shape, const LookedFrom& view, double unit) noexcept {
     FeatureValue value;
@@ -227,7 +227,7 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const LookedFrom& view, dou
     const double facing_change = glm::dot(view.gradient_of_facing(shape), s);
     const glm::dvec2 m_change = inverse * (view.turn(shape, s) - facing_change * m);
     value.g = 2.0 * (glm::dot(shape.change(x, s), qs) + glm::dot(y, m_change) * glm::dot(y, m));
-    // The factor keeps g at the size of a curvature where `facing` nears 0.
+    // The factor keeps g at the magnitude of a curvature as `facing` approaches 0.
     value.g *= std::abs(facing * facing * facing);
     value.along = shape.in_space(s);
     value.strength = std::sqrt(eigen.high) * unit;
@@ -247,11 +247,11 @@ constexpr std::int64_t vertices_a_task = 4096;
 
 struct FeatureCrossing {
     std::int32_t a, b; // vertices, a < b
-    double share;      // the place on the way from a to b, in [0, 1], by interpolation
-    double g_a, g_b;   // they have unlike signs, in the direction of a's
-    double strength;   // linear between both
-    bool counts;       // strong enough, and facing the eye
-    // Directed kinds: the slope of g along the direction, summed over the triangles on both sides by area.
+    double share;      // the interpolated root on the edge from a to b, in [0, 1]
+    double g_a, g_b;   // g relative to a's direction; the signs differ
+    double strength;   // linearly interpolated
+    bool counts;       // the strength is large enough, and the point faces the eye
+    // Directed kinds: the slope of g along the direction, as an area-weighted sum over the triangles on both sides.
     double slope;
 };
 
@@ -280,7 +280,7 @@ base::Array<FeatureValue> vertex_values(const base::Work& work, const FeatureSur
 
 // ---- Chains of crossed edges
 
-// A root in [0, 1] of the cubic with these values and slopes at 0 and 1; the values have unlike signs.
+// Finds a root in [0, 1] of the cubic with these values and slopes at 0 and 1; the values have different signs.
 double cubic_root(double at_0, double at_1, double slope_0, double slope_1, double start) noexcept {
     const double c2 = 3.0 * (at_1 - at_0) - 2.0 * slope_0 - slope_1;
     const double c3 = slope_0 + slope_1 - 2.0 * (at_1 - at_0);
@@ -296,22 +296,22 @@ double cubic_root(double at_0, double at_1, double slope_0, double slope_1, doub
     return s;
 }
 
-// g on the mesh. A directed g has a sign only together with a direction, as derivatives along principal directions do.
+// g on the mesh. For directed kinds the sign of g depends on the sign of a principal direction.
 struct FeatureField {
     const SurfaceMesh& mesh;
     const base::Array<FeatureValue>& value;
     bool directed;
-    double least; // strength
+    double least; // the least strength
 
     [[nodiscard]] bool negative(std::int32_t vertex) const noexcept { return value[vertex].g < 0.0; }
     [[nodiscard]] bool turned(std::int32_t a, std::int32_t b) const noexcept {
         return directed && glm::dot(value[a].along, value[b].along) < 0.0;
     }
-    // Both triangles of an edge say the same.
+    // The result is the same for both triangles of an edge.
     [[nodiscard]] bool changes_sign(std::int32_t a, std::int32_t b) const noexcept {
         return negative(a) != (negative(b) != turned(a, b));
     }
-    // By a cubic where gradients are known.
+    // Uses a cubic where gradients are known.
     [[nodiscard]] double root(std::int32_t a, std::int32_t b, double g_a, double g_b) const noexcept {
         const double linear = g_a / (g_a - g_b);
         if (!(linear >= 0.0 && linear <= 1.0)) return 0.5;
@@ -328,12 +328,12 @@ struct FeatureField {
         const double s = root(a, b, g_a, g_b);
         const double strength = (1.0 - s) * value[a].strength + s * value[b].strength;
         const double facing = (1.0 - s) * value[a].facing + s * value[b].facing;
-        // At a contour an apparent ridge's g has a pole, not a root.
+        // At a contour the g of an apparent ridge has a pole, not a root.
         const bool seen = facing >= 0.0 && (!directed || (value[a].facing >= 0.0 && value[b].facing >= 0.0));
         return {a, b, s, g_a, g_b, strength, strength > 0.0 && strength >= least && seen, 0.0};
     }
-    // The two edges that a line through the triangle crosses, as bits; 0: there is no line. Around an umbilic
-    // directions do not return to themselves, and one or three edges are crossed.
+    // The two edges that a line through the triangle crosses, as bits; 0: no line. Around an umbilic a direction may
+    // come back reversed, so that one or three edges are crossed.
     [[nodiscard]] std::uint8_t crossed(std::int64_t triangle) const noexcept {
         unsigned bits = 0;
         int count = 0;
@@ -347,7 +347,7 @@ struct FeatureField {
         }
         return count == 2 && counts ? static_cast<std::uint8_t>(bits) : std::uint8_t{0};
     }
-    // The slope of the linear g along the mean direction, times twice the area.
+    // The slope of the linearly interpolated g along the mean direction, times twice the area.
     [[nodiscard]] double slope(std::int64_t triangle) const noexcept {
         const std::int32_t a = mesh.corner[3 * triangle];
         const std::int32_t b = mesh.corner[3 * triangle + 1];
@@ -369,8 +369,8 @@ struct FeatureField {
     }
 };
 
-// Undirected chains have negative g to the left, as seen from outside. Crossings that do not count are there only next
-// to one that counts, to tell where between them a line ends.
+// Finds the chains. Undirected ones have negative g to the left, as seen from outside. Crossings that do not count are
+// included only next to one that counts: they tell where between the two a line ends.
 Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureField& field) {
     base::Array<std::uint8_t> crossed(work.memory);
     crossed.resize_for_overwrite(field.mesh.triangles());
@@ -396,13 +396,13 @@ Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureFiel
     return chains;
 }
 
-// The parts that may become lines: of directed chains those where g rises along the direction (sign = 1) or falls (-1),
-// since there what g is the derivative of has a minimum or a maximum; and of these the promising ones. weak: adds up
-// the others.
+// Keeps the parts of chains that may become lines. On directed chains g must rise along the direction (sign = 1) or
+// fall (-1), so that the function whose derivative is g has a minimum or a maximum. Parts must also be promising;
+// `weak` counts the others.
 Chains<FeatureCrossing> keep_candidates(const Chains<FeatureCrossing>& chains, const FeatureRequest& request,
                                         std::int64_t& weak) {
     const bool directed = is_directed(request.kind);
-    const double sign = request.kind == FeatureKind::ridge ? 1.0 : -1.0; // a ridge's curvature is least
+    const double sign = request.kind == FeatureKind::ridge ? 1.0 : -1.0; // the curvature k2 of a ridge has a minimum
     Chains<FeatureCrossing> kept(chains.first.memory());
     for (std::int64_t c = 0; c < chains.count(); ++c) {
         const FeatureCrossing* const crossing = chains.point.data() + chains.first[c];
@@ -436,7 +436,7 @@ void evaluate(const base::Work& work, const FeatureSurface& surface, const Featu
     const std::int64_t count = at.position.size();
     value.resize_for_overwrite(count);
     if (request.kind == FeatureKind::isophote) {
-        shape.resize(count); // all that n . l needs are normals
+        shape.resize(count); // n . l needs normals only
         for (std::int64_t i = 0; i < count; ++i) shape[i].normal = glm::normalize(at.gradient[i]);
     } else {
         measure_shape(work, surface.source, at.position, at.gradient, shape);
@@ -448,12 +448,12 @@ void evaluate(const base::Work& work, const FeatureSurface& surface, const Featu
 
 struct FeatureSearch {
     std::int64_t crossing;
-    Illinois root;   // between the shares 0 and 1 of the edge
-    double smallest; // |g| at its best point
+    Illinois root;   // between the parameters 0 and 1 of the edge
+    double smallest; // |g| at the best point
 };
 
-// The root of g on the surface between the two vertices of each edge, by the Illinois method along the edge, whose
-// points are projected onto f = 0; all side by side. vertex: the values that the crossings were found from.
+// Finds the root of g on the surface between the two vertices of each edge, all in parallel. The Illinois method runs
+// along the edge, and its points are projected onto f = 0. vertex: the values from which the crossings were found.
 base::Array<FeaturePoint> refine_crossings(const base::Work& work, const FeatureSurface& surface,
                                            const FeatureRequest& request, double level,
                                            const base::Array<FeatureValue>& vertex,
@@ -514,8 +514,8 @@ base::Array<FeaturePoint> refine_crossings(const base::Work& work, const Feature
     return points;
 }
 
-// Points of a section, by Newton's steps to where f and the height above the plane are 0. The strength of a section is
-// the sine of the angle between the plane and the surface.
+// Finds points of a section by Newton's steps to zeros of f and of the height above the plane. The strength of a
+// section is the sine of the angle between the plane and the surface.
 base::Array<FeaturePoint> refine_section(const base::Work& work, const FeatureSurface& surface, const glm::dvec3& plane,
                                          double level, const base::Array<FeatureCrossing>& crossing) {
     constexpr int most_steps = 12;
@@ -547,9 +547,9 @@ base::Array<FeaturePoint> refine_section(const base::Work& work, const FeatureSu
     return points;
 }
 
-// Multiplies the strengths of ridges and valleys by how much the curvature drops to both sides, from 0 for none, as on
-// a cylinder, to 1. The measure is 2 (1 - k' / k) / (k s)^2, which for small s is -k'' / k^3, at s = 1 / 2k, a
-// turn of half a radian.
+// Multiplies the strengths of ridges and valleys by a factor from 0 to 1 that measures how much the curvature drops on
+// both sides; it is 0 on a cylinder. The drop is 2 (1 - k' / k) / (k s)^2, where k' is the mean curvature at the
+// distance s on both sides. For small s this is -k'' / k^3; s = 1 / 2k, a turn of half a radian.
 void weigh_by_drop(const base::Work& work, const FeatureSurface& surface, FeatureKind kind,
                    base::Array<FeaturePoint>& points) {
     const bool convex = kind == FeatureKind::ridge;
@@ -591,7 +591,7 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
     const auto counts = [&](const FeaturePoint& p) {
         return p.strength > 0.0 && p.strength >= request.lower && p.facing >= 0.0 && p.resolved;
     };
-    // Between a point that counts and one that does not, where the line ends by linear interpolation.
+    // Adds the end of a line by linear interpolation, between a point that counts and one that does not.
     const auto add_end = [&](const FeaturePoint& in, const FeaturePoint& out) {
         if (!out.resolved) return;
         const auto root = [](double from, double to) { return to < 0.0 && from >= 0.0 ? from / (from - to) : 1.0; };
@@ -602,7 +602,7 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
                                glm::normalize(glm::mix(in.normal, out.normal, share)),
                                std::max(glm::mix(in.strength, out.strength, share), 0.0)});
     };
-    // The points since the last line are one, unless they are too weak or too short.
+    // Makes a line of the points since the last line, unless it is too weak or too short.
     const auto finish = [&](bool closed) {
         const std::int64_t begin = lines.first.back();
         const std::int64_t end = lines.point.size();
@@ -631,8 +631,8 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
             count, closed, [&](std::int64_t i) { return counts(at(i)); },
             [&](std::int64_t begin, std::int64_t end, bool whole) {
                 if (!whole && (closed || begin > 0)) add_end(at(begin), at(begin - 1));
-                // A vertex that the line passes is crossed by several edges: their points would say nothing of its
-                // direction.
+                // If the line passes a vertex, it crosses several edges there: points that close tell nothing of the
+                // line's direction.
                 for (std::int64_t i = begin; i < end; ++i)
                     if (lines.point.size() == lines.first.back() ||
                         !(glm::distance(at(i).position, lines.point.back().position) < gap))
@@ -700,7 +700,7 @@ ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& impli
         if (edges.empty() || shaped.mesh.triangles() + 2 * edges.size() > feature_tuning.most_triangles ||
             !halve_edges(part.part(0.0, 0.3), implicit, edges, feature_tuning.farthest_middle, true, shaped.mesh))
             break;
-        geometry::VecArray position(work.memory), gradient(work.memory); // those of the new vertices
+        geometry::VecArray position(work.memory), gradient(work.memory); // of the new vertices
         for (std::int64_t i = shaped.shape.size(); i < shaped.mesh.vertices(); ++i) {
             position.push_back(shaped.mesh.position[i]);
             gradient.push_back(shaped.mesh.gradient[i]);

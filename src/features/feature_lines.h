@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Curvatures of f = 0 and their derivatives, measured once and read for every view; and a mesh with them, which is
-// finer where they change otherwise between two vertices than both tell, as around the samples of a rough fit.
+// Curvatures of f = 0 and their derivatives, measured once and used for every view, with a mesh. The mesh is refined
+// where curvatures do not change between two vertices as their derivatives there predict, as around the samples of a
+// rough fit.
 //
-// Lines on the surface beyond its contours: suggestive contours, ridges, valleys, apparent ridges, parabolic lines,
+// Lines on the surface other than contours: suggestive contours, ridges, valleys, apparent ridges, parabolic lines,
 // isophotes, plane sections.
 //
-// A mesh of the surface tells where they pass; each of their points is then brought onto the true curve, between the
-// two vertices of the edge that it crosses.  A line that turns within a triangle is missed, so the mesh should be as
-// fine as the lines that are to be drawn.
+// A mesh of the surface shows where the lines pass. Each point of a line is then brought onto the true curve, between
+// the two vertices of the edge that the line crosses. A line that turns within a triangle is missed, so the mesh should
+// be as fine as the lines to be drawn.
 #pragma once
 
 #include "curves/curves.h"
@@ -22,22 +23,22 @@ namespace hrbfnpr::curves {
 
 // ---- Shape
 
-// Signs as in surface/curvature.h: k > 0 where the surface bends towards the normal grad f / |grad f|, so that a ball
-// has k < 0.  All 0 where there is no gradient.
+// The signs are those of surface/curvature.h: k > 0 where the surface bends towards the normal grad f / |grad f|, so
+// that a ball has k < 0. All values are 0 where there is no gradient.
 struct ShapePoint {
     glm::dvec3 normal{0.0};
-    glm::dvec3 d1{0.0}; // the direction of k1; d2() has k2
+    glm::dvec3 d1{0.0}; // the direction of k1; that of k2 is d2()
     double k1 = 0.0;    // k1 >= k2
     double k2 = 0.0;
     std::array<double, 4> c{}; // C111 C112 C122 C222: derivatives of the second fundamental form
 
     [[nodiscard]] glm::dvec3 d2() const noexcept { return glm::cross(normal, d1); }
-    // Tangent vectors in the basis d1, d2.
+    // Converts between vectors in space and tangent vectors in the basis d1, d2.
     [[nodiscard]] glm::dvec2 in_tangent(const glm::dvec3& v) const noexcept {
         return {glm::dot(v, d1), glm::dot(v, d2())};
     }
     [[nodiscard]] glm::dvec3 in_space(const glm::dvec2& t) const noexcept { return t.x * d1 + t.y * d2(); }
-    // The second fundamental form, applied to one vector.
+    // The second fundamental form applied to one vector.
     [[nodiscard]] glm::dvec2 bend(const glm::dvec2& t) const noexcept { return {k1 * t.x, k2 * t.y}; }
     // C(u, v, .)
     [[nodiscard]] glm::dvec2 change(const glm::dvec2& u, const glm::dvec2& v) const noexcept {
@@ -46,8 +47,8 @@ struct ShapePoint {
     }
 };
 
-// hessian: xx xy xz yy yz zz; third: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. Where k1 = k2 any directions are given,
-// with C in them.
+// hessian: xx xy xz yy yz zz; third: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. If k1 = k2 the directions are arbitrary,
+// and C refers to them.
 [[nodiscard]] ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                                      const std::array<double, 10>& third) noexcept;
 
@@ -58,14 +59,14 @@ void measure_shape(const base::Work& work, const implicit::ShapeSource& source, 
 struct ShapedMesh {
     explicit ShapedMesh(base::Memory& memory) noexcept : mesh(memory), shape(memory) {}
 
-    SurfaceMesh mesh;              // `side` is the side of the cells it was made from
-    base::Array<ShapePoint> shape; // at its vertices
+    SurfaceMesh mesh;              // `side` is the cell side of the given mesh
+    base::Array<ShapePoint> shape; // at the vertices of `mesh`
     [[nodiscard]] std::int64_t bytes() const noexcept { return mesh.bytes() + shape.bytes(); }
 };
 
-// Edges are halved, up to three times, and their middles brought onto the surface; each triangle is cut into two, three
-// or four at its halved edges, so that triangles still meet nowhere but in edges and corners.  The first vertices are
-// those of `mesh`.  The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.
+// Halves edges in up to three rounds, and brings their middles onto the surface. Each triangle is cut into two, three
+// or four at its halved edges, so triangles still meet only in edges and corners. The vertices of `mesh` come first.
+// The same bits for any thread count. Throws Error{out_of_memory, cancelled, callback}.
 [[nodiscard]] ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& implicit,
                                        const implicit::ShapeSource& source, const SurfaceMesh& mesh);
 
@@ -83,20 +84,19 @@ enum class FeatureKind : std::uint8_t {
 [[nodiscard]] constexpr bool is_directed(FeatureKind kind) noexcept {
     return kind == FeatureKind::ridge || kind == FeatureKind::valley || kind == FeatureKind::apparent_ridge;
 }
-// Whether g comes from curvatures.
+// Whether g is computed from curvatures.
 [[nodiscard]] constexpr bool needs_shape(FeatureKind kind) noexcept { return kind != FeatureKind::section; }
 
 struct FeatureValue {
     double g = 1.0;
-    double strength = -1.0;   // without a unit; not positive: no line here, whatever g is
-    double facing = 1.0;      // view-dependent kinds: n . v, v the direction to the eye or light; else 1
-    glm::dvec3 along{0.0};    // directed kinds: the unit direction that g is a derivative along; both have one sign
-    glm::dvec3 gradient{0.0}; // the gradient of g along the surface, where derivatives up to the third give it; else 0
+    double strength = -1.0; // without a unit; not positive: no line passes here, whatever g is
+    double facing = 1.0;    // view-dependent kinds: n . v with v the direction to the eye or light; else 1
+    glm::dvec3 along{0.0};  // directed kinds: the unit direction of the derivative g; both change their signs together
+    glm::dvec3 gradient{0.0}; // the gradient of g along the surface, if third derivatives of f suffice for it; else 0
 };
 
-// `towards`: the eye or the light, a place (w = 1) or the direction to it (w = 0).
-// `unit`: the length that makes strengths pure numbers, the model's diagonal.
-// Not for sections.
+// `towards`: the eye or the light, as a place (w = 1) or as the direction to it (w = 0). `unit`: the length that makes
+// strengths dimensionless, the model's diagonal. Not for sections.
 //
 //   kind                 g                                      strength
 //   suggestive_contour   radial curvature times sin^2           its derivative towards the eye, times sin, unit^2
@@ -106,8 +106,8 @@ struct FeatureValue {
 //   isophote             n . l                                  |grad (n . l)| unit
 //
 // sin: the sine of the angle between the normal and the view. Without it the first strength would grow without bound
-// where the surface faces the eye. The strength is the same whether `towards` looks at the outside or the inside.
-// Whether a ridge is one, and not a line of least curvature, is for the caller to see.
+// where the surface faces the eye. The strength does not depend on whether `towards` sees the outside or the inside.
+// The caller must check whether a ridge is a line of greatest curvature rather than of least.
 [[nodiscard]] FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm::dvec3& position,
                                          const glm::dvec4& towards, double unit) noexcept;
 
@@ -115,20 +115,20 @@ struct FeatureValue {
 
 struct FeatureRequest {
     FeatureKind kind = FeatureKind::suggestive_contour;
-    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0}; // view-dependent: the eye or light, a place (w = 1) or a direction to it
+    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0}; // view-dependent: the eye or light as a place (w = 1) or a direction to it
     glm::dvec3 plane{0.0, 0.0, 1.0};        // sections: the planes' unit normal
-    std::span<const double> levels;         // isophotes, sections: one or several
-    // A line goes on while it is at least `lower`, and is drawn if it is `upper` somewhere (hysteresis).  To fade it,
-    // draw it with (strength - lower) / (upper - lower).
+    std::span<const double> levels;         // isophotes, sections: one or several levels
+    // A line continues while its strength is at least `lower`, and is drawn if it reaches `upper` somewhere
+    // (hysteresis). To fade it, draw it with (strength - lower) / (upper - lower).
     double lower = 0.0;
     double upper = 0.0;
-    double shortest = 0.0; // lines that are not as long, in diagonals, are dropped
-    // Evaluations of g at most to find each point.  With none, points are where g is 0 by interpolation: a cubic one
-    // for suggestive contours, parabolic lines and isophotes, which is enough to draw; a linear one else.
+    double shortest = 0.0; // shorter lines are dropped, in diagonals
+    // The greatest number of evaluations of g for each point. With 0, points are zeros of g by interpolation: cubic for
+    // suggestive contours, parabolic lines and isophotes, which is enough for drawing, else linear.
     std::int32_t rounds = 6;
 };
 
-// The surface that lines are looked for on. All of it outlives the call.
+// The surface on which lines are found. Everything it refers to outlives the call.
 struct FeatureSurface {
     const implicit::Implicit& implicit;
     const implicit::ShapeSource& source;
@@ -139,18 +139,18 @@ struct FeatureSurface {
 struct FeaturePoint {
     glm::dvec3 position{0.0}; // on the surface
     glm::dvec3 normal{0.0};   // unit
-    double strength = 0.0;    // as feature_value() gives it; for sections the sine between plane and surface
-    double facing = 1.0;      // the same
+    double strength = 0.0;    // see feature_value(); for sections the sine of the angle between plane and surface
+    double facing = 1.0;      // see feature_value()
     bool resolved = false;    // a root was found
 };
 
 struct FeatureLines : Chains<FeaturePoint> {
     explicit FeatureLines(base::Memory& memory) : Chains(memory), level(memory) {}
 
-    base::Array<std::int32_t> level; // the place of each line's level in the request's levels
+    base::Array<std::int32_t> level; // the index of each line's level in the request
     std::int64_t weak = 0;           // lines that stay below `upper`
     std::int64_t small = 0;          // lines that are too short
-    std::int64_t unresolved = 0;     // crossings of the mesh that no point was found for, where lines end
+    std::int64_t unresolved = 0;     // crossings of the mesh without a root; lines end there
 };
 
 // The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.

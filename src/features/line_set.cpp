@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// 1. make_mesh: the surface as a mesh, cut where samples end (clip_mesh) and at creases (split_mesh); with smaller
-//    cells again where walls are too thin for them.
-// 2. border_lines, exact_border: the border as a line, along the mesh's border edges (border_vertices), without points
-//    that crowd (thinned_border), and with more of them where it turns (halve_pieces).
-// 3. measured_mesh: curvatures, if lines need them.
-// 4. find: the lines that do not depend on the view. Sections of a surface with creases end where the planes cross
-//    creases (find_section_corners, end_at_corners), and lines that end where others begin become one (join).
+// 1. make_mesh makes a mesh of the surface, cuts it where samples end (clip_mesh) and at creases (split_mesh), and
+//    repeats this with smaller cells if walls are too thin for them.
+// 2. border_lines, exact_border make a line of the mesh's border edges (border_vertices). exact_border drops crowded
+//    points (thinned_border) and adds points where the border turns (halve_pieces).
+// 3. measured_mesh computes curvatures, if lines need them.
+// 4. find finds the lines that do not depend on the view. Sections of a surface with creases end where the planes cross
+//    creases (find_section_corners, end_at_corners), and lines whose ends meet are joined (join).
 #include "features/line_set.h"
 
 #include "base/assert.h"
@@ -32,7 +32,7 @@ geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> giv
     return seeds;
 }
 
-// Points of a lattice brought onto the surface: those that stay in the region.
+// Projects the points of a lattice onto the surface, and returns those that stay in the region.
 geometry::VecArray found_seeds(const base::Work& work, const implicit::Implicit& surface,
                                const geometry::Bounds& region) {
     surface::Projection points(work.memory);
@@ -49,7 +49,7 @@ geometry::VecArray found_seeds(const base::Work& work, const implicit::Implicit&
     return seeds;
 }
 
-// Lines of the caller's, with points between so that cubics are straight, and cut at corners.
+// Makes the caller's lines. Additional points keep the cubics straight, and lines are cut at corners.
 SurfaceLines own_lines(const base::Work& work, const implicit::Implicit& surface, const LineRequest& request,
                        double side) {
     HRBFNPR_ASSERT(side > 0.0);
@@ -81,11 +81,11 @@ SurfaceLines own_lines(const base::Work& work, const implicit::Implicit& surface
 
 // ---- The border
 
-constexpr int most_rounds = 6; // each halves pieces
+constexpr int most_rounds = 6; // each round halves pieces
 
 struct BorderPoint {
     CurvePoint at;
-    bool exact = false; // on f = g = 0; else where the region ends
+    bool exact = false; // the point is on f = g = 0; false: it is where the region ends
 };
 
 Chains<std::int32_t> border_vertices(base::Memory& memory, const SurfaceMesh& mesh) {
@@ -107,7 +107,7 @@ Chains<std::int32_t> border_vertices(base::Memory& memory, const SurfaceMesh& me
     return chains;
 }
 
-// Points of the cut that crowd are left out, but for those where the region's end begins.
+// Drops points of the cut that are crowded, except next to the end of the region.
 Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const ClippedMesh& clipped) {
     HRBFNPR_ASSERT(clipped.mesh.vertices() - clipped.first_cut == clipped.cut.size());
     Chains<BorderPoint> chains(border.first.memory());
@@ -144,7 +144,7 @@ Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const Cli
     return chains;
 }
 
-// The border along the mesh's border edges. The surface lies to the left, as seen from outside.
+// The mesh's border edges as lines. The surface lies to the left, as seen from outside.
 SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
     const Chains<std::int32_t> border = border_vertices(memory, mesh);
     SurfaceLines lines(memory);
@@ -157,8 +157,8 @@ SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
     return lines;
 }
 
-// The border of a mesh that was cut along g = 0: there the points are on f = g = 0, as many as the curve's turns want,
-// with exact tangents.
+// The border of a mesh that was cut along g = 0. Points of the cut are on f = g = 0 and have exact tangents; points are
+// added where the curve turns.
 SurfaceLines exact_border(const base::Work& work, const Level& level, const ClippedMesh& clipped) {
     const double side = clipped.mesh.side;
     Chains<BorderPoint> chains = thinned_border(border_vertices(work.memory, clipped.mesh), clipped);
@@ -194,7 +194,7 @@ SurfaceLines exact_border(const base::Work& work, const Level& level, const Clip
     return lines;
 }
 
-// Whether all of the border was cut, so that none of it is the end of the region.
+// Whether the whole border was cut, so that none of it is the end of the region.
 bool is_all_cut(const ClippedMesh& clipped) noexcept {
     const SurfaceMesh& mesh = clipped.mesh;
     for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
@@ -205,9 +205,9 @@ bool is_all_cut(const ClippedMesh& clipped) noexcept {
 
 // ---- Sections
 
-constexpr int corner_steps = 20;           // Newton's method makes at most this many steps
-constexpr double corner_tolerance = 1e-10; // a step that is no longer than this is the last one, in sides
-constexpr double same_place = 1e-9;        // ends that are no farther apart than this are joined, in sides
+constexpr int corner_steps = 20;           // the greatest number of Newton steps
+constexpr double corner_tolerance = 1e-10; // a shorter step is the last one, in sides
+constexpr double same_place = 1e-9;        // ends closer than this are joined, in sides
 
 struct SectionCorner {
     glm::dvec3 place;
@@ -252,8 +252,8 @@ base::Array<SectionCorner> find_section_corners(base::Memory& memory, const impl
     return corners;
 }
 
-// Points before an end that lie beyond the corner come between it and the last one that does not. The normal at the
-// corner is the normal of the line's own sheet.
+// Moves the ends of lines to corners. Points before an end that lie beyond the corner are moved between the corner and
+// the last point before it. The normal at the corner is that of the line's own sheet.
 void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorner>& corners, double side,
                     FeatureLines& lines) {
     geometry::VecArray places(runtime.memory);
@@ -288,12 +288,13 @@ void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorne
         }
 }
 
-// Open lines become one where one ends in the very place where another begins, and closed where that is its own.
+// Joins open lines where the end of one coincides with the start of another. A line becomes closed if these are its own
+// ends.
 SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) {
     const Curves& curves = lines.curves;
     const auto start = [&](std::int64_t line) { return curves.first[line]; };
     const auto last = [&](std::int64_t line) { return curves.first[line + 1] - 1; };
-    base::Array<std::int64_t> after(memory, curves.count()), before(memory, curves.count()); // each line; -1: none
+    base::Array<std::int64_t> after(memory, curves.count()), before(memory, curves.count()); // for each line; -1: none
     std::fill(after.begin(), after.end(), -1);
     std::fill(before.begin(), before.end(), -1);
     geometry::VecArray starts(memory);
@@ -317,7 +318,7 @@ SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) 
     };
     SurfaceLines joined(memory);
     LineBuilder builder(joined);
-    // A point, a little of the way to another point if it stands beside a corner.
+    // Adds a point. At a corner, the point is moved slightly towards the point `towards`.
     const auto put = [&](std::int64_t at, std::int64_t towards) {
         const CurvePoint& p = curves.point[at];
         const glm::dvec3 way = curves.point[towards].position - p.position;
@@ -326,7 +327,7 @@ SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) 
         builder.add(p.position + share * way, p.gradient, static_cast<double>(lines.strength[at]), p.direction());
     };
     base::Array<std::uint8_t> done(memory, curves.count());
-    for (const bool from_ends : {true, false}) // then those that go round
+    for (const bool from_ends : {true, false}) // first open chains, then closed ones
         for (std::int64_t l = 0; l < curves.count(); ++l) {
             if (done[l] != 0 || (from_ends && (before[l] >= 0 || curves.closed[l] != 0))) continue;
             for (std::int64_t at = l; at >= 0 && done[at] == 0; at = after[at]) {
@@ -335,7 +336,7 @@ SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) 
                 const std::int64_t b = after[at];
                 put(start(at), start(at) + (a >= 0 && turns(a, at) ? 1 : 0));
                 for (std::int64_t i = start(at) + 1; i < last(at); ++i) put(i, i);
-                // At smooth joints the last point is the next line's first one.
+                // At a smooth joint the last point is omitted, since it equals the first point of the next line.
                 if (b < 0 || turns(at, b)) put(last(at), last(at) - (b < 0 ? 0 : 1));
             }
             builder.end(!from_ends);
@@ -343,8 +344,9 @@ SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) 
     return joined;
 }
 
-// The sections of a mesh that is cut at creases are one line for each sheet: their ends move to where both sheets of a
-// crease and the plane are 0, and are joined there. A corner between two lines stays one. side: of the mesh's cells.
+// Sections of a mesh that is cut at creases consist of one line for each sheet. Moves the lines' ends to where both
+// sheets of a crease and the plane are 0, and joins them there. A corner between two lines stays sharp. side: side of
+// the mesh's cells.
 SurfaceLines joined_sections(const base::Runtime& runtime, const implicit::Sheets& sheets, const Creases& creases,
                              const glm::dvec3& plane, std::span<const double> levels, double side,
                              FeatureLines& sections) {
@@ -370,7 +372,7 @@ FeatureKind feature_of(LineKind kind) noexcept {
     }
 }
 
-// Chosen by eye on scans and on smooth models.
+// The values were chosen by eye on scans and on smooth models.
 Thresholds default_thresholds(LineKind kind) noexcept {
     switch (kind) {
     case LineKind::suggestive_contour: return {10.0, 30.0};
@@ -394,13 +396,13 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
     const geometry::VecArray seeds = settings.seeds.empty() ? found_seeds(work.part(0.0, 0.2), surface_, mesh.region)
                                                             : given_seeds(work.memory, settings.seeds);
     mesh.domain = settings.support.domain;
-    double last = std::numeric_limits<double>::infinity(); // the side before
+    double last = std::numeric_limits<double>::infinity(); // the previous side
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? triangulate_of_any_size(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh)
                           : triangulate(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh);
         if (domain_ != nullptr) clip_mesh(work);
         if (domain_ == nullptr) border_ = border_lines(work.memory, *mesh_);
-        // If walls are thinner than the cells, creases cut very many triangles, and fewer where cells are smaller.
+        // If walls are thinner than the cells, creases cut very many triangles, and fewer of them in smaller cells.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
@@ -423,7 +425,7 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
     sheets_.emplace(work, *mesh_);
 }
 
-// Where no normals are given, the surface's own are taken.
+// If no normals are given, the surface's own normals are used.
 void LineSet::measure_support(const base::Work& work, const SupportSettings& settings) {
     const geometry::VecArray points = given_seeds(work.memory, settings.points);
     geometry::VecArray normals = given_seeds(work.memory, settings.normals);

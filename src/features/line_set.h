@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh, creases and lines of a model that do not depend on the camera. They are made once.
+// The mesh, creases and lines of a model that do not depend on the camera. They are computed once.
 #pragma once
 
 #include "base/list.h"
@@ -18,7 +18,7 @@
 
 namespace hrbfnpr::curves {
 
-// The numbers are those of the HRBFNPR_LINE_KIND constants.
+// The values equal the HRBFNPR_LINE_KIND constants.
 enum class LineKind : std::uint32_t {
     contour = 1,
     suggestive_contour = 2,
@@ -33,33 +33,33 @@ enum class LineKind : std::uint32_t {
     crease = 11
 };
 inline constexpr std::uint32_t line_kind_count = 12;
-// Lines that are traced anew for every camera or light.
+// Lines that are traced again for each camera or light.
 [[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
            kind == LineKind::isophote;
 }
-// The kind that feature_lines.h finds it as.
+// The FeatureKind of a line kind.
 [[nodiscard]] FeatureKind feature_of(LineKind kind) noexcept;
 struct Thresholds {
     double lower, upper;
 };
-// Limits of strengths, as feature_value() measures these.
+// Limits of strengths as feature_value() computes them.
 [[nodiscard]] Thresholds default_thresholds(LineKind kind) noexcept;
-// Those given, or if both are 0 the defaults.
+// Returns `given`, or the defaults if both values are 0.
 [[nodiscard]] inline Thresholds thresholds_of(LineKind kind, const Thresholds& given) noexcept {
     return given.lower > 0.0 || given.upper > 0.0 ? given : default_thresholds(kind);
 }
 
-// Lines that are found once.
+// A request for lines that are found once.
 struct LineRequest {
     LineKind kind = LineKind::ridge;
     std::array<char, 64> name{};
     Thresholds thresholds{0.0, 0.0};     // both 0: default_thresholds()
     double shortest = 0.0;               // diagonals
     glm::dvec3 plane{0.0, 0.0, 1.0};     // sections: the planes' normal
-    std::span<const double> levels;      // sections: where the planes are along it
+    std::span<const double> levels;      // sections: positions of the planes along their normal
     std::span<const double> points;      // own lines: 3n packed positions
-    std::span<const std::int64_t> first; // own lines: the first point of each, and the end
+    std::span<const std::int64_t> first; // own lines: the first point of each line, and the total number of points
 };
 
 struct FoundLines {
@@ -69,20 +69,20 @@ struct FoundLines {
     SurfaceLines lines;
 };
 
-// Where the surface ends for want of samples.
+// Where the surface ends because it has no samples.
 struct SupportSettings {
-    // The surface ends where s of surface/support.h exceeds this; 0: it goes on to the end of its region.
+    // The surface ends where s of surface/support.h exceeds this; 0: it continues to the end of its region.
     double limit = 0.0;
-    std::span<const double> points;  // 3n packed samples; not empty where there is a limit
-    std::span<const double> normals; // the samples' unit normals; empty: the surface's normals there
-    // The model's domain, used instead of the others; it outlives the set.
+    std::span<const double> points;  // 3n packed samples; not empty if there is a limit
+    std::span<const double> normals; // the samples' unit normals; empty: the surface's normals are used
+    // The model's domain. It replaces the other settings, and must outlive the line set.
     const surface::SupportDomain* domain = nullptr;
 };
 
 struct LineSetSettings {
-    double side = 0.0;             // the side of the mesh's cells; 0: half a spacing, and finer where walls are thinner
-    std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice of the bounds
-    double spacing = 0.0;          // the mean spacing of the seeds; 0: not known
+    double side = 0.0;             // the cell side of the mesh; 0: half the spacing, and finer if walls are thinner
+    std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice over the bounds
+    double spacing = 0.0;          // the mean spacing of the seeds; 0: unknown
     SupportSettings support;
     bool with_shape = false; // for lines that depend on the view and on curvatures
     std::span<const LineRequest> lines;
@@ -90,19 +90,19 @@ struct LineSetSettings {
 
 class LineSet {
 public:
-    // The implicit, and what `shape` refers to, must outlive it.  Throws as triangulate() does, and
-    // Error{not_converged} where no surface is found.
+    // The implicit, and everything that `shape` refers to, must outlive the set. Throws like triangulate(), and
+    // Error{not_converged} if no surface is found.
     LineSet(const base::Work& work, const implicit::Implicit& surface,
             std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings);
     LineSet(const LineSet&) = delete;
     LineSet& operator=(const LineSet&) = delete;
 
-    // No other set has it while a pointer to it is held.
+    // The identity is unique among the sets that exist while a pointer to it is held.
     [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
     [[nodiscard]] const implicit::Implicit& surface() const noexcept { return surface_; }
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return *mesh_; }
     [[nodiscard]] const SheetCounter& sheets() const noexcept { return *sheets_; }
-    // As find_feature_lines() wants it; has_shape(): also for what needs curvatures.
+    // The surface for find_feature_lines(). It supports lines that need curvatures if has_shape() is true.
     [[nodiscard]] FeatureSurface features() const noexcept {
         return {surface_, *source_, has_shape() ? shaped_.mesh : *mesh_, shaped_.shape};
     }
@@ -110,15 +110,15 @@ public:
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
-    // Whether a crease that is sharp enough to be drawn lies within `reach`, which is half a side of the mesh at most.
+    // Whether a crease sharp enough to be drawn lies within `reach`, or within half a mesh side if that is less.
     [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
         return near_creases_ && near_creases_->has(place, reach);
     }
-    // Smooth parts of a surface with creases: contours are traced on these.
+    // The smooth parts of a surface with creases, on which contours are traced.
     [[nodiscard]] const base::List<std::unique_ptr<SheetPart>>& parts() const noexcept { return parts_; }
-    // Whose zero lines the border is; null where it is the end of a region.
+    // The level whose zero line is the border; null if the border is the end of a region.
     [[nodiscard]] const Level* border_level() const noexcept { return border_exact_ ? &*border_level_ : nullptr; }
-    // The share of the surface's area that lies beyond its samples.
+    // The share of the surface's area that is cut off because it has no samples.
     [[nodiscard]] double left_out() const noexcept { return left_out_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
     [[nodiscard]] std::int64_t bytes() const noexcept;

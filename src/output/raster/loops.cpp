@@ -27,7 +27,7 @@ struct InkDisc {
     float x, y, radius, alpha, depth;
 };
 
-// The part of a pixel that the disc covers is taken as the distance of the rim beyond the pixel's centre.
+// Approximates the covered share of a pixel by how far the disc's rim lies beyond the pixel's centre.
 HWY_INLINE W coverage(W squared, W outer) {
     const F d;
     return hn::Min(hn::Max(hn::Sub(outer, hn::Sqrt(squared)), hn::Zero(d)), hn::Set(d, 1.0F));
@@ -58,14 +58,14 @@ HWY_INLINE void for_pixels(const DiscTile& t, const InkDisc& disc, Blend&& blend
     }
 }
 
-// Nothing is covered where the host's picture is nearer.
+// Returns 0 where the host's picture is nearer than the disc.
 HWY_INLINE W before_host(const DiscTile& t, const InkDisc& disc, std::int32_t at, W cover) {
     const F d;
     if (t.host == nullptr) return cover;
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.host + at), hn::Set(d, disc.depth)), cover);
 }
 
-// Ink takes its share of the paper and of the inks before it. color: NULL where all inks have one colour.
+// Blends ink over the paper and the inks below it. color: NULL if all inks have one colour.
 HWY_INLINE void take(const DiscTile& t, const float* color, std::int32_t at, W ink) {
     const F d;
     const W left = hn::Sub(hn::Set(d, 1.0F), ink);
@@ -77,7 +77,7 @@ HWY_INLINE void take(const DiscTile& t, const float* color, std::int32_t at, W i
     }
 }
 
-// Paper takes its share of the inks before it.
+// Blends paper over the inks below it.
 HWY_INLINE void bring_back(const DiscTile& t, std::int32_t at, W paper) {
     const F d;
     const W left = hn::Sub(hn::Set(d, 1.0F), paper);
@@ -120,7 +120,7 @@ void store(const RowColors& colors, const float* transmittance, std::int64_t cou
         };
         const auto alpha = channel(3);
         if (colors.straight)
-            // Straight pixels of alpha 0 have no colour and are all zero.
+            // Straight formats store alpha 0 as all zeros.
             scale = hn::IfThenElseZero(hn::Gt(alpha, hn::Zero(d)), hn::Div(scale, alpha));
         auto bits = hn::Zero(word);
         const auto add = [&](hn::Vec<decltype(d)> value, int c) HWY_ATTR {
@@ -143,22 +143,22 @@ HWY_INLINE std::int32_t clamped(double at, std::int32_t limit) {
     return static_cast<std::int32_t>(most(0.0, least(at, static_cast<double>(limit))));
 }
 
-// An edge goes from its upper to its lower end.
+// An edge, stored from its upper end to its lower end.
 struct Edge {
     double x, top, bottom, slope;
-    float sign;        // 1 where the inside lies to the right of it
+    float sign;        // 1 if the inside lies to the right of the edge, else -1
     std::int32_t next; // the next edge that begins in the same row; -1: none
 };
 
-// What an edge covers of a row to its right: the mean of clamp(right - x) over the part of the row's height that it
-// passes. With F the integral of clamp, this is a difference of F over the way that x goes.
+// The part of an edge in a row. The area that it covers to its right in a pixel column is the mean of clamp(right - x,
+// 0, 1) over the height of the part. With F the integral of clamp, this is a difference of F over the range of x.
 struct Part {
-    float x, way; // where it enters the row, and its way sideways there
-    float scale;  // height over way, signed; the height alone if it is steep
+    float x, way; // x at the part's upper end, and the change of x
+    float scale;  // signed height divided by way; the signed height alone if steep
     bool steep;
 };
 
-// Columns of each row in which a stroke has laid something, half-open.
+// For each row the half-open range of columns that the stroke covers.
 struct Spans {
     std::int32_t top, bottom;
     std::int32_t left[most_rows], right[most_rows];
@@ -168,13 +168,13 @@ struct Target {
     const DiscTile& tile;
     const StrokePlanes& planes;
     Spans& spans;
-    bool even;          // all segments have one opacity: `ink` is not looked at
-    float alpha;        // that opacity, times the alpha of the stroke's ink
-    bool at_once;       // there is but one outline, which is taken from the paper with no plane between
-    const float* color; // the ink's colour; NULL where all inks have the same
+    bool even;          // all segments have one opacity, so the `ink` plane is unused
+    float alpha;        // that opacity times the alpha of the stroke's ink
+    bool at_once;       // there is only one outline; it is blended directly, without the planes
+    const float* color; // the ink's colour; NULL if all inks have one colour
 };
 
-// An outline's edges, by the rows in which they begin.
+// An outline's edges, listed by the rows in which they begin.
 struct Edges {
     Edge at[Outline::most];
     std::int32_t first[most_rows];
@@ -208,7 +208,7 @@ HWY_INLINE void find_edges(const Outline& outline, std::int32_t rows, Edges& edg
     }
 }
 
-// The edges that pass a row, their parts there, and the columns that they bound.
+// The edges that cross a row, their parts there, and the range of columns between them.
 struct Row {
     std::int32_t edges[Outline::most];
     Part parts[Outline::most];
@@ -216,7 +216,7 @@ struct Row {
     std::int32_t left, right;
 };
 
-// Leaves in the list the edges that go on below.
+// Finds the parts of edges in row y. The list keeps the edges that continue into the next row.
 HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t width, Row& row) {
     const double top = static_cast<double>(y);
     const double wide = static_cast<double>(width);
@@ -243,7 +243,7 @@ HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t widt
         part = {static_cast<float>(x0), way, tall, high <= 0.0 || (way < 1.0F / 128.0F && way > -1.0F / 128.0F)};
         if (!part.steep)
             part.scale = tall / way;
-        else // an edge to the left of the tile is moved to its left side
+        else // edges left of the tile move to its left side
             part.x = high <= 0.0 ? 0.0F : static_cast<float>(x0 + 0.5 * (x1 - x0));
     }
     row.edge_count = kept;
@@ -251,7 +251,7 @@ HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t widt
     row.right = clamped(right + 1.0, width);
 }
 
-// The integral of clamp(u, 0, 1).
+// The integral of clamp(t, 0, 1) for t from 0 to u.
 HWY_INLINE W integral(W u) {
     const F d;
     const W zero = hn::Zero(d);
@@ -276,7 +276,7 @@ HWY_INLINE W covered(const Row& row, W right) {
     return hn::Min(hn::Max(sum, zero), one);
 }
 
-// The places of pixels along the segment, from 0 to 1.
+// The parameters of pixels along the segment, from 0 to 1.
 HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     const F d;
     const W start = hn::Set(d, shade.from + (static_cast<float>(y) + 0.5F) * shade.step_y);
@@ -284,7 +284,7 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     return hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-// Adds the cover of a row's pixels to the planes.
+// Adds the cover of a row's pixels to the cover and ink planes.
 HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     const std::int32_t at = y * t.tile.stride + x;
@@ -297,7 +297,7 @@ HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::in
     hn::StoreU(hn::Add(hn::LoadU(d, t.planes.ink + at), hn::Mul(cover, opacity)), d, t.planes.ink + at);
 }
 
-// Nothing is covered where the host's picture is nearer than the segment.
+// Returns 0 where the host's picture is nearer than the segment.
 HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     if (t.tile.host == nullptr) return cover;
@@ -344,7 +344,7 @@ void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
 }
 
 HWY_INLINE Shade shade_of(const SegmentList& list, const drawing::StrokePoint& a, const drawing::StrokePoint& b) {
-    // In doubles: a segment may begin far away.
+    // Doubles are needed since a segment may begin far away.
     const double x = static_cast<double>(b.x) - static_cast<double>(a.x);
     const double y = static_cast<double>(b.y) - static_cast<double>(a.y);
     const double square = x * x + y * y;
@@ -367,7 +367,7 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
     }
 }
 
-// Returns false if parts overlap; the parts laid until then do not count.
+// Draws outlines that do not overlap. Returns false at the first overlap; the parts drawn until then must be cleared.
 HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
     Outliner outliner(list, false);
     Outline outline;
@@ -400,7 +400,7 @@ HWY_INLINE void add_outlines(StrokeUnion& all, const SegmentList& list, bool sin
     }
 }
 
-// Lays the union of all outlines.
+// Adds the union of all outlines to the planes.
 HWY_INLINE void lay_union(const Target& t, const SegmentList& list) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
@@ -424,7 +424,7 @@ HWY_INLINE void lay_union(const Target& t, const SegmentList& list) {
     }
 }
 
-// Clears the planes where the stroke has laid something.
+// Clears the planes where the stroke covered pixels.
 HWY_INLINE void clear(const Target& t) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
@@ -436,7 +436,7 @@ HWY_INLINE void clear(const Target& t) {
         }
 }
 
-// Takes the stroke's ink of the paper, and clears the planes where it has laid something.
+// Blends the stroke's ink over the paper, and clears the planes where the stroke covered pixels.
 HWY_INLINE void blend(const Target& t, float ink_alpha) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));

@@ -18,13 +18,13 @@ using drawing::Stroke;
 using drawing::StrokePoint;
 
 constexpr std::int32_t side = drawing::tile_size;
-constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
+constexpr std::int32_t stride = side + 16; // vectors may extend past the end of a row
 constexpr std::int64_t plane = std::int64_t{stride} * side;
-constexpr std::int64_t points_ahead = 10; // this many points of the tile's next stroke are prefetched
+constexpr std::int64_t points_ahead = 10; // prefetch this many points of the tile's next stroke
 enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 static_assert(side <= StrokeUnion::most_side);
 
-// The data that the tasks of all tiles read.
+// The data that the tasks of all tiles share.
 struct Job {
     const Drawing& drawing;
     const Image& image;
@@ -33,10 +33,10 @@ struct Job {
     const drawing::Tiles& tiles; // the tiles of the dots
     glm::ivec2 first_pixel;      // the image's pixel at the corner of the first tile
     Rect drawn;
-    const float* colors; // as in InkList
-    bool published;      // dots are painted in their own order, paper over ink
-    bool one_color;      // all inks have one colour, so that their order does not matter
-    glm::vec4 paper;     // premultiplied, in the light that is blended in
+    const float* colors; // InkList::colors
+    bool published;      // discs are painted in the order of the dots, paper over ink
+    bool one_color;      // all inks have one colour, so their order does not matter
+    glm::vec4 paper;     // premultiplied, in the colour space of blending
 
     [[nodiscard]] float toward() const noexcept {
         return drawing.window.depth == drawing::DepthConvention::reversed ? -1.0F : 1.0F;
@@ -44,14 +44,14 @@ struct Job {
     [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
         return settings.linear_light ? to_linear(color) : color;
     }
-    // The colour of all inks, opaque: their alpha is in the part of the paper that they leave.
+    // The colour of all inks as opaque ink: the transmittance plane accounts for their alpha.
     [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_light({glm::vec3(drawing.ink_color), 1.0F}); }
     [[nodiscard]] std::int64_t element(std::int32_t x, std::int32_t y) const noexcept {
         return std::int64_t{y} * image.width + x;
     }
 };
 
-// One tile of the image, and what its worker writes to.
+// One tile of the image, and the buffers of its worker.
 struct Canvas {
     std::int64_t number;
     glm::ivec2 first; // the image's pixel at the tile's corner
@@ -60,7 +60,7 @@ struct Canvas {
     StrokePlanes strokes;
     base::Array<std::uint32_t>& numbers; // scratch
 
-    // Where column 0 of the image's row y is, or would be, in a plane.
+    // The index in a plane of column 0 of the image's row y; it may lie outside the plane.
     [[nodiscard]] std::int64_t row_begin(std::int32_t y) const noexcept {
         HRBFNPR_ASSERT(y >= rect.top && y < rect.bottom);
         return std::int64_t{y - first.y} * stride - first.x;
@@ -86,7 +86,8 @@ DiscTile prepare(const Job& job, const Canvas& canvas) noexcept {
 
 // ---- Ink
 
-// Lays strokes among the dots, far to near; where all ink has one colour the order does not matter, and dots follow.
+// Draws dots and strokes from far to near. If all inks have one colour the order does not matter: dots follow the
+// strokes.
 void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
     const Drawing& drawing = job.drawing;
     const auto left = static_cast<float>(canvas.first.x), top = static_cast<float>(canvas.first.y);
@@ -140,7 +141,7 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
 void store(const Job& job, const Canvas& canvas) noexcept {
     const Image& image = job.image;
     const Rect& rect = canvas.rect;
-    // With one colour, and nothing but the drawing, a pixel depends only on the part of the paper that still shows.
+    // With ink of one colour and no blending over the image, a pixel depends only on the transmittance.
     if (job.one_color && !job.settings.over && !job.settings.linear_light && has_bytes(image.format)) {
         std::array<std::uint32_t, stride> pixels;
         glm::vec4 ink = job.one_ink(), paper = job.paper;
@@ -176,7 +177,7 @@ void store(const Job& job, const Canvas& canvas) noexcept {
 
 // ---- Depth, id and class
 
-// The nearest thing at a pixel's centre: a layer, or ink, which lies a little nearer than its layer.
+// The nearest object at a pixel's centre: a layer, or ink. Ink lies slightly nearer than its layer.
 struct Nearest {
     float depth; // eye units
     float window;
@@ -184,8 +185,8 @@ struct Nearest {
     drawing::MarkClass mark_class;
 };
 
-// Calls note(x, y, radius, nearest, reaches) for all that may lie at pixels of the tile. reaches(dx, dy, nearest) says
-// whether it is at a place around (x, y), and may change `nearest` there.
+// Calls note(x, y, radius, nearest, reaches) for every object that may cover pixels of the tile. reaches(dx, dy,
+// nearest) tells whether the object covers the place at that offset from (x, y), and may update `nearest` for it.
 template <class Note>
 void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
     const Drawing& drawing = job.drawing;
@@ -207,7 +208,7 @@ void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
              [&](float dx, float dy, Nearest&) { return dx * dx + dy * dy <= radius * radius; });
     });
     if (job.published || drawing.strokes.empty()) return;
-    // A segment has its depth at a pixel, and the id of its nearer end.
+    // A segment has its own depth at each pixel, and the id of its nearer end.
     drawing.segment_tiles.for_tile(tile, [&](std::uint32_t i) {
         const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
         const StrokePoint& a = drawing.points[i];
@@ -230,7 +231,7 @@ void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
     });
 }
 
-// As published, the id and the class are those of the disc that was painted last, and the depth is the nearest disc's.
+// In published mode the id and class come from the disc painted last, and the depth from the nearest disc.
 void store_outputs(const Job& job, const Canvas& canvas) {
     const DrawSettings& settings = job.settings;
     const Rect& rect = canvas.rect;
@@ -295,7 +296,7 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
     while (numbers_.size() < workers) numbers_.add(runtime_.memory);
     if (!drawing.strokes.empty()) {
         while (unions_.size() < workers) unions_.add(runtime_.memory);
-        // Which worker draws the fullest tile is by chance, so that all have room for it.
+        // Any worker may get the fullest tile, so all reserve room for it.
         const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
         for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].of_tile.reserve(most);
     }

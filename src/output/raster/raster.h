@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The rasteriser: a drawing into the caller's pixels, tile by tile.
-// 1. prepare (raster.cpp): a tile's planes hold the part of the paper that still shows, first all of it, and the ink's
-//    colours.
-// 2. lay (raster.cpp; loops.cpp for many pixels at a time): dots and strokes far to near. strokes.h makes a
-//    polygon of each segment of a stroke, and finds the area that polygons cover together where they overlap.
-// 3. store (raster.cpp; loops.cpp): planes to the caller's pixels, over what was there or not.
-// 4. store_outputs (raster.cpp): the depth, id and class of the nearest layer or ink at each pixel's centre.
+// The rasteriser draws into the caller's pixels, tile by tile:
+// 1. prepare (raster.cpp) initialises a tile's planes: the transmittance of the ink above the paper, first 1, and the
+//    colours of the inks.
+// 2. lay (raster.cpp; loops.cpp for many pixels at a time) adds dots and strokes from far to near. strokes.h makes a
+//    polygon of each segment of a stroke, and computes the area of the union of overlapping polygons.
+// 3. store (raster.cpp; loops.cpp) writes the planes to the caller's pixels: it replaces these, or draws over them.
+// 4. store_outputs (raster.cpp) writes the depth, id and class of the nearest layer or ink at each pixel's centre.
 #pragma once
 
 #include "base/assert.h"
@@ -26,9 +26,9 @@
 
 namespace hrbfnpr::output {
 
-// ---- The caller's pixels: which are drawn, and how they become premultiplied floats and the other way round
+// ---- The caller's pixels: which are drawn, and how they are converted to and from premultiplied floats
 
-// The numbers are those that hrbfnpr_image.format takes.
+// The values equal those of hrbfnpr_image.format.
 enum class Format : std::uint32_t {
     rgba8 = 1,
     bgra8 = 2,
@@ -56,7 +56,7 @@ struct Image {
     Format format = Format::rgba8;
     std::int32_t width = 0;
     std::int32_t height = 0;
-    std::byte* pixels = nullptr; // top-left
+    std::byte* pixels = nullptr; // the first byte of the top-left pixel
     std::int64_t row_stride = 0; // bytes, never 0
 
     [[nodiscard]] std::byte* pixel(std::int32_t x, std::int32_t y) const noexcept {
@@ -65,7 +65,7 @@ struct Image {
     }
 };
 
-// Views of width * height elements, or empty.
+// The views have width * height elements, or are empty.
 struct DrawSettings {
     bool over = false;
     bool linear_light = false;
@@ -77,7 +77,7 @@ struct DrawSettings {
 
 // ---- Rectangles
 
-// Half-open, pixels.
+// A half-open range of pixels.
 struct Rect {
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
     [[nodiscard]] bool empty() const noexcept { return left >= right || top >= bottom; }
@@ -98,14 +98,14 @@ struct Rect {
     return {glm::vec3(straight) * straight.w, straight.w};
 }
 
-// Between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
+// Conversion between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
 [[nodiscard]] inline float to_linear(float encoded) noexcept {
     return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
 }
 [[nodiscard]] inline float from_linear(float light) noexcept {
     return light <= 0.0031308F ? light * 12.92F : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
 }
-// The same for premultiplied colours, whose alpha stays.
+// The same for premultiplied colours; alpha does not change.
 [[nodiscard]] inline glm::vec4 to_linear(const glm::vec4& c) noexcept {
     if (!(c.w > 0.0F)) return glm::vec4(0.0F);
     return {to_linear(c.x / c.w) * c.w, to_linear(c.y / c.w) * c.w, to_linear(c.z / c.w) * c.w, c.w};
@@ -125,7 +125,7 @@ struct Rect {
     return static_cast<float>(std::to_integer<std::uint8_t>(value)) * scale;
 }
 
-// The colour of a coverage is black, and its alpha the coverage.
+// A coverage pixel loads as black with the coverage as alpha.
 [[nodiscard]] inline glm::vec4 load_pixel(const std::byte* at, Format format) noexcept {
     if (format == Format::coverage8) return {0.0F, 0.0F, 0.0F, from_byte(*at)};
     glm::vec4 color;
@@ -144,7 +144,7 @@ inline void store_pixel(std::byte* at, const glm::vec4& given, Format format) no
         return;
     }
     glm::vec4 color = given; // premultiplied
-    // Straight pixels of alpha 0 have no colour and are all zero.
+    // Straight formats store alpha 0 as all zeros.
     if (!is_premultiplied(format))
         color = color.w > 0.0F ? glm::vec4(glm::vec3(color) / color.w, color.w) : glm::vec4(0.0F);
     if (is_bgra(format)) std::swap(color.x, color.z);
@@ -156,46 +156,46 @@ inline void store_pixel(std::byte* at, const glm::vec4& given, Format format) no
     std::memcpy(at, &color[0], sizeof(float) * 4);
 }
 
-// ---- Loops for each instruction set, which give the same bits: discs and strokes into planes, planes to bytes
+// ---- Loops for each instruction set, all with identical results: discs and strokes into planes, planes to bytes
 
-// Rows of `stride` floats, one for each pixel.
+// Planes with rows of `stride` floats, one float for each pixel.
 struct DiscTile {
     std::int32_t width, height, stride; // stride >= width + 8
-    float* transmittance;               // the part of the paper that still shows, from 0 to 1
-    float* color[3];                    // the colour that inks add to it, premultiplied; NULL: all inks have one colour
-    const float* host;                  // depth of the host's picture, falling towards the eye; or NULL
+    float* transmittance;               // the share of the paper that still shows, from 0 to 1
+    float* color[3];                    // the premultiplied colour that inks add; NULL: all inks have one colour
+    const float* host;                  // depth of the host's picture, which falls towards the eye; or NULL
 };
 
-// Inks by their numbers; (left, top) is the tile's first pixel.
+// The inks inks[numbers[i]]; (left, top) is the tile's first pixel.
 struct InkList {
     const drawing::Dot* inks;
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    const float* colors; // four numbers for each layer: RGB, and an alpha that multiplies the ink's
-    float one_alpha;     // the alpha that takes its place where all inks have one colour
-    float toward;        // -1: the host's depth rises towards the eye; 1
+    const float* colors; // four numbers for each layer: RGB, and an alpha that multiplies the alpha of the ink
+    float one_alpha;     // replaces that alpha where all inks have one colour
+    float toward;        // -1 if the host's depth rises towards the eye, else 1
 };
 
-// Planes of the tile's stride that are zero, and are zero again afterwards.
+// Working planes with the tile's stride. They are zero before and after each call.
 struct StrokePlanes {
-    float* cover;          // the part of a pixel that is covered
+    float* cover;          // the covered share of each pixel
     float* ink;            // the cover times the opacity
     StrokeUnion* overlaps; // working memory, for strokes that may overlap themselves
 };
 
-// Four channels of a row, each alpha * transmittance + beta * (1 - transmittance), as bytes.
+// The colours of a row of bytes: each of four channels is paper * transmittance + ink * (1 - transmittance).
 struct RowColors {
     float paper[4]; // premultiplied, in the order of the bytes
     float ink[4];
-    bool straight; // divide by the last one
+    bool straight; // divide the other channels by the last one, alpha
 };
 
 struct RasterLoops {
-    // Lays discs, in their order; those of paper need the planes of colours, and bring the paper back.
+    // Draws discs in their order. Discs of paper need the colour planes, and restore the paper.
     void (*discs)(const DiscTile& tile, const InkList& list);
-    // Lays the union of the segments over the tile: where they overlap, the stroke is no darker. A pixel takes the
-    // exact area that is covered of it. Throws Error{out_of_memory}.
+    // Draws the union of a stroke's segments: the stroke gets no darker where they overlap. The cover of a pixel is the
+    // exact area. Throws Error{out_of_memory}.
     void (*stroke)(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes);
     void (*store)(const RowColors& colors, const float* transmittance, std::int64_t count, std::uint32_t* pixels);
 };
@@ -204,7 +204,7 @@ struct RasterLoops {
 
 // ---- The rasteriser
 
-// The scratch of one call at a time: it allocates nothing once warm.
+// Holds the working memory of one call at a time; it allocates nothing once warm.
 class Raster {
 public:
     explicit Raster(const base::Runtime& runtime) noexcept
@@ -215,7 +215,7 @@ public:
     void draw(const drawing::Drawing& drawing, const Image& image, const DrawSettings& settings);
 
 private:
-    // Each worker has its own, on lines of the cache of their own.
+    // One for each worker, on separate cache lines.
     struct alignas(base::Memory::alignment) Numbers {
         explicit Numbers(base::Memory& memory) noexcept : of_tile(memory) {}
         base::Array<std::uint32_t> of_tile; // its dots, then its segments
@@ -223,9 +223,9 @@ private:
 
     const base::Runtime& runtime_;
     RasterLoops loops_;
-    drawing::Tiles published_tiles_; // for drawings as published, which bring no tiles of dots
+    drawing::Tiles published_tiles_; // for drawings in published mode, which have no tiles of dots
     base::Array<float> planes_;      // the planes of a tile, for each worker
-    base::Array<float> colors_;      // as in InkList
+    base::Array<float> colors_;      // InkList::colors
     base::List<Numbers> numbers_;    // one for each worker
     base::List<StrokeUnion> unions_; // one for each worker, if there are strokes
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The area that a stroke covers.
-// 1. may_overlap: whether parts of a stroke may lie upon each other.
-// 2. Outliner: polygons side by side, one for each segment or for segments that go on alike.
-// 3. StrokeUnion: the exact area of each pixel that polygons cover together where they overlap.
+// 1. may_overlap tells whether parts of a stroke may overlap.
+// 2. Outliner makes adjacent polygons, one for each segment or for several segments that continue each other.
+// 3. StrokeUnion computes the exact area of each pixel that overlapping polygons cover together.
 #pragma once
 
 #include "base/assert.h"
@@ -20,19 +20,19 @@
 
 namespace hrbfnpr::output {
 
-// One stroke's segments that reach a tile, by the numbers of their first points, which ascend.
+// The segments of one stroke that reach a tile, each given by the index of its first point, in ascending order.
 struct SegmentList {
     const drawing::StrokePoint* points;
     const drawing::Stroke* stroke;
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;    // the tile's first pixel
-    const float* color; // RGB of the ink, and its alpha; the RGB is not read where the tile has no colour
-    float toward;       // as in InkList
+    const float* color; // RGB and alpha of the ink; the RGB is not read if the tile has no colour planes
+    float toward;       // see InkList
 };
 
 struct Place {
-    double x, y; // pixels of the tile
+    double x, y; // pixels, relative to the tile
 };
 
 inline Place operator+(const Place& a, const Place& b) noexcept { return {a.x + b.x, a.y + b.y}; }
@@ -44,17 +44,17 @@ inline Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a)))
 
 // ---- Whether parts overlap
 
-// Consecutive segments whose directions lie within 60 degrees of the first one's, and their extent.
+// Consecutive segments whose directions are within 60 degrees of the first segment's, and their bounding box.
 struct Stretch {
-    float along_x, along_y, square; // the first segment's vector, pixels, and the square of its length
+    float along_x, along_y, square; // the first segment's vector, pixels, and its squared length
     float left, top, right, bottom;
-    std::int64_t begin, end; // segments
+    std::int64_t begin, end; // numbers of segments
 
     [[nodiscard]] bool takes(float x, float y, std::int64_t number) const noexcept {
         const float cosine = x * along_x + y * along_y;
         return number == end && cosine >= 0.0F && cosine * cosine >= 0.25F * square * (x * x + y * y);
     }
-    // Whether a turn from the one to the other is less than 120 degrees.
+    // Whether the directions of the two first segments differ by less than 120 degrees.
     [[nodiscard]] bool goes_on_in(const Stretch& next) const noexcept {
         const float cosine = along_x * next.along_x + along_y * next.along_y;
         return cosine > 0.0F || cosine * cosine < 0.25F * square * next.square;
@@ -77,7 +77,7 @@ inline bool follow(const Stretch& a, const Stretch& b, const drawing::Stroke& st
 
 using Stretches = std::array<Stretch, 12>;
 
-// Returns the number of the list's stretches, which is size() + 1 if there is no room for all.
+// Returns the number of stretches in the list, or size() + 1 if the array is too small.
 inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches) noexcept {
     std::size_t count = 0;
     for (std::int64_t i = 0; i < list.count; ++i) {
@@ -104,10 +104,10 @@ inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches)
     if (count <= 1 || count > stretches.size()) return count > 1;
     const bool pointed =
         list.stroke->cap_begin == drawing::Cap::pointed || list.stroke->cap_end == drawing::Cap::pointed;
-    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a tip reaches farther
+    const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a pointed tip reaches farther
     for (Stretch& stretch : std::span(stretches).first(count))
         for (std::int64_t i = stretch.begin; i <= stretch.end; ++i)
-            stretch.reach(list.points[i], widest * list.points[i].radius + 1.0F); // no pixel has a part of two
+            stretch.reach(list.points[i], widest * list.points[i].radius + 1.0F); // so that no pixel meets two of them
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
             if (!follow(stretches[i], stretches[j], *list.stroke) && !stretches[i].is_apart_from(stretches[j]))
@@ -117,23 +117,23 @@ inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches)
 
 // ---- Outlines
 
-// A polygon that goes round so that with y down its inside lies to the right: up along the left side of a line, and
-// back along its right side, which is filled from the other end of the array.
+// A polygon whose inside lies to the right when y points down. Its first places run up the left side of a line. The
+// right side is stored from the end of the array backwards, until close().
 struct Outline {
     static constexpr std::int32_t most = 416;
-    static constexpr std::int32_t most_of_a_leg = 140; // two quarters of 64 chords each, and corners
+    static constexpr std::int32_t most_of_a_leg = 140; // two quarter circles of 64 chords each, and corners
     std::int32_t count = 0, back = most;
-    std::int32_t gentle[2] = {0, 0}; // the numbers of last places, right and left, that belong to gentle turns
+    std::int32_t gentle[2] = {0, 0}; // the number of last places on the right and left that belong to gentle turns
     Place at[most];
 
     void clear() noexcept {
         count = gentle[0] = gentle[1] = 0;
         back = most;
     }
-    // Whether the last place lies on the line from the place before it to the next one.
+    // Whether the last place may be omitted because it lies on the line from the place before it to the next one.
     [[nodiscard]] bool may_drop(const Place& next, bool left) const noexcept {
         const std::int32_t passed = gentle[left ? 1 : 0];
-        if (passed % 4 == 0) return false; // each fourth stays, since what dropped ones are off adds up
+        if (passed % 4 == 0) return false; // every fourth place stays, since the errors of dropped places add up
         const Place& last = at[left ? count - 1 : back];
         const Place& before = at[left ? count - 2 : back + 1];
         const Place along = next - before;
@@ -146,14 +146,15 @@ struct Outline {
         at[left ? count++ : --back] = place;
     }
     [[nodiscard]] bool has_room() const noexcept { return back - count > 2 * most_of_a_leg; }
-    // Brings both sides together once all is there.
+    // Appends the right side to the left side once both are complete.
     void close() noexcept {
         for (; back < most; ++back) at[count++] = at[back];
     }
 };
 
-// Adds the corners of an arc of at most a right angle between unit vectors, without its ends, which lie on it. The
-// others lie outside, so that the area is kept. Square roots and quotients are the same on all processors.
+// Adds the corners of an arc of at most a right angle between two unit vectors, without the arc's ends. The ends lie on
+// the arc and the other corners outside it, so that the area is kept. Only square roots and quotients are used, which
+// are identical on all processors.
 inline void add_arc(const Place& centre, double radius, const Place& from, const Place& to, double scale,
                     Outline& outline, bool left = true) noexcept {
     double cosine = dot(from, to);
@@ -177,7 +178,8 @@ inline void add_arc(const Place& centre, double radius, const Place& from, const
     }
 }
 
-// Adds what stands out of an end in the direction `out`, from one corner of the end to the other.
+// Adds the cap beyond an end of the line, from one corner of the end to the other. `out` is the line's outward
+// direction.
 inline void add_cap(const Place& centre, double radius, const Place& out, drawing::Cap cap, double scale,
                     Outline& outline) noexcept {
     const Place from{out.y, -out.x};
@@ -200,19 +202,19 @@ inline bool crossing(const Place& at, const Place& along, const Place& other, co
     return true;
 }
 
-// Makes the outlines of a stroke's segments. Consecutive segments that turn gently share the edge that halves their
-// angle, so that their polygons neither overlap nor leave a gap. Where a turn is too sharp for its segments' lengths
-// they end across the line instead, and overlap.
+// Makes the outlines of a stroke's segments. Consecutive segments that turn gently share an edge on the bisector of
+// their angle, so that their polygons neither overlap nor leave a gap. Where a turn is too sharp for the lengths of its
+// segments, each polygon ends at right angles to its segment, and they overlap.
 class Outliner {
 public:
-    // overlap: whether outlines may lie upon each other.
+    // overlap: whether outlines may overlap each other.
     Outliner(const SegmentList& list, bool overlap) noexcept
         : list_(list), arcs_(overlap ? raster_tuning.finer : 1.0), first_(list.stroke->first),
           last_(list.stroke->first + list.stroke->count - 2) {}
 
-    // Makes the outline of the list's segment i, with its part of joins and caps, and unless it is to be a single one
-    // with the segments after it that go on alike. Returns the number of these segments. An empty outline covers
-    // nothing.
+    // Makes the outline of the list's segment i with its share of joins and caps. Unless `single` is set, segments that
+    // follow in about the same direction are included. Returns the number of segments in the outline. An empty outline
+    // covers nothing.
     std::int64_t outline(std::int64_t i, bool single, Outline& outline) noexcept {
         HRBFNPR_ASSERT(i >= 0 && i < list_.count);
         const drawing::Stroke& stroke = *list_.stroke;
@@ -241,7 +243,7 @@ public:
         begin_ = begin;
         return end - i;
     }
-    // After outline(): makes what rounds the beginning off, if it overlaps the segment before.
+    // Call it after outline(). Makes the round join at the segment's beginning if the segment overlaps the one before.
     bool join(Outline& outline) const noexcept {
         outline.clear();
         if (leg_.number < 0 || begin_.kind != Kind::open) return false;
@@ -258,12 +260,12 @@ public:
         outline.add(leg_.a + radius * to);
         return true;
     }
-    // Whether the outline overlaps a neighbour's.
+    // Whether the outline overlaps an adjacent segment's outline.
     [[nodiscard]] bool overlaps() const noexcept { return begin_.kind == Kind::open || end_.kind == Kind::open; }
 
 private:
     enum class Kind : std::uint8_t { cap, shared, round, open };
-    // A segment with a length.
+    // A segment of positive length.
     struct Leg {
         std::int64_t number = -1; // -1: no such segment
         Place a{}, b{};
@@ -271,13 +273,13 @@ private:
         Place along{}; // unit
         [[nodiscard]] Place left() const noexcept { return {along.y, -along.x}; }
     };
-    // Where two legs meet.
+    // The place where two legs meet.
     struct Joint {
         Kind kind = Kind::cap;
         bool left_outside = false;
-        bool corner_a = false, corner_b = false; // whether the inner corner of one stands out from the other
-        Place inner{}, outer{};                  // the edge that both share; of Kind::shared, its left end is `outer`
-        Place middle{};                          // the unit vector from the centre to the middle of the outer arc
+        bool corner_a = false, corner_b = false; // whether the inner corner of one leg lies outside the other
+        Place inner{}, outer{}; // the edge that both legs share; for Kind::shared, `outer` is its left end
+        Place middle{};         // unit vector from the centre to the middle of the outer arc
     };
 
     bool find_leg(std::int64_t number, Leg& leg) const noexcept {
@@ -299,7 +301,7 @@ private:
         leg.number = number;
         return true;
     }
-    // Finds the next leg with a length from a segment on, or back for a step of -1.
+    // Finds the next segment of positive length, forwards for step 1, backwards for step -1.
     void find_next(std::int64_t number, std::int64_t step, Leg& leg) const noexcept {
         HRBFNPR_ASSERT(step == 1 || step == -1);
         leg.number = -1;
@@ -309,8 +311,9 @@ private:
         for (std::int64_t i = step > 0 ? first_ : last_; i != number; i += step)
             if (find_leg(i, leg)) return;
     }
-    // Finds where the inner edges of two legs meet. Where the width changes they may pass each other by: then the wider
-    // one's end reaches the other's edge. Returns false if they meet beyond the halves that face each other.
+    // Finds where the inner edges of two legs meet. If the width changes, the edges may miss each other; then the end
+    // of the wider leg meets the edge of the other. Returns false if they do not meet within the adjacent halves of the
+    // legs.
     static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
         const Place from = a.a + side * a.radius_a * a.left();
         const Place corner_a = a.b + side * a.radius_b * a.left();
@@ -322,7 +325,7 @@ private:
         if (crossing(corner_a, edge_a, corner_b, edge_b, back, on) && -back <= 0.5 && -back >= -1e-9 && on <= 0.5 &&
             on >= -1e-9) {
             joint.inner = corner_a + back * edge_a;
-            return cross(edge_a, edge_b) * side < 0.0; // else both corners stand out
+            return cross(edge_a, edge_b) * side < 0.0; // otherwise both corners lie outside the other leg
         }
         const Place end_a = corner_a - b.a;
         if (crossing(b.a, end_a, corner_b, edge_b, back, on) && back >= 0.0 && back <= 1.0 && on >= 0.0 && on <= 0.5) {
@@ -347,10 +350,10 @@ private:
         const double sine = cross(a.along, b.along);
         const double radius = b.radius_a;
         const double scale = 1.0 / std::max(1.0 + cosine, 1e-9);
-        const double bend = std::abs(sine) * scale; // the tangent of half the turn
+        const double bend = std::abs(sine) * scale; // tangent of half the turn
         const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
         joint.left_outside = sine >= 0.0;
-        // The corner stands out of the arc over twice this length. A pixel sees at most its own width of it.
+        // The corner lies outside the arc over twice this length. A pixel sees at most its own width of that.
         const double reach = radius * bend;
         const double taper = std::max(a.taper, b.taper);
         bool gentle = fits && reach * (0.5 * bend + taper) < raster_tuning.edge_tolerance;
@@ -370,7 +373,7 @@ private:
         joint.outer = b.a + radius * joint.middle;
         joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
     }
-    // Returns false if the segment has no length.
+    // Returns false if the segment has length 0.
     bool start(std::int64_t number) noexcept {
         if (leg_.number >= 0 && next_.number == number) {
             go_on();
@@ -391,8 +394,8 @@ private:
         find_next(leg_.number, 1, next_);
         find_joint(leg_, next_, end_);
     }
-    // Whether the list's segment i continues an outline that began with `from`: it has the same opacity, but for less
-    // than can be seen, and about the same direction.
+    // Whether the list's segment i continues an outline that began with `from`: its opacity is the same up to
+    // same_opacity, and its direction is within 60 degrees.
     bool goes_on(std::int64_t i, const Leg& from) const noexcept {
         if (i == list_.count || std::int64_t{list_.numbers[i]} != next_.number || end_.kind == Kind::open) return false;
         const float opacity = list_.points[from.number].opacity;
@@ -400,7 +403,7 @@ private:
                std::abs(list_.points[next_.number + 1].opacity - opacity) <= raster_tuning.same_opacity &&
                dot(from.along, next_.along) > 0.5;
     }
-    // Adds one side of a leg's beginning or end, in the leg's direction.
+    // Adds one side of a leg at its beginning or end, in the leg's direction.
     void add_side(const Leg& leg, bool at_end, bool left, Outline& outline) const noexcept {
         const Joint& joint = at_end ? end_ : begin_;
         const Place across = (left ? 1.0 : -1.0) * leg.left();
@@ -428,7 +431,7 @@ private:
             if (!at_end && joint.corner_b) outline.add(corner, left);
         }
     }
-    // A stroke all of whose points stand in one place is a disc if it ends round.
+    // Adds a disc for a stroke whose points all coincide, if it has round ends.
     void disc(Outline& outline) const noexcept {
         const drawing::Stroke& stroke = *list_.stroke;
         if (!stroke.closed && stroke.cap_begin != drawing::Cap::round && stroke.cap_end != drawing::Cap::round) return;
@@ -443,7 +446,7 @@ private:
     }
 
     const SegmentList& list_;
-    double arcs_;               // the tolerance of arcs, in parts of the usual one
+    double arcs_;               // factor for the tolerance of arcs
     std::int64_t first_, last_; // the stroke's first and last segment
     Leg previous_, leg_, next_;
     Joint begin_, end_;
@@ -451,16 +454,16 @@ private:
 
 // ---- Unions of outlines
 
-// The opacity and depth of a segment at the pixels that it covers. They change evenly along it.
+// The opacity and depth of a segment at the pixels that it covers. Both change linearly along it.
 struct Shade {
-    float from, step_x, step_y; // the place along it: from + step . pixel, in [0, 1]
+    float from, step_x, step_y; // the parameter along the segment: from + step . pixel, in [0, 1]
     float opacity, more_opacity;
     float window, more_window;
 };
 
-// Finds the exact area of each pixel that outlines of a stroke cover together where they overlap, row by row: between
-// the heights where edges begin, end or cross their order does not change, and trapezoids lie between them. Inside is
-// where the winding number is not 0. Each worker has one.
+// Computes the exact area of each pixel that overlapping outlines of a stroke cover together, row by row. Between the
+// heights where edges begin, end or cross, the order of the edges does not change, and the areas are trapezoids. A
+// place is inside if its winding number is not 0. Each worker has one.
 class alignas(base::Memory::alignment) StrokeUnion {
 public:
     static constexpr std::int32_t most_side = 64; // the largest width and height of a tile, pixels
@@ -477,7 +480,7 @@ public:
         pieces_.reserve(512);
         breaks_.reserve(raster_tuning.most_breaks + 1);
     }
-    // Begins a tile. A place that several outlines cover belongs to the nearest one if `by_depth` is set, else to the
+    // Starts a tile. A place that several outlines cover belongs to the nearest one if `by_depth` is set, else to the
     // first one.
     void begin(std::int32_t width, std::int32_t height, bool by_depth) noexcept {
         HRBFNPR_ASSERT(width > 0 && width <= most_side && height > 0 && height <= most_side);
@@ -492,8 +495,8 @@ public:
         active_.clear();
         std::fill_n(first_, height, -1);
     }
-    // Edges beyond the tile's right side are left out; edges to the left of it stand at its left side.
-    // Throws Error{out_of_memory}.
+    // Adds the edges of an outline. Edges right of the tile are dropped; edges left of it move to its left side. Throws
+    // Error{out_of_memory}.
     void add(const Outline& outline, const Shade& shade) {
         if (outline.count == 0) return;
         if (shades_.empty() || !same_shade(shades_.back(), shade)) {
@@ -526,8 +529,8 @@ public:
     }
     [[nodiscard]] std::int32_t top() const noexcept { return top_; }
     [[nodiscard]] std::int32_t bottom() const noexcept { return bottom_; }
-    // Finds which pixels of a row are covered, and by which shades; returns the number of shades. Rows must be cut one
-    // after the other, from top() to bottom().
+    // Finds the shades of a row and the spans that they cover; returns the number of shades. Rows must be cut in order,
+    // from top() to bottom().
     std::int32_t cut(std::int32_t y) {
         HRBFNPR_ASSERT(y >= 0 && y < height_);
         spans_.clear();
@@ -539,7 +542,7 @@ public:
         std::sort(found_.begin(), found_.end());
         return static_cast<std::int32_t>(found_.size());
     }
-    // Writes how much of each pixel from `left` to `right` belongs to the row's i-th shade.
+    // Writes the share of each pixel from `left` to `right` that belongs to the row's i-th shade.
     const Shade& cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept {
         HRBFNPR_ASSERT(i >= 0 && i < found_.size());
         const std::int32_t shade = found_[i];
@@ -565,19 +568,19 @@ public:
     }
 
 private:
-    // An edge goes from its upper to its lower end.
+    // An edge, stored from its upper end to its lower end.
     struct Edge {
         double x, top, bottom, slope;
-        std::int32_t winding; // the winding number to the right of the edge less that to the left
+        std::int32_t winding; // winding number right of the edge minus the one left of it
         std::int32_t shade;
         std::int32_t next; // the next edge that begins in the same row; -1: none
     };
-    // The part of an edge in the row.
+    // The part of an edge in the current row.
     struct Piece {
         double upper, lower, x, slope; // x: at height 0 of the tile
-        double low, high;              // the least and the greatest x in the row
+        double low, high;              // the range of x in the row
         std::int32_t winding, shade;
-        double here; // x in the slab at hand
+        double here; // x in the current slab
         [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
     };
     // A trapezoid between two edges, from one height to another.
@@ -593,7 +596,7 @@ private:
     bool same_shade(const Shade& a, const Shade& b) const noexcept {
         return !by_depth_ && a.more_opacity == 0.0F && b.more_opacity == 0.0F && a.opacity == b.opacity;
     }
-    // Finds the parts of edges in a row. The list of active edges keeps those that go on below.
+    // Finds the parts of edges in a row. active_ keeps the edges that continue into the next row.
     void find_pieces(std::int32_t y) {
         const double top = static_cast<double>(y);
         for (std::int32_t e = first_[y]; e >= 0; e = edges_[e].next) active_.push_back(e);
@@ -630,7 +633,7 @@ private:
             }
         }
     }
-    // Finds the heights between which nothing begins, ends or crosses, in order.
+    // Finds the heights of the row at which edges begin, end or cross, in ascending order.
     void find_breaks(std::int32_t y) {
         breaks_.clear();
         for (const Piece& p : pieces_) {
@@ -645,7 +648,7 @@ private:
         }
         std::sort(breaks_.begin(), breaks_.end());
     }
-    // The shade that a place belongs to, of those that cover it.
+    // Chooses the shade that owns a place among the shades that cover it.
     std::int32_t owner(double x, double y) const noexcept {
         std::int32_t best = inside_[0];
         float nearest = 0.0F;
@@ -668,8 +671,8 @@ private:
         spans_.push_back({left.at(from), left.at(to), right.at(from), right.at(to), to - from, shade});
         if (std::find(found_.begin(), found_.end(), shade) == found_.end()) found_.push_back(shade);
     }
-    // Orders the pieces of a slab from left to right. They stand by their leftmost places, so that putting each into
-    // its place moves few others.
+    // Orders the pieces of a slab from left to right by insertion. They are sorted by their leftmost places already, so
+    // that an insertion moves few others.
     void find_order(double y) {
         order_.clear();
         for (std::int32_t number = 0; number < pieces_.size(); ++number) {
@@ -682,7 +685,7 @@ private:
             order_[k] = number;
         }
     }
-    // Passes an edge of an outline: its winding number changes.
+    // Updates the winding number of a shade when an edge of its outline is crossed.
     void turn(std::int32_t shade, std::int32_t by) {
         const bool was_inside = winding_[shade] != 0;
         winding_[shade] += by;
@@ -695,7 +698,7 @@ private:
         *std::find(inside_.begin(), inside_.end(), shade) = inside_.back();
         inside_.resize(inside_.size() - 1);
     }
-    // Adds the trapezoids between two heights where nothing begins, ends or crosses.
+    // Adds the trapezoids between two consecutive breaks.
     void add_slab(double from, double to) {
         const double middle = 0.5 * (from + to);
         find_order(middle);
@@ -711,17 +714,18 @@ private:
             left = &piece;
             whose = now;
         }
-        constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0, 1e9}; // edges there are left out
+        constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0, 1e9}; // add() drops edges right of the tile
         if (whose >= 0) add_span(*left, beyond, from, to, whose);
         for (const std::int32_t shade : inside_) winding_[shade] = 0;
     }
-    // Adds the area to the right of an edge that goes from x0 to x1 over a height, as steps whose sums are the pixels.
+    // Adds the area right of an edge that goes from x0 to x1 over `height`. steps_ holds differences of adjacent
+    // pixels.
     void add_edge(double x0, double x1, double height) noexcept {
         double low = std::min(x0, x1);
         double high = std::max(x0, x1);
         const double wide = static_cast<double>(width_);
         if (low >= wide) return;
-        const double scale = high > low ? height / (high - low) : 0.0; // height for each pixel
+        const double scale = high > low ? height / (high - low) : 0.0; // height per pixel of width
         if (high <= 0.0) {
             steps_[0] += height;
             return;
@@ -737,7 +741,7 @@ private:
         }
         const auto first = static_cast<std::int32_t>(low);
         const auto last = static_cast<std::int32_t>(high);
-        if (first == last || first + 1 >= width_ + 1) { // within a pixel: the mean to its right
+        if (first == last || first + 1 >= width_ + 1) { // within one pixel: the mean area to the right
             const double beyond = 0.5 * (low + high) - first;
             steps_[first] += height * (1.0 - beyond);
             steps_[first + 1] += height * beyond;
@@ -756,16 +760,16 @@ private:
     bool by_depth_ = false;
     base::Array<Edge> edges_;
     base::Array<Shade> shades_;
-    base::Array<std::int32_t> winding_; // the winding number of each shade's outlines around the place at hand
+    base::Array<std::int32_t> winding_; // the winding number of each shade's outlines at the current place
     std::int32_t first_[most_side];     // the first edge that begins in each row; -1: none
-    base::Array<std::int32_t> active_;  // edges that pass the row
+    base::Array<std::int32_t> active_;  // edges that cross the row
     base::Array<Piece> pieces_;
     base::Array<double> breaks_;
     base::Array<std::int32_t> order_;  // the numbers of the pieces in a slab, from left to right
-    base::Array<std::int32_t> inside_; // shades whose winding is not 0
+    base::Array<std::int32_t> inside_; // shades whose winding number is not 0
     base::Array<Span> spans_;
-    base::Array<std::int32_t> found_; // shades of the row
-    double steps_[most_side + 2];     // the cover of each pixel less that of the pixel to its left
+    base::Array<std::int32_t> found_; // the shades of the row
+    double steps_[most_side + 2];     // the cover of each pixel minus that of the pixel to its left
 };
 
 } // namespace hrbfnpr::output

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the rasteriser. tests/raster holds its strokes against exact areas of pixels; scripts/bench
-// frame measures its time.
+// The tuning constants of the rasteriser. tests/raster compares its strokes with exact pixel areas; scripts/bench frame
+// measures its time.
 #pragma once
 
 namespace hrbfnpr::output {
@@ -8,28 +8,29 @@ namespace hrbfnpr::output {
 struct RasterTuning {
     // ---- Outlines of strokes
 
-    // Points that are nearer to each other than this stand in one place, pixels.
+    // Points closer than this count as one, in pixels.
     double nowhere = 1e-6;
-    // An edge may lie off by this much, pixels. Larger: fewer edges, less exact.
+    // The greatest error of an edge, in pixels. Larger: fewer edges, less exact.
     double edge_tolerance = 0.0007;
-    // An arc's chords may lie off by this much, times their length where that is less than a pixel. Larger: fewer
-    // chords.
+    // The greatest error of an arc's chords, in pixels; it is multiplied by the chord's length if that is below a
+    // pixel. Larger: fewer chords.
     double arc_tolerance = 0.006;
     // The same for an arc of one chord, whose error is all on one side.
     double chord_tolerance = 0.0008;
-    // Both are multiplied by this where arcs may lie upon each other, since their errors add up.
+    // Both are multiplied by this where arcs may overlap, since their errors add up.
     double finer = 0.2;
-    // A quarter of a circle has at most two to this power chords.
+    // A quarter circle has at most two to the power of this many chords.
     int most_halvings = 6;
-    // Segments whose opacities differ by no more than this make one outline. Larger: fewer outlines, visible steps.
+    // Consecutive segments whose opacities differ by no more than this share an outline. Larger: fewer outlines,
+    // visible steps.
     float same_opacity = 1.0F / 1024.0F;
 
     // ---- Unions of outlines
 
-    // A row with more heights than this where edges begin, end or cross is cut into as many even slabs. Larger: more
-    // exact rows of very tangled strokes, more time.
+    // The largest number of breaks of a row, which are the heights where edges begin, end or cross. A row with more is
+    // cut into this many slabs of equal height. Larger: very tangled strokes are more exact, more time.
     int most_breaks = 256;
-    // Slabs that are less high than this are left out, pixels.
+    // Slabs lower than this are skipped, in pixels.
     double flat = 1e-12;
 };
 inline constexpr RasterTuning raster_tuning;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The pipeline from drawings to a file, which write_page.cpp puts together: lay_out turns a drawing into groups of
-// lines and dots on the page; filters take them in and hand them on, LineTypes cuts lines into dashes and PlotOrder
-// clips, joins, fills and sorts them for a pen (write_page.cpp, plot_lines.cpp, tour.cpp); a writer (writers.cpp) ends
-// it, which makes curves of lines for SVG and PDF or straight strokes of a pen for plotters (shapes.h).
+// The pipeline from drawings to a file, which write_page.cpp puts together. lay_out() turns a drawing into groups of
+// lines and dots on the page. Filters receive them and pass them on: line_types() cuts lines into dashes, and
+// plot_order() clips, joins, fills and sorts them for a pen (write_page.cpp, plot_lines.cpp, tour.cpp). A writer
+// (writers.cpp) is the last stage: it writes lines as curves for SVG and PDF, or as straight pen strokes for plotters
+// (shapes.h).
 //
-// This file has what goes along the pipeline, in millimetres from the page's top-left corner with y down.
+// This file declares the data that the stages exchange, in millimetres from the page's top-left corner with y down.
 #pragma once
 
 #include "base/memory.h"
@@ -23,19 +24,19 @@ namespace hrbfnpr::output {
 
 // ---- Data of formats
 
-// The numbers are those that the fields format, widths and dots of hrbfnpr_page_desc take.
+// The values equal those of the fields format, widths and dots of hrbfnpr_page_desc.
 enum class PageFormat : std::uint32_t { svg = 0, pdf = 1, hpgl = 2, gcode = 3 };
 enum class Widths : std::uint32_t { outlines = 0, classes = 1 };
 enum class DotShapes : std::uint32_t { circles = 0, lines = 1, spirals = 2 };
-// The numbers are those that hrbfnpr_pen.line_type takes; from 1 on they are those of ISO 128-2.
+// The values equal those of hrbfnpr_pen.line_type; from 1 on they are the line type numbers of ISO 128-2.
 enum class LineType : std::uint32_t { as_drawn = 0, continuous = 1, last = 15 };
 
-// Helvetica and Arial have capitals of this height, in sizes of the font.
+// The height of capitals in Helvetica and Arial, as a share of the font size.
 inline constexpr double capitals_of_size = 0.716;
-// A plotter's pen is this wide where no pen says it, mm.
+// The width of a plotter's pen if no pen gives one, mm.
 inline constexpr double plotter_pen = 0.3;
 
-// ---- What goes along
+// ---- What the stages exchange
 
 struct PagePoint {
     double x, y;
@@ -59,19 +60,19 @@ struct PagePoint {
 struct PagePath {
     std::span<const PagePoint> points; // two or more
     drawing::Cap begin = drawing::Cap::round, end = drawing::Cap::round;
-    bool closed = false;  // the last point stands where the first one does
-    double opacity = 1.0; // times the group's ink
+    bool closed = false;  // the last point repeats the first
+    double opacity = 1.0; // multiplies the alpha of the group's ink
 };
 
 struct PageDot {
     double x, y, radius;
-    double opacity; // times the group's ink
-    bool is_paper;  // it covers all that was drawn before
+    double opacity; // multiplies the alpha of the group's ink
+    bool is_paper;  // the dot has the paper's colour and hides what was drawn before it
 };
 
 struct PageText {
-    double x, y;   // where its first baseline begins
-    double height; // the height of its capitals
+    double x, y;   // the start of the first baseline
+    double height; // of its capitals
     const char* text;
 };
 
@@ -82,25 +83,26 @@ struct Frame {
     }
 };
 
-// A drawing on the page. Nothing beyond its frame is seen.
+// A drawing on the page, clipped to its frame.
 struct PageView {
     std::string_view name; // may be empty
     Frame frame;
     glm::vec4 paper{0.0F};
-    bool with_paper = true; // the frame is filled with it
+    bool with_paper = true; // fill the frame with the paper's colour
 };
 
-// Lines, dots or texts of one ink and one pen.
+// The attributes that lines, dots or texts share: one ink and one pen.
 struct PageGroup {
     static constexpr std::size_t most = 96;
     char name[most] = "";
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
-    double pen_width = 0.0; // the width of all its lines, mm; 0: each line has its own
-    std::uint32_t pen = 1;  // a plotter's
+    double pen_width = 0.0; // the width of all lines, mm; 0: each line has its own
+    std::uint32_t pen = 1;  // the number of a plotter's pen
     LineType line_type{};
 };
 
-// Takes in a page. Calls are nested: page { view { group { path, dot } } group { path, text } }.
+// A stage of the pipeline that receives a page. Calls are nested: page { view { group { path, dot } } group { path,
+// text } }.
 class PageSink {
 public:
     PageSink() = default;
@@ -118,7 +120,7 @@ public:
     virtual void finish() = 0;
 };
 
-// Hands all on to the next sink; filters override the calls that they change.
+// Passes every call on to the next sink; filters override the calls that they change.
 class PageFilter : public PageSink {
 public:
     explicit PageFilter(PageSink& next) noexcept : next_(next) {}
@@ -140,7 +142,7 @@ struct PageInfo {
     const char* title = nullptr;
     const char* description = nullptr;
     const char* metadata = nullptr;
-    const char* program = ""; // the version of what writes it
+    const char* program = ""; // the version of the program that writes the file
 };
 
 // Writers and filters count these.
@@ -158,10 +160,10 @@ struct ShapeSettings {
     Widths widths = Widths::outlines;
     DotShapes dots = DotShapes::circles;
     double tolerance = 0.05;  // mm
-    double width_step = 1.25; // from one class of widths to the next
+    double width_step = 1.25; // ratio of the widths of two consecutive classes
     bool fills = false;       // lines and dots wider than their pen are filled by several passes
 
-    // Circles that a pen fills are spirals.
+    // A dot that a pen must fill is drawn as a spiral instead of a circle.
     [[nodiscard]] DotShapes dots_of(double pen_width) const noexcept {
         return fills && dots == DotShapes::circles && pen_width > 0.0 ? DotShapes::spirals : dots;
     }
@@ -169,13 +171,13 @@ struct ShapeSettings {
 
 struct PenSpeeds {
     double draw = 30.0, travel = 80.0; // mm/s
-    double seconds = 0.15;             // to lower or to raise it
+    double seconds = 0.15;             // to lower or to raise the pen
 };
 
 struct PlotSettings {
-    double join = 0.0, shortest = 0.0, dot_distance = 0.0; // mm; 0: by the pen's width
+    double join = 0.0, shortest = 0.0, dot_distance = 0.0; // mm; 0: derived from the pen's width
     PenSpeeds speeds;
-    const char* pen_down = nullptr; // lines of G-code; NULL: its own
+    const char* pen_down = nullptr; // lines of G-code; NULL: the writer's own
     const char* pen_up = nullptr;
 };
 
@@ -183,42 +185,40 @@ struct PageSettings {
     PageFormat format = PageFormat::svg;
     bool in_plot_order = false;
     bool without_paper = false;
-    double width = 0.0, height = 0.0; // mm; 0: to where the drawings reach
+    double width = 0.0, height = 0.0; // mm; 0: large enough for the drawings
     ShapeSettings shapes;
     PlotSettings plot;
 
-    // A plotter's pen has a width and no opacity.
+    // Plotter pens have a width and no opacity.
     [[nodiscard]] bool for_plotter() const noexcept {
         return format == PageFormat::hpgl || format == PageFormat::gcode;
     }
 };
 
-// ---- Filters and writers; a filter hands on to the next sink, and both count their lines and dots
+// ---- Filters and writers; a filter passes on to the next sink, and both count their lines and dots
 
-// Cuts the lines of groups that have a line type into its dashes.
+// Cuts the lines of groups that have a line type into the dashes of that type.
 [[nodiscard]] std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next);
 
 class PenTrack;
-// Keeps a group until it ends; then, in this order: lines are clipped, joined, dropped if they are short, and filled if
-// they are wider than the pen; dots are dropped near to others; and all is handed on in the order of a tour. Texts are
-// handed on before.
-// settings: their size is the page's, and nothing is drawn beyond it. `track` counts the lines that are handed on;
-// NULL: the next sink counts them.
+// Clips the lines of a group and keeps them until the group ends. Then it joins them, drops short ones and fills those
+// that are wider than the pen; it drops dots that are too close to others; and it passes everything on in the order of
+// a tour. Texts are passed on immediately. Lines are clipped to the page size in `settings`. `track` counts the lines
+// that are passed on; if it is NULL, the next sink counts them.
 [[nodiscard]] std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
                                                    PageCounts& counts, PenTrack* track, const base::Progress& progress);
 
-// The writers: SVG 1.1 with Inkscape's layers; PDF 1.5 whose groups are optional content; HPGL as HP's 7400 series of
-// plotters reads it, or G-code [ISO 6983-1], by settings.format.
-// A writer refers to all that it is given.
+// The writer for settings.format: SVG 1.1 with Inkscape's layers, PDF 1.5 whose groups are optional content, HPGL for
+// HP's 7400 series of plotters, or G-code [ISO 6983-1]. It keeps references to all its arguments.
 [[nodiscard]] std::unique_ptr<PageSink> make_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
                                                     const PageSettings& settings, PageCounts& counts);
 
-// ---- Looks for a cancel
+// ---- Cancellation
 
-// Looks for a cancel, and calls the caller's callback without more progress.
+// Checks for cancellation: calls the caller's callback without reporting more progress.
 inline void look(const base::Progress& progress) { progress.update(0.0); }
 
-// Looks each time that a number of steps were counted.
+// Checks for cancellation each time that `steps` steps were counted.
 class Looks {
 public:
     Looks(const base::Progress& progress, std::int64_t steps) noexcept : progress_(progress), steps_(steps) {
@@ -240,15 +240,15 @@ private:
 struct Placement {
     const drawing::Drawing* drawing = nullptr;
     std::string_view name;
-    double x = 0.0, y = 0.0;    // where the viewport's top-left corner is on the page, mm
+    double x = 0.0, y = 0.0;    // the position of the viewport's top-left corner on the page, mm
     double scale = 25.4 / 96.0; // mm per pixel
-    bool with_paper = true;     // else the page has the same
-    bool far_to_near = true;    // where inks of several colours lie upon each other; else groups are whole
+    bool with_paper = true;     // else the page has the paper
+    bool far_to_near = true;    // keep this order where inks of several colours overlap; else each colour is one group
 };
 
-// A pen for the groups whose name it has.
+// A pen for the groups whose names match.
 struct Pen {
-    std::string_view groups; // a name, the beginning of one before a '*', or nothing: all
+    std::string_view groups; // a name, a prefix before a '*', or empty: all groups
     double width = 0.0;      // mm; 0: as drawn
     glm::vec4 ink{0.0F};     // alpha 0: as drawn
     std::uint32_t number = 1;
@@ -257,29 +257,29 @@ struct Pen {
 
 // ---- Drawings to groups
 
-// Hands a drawing's ink on, group by group, strokes far to near; groups begin anew where far to near must be kept.
-// Strokes whose opacity changes are cut into parts of an even one.
+// Passes a drawing's ink on group by group, strokes from far to near. A new run of groups begins where the order from
+// far to near would be lost otherwise. A stroke whose opacity changes is cut into parts of constant opacity.
 void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
              const base::Progress& progress);
 
-// A line or a text beside the drawings.
+// A line or a text in addition to the drawings.
 struct Annotation {
     std::string_view group;
     const char* text = nullptr;     // NULL: a line
-    std::span<const double> points; // x and y of each, mm; for a text, where its baseline begins
+    std::span<const double> points; // x and y of each point, mm; for a text, the start of the baseline
     double width = 0.35;
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
     LineType line_type = LineType::continuous;
 };
 
 struct Page {
-    PageInfo info; // its size is found
+    PageInfo info; // write_page() computes its width and height
     std::span<const Placement> placements;
     std::span<const Pen> pens;
     std::span<const Annotation> annotations;
 };
 
-// The page's size, mm.
+// The page's size, mm, with computed values where the settings have 0.
 [[nodiscard]] glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept;
 
 PageCounts write_page(const base::Work& work, const Page& page, const PageSettings& settings, io::Writer& writer);

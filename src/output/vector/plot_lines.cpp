@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of sorting a group's lines:
-// 1. join_lines: ends are paired in the order of what going on from one to the other costs, and chains of pairs become
-//    lines.
+// 1. join_lines pairs ends in the order of the cost of joining them, and makes one line of each chain of pairs.
 // 2. fill_lines, for each line wider than its pen:
-//    a. find_nodes: places along the centre of a line, and how far to either side of each the pen may go.
-//    b. find_passes: tracks at even distances from the centre, each where the line reaches far enough for it.
-//    c. link_passes: passes whose ends are near to each other become one line.
+//    a. find_nodes computes places along the centre line, and how far to either side the pen may go at each.
+//    b. find_passes makes evenly spaced tracks parallel to the centre line, each where the line is wide enough.
+//    c. link_passes joins passes whose ends are near each other into one line.
 #include "output/vector/plot_lines.h"
 
 #include "geometry/point_tree.h"
@@ -26,10 +25,10 @@ using glm::dvec2;
 // ---- Joining
 
 struct End {
-    dvec2 place, outward; // the direction out of the line
+    dvec2 place, outward; // outward: the direction out of the line
 };
 
-// The line goes the way from a place one width along it to its end: nearer points say little of it.
+// The outward direction is measured over at least one width of the line, since nearer points are unreliable.
 dvec2 outward_of(std::span<const PagePoint> points, bool at_end, double width) noexcept {
     const std::size_t count = points.size();
     const dvec2 end = place_of(at_end ? points[count - 1] : points[0]);
@@ -42,7 +41,7 @@ dvec2 outward_of(std::span<const PagePoint> points, bool at_end, double width) n
     return length > 0.0 ? way / length : dvec2(0.0);
 }
 
-// Ends 2 i and 2 i + 1 are where line i begins and ends.
+// Ends 2 i and 2 i + 1 are the begin and end of line i.
 base::Array<End> ends_of(const PlotLines& lines, const base::Progress& progress) {
     base::Array<End> ends(lines.points.memory());
     ends.reserve(2 * lines.lines.size());
@@ -61,7 +60,7 @@ struct EndPair {
     std::int32_t a, b; // ends, the lower number first
 };
 
-// What going on from end a of a line at end b of another one costs; -1: they are not joined.
+// The cost of joining end a of a line to end b of another one; -1: they must not be joined.
 double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const End& b, double most) noexcept {
     const double distance = glm::distance(a.place, b.place);
     if (distance > most) return -1.0;
@@ -75,12 +74,12 @@ double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const 
     return distance / most + turn / plot_tuning.sharpest_join;
 }
 
-// The pairs that may be joined, cheapest first. Notes lines that go on as a line of another opacity.
+// Returns the pairs that may be joined, cheapest first. Sets goes_on for lines that another opacity continues.
 base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity, const base::Progress& progress) {
     const base::Array<End> ends = ends_of(lines, progress);
     base::Memory& memory = lines.points.memory();
     geometry::VecArray places(memory);
-    base::Array<std::int32_t> free(memory); // ends of lines that are not closed
+    base::Array<std::int32_t> free(memory); // the ends of open lines
     Looks looks(progress, steps_a_look);
     for (std::int32_t end = 0; end < ends.size(); ++end) {
         looks.count();
@@ -96,7 +95,7 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
         const std::int32_t a = free[tree.index(at)];
         PlotLine& line = lines.lines[a / 2];
         const double reach = given > 0.0 ? given : line.width;
-        std::array<std::int64_t, plot_tuning.most_near + 1> near; // the end itself is one of them
+        std::array<std::int64_t, plot_tuning.most_near + 1> near; // the end itself is among them
         const std::int64_t count =
             tree.nearest(tree.points()[at], plot_tuning.most_near + 1, any, any, near.data(), reach);
         for (std::int64_t i = 0; i < count; ++i) {
@@ -104,7 +103,7 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
             if (!(glm::distance(ends[a].place, ends[b].place) < reach)) break;
             if (b == a || (a / 2 == b / 2 && line.count < 3)) continue;
             const PlotLine& other = lines.lines[b / 2];
-            // A pair is found from both of its ends, or from the one that has the fewer neighbours.
+            // A pair is found from both of its ends, or only from the end that has fewer neighbours.
             const double cost =
                 cost_of(line, other, ends[a], ends[b], given > 0.0 ? given : std::min(line.width, other.width));
             if (cost < 0.0) continue;
@@ -128,14 +127,14 @@ struct EndPairing {
     std::int64_t joins = 0;
 };
 
-// Takes each pair whose ends are free, unless it would close a short ring.
+// Accepts each pair whose ends are still free, unless it would close a short ring.
 EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pairs, const base::Progress& progress) {
     base::Memory& memory = lines.points.memory();
     const auto count = static_cast<std::int32_t>(lines.lines.size());
     EndPairing result{base::Array<std::int32_t>(memory, 2 * std::int64_t{count})};
     std::fill(result.partner.begin(), result.partner.end(), -1);
     base::Array<std::int32_t> chain(memory, count); // for each line, another line of its chain, or the line itself
-    base::Array<double> length(memory, count);      // the length of each chain, mm, at the line that `chain` leads to
+    base::Array<double> length(memory, count);      // the length of each chain, mm, stored at the chain's root
     Looks looks(progress, steps_a_look);
     for (std::int32_t i = 0; i < count; ++i) {
         looks.count();
@@ -167,23 +166,24 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
 
 struct Node {
     dvec2 place, normal; // unit, to the left
-    double reach;        // how far to either side the pen's middle may go
-    double at;           // along the line
+    double reach;        // how far the pen's centre may go to either side
+    double at;           // position along the line
 };
 
-// One pass, between two places on one side of the line.
+// One pass: a range along the line, on one side of it.
 struct Pass {
     std::int64_t first, count; // its points
-    double begin, end;         // along the line
+    double begin, end;         // positions along the line
     bool used;
 };
 
-// The pass on one side, at a level from the centre, where the line reaches farther than the next track inside covers.
+// A pass parallel to the centre, `level` from it on one side. It exists where the line reaches farther than `least`,
+// the reach that the next track inside covers.
 struct Track {
     double side, level, least;
 };
 
-// A line that is filled, and working memory.
+// A line that is being filled, and working memory.
 struct Filling {
     explicit Filling(base::Memory& memory) noexcept : nodes(memory), turned(memory), points(memory), passes(memory) {}
 
@@ -204,7 +204,7 @@ Node between(const Node& a, const Node& b, double t) noexcept {
             a.at + t * (b.at - a.at)};
 }
 
-// A closed line begins where it is narrow, so that few passes go on there.
+// A closed line starts where it is narrow, so that few passes cross its start.
 void begin_where_narrow(Filling& f) {
     f.nodes.back().place = f.nodes[0].place;
     const std::int64_t last = f.nodes.size() - 1;
@@ -221,7 +221,7 @@ void begin_where_narrow(Filling& f) {
     std::swap(f.nodes, f.turned);
 }
 
-// Cuts half of the pen off the line from its first node on.
+// Shortens the line by half of the pen's width at its first node.
 void shorten(Filling& f) {
     const double begin = f.nodes[0].at, cut = 0.5 * f.pen;
     const auto way = [&](const Node& node) { return std::abs(node.at - begin); };
@@ -234,7 +234,7 @@ void shorten(Filling& f) {
     f.nodes.resize(f.nodes.size() - (i - 1));
 }
 
-// The pen, which is round, ends where the line does.
+// Extends or shortens an end so that the round pen stops where the line's cap ends.
 void add_cap(Filling& f, Cap cap, bool at_end) {
     if (at_end) std::reverse(f.nodes.begin(), f.nodes.end());
     const double reach = f.nodes[0].reach, least = 1e-3 * f.pen;
@@ -262,7 +262,7 @@ void add_cap(Filling& f, Cap cap, bool at_end) {
     if (at_end) std::reverse(f.nodes.begin(), f.nodes.end());
 }
 
-// Where the line turns much, several nodes stand in one place.
+// Computes the normals. A sharp turn gets several nodes at one place.
 void find_normals(Filling& f) {
     f.turned.clear();
     const std::int64_t last = f.nodes.size() - 1;
@@ -296,7 +296,7 @@ void find_nodes(Filling& f, std::span<const PagePoint> points, const PlotLine& l
             f.nodes.push_back({place_of(p), dvec2(0.0), reach, f.nodes.empty() ? 0.0 : f.nodes.back().at + way});
     }
     f.closed = line.closed && f.nodes.size() > 3;
-    if (f.nodes.size() == 1) { // a disc, if its ends are round
+    if (f.nodes.size() == 1) { // a disc, if the ends are round
         Node other = f.nodes[0];
         other.place.x += plot_tuning.nowhere;
         other.at += plot_tuning.nowhere;
@@ -325,7 +325,7 @@ void add_pass(Filling& f, const Track& track, double begin, double end) {
         const double way = b.at - a.at;
         const auto share = [&](double place) { return way > 0.0 ? (place - a.at) / way : 0.0; };
         if (f.points.size() == pass.first) put(between(a, b, std::max(share(begin), 0.0)));
-        // There is a corner where the side of the line comes nearer to the centre than the level, or leaves it.
+        // The pass has a corner where the line's side crosses the level.
         const double kink = a.reach != b.reach ? (track.level - a.reach) / (b.reach - a.reach) : -1.0;
         if (kink > 0.0 && kink < 1.0 && a.at + kink * way > begin && a.at + kink * way < end) put(between(a, b, kink));
         put(between(a, b, b.at > end ? share(end) : 1.0));
@@ -334,9 +334,9 @@ void add_pass(Filling& f, const Track& track, double begin, double end) {
     if (pass.count > 1) f.passes.push_back(pass);
 }
 
-// Adds the runs of nodes that reach far enough; runs near to each other are one.
+// Adds a pass for each run of nodes that reach far enough; runs with short gaps between them are merged.
 void add_track(Filling& f, const Track& track) {
-    double begin = 0.0, end = -1.0; // where the pass at hand begins and ends along the line, mm
+    double begin = 0.0, end = -1.0; // the range of the current pass along the line, mm
     bool open = false;
     const auto close = [&] {
         if (open && (end - begin >= plot_tuning.shortest_pass * f.pen || track.least < 0.0))
@@ -360,8 +360,8 @@ void add_track(Filling& f, const Track& track) {
     close();
 }
 
-// Adds the passes from one side to the other. They are laid in pairs on either side of the centre, half a spacing from
-// it, where this is shorter than one along the centre and pairs beside it.
+// Adds the passes from one side to the other. The innermost two lie half a spacing on either side of the centre if this
+// is shorter in total than one pass along the centre with pairs beside it.
 void find_passes(Filling& f) {
     f.points.clear();
     f.passes.clear();
@@ -377,7 +377,7 @@ void find_passes(Filling& f) {
         pairs += way * (reach > least ? 2.0 + 2.0 * steps(reach - 0.5 * spacing) : 1.0);
     }
     const bool in_pairs = pairs < single;
-    const double first = in_pairs ? 0.5 * spacing : spacing; // level beside the centre
+    const double first = in_pairs ? 0.5 * spacing : spacing; // level of the first pair beside the centre
     const auto levels = static_cast<int>(std::max(0.0, std::ceil((most - least - first) / spacing))) + 1;
     const auto level = [&](int i) { return first + spacing * (i - 1); };
     const auto inside = [&](int i) { return (i > 1 ? level(i - 1) : 0.0) + least; };
@@ -386,7 +386,7 @@ void find_passes(Filling& f) {
     for (int i = 1; i <= levels; ++i) add_track(f, {1.0, level(i), in_pairs && i == 1 ? -1.0 : inside(i)});
 }
 
-// The pass whose end the pen can go on to without leaving the line, or -1.
+// Returns the nearest pass that the pen can continue with without leaving the line, or -1.
 std::int64_t nearest_pass(const Filling& f, const dvec2& from, double at, bool& reversed) noexcept {
     double least = plot_tuning.longest_link * f.pen;
     std::int64_t found = -1;
@@ -439,7 +439,7 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
     const EndPairing pairing = choose_pairs(lines, find_pairs(lines, distance, any_opacity, progress), progress);
     PlotLines joined(lines.points.memory());
     joined.points.reserve(lines.points.size());
-    PlotLine chain; // the one that is followed
+    PlotLine chain; // the joined line that is being built
     double length = 0.0, ink = 0.0;
     Looks looks(progress, steps_a_look);
     const auto enter = [&](std::int32_t end) {
@@ -447,7 +447,7 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
         const PlotLine& line = lines.lines[end / 2];
         const bool reversed = end % 2 != 0;
         const std::int64_t before = joined.points.size();
-        if (chain.count == 0) { // it begins
+        if (chain.count == 0) { // the chain starts
             chain = line;
             chain.first = before;
             chain.begin = reversed ? line.end : line.begin;
@@ -466,7 +466,7 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
         chain.end = reversed ? line.begin : line.end;
     };
     const auto leave = [&](bool ring) {
-        if (length > 0.0) chain.opacity = ink / length; // the mean
+        if (length > 0.0) chain.opacity = ink / length; // the mean, weighted by length
         if (ring) {
             const PagePoint first = joined.points[chain.first];
             if (place_of(joined.points.back()) != place_of(first)) joined.points.push_back(first);
@@ -502,7 +502,7 @@ std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress
         find_nodes(f, points, line);
         double most = 0.0;
         for (const Node& node : f.nodes) most = std::max(most, node.reach);
-        // Each pass may stray by the tolerance from its place.
+        // Each pass may deviate from its place by the tolerance.
         f.spacing =
             std::max(std::clamp(f.pen - tolerance, plot_tuning.least_spacing * f.pen, plot_tuning.most_spacing * f.pen),
                      2.0 * most / plot_tuning.most_passes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines of a group that waits to be sorted, and the steps of sorting: ends that meet are joined, lines wider than their
-// pen are filled by several passes, and a tour goes through all.
+// The lines of a group that is to be sorted, and the steps of sorting: ends that meet are joined, lines wider than
+// their pen are filled by several passes, and a tour visits all lines.
 #pragma once
 
 #include "output/vector/page.h"
@@ -9,11 +9,11 @@ namespace hrbfnpr::output {
 
 struct PlotLine {
     std::int64_t first = 0, count = 0; // the range of its points in PlotLines::points
-    double width = 0.0;                // the pen's, mm
+    double width = 0.0;                // the width of the pen, mm
     double opacity = 1.0;
     drawing::Cap begin = drawing::Cap::round, end = drawing::Cap::round;
     bool closed = false;
-    bool goes_on = false; // a line of another opacity begins where it ends
+    bool goes_on = false; // a line of another opacity starts at its end
 };
 
 struct PlotLines {
@@ -30,7 +30,7 @@ struct PlotLines {
     [[nodiscard]] PagePath path_of(const PlotLine& line) const noexcept {
         return {points_of(line), line.begin, line.end, line.closed, line.opacity};
     }
-    // Adds a line like another one through these points.
+    // Adds a line through these points; `line` gives its other attributes.
     void add(PlotLine line, std::span<const PagePoint> its) {
         line.first = points.size();
         line.count = static_cast<std::int64_t>(its.size());
@@ -42,32 +42,31 @@ struct PlotLines {
     base::Array<PlotLine> lines;
 };
 
-// Replaces the lines by joined ones, in the order of the first of each, and returns the number of joins. An end takes
-// the other end that it goes on into best: near, and without a turn. Ends of neighbouring rows of hatching point alike,
-// so that they are never joined into a zigzag.
-// distance: the most between ends, mm; 0: the thinner line's width. any_opacity: else lines of different opacities stay
-// apart.
+// Joins lines at their ends and returns the number of joins. The result is ordered by the first line of each joined
+// one. An end is joined to the end that continues it best: a near one, without a turn. Lines of hatching in adjacent
+// rows point the same way, so their ends are never joined into a zigzag. distance: the greatest distance between joined
+// ends, mm; 0: the thinner line's width. any_opacity: false keeps lines of different opacities apart.
 std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, const base::Progress& progress);
 
-// Whether there is room for another pass.
+// Whether the line is wide enough for more than one pass of the pen.
 [[nodiscard]] bool is_wider_than(double pen, std::span<const PagePoint> points) noexcept;
-// Replaces lines that are wider than their pen by lines that are as wide as it, and returns how many they were. The pen
-// goes along the line at even distances, and along its sides; each pass is only where the line is wide enough. Passes
-// whose ends are near to each other become one line, drawn to and fro.
+// Replaces lines that are wider than their pen by lines of the pen's width, and returns the number of lines replaced.
+// The passes are evenly spaced along the line, and two follow its sides; each pass exists only where the line is wide
+// enough. Passes whose ends are close become one line, drawn to and fro.
 std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress& progress);
 
-// A line that is drawn one way or the other, a closed one that begins at any of its points, or a dot: one point.
+// A stop of a tour: an open line that may be drawn either way, a closed line that may start at any point, or a dot (one
+// point).
 struct Stop {
     std::span<const PagePoint> points;
-    bool closed = false; // the last point stands where the first one does
+    bool closed = false; // the last point repeats the first
 };
 struct Leg {
     std::int32_t stop = 0;
-    std::int32_t start = 0; // the point that a closed one begins at
+    std::int32_t start = 0; // the point at which a closed line is started
     bool reversed = false;
 };
-// The order in which a pen goes through all stops from a place, so that it travels little between them; it ends
-// anywhere.
+// Finds a short tour of the pen through all stops. It starts at `from` and may end anywhere.
 [[nodiscard]] base::Array<Leg> find_tour(base::Memory& memory, std::span<const Stop> stops, const glm::dvec2& from,
                                          const base::Progress& progress);
 

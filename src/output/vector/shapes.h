@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A line becomes in SVG and PDF a filled outline, or one or more lines of an even width, made of Bezier curves; for a
-// plotter it becomes straight lines within the tolerance of it, and the time that the pen takes is counted.
+// For SVG and PDF a line becomes a filled outline, or one or more lines of constant width, made of Bezier curves. For a
+// plotter it becomes straight lines within the tolerance, and the time of the pen is counted.
 #pragma once
 
 #include "output/vector/page.h"
@@ -12,8 +12,8 @@
 
 namespace hrbfnpr::output {
 
-// What shapes are written to: between begin and end come curves. Filled ones are closed; they may overlap, and the
-// nonzero rule fills them. Joins of lines are round.
+// Receives shapes; curves are added between begin and end. Filled shapes are closed; they may overlap, and the nonzero
+// rule fills them. Joins of lines are round.
 class ShapeSink {
 public:
     ShapeSink() = default;
@@ -21,7 +21,7 @@ public:
     ShapeSink& operator=(const ShapeSink&) = delete;
     virtual ~ShapeSink() = default;
     virtual void begin_fill(double opacity) = 0;
-    virtual void begin_line(double width, drawing::Cap cap, double opacity) = 0; // round or flat at both ends
+    virtual void begin_line(double width, drawing::Cap cap, double opacity) = 0; // both ends are round or both are flat
     virtual void move_to(const glm::dvec2& p) = 0;
     virtual void line_to(const glm::dvec2& p) = 0;
     virtual void curve_to(const geometry::Cubic& cubic) = 0;
@@ -48,7 +48,7 @@ inline int class_of(double radius, double step) noexcept {
     return static_cast<int>(std::floor(number + 0.5));
 }
 
-inline constexpr double quarter = 0.5522847498307936; // handle of a Bezier curve for a quarter of a unit circle
+inline constexpr double quarter = 0.5522847498307936; // length of the Bezier handles for a quarter of a unit circle
 
 inline glm::dvec2 along(const PagePoint& a, const PagePoint& b) noexcept {
     return glm::normalize(place_of(b) - place_of(a));
@@ -60,12 +60,12 @@ inline bool turns_sharply(const PagePoint& a, const PagePoint& b, const PagePoin
     const double cosine = glm::dot(before, after);
     if (cosine < shape_tuning.sharp_cosine) return true;
     const double sine = std::abs(before.x * after.y - before.y * after.x);
-    const double reach = b.radius * sine / (1.0 + cosine); // the inner side is this much shorter
+    const double reach = b.radius * sine / (1.0 + cosine); // the turn shortens the inner side by this
     const double shorter = std::min(glm::distance(place_of(a), place_of(b)), glm::distance(place_of(b), place_of(c)));
     return 2.0 * reach > (1.0 - shape_tuning.left_inside) * shorter;
 }
 
-// From the corner on the left of the direction `out` to the one on its right.
+// Adds an end from the corner on the left of the direction `out` to the corner on its right.
 inline void add_cap(const PagePoint& p, const glm::dvec2& out, drawing::Cap cap, ShapeSink& sink) {
     const glm::dvec2 centre = place_of(p), from = left_of(out);
     const double r = p.radius;
@@ -75,27 +75,27 @@ inline void add_cap(const PagePoint& p, const glm::dvec2& out, drawing::Cap cap,
     sink.curve_to({centre + r * (out - quarter * from), centre + r * (quarter * out - from), centre - r * from});
 }
 
-// Adds the points of a spiral by which a pen of this width fills a disc, from its middle outward.
+// Adds the points of a spiral, from the centre outward, with which a pen of this width fills a disc.
 inline void add_spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<glm::dvec2>& points) {
     constexpr double turn = 2.0 * std::numbers::pi;
     HRBFNPR_ASSERT(tolerance > 0.0);
     points.push_back({dot.x, dot.y});
     const double outer = dot.radius - 0.5 * pen_width;
     if (!(outer > 0.0)) return;
-    const double chord = std::clamp(std::sqrt(8.0 * tolerance / outer), 0.1, 0.8); // its angle
-    // The growth of the radius for each radian is bounded, as a pen may be as thin as a double can tell.
+    const double chord = std::clamp(std::sqrt(8.0 * tolerance / outer), 0.1, 0.8); // the angle of a chord
+    // The radius grows at least this much with each radian, since the pen's width may be arbitrarily small.
     const double pitch = std::max(plot_tuning.spiral_pitch * pen_width, outer / plot_tuning.most_turns) / turn;
     const auto add = [&](double angle, double radius) {
         points.push_back({dot.x + radius * std::cos(angle), dot.y + radius * std::sin(angle)});
     };
     double angle = 0.0;
     for (; pitch * angle < outer; angle += chord) add(angle, pitch * angle);
-    for (double rest = 0.0; rest < turn + chord; rest += chord) add(angle + rest, outer); // and once round
+    for (double rest = 0.0; rest < turn + chord; rest += chord) add(angle + rest, outer); // a last full turn at the rim
 }
 
 // ---- Lines of SVG and PDF
 
-// It holds working memory.
+// Turns lines and dots into shapes. It holds working memory.
 class Shapes {
 public:
     Shapes(base::Memory& memory, const ShapeSettings& settings) noexcept
@@ -116,7 +116,7 @@ public:
             sink.end_shape();
         }
     }
-    // The dot is a line of zero length with round ends, or a spiral of a pen's lines; circles are the writers' own.
+    // Draws the dot as a line of zero length with round ends, or as a spiral; writers draw circles themselves.
     void shape(const PageDot& dot, const PageGroup& group, ShapeSink& sink) {
         const double pen = group.pen_width > 0.0 ? group.pen_width : 2.0 * dot.radius;
         line_.clear();
@@ -132,10 +132,10 @@ public:
         }
         sink.end_shape();
     }
-    // The line as a filled outline whose sides are curves within the tolerance of it. Where it turns by more than 30
-    // degrees, or more sharply than its width allows, it is cut in two with round ends, which overlap.
+    // Draws the line as a filled outline whose sides are curves within the tolerance. Where the line turns by more than
+    // 30 degrees, or more sharply than its width allows, it is cut in two parts with round ends that overlap.
     void outline(const PagePath& path, ShapeSink& sink) {
-        part_.clear(); // the points that are apart; of those that are not it has the widest
+        part_.clear(); // without coincident points; the widest of these is kept
         for (const PagePoint& p : path.points) {
             if (!part_.empty() && std::hypot(p.x - part_.back().x, p.y - part_.back().y) <= plot_tuning.nowhere)
                 part_.back().radius = std::max(part_.back().radius, p.radius);
@@ -157,7 +157,7 @@ public:
         const auto is_cut = [&](std::int64_t i) {
             return turns_sharply(part_[i > 0 ? i - 1 : last - 1], part_[i], part_[i + 1]);
         };
-        if (closed) { // it begins at its first cut
+        if (closed) { // start at the first cut
             std::int64_t cut = 0;
             while (cut < last && !is_cut(cut)) ++cut;
             if (cut == last) {
@@ -192,7 +192,7 @@ private:
         line_.clear();
         for (const PagePoint& p : points) line_.push_back(place_of(p));
         const std::span<const geometry::Cubic> cubics = fit_.fit(line_.span(), settings_.tolerance, path.closed);
-        if (cubics.empty() && cap == drawing::Cap::flat) return; // nothing is seen of it
+        if (cubics.empty() && cap == drawing::Cap::flat) return; // such a line is invisible
         sink.begin_line(width, cap, path.opacity);
         sink.move_to(path.closed && !cubics.empty() ? cubics.back().end : line_[0]);
         for (const geometry::Cubic& cubic : cubics) sink.curve_to(cubic);
@@ -200,7 +200,7 @@ private:
         if (path.closed && !cubics.empty()) sink.close();
         sink.end_shape();
     }
-    // Each part has the width of its class; where it ends the line's width is midway between two classes.
+    // Draws each part of the line in the width of its class. Parts meet where the width is midway between two classes.
     void add_classes(const PagePath& path, ShapeSink& sink) {
         const double width_step = settings_.width_step;
         PagePath part = path;
@@ -230,7 +230,7 @@ private:
         }
         emit(current);
     }
-    // Consecutive segments meet on the line that halves their angle.
+    // Computes the corners of both sides. Consecutive segments meet on the bisector of their angle.
     void find_sides(std::span<const PagePoint> points, bool ring) {
         HRBFNPR_ASSERT(points.size() > 1);
         sides_.clear();
@@ -247,7 +247,7 @@ private:
             sides_.push_back({place_of(p) + across, place_of(p) - across});
         }
     }
-    // Adds the left side from its beginning, or the right one from its end. The pen stands where it begins.
+    // Adds the left side forwards, or the right side backwards. The sink's current point is the start of the side.
     void add_side(bool left, bool closed, ShapeSink& sink) {
         line_.clear();
         const std::int64_t count = sides_.size();
@@ -277,12 +277,12 @@ private:
 
 // ---- The way of a pen
 
-// The lines that a pen goes along. It holds working memory; its result is valid until the next call.
+// Makes the lines that a pen draws. It holds working memory; a result is valid until the next call.
 class PenLines {
 public:
     explicit PenLines(base::Memory& memory) noexcept : places_(memory), line_(memory), keeps_(memory) {}
 
-    // The fewest of the path's points from which no part of it is farther than the tolerance.
+    // Returns the fewest points of the path that keep it within the tolerance.
     std::span<const glm::dvec2> line(const PagePath& path, double tolerance) {
         places_.clear();
         for (const PagePoint& p : path.points) places_.push_back(place_of(p));
@@ -292,8 +292,8 @@ public:
             if (keeps_[i] != 0) line_.push_back(places_[i]);
         return line_.span();
     }
-    // A circle within the dot's rim that begins nearest to `from`, a spiral, or a point where the dot is no wider than
-    // the pen.
+    // Returns a circle just inside the dot's rim that starts near `from`, a spiral, or one point if the dot is no wider
+    // than the pen.
     std::span<const glm::dvec2> line(const PageDot& dot, double pen, const ShapeSettings& settings,
                                      const glm::dvec2& from) {
         line_.clear();
@@ -322,14 +322,14 @@ private:
     base::Array<std::uint8_t> keeps_;
 };
 
-// Adds up the way of a pen, which begins raised in a corner.
+// Adds up the distances and the time of a pen, which starts raised at `from`.
 class PenTrack {
 public:
     PenTrack(PageCounts& counts, const PenSpeeds& speeds, const glm::dvec2& from) noexcept
         : counts_(counts), speeds_(speeds), place_(from) {}
 
     [[nodiscard]] const glm::dvec2& place() const noexcept { return place_; }
-    // Goes there raised, unless it is there.
+    // Moves the raised pen. Does nothing if the pen is there already.
     void travel(const glm::dvec2& to) noexcept {
         const double way = glm::distance(place_, to);
         if (way == 0.0) return;
@@ -339,7 +339,7 @@ public:
         is_down_ = false;
     }
     void raise() noexcept { is_down_ = false; }
-    // Goes there lowered, also to where it is.
+    // Moves the lowered pen, also by a distance of 0.
     void draw(const glm::dvec2& to) noexcept {
         const double way = glm::distance(place_, to);
         if (!is_down_) counts_.seconds += 2.0 * speeds_.seconds;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text to a stream, a buffer at a time; numbers alike in every locale.
+// Buffered text output to a stream; numbers do not depend on the locale.
 #pragma once
 
 #include "io/stream.h"
@@ -14,9 +14,9 @@
 
 namespace hrbfnpr::output {
 
-inline constexpr double most_thousandths = 1e15; // a double tells thousandths apart up to here
+inline constexpr double most_thousandths = 1e15; // doubles resolve thousandths up to here
 
-// To thousandths of a millimetre, the unit of all that is written.
+// Rounds to thousandths of a millimetre, the unit of all output.
 [[nodiscard]] inline std::int64_t in_thousandths(double number) noexcept {
     return static_cast<std::int64_t>(
         std::floor(std::clamp(1000.0 * number, -most_thousandths, most_thousandths) + 0.5));
@@ -41,7 +41,7 @@ public:
         char digits[24];
         return *this << until(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
     }
-    // Writes a number of thousandths, without zeros at its end.
+    // Writes a number of thousandths without trailing zeros.
     TextOut& thousandths(std::int64_t number) {
         char digits[32];
         char* end = digits;
@@ -63,7 +63,7 @@ public:
     TextOut& precise(double number) {
         char digits[64];
         const double known = std::clamp(number, -most_thousandths, most_thousandths);
-#if defined(__EMSCRIPTEN__) // its library cannot write doubles this way, and has one locale only
+#if defined(__EMSCRIPTEN__) // its std::to_chars cannot write doubles this way, and it has only one locale
         return *this << std::string_view(digits,
                                          static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.9f", known)));
 #else

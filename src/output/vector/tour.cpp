@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A tour of 2 n cities, the ends of n stops, whose two are always neighbours [Johnson and McGeoch 1997, "The traveling
-// salesman problem: a case study in local optimization"]:
-// 1. go_greedily: from the pen to the nearest end, from that stop's other end to the next nearest, and so on.
-// 2. improve: 2-opt and Or-opt moves that link a node to one of its neighbours, until none makes the tour shorter.
-// 3. kick: the same after small random changes, which are kept if they gain.
-// 4. turn_closed: each closed line begins where the way to it and from it is shortest; then again from 2.
+// Finds a short tour through the 2 n ends of n stops, in which the two ends of a stop are always adjacent [Johnson and
+// McGeoch 1997, "The traveling salesman problem: a case study in local optimization"]:
+// 1. go_greedily starts at the pen and goes to the nearest end, then from that stop's other end to the next nearest.
+// 2. improve makes 2-opt and Or-opt moves that link a node to one of its neighbours, until none shortens the tour.
+// 3. kick does the same after small random changes, and keeps those that shorten the tour.
+// 4. turn_closed moves the start of each closed line to its best point; then step 2 is repeated.
 #include "geometry/cell_grid.h"
 #include "geometry/point_tree.h"
 #include "output/vector/plot_lines.h"
@@ -20,7 +20,7 @@ namespace {
 
 using glm::dvec2;
 
-// `order_` and `position_` are inverse to each other, and all that overwrites them goes by put().
+// `order_` and `position_` are inverse permutations. Only put() changes them, and kick() when it undoes a change.
 class Tour {
 public:
     Tour(base::Memory& memory, std::span<const Stop> stops, const dvec2& from, const base::Progress& progress)
@@ -47,8 +47,8 @@ public:
     }
 
 private:
-    // Nodes 2 i and 2 i + 1 are the ends of stop i; of a closed one both are where it begins. The pen is a stop, too,
-    // whose first end is free and whose second end is where it stands.
+    // Nodes 2 i and 2 i + 1 are the ends of stop i; for a closed line both are its starting point. The pen is a stop,
+    // too: its first end is free, and its second end is the pen's position.
     using Node = std::int32_t;
 
     [[nodiscard]] const Stop& stop(std::int32_t number) const noexcept {
@@ -59,7 +59,7 @@ private:
     [[nodiscard]] double distance(Node a, Node b) const noexcept {
         return a == free_end() || b == free_end() ? 0.0 : glm::distance(place_[a], place_[b]);
     }
-    // The tour goes round.
+    // Wraps a position, since the tour is cyclic.
     [[nodiscard]] std::int32_t at(std::int64_t position) const noexcept {
         HRBFNPR_ASSERT(position >= -count_ && position < 2 * std::int64_t{count_});
         return static_cast<std::int32_t>(position < 0         ? position + count_
@@ -85,7 +85,7 @@ private:
     }
 
     void go_greedily() {
-        struct Door { // where a stop may be entered
+        struct Door { // a point at which a stop may be entered
             std::int32_t stop, point;
         };
         base::Memory& memory = place_.memory();
@@ -105,8 +105,8 @@ private:
         }
         first_door.push_back(doors.size());
         const geometry::PointTree tree(places, progress_);
-        base::Array<std::int64_t> left(memory, tree.nodes()); // doors of each node at stops that were not visited
-        base::Array<std::int64_t> at_of(memory, tree.size()); // the place of each door in the tree
+        base::Array<std::int64_t> left(memory, tree.nodes()); // for each tree node, the doors of unvisited stops
+        base::Array<std::int64_t> at_of(memory, tree.size()); // the index of each door in the tree
         base::Array<std::uint8_t> visited(memory, pen_);
         for (std::int64_t at = 0; at < tree.size(); ++at) {
             if (at % steps_a_look == 0) look(progress_);
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    // The first end of a stop whose ends are in one place stands for both.
+    // If both ends of a stop coincide, only its first end is a neighbour of other nodes.
     void find_neighbours() {
         base::Array<Node> node_of(place_.memory());
         geometry::VecArray places(place_.memory());
@@ -180,7 +180,7 @@ private:
         settle();
     }
 
-    // Moves until no move makes the tour shorter, or the work is used up.
+    // Makes moves until none shortens the tour, or the work is used up.
     void settle() {
         constexpr std::int64_t work_a_look = 100000;
         while (queue_size_ > 0) {
@@ -197,8 +197,8 @@ private:
         }
     }
 
-    // Exchanges two neighbouring parts anywhere, a double bridge, which no one move undoes, lets the tour settle, and
-    // takes that back unless it became shorter.
+    // Repeatedly swaps two adjacent parts at a random position (a double bridge, which no single move undoes), and
+    // settles the tour again. A change is undone unless the tour became shorter.
     void kick() {
         const std::int64_t most = std::min<std::int64_t>(plot_tuning.longest_swapped, (count_ - 1) / 2);
         if (most < 1) return;
@@ -214,7 +214,7 @@ private:
             gained_ = -swap_segments(one_of(1, count_), 1 + one_of(2, most), 1 + one_of(3, most));
             settle();
             if (gained_ < plot_tuning.least_gain)
-                for (std::int64_t i = log_.size(); i > 0; --i) { // as it was before
+                for (std::int64_t i = log_.size(); i > 0; --i) { // undo the change
                     order_[log_[i - 1].position] = log_[i - 1].node;
                     position_[log_[i - 1].node / 2] = log_[i - 1].position;
                 }
@@ -224,8 +224,8 @@ private:
         keeps_log_ = false;
     }
 
-    // Exchanges `length` stops from a position with `other` ones after them; returns by how much the tour becomes
-    // longer.
+    // Swaps the `length` stops from `first` with the `other` stops after them; returns the increase in the tour's
+    // length.
     double swap_segments(std::int64_t first, std::int64_t length, std::int64_t other) {
         HRBFNPR_ASSERT(length > 0 && other > 0 && length + other < count_);
         const Node ends[6] = {exit(first - 1),
@@ -243,7 +243,7 @@ private:
                distance(ends[0], ends[1]) - distance(ends[2], ends[3]) - distance(ends[4], ends[5]);
     }
 
-    // Takes the first move that links the node to one of its neighbours and makes the tour shorter.
+    // Makes the first move that links the node to one of its neighbours and shortens the tour.
     bool improve_at(Node node) {
         if (node == free_end()) return false;
         const double link = distance(node, linked(node));
@@ -263,7 +263,7 @@ private:
         return false;
     }
 
-    // 2-opt: the part between two nodes is turned round, so that they are linked.
+    // 2-opt: reverses the part between two nodes, so that they become linked.
     bool turn_part(Node node, Node to, double link, double nearer) {
         const Node next = linked(node), beyond = linked(to);
         const double gain = link + distance(to, beyond) - nearer - distance(next, beyond);
@@ -279,7 +279,7 @@ private:
         return true;
     }
 
-    // Or-opt: up to three stops that end with the node go between another node and the one that it is linked to.
+    // Or-opt: moves up to three stops that end with `node` between `to` and the node linked to it.
     bool move_segment(Node node, Node to, double nearer) {
         const bool at_exit = is_exit(node);
         const std::int64_t p = position_[node / 2];
@@ -289,7 +289,7 @@ private:
         for (std::int32_t length = 1; length <= plot_tuning.longest_moved && length + 2 <= count_; ++length) {
             const std::int64_t first = at_exit ? p - length + 1 : p;
             const Node other = at_exit ? entry(first) : exit(p + length - 1);
-            if (other / 2 == to / 2) return false; // it would take the other node along
+            if (other / 2 == to / 2) return false; // `to` belongs to the moved stops
             const Node before = linked(other);
             if (before == to) return false;
             const double gain = link + distance(other, before) - distance(before, next) - distance(other, beyond);
@@ -304,8 +304,7 @@ private:
         return false;
     }
 
-    // Turns round the stops from one position to another, which come in this order round the tour, or all others: that
-    // is the same tour.
+    // Reverses the stops from one position to another in tour order, or all other stops, which gives the same tour.
     void reverse(std::int64_t first, std::int64_t last) {
         first = at(first);
         last = at(last);
@@ -326,7 +325,7 @@ private:
         }
     }
 
-    // Takes stops from their positions to between `gap` and the next one; those between move the shorter way.
+    // Moves stops to between `gap` and the next position; the stops in between shift over the shorter side.
     void shift(std::int64_t first, std::int32_t length, std::int64_t gap, bool reversed) {
         HRBFNPR_ASSERT(length <= plot_tuning.longest_moved);
         Node moved[plot_tuning.longest_moved];
@@ -345,7 +344,7 @@ private:
 
     // ---- Closed lines, and the result
 
-    // Returns false if all of them begin where they should.
+    // Moves closed lines to their best starting points. Returns false if all have these already.
     bool turn_closed() {
         bool turned = false;
         Looks looks(progress_, steps_a_look);
@@ -373,7 +372,7 @@ private:
         return turned;
     }
 
-    // The legs from the pen, which the tour may stand in either way round.
+    // The legs in order from the pen. The tour may be stored in either direction.
     [[nodiscard]] base::Array<Leg> legs() const {
         base::Array<Leg> result(place_.memory());
         const std::int64_t pen = position_[pen_];
@@ -393,21 +392,21 @@ private:
     };
     std::span<const Stop> stops_;
     const base::Progress& progress_;
-    std::int32_t pen_, count_;            // the pen's number, after the stops', and the number of all
-    std::int64_t work_ = 0, checked_ = 0; // the work that is left for moves, and was at the last look for a cancel
-    std::int64_t longest_ = 0;            // stops that a move may take along
-    double gained_ = 0.0;                 // how much shorter the last moves made the tour, mm
+    std::int32_t pen_, count_;            // the pen's number, which follows the stops', and the number of stops with it
+    std::int64_t work_ = 0, checked_ = 0; // the work left for moves, and its value at the last check for cancellation
+    std::int64_t longest_ = 0;            // the largest number of stops that a move may reverse or pass
+    double gained_ = 0.0;                 // the length that the last moves saved, mm
     bool keeps_log_ = false;
     base::Array<dvec2> place_;           // the place of each node, mm
-    base::Array<std::int32_t> start_;    // the point that each closed stop begins at
-    base::Array<Node> order_;            // the tour: the node that each stop is entered by
-    base::Array<std::int32_t> position_; // where each stop stands in `order_`
-    base::Array<Node> near_; // the `most_near` nodes of other stops next to each node, nearest first; -1: no more
-    base::Array<std::int32_t> queue_; // stops whose ends are to be looked at; a ring
+    base::Array<std::int32_t> start_;    // the starting point of each closed stop
+    base::Array<Node> order_;            // the tour: the node at which each stop is entered
+    base::Array<std::int32_t> position_; // the index of each stop in `order_`
+    base::Array<Node> near_; // for each node the `most_near` nearest nodes of other stops, nearest first; -1: no more
+    base::Array<std::int32_t> queue_; // stops whose ends are to be examined; a ring buffer
     std::int64_t queue_first_ = 0, queue_size_ = 0;
     base::Array<std::uint8_t> waits_; // whether a stop is in the queue
-    base::Array<Entry> log_;          // what stood where before it was overwritten
-    base::Array<Node> swapped_;       // the first of the two parts that a kick exchanges, set aside
+    base::Array<Entry> log_;          // overwritten entries of `order_`
+    base::Array<Node> swapped_;       // copy of the first of the two swapped parts
 };
 
 } // namespace

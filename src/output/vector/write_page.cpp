@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // From drawings to a file:
-// 1. find_runs: how often groups begin anew, so that inks of several colours that lie upon each other are painted far
-// to
-//    near, as the raster does.
-// 2. lay_out: for each run, layer and number of hiding layers a group with its name and pen, and its dots or strokes.
-// 3. LineTypes: a filter that cuts lines into dashes [ISO 128-2].
-// 4. PlotOrder: a filter that clips, joins, drops, fills and sorts the lines and dots of a group for a pen.
-// 5. write_page: makes the writer and the filters before it, and hands drawings and annotations to them.
+// 1. find_runs decides how often the groups are repeated, so that overlapping inks of several colours are painted from
+//    far to near, as in the raster.
+// 2. lay_out makes a group with a name and a pen for each run, layer and number of hiding surfaces, and adds its dots
+//    or strokes.
+// 3. LineTypes is a filter that cuts lines into dashes [ISO 128-2].
+// 4. PlotOrder is a filter that clips, joins, drops, fills and sorts the lines and dots of a group for a pen.
+// 5. write_page makes the writer and the filters before it, and passes drawings and annotations to them.
 #include "geometry/point_tree.h"
 #include "marks/point_set.h"
 #include "output/vector/plot_lines.h"
@@ -27,20 +27,20 @@ using drawing::Drawing;
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-// ---- Groups of ink: a layer's dots, or its strokes that a number of layers of surface hide
+// ---- Groups of ink: the dots of a layer, or the strokes of a layer that are behind a given number of surfaces
 
-constexpr std::int32_t most_hidden = 31; // strokes that more surfaces hide count as hidden by this many
+constexpr std::int32_t most_hidden = 31; // strokes behind more surfaces count as behind this many
 constexpr std::int32_t groups_of_layer = most_hidden + 2;
 
 std::int32_t hidden_layers(const Stroke& stroke) noexcept { return std::clamp(stroke.hidden_layers, 0, most_hidden); }
 std::int32_t group_of_dots(std::int64_t layer) noexcept { return static_cast<std::int32_t>(layer) * groups_of_layer; }
-// Strokes that more surfaces hide come before others.
+// Strokes behind more surfaces come first.
 std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept {
     HRBFNPR_ASSERT(hidden >= 0 && hidden <= most_hidden);
     return group_of_dots(layer) + 1 + most_hidden - hidden;
 }
 
-// Calls f(dot, number) for the dots that are seen.
+// Calls f(dot, number) for the visible dots.
 template <class F>
 void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f) {
     Looks looks(progress, steps_a_look);
@@ -53,16 +53,16 @@ void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f
 
 // ---- Runs
 
-// All groups are painted in their order, run after run. An ink is in the first run in which it comes after all ink of
-// another colour that it lies upon; in the last run it may come before it.
+// All groups are painted in their order, run after run. An ink belongs to the first run in which it follows all ink of
+// other colours below it. In the last run this order may be violated.
 struct Runs {
     explicit Runs(base::Memory& memory) noexcept
         : of_stroke(memory), of_dot(memory), has_group(memory), has_layer(memory) {}
 
     std::int32_t count = 1, groups = 0;
     base::Array<std::uint8_t> of_stroke, of_dot;
-    base::Array<std::uint8_t> has_group; // whether there is ink of each group of each run
-    base::Array<std::uint8_t> has_layer; // whether there is ink of each layer
+    base::Array<std::uint8_t> has_group; // whether each group of each run has ink
+    base::Array<std::uint8_t> has_layer; // whether each layer has ink
 
     [[nodiscard]] bool has(std::int32_t run, std::int32_t group) const noexcept {
         HRBFNPR_ASSERT(run < count && group < groups);
@@ -70,16 +70,15 @@ struct Runs {
     }
 };
 
-// The cells of a viewport, and where the ink in each was painted last.
+// The cells of a viewport, and which ink was painted last in each.
 struct Cells {
     double left, top, side;
     std::int64_t columns, rows;
     std::int32_t colors;
-    base::Array<std::int32_t> color;         // the number of each layer's colour
-    base::Array<std::int32_t> painted_where; // for each cell and colour, the last group that painted there, counted on
-                                             // from run to run; -1: none
+    base::Array<std::int32_t> color;         // the colour number of each layer
+    base::Array<std::int32_t> painted_where; // run * groups + group of the last ink of each cell and colour; -1: none
 
-    // Calls visit(cell) for the cells that a disc may touch. Nothing beyond the viewport is seen.
+    // Calls visit(cell) for the cells in the viewport that a disc may touch.
     template <class Visit>
     void for_disc(double x, double y, double radius, const Visit& visit) const {
         const auto cell = [&](double from, std::int64_t most) {
@@ -91,7 +90,7 @@ struct Cells {
         for (std::int64_t row = std::max<std::int64_t>(cell(y - radius - top, rows), 0); row <= bottom; ++row)
             for (std::int64_t column = first; column <= right; ++column) visit(row * columns + column);
     }
-    // The same for a stroke, in steps of a cell at most.
+    // The same for a stroke, sampled in steps of at most one cell.
     template <class Visit>
     void for_stroke(const Drawing& drawing, const Stroke& stroke, const Visit& visit) const {
         const StrokePoint* const points = drawing.points.data() + stroke.first;
@@ -126,11 +125,11 @@ Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
     return cells;
 }
 
-// Paints one ink, whose cells for_cells(visit) visits, and returns its run.
+// Paints an ink into the cells that for_cells(visit) visits, and returns the ink's run.
 template <class ForCells>
 std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t group, const ForCells& for_cells) {
     const std::int32_t color = cells.color[layer];
-    std::int32_t most = -1; // the last group of another colour that is painted below the ink; -1: none
+    std::int32_t most = -1; // the last group of another colour below this ink; -1: none
     for_cells([&](std::int64_t cell) {
         for (std::int32_t other = 0; other < cells.colors; ++other)
             if (other != color) most = std::max(most, cells.painted_where[cell * cells.colors + other]);
@@ -146,7 +145,7 @@ std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t g
     return static_cast<std::uint8_t>(run);
 }
 
-// Paints all ink far to near.
+// Paints all ink from far to near.
 void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progress& progress, Runs& runs) {
     Cells cells = blank_cells(memory, drawing);
     base::Array<std::uint32_t> order(memory); // the numbers of the dots, far to near
@@ -158,7 +157,7 @@ void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progres
         return drawing.before(a, b);
     });
     Looks looks(progress, steps_a_look);
-    std::int64_t painted = 0; // the number of dots that were painted
+    std::int64_t painted = 0; // the number of dots painted
     const auto paint_dots = [&](const auto& comes_before) {
         for (; painted < order.size() && comes_before(drawing.dots[order[painted]]); ++painted) {
             looks.count();
@@ -204,7 +203,7 @@ Runs find_runs(base::Memory& memory, const Drawing& drawing, bool far_to_near, c
 
 // ---- Names and pens
 
-// The names of kinds of lines, by the numbers that hrbfnpr_line_style.kind takes.
+// The names of kinds of lines, indexed by hrbfnpr_line_style.kind.
 constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "suggestive", "ridge",
                                                  "valley",  "apparent ridge", "parabolic",  "isophote",
                                                  "section", "border",         "own",        "crease"};
@@ -235,7 +234,7 @@ Frame frame_of(const Placement& placement) noexcept {
             placement.y + placement.scale * viewport.w};
 }
 
-// The group with its pen: the last one that fits its name.
+// Applies the pen to a group: the last pen whose pattern matches the group's name.
 PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
     for (std::size_t i = pens.size(); i-- > 0;) {
         const Pen& pen = pens[i];
@@ -252,8 +251,8 @@ PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
     return group;
 }
 
-// A group's name tells it from earlier layers of the same name that have ink. Its pen goes by the name without the
-// number of the run.
+// A group's name gets a number if earlier layers of the same name have ink. The number of the run is added after the
+// pen was chosen, so pens match names without it.
 PageGroup group_of(const Drawing& drawing, const Runs& runs, std::span<const Pen> pens, std::int64_t layer,
                    std::int32_t hidden, std::int32_t run) {
     PageGroup group;
@@ -285,8 +284,8 @@ struct Mapping {
     }
 };
 
-// The disc has as much ink as the raster's dot, whose rim falls off over a pixel: that covers pi (r^2 + 1 / 12) pixels,
-// and tone goes by it. A radius of less than half a pixel is drawn as half a pixel, and paler.
+// The disc has the same ink as the raster's dot, whose rim falls off over a pixel: that dot covers pi (r^2 + 1 / 12)
+// pixels, and the tone depends on this area. A radius below half a pixel is drawn as half a pixel, but paler.
 PageDot page_dot(const Mapping& map, const Dot& dot) noexcept {
     constexpr double smallest = static_cast<double>(drawing::smallest_radius);
     const double radius = std::max(static_cast<double>(dot.radius), smallest);
@@ -295,7 +294,7 @@ PageDot page_dot(const Mapping& map, const Dot& dot) noexcept {
     return {p.x, p.y, p.radius, static_cast<double>(dot.opacity), (dot.flags & drawing::dot_is_paper) != 0};
 }
 
-// Hands on the parts of a stroke that have an even opacity.
+// Passes on the parts of a stroke that have constant opacity.
 void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>& page, PageSink& sink) {
     HRBFNPR_ASSERT(stroke.count > 1);
     const StrokePoint* const points = map.placement.drawing->points.data() + stroke.first;
@@ -325,7 +324,7 @@ void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>
 
 // ---- Line types
 
-// Dashes and gaps by turns, in line widths; the first 0 ends the pattern.
+// Alternating dashes and gaps, in line widths; the first 0 ends the pattern.
 using Pattern = std::array<double, 10>;
 constexpr double dot_part = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
 constexpr std::array<Pattern, 16> patterns{{
@@ -347,7 +346,7 @@ constexpr std::array<Pattern, 16> patterns{{
     {dash, gap, dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
 }};
 static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
-// A line with more periods is drawn whole: they are too small to be told apart, and writing them would never end.
+// A line with more periods is drawn solid: the dashes would be invisible, and writing them would never end.
 constexpr double most_periods = 1e5;
 
 class LineTypes final : public PageFilter {
@@ -374,14 +373,14 @@ public:
             next_.path(path);
             return;
         }
-        // The pattern is scaled so that a whole number of periods fit, and a dash after the last one of an open line.
+        // The pattern is scaled to a whole number of periods; an open line gets a final dash.
         const double open = path.closed ? 0.0 : first;
         const double times = std::max(std::floor((length - open) / period + 0.5), 1.0);
         const double scale = length / (times * period + open);
         PagePath piece = path;
         piece.closed = false;
         piece.begin = piece.end = drawing::Cap::flat;
-        std::size_t at = 0; // in the pattern
+        std::size_t at = 0; // index in the pattern
         double left = scale * first;
         part_.clear();
         part_.push_back(path.points[0]);
@@ -414,12 +413,12 @@ private:
     base::Array<PagePoint> part_;
 };
 
-// Narrows the part of a segment, from 0 to 1, to the part within the frame; false if all of it is outside, or if the
-// segment is not finite. [Liang and Barsky 1984, "A new concept and method for line clipping"]
+// Narrows the range from..to of a segment, at first 0 to 1, to the part within the frame. Returns false if the segment
+// is outside or not finite. [Liang and Barsky 1984, "A new concept and method for line clipping"]
 bool find_within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from, double& to) noexcept {
     if (!std::isfinite(a.x + a.y + b.x + b.y)) return false;
     const double dx = b.x - a.x, dy = b.y - a.y;
-    // For each side: how fast the segment leaves through it, and how far from it the segment begins.
+    // For each side: how fast the segment moves towards it, and the distance from the start to the side.
     const std::array<double, 4> speed{-dx, dx, -dy, dy};
     const std::array<double, 4> room{a.x - frame.left, frame.right - a.x, a.y - frame.top, frame.bottom - a.y};
     for (std::size_t side = 0; side < 4; ++side) {
@@ -467,13 +466,13 @@ public:
     }
     void end_group() override {
         const bool dashed = group_.line_type > LineType::continuous;
-        if (!dashed) { // dots of dashed lines are short, and their gaps are meant
+        if (!dashed) { // the dots of dashed lines are short, and their gaps are intended
             counts_.joined += join_lines(lines_, settings_.plot.join, group_.pen_width > 0.0, progress_);
             drop_short();
         }
         if (settings_.shapes.fills && group_.pen_width > 0.0) {
             counts_.filled_paths += fill_lines(lines_, settings_.shapes.tolerance, progress_);
-            PlotLines within(memory_); // passes beside the centre may lie beyond the frame where that does not
+            PlotLines within(memory_); // passes may leave the frame where the centre does not
             for (const PlotLine& line : lines_.lines) clip(lines_.path_of(line), line, within);
             std::swap(lines_, within);
         }
@@ -487,8 +486,8 @@ public:
     }
 
 private:
-    // Adds each part of the path's centre within the frame, in its order, to the lines. An end where it is cut is flat.
-    // A closed path becomes open if anything is cut off.
+    // Adds each part of the path whose centre line is within the frame, in order, to the lines. Cut ends are flat. A
+    // closed path becomes open if any part of it is cut off.
     void clip(const PagePath& path, const PlotLine& like, PlotLines& out) {
         looks_.count();
         const auto take = [&](const PagePath& part) {
@@ -507,7 +506,7 @@ private:
             return;
         }
         std::span<const PagePoint> points = path.points;
-        if (path.closed) { // it begins beyond the frame
+        if (path.closed) { // start outside the frame
             const std::span<const PagePoint> once = points.first(points.size() - 1);
             const auto first = std::find_if_not(once.begin(), once.end(), inside) - once.begin();
             ring_.clear();
@@ -559,7 +558,7 @@ private:
         counts_.dropped_paths += lines_.lines.size() - kept;
         lines_.lines.resize(kept);
     }
-    // Each dot in its order takes away those after it that are too near.
+    // Goes through the dots in order; each removes the later ones that are too near.
     void drop_near_dots() {
         geometry::VecArray places(memory_);
         for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, 0.0});
@@ -623,19 +622,19 @@ private:
     PenTrack* track_;
     const base::Progress& progress_;
     Looks looks_;
-    Frame frame_; // the part of the page that can be drawn on, mm: within a view, the part inside the view's frame
+    Frame frame_; // the drawable part of the page, mm; within a view also clipped to the view's frame
     PageGroup group_;
     PlotLines lines_;
     base::Array<PageDot> dots_;
-    base::Array<PagePoint> ring_, part_; // a closed path from a point beyond the frame; a part within the frame
+    base::Array<PagePoint> ring_, part_; // a closed path rotated to start outside the frame; a part within the frame
     PenLines pen_lines_;
     base::Array<PagePoint> turned_;
-    glm::dvec2 pen_; // where the pen stands, mm
+    glm::dvec2 pen_; // the pen's position, mm
 };
 
 // ---- Annotations
 
-// Annotations of one group that follow each other make one group on the page.
+// Consecutive annotations of the same group form one group on the page.
 void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
     base::Array<PagePoint> points(memory);
     const Annotation* open = nullptr;
@@ -673,7 +672,7 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
     const Mapping map{placement};
     sink.begin_view({placement.name, frame_of(placement), drawing.paper, placement.with_paper});
     if (drawing.painting == drawing::Painting::published) {
-        // Dots of paper and ink stand in the order in which they cover each other. [NPAR 6.1]
+        // Dots of paper and ink keep the order in which they cover each other. [NPAR 6.1]
         PageGroup group;
         std::snprintf(group.name, sizeof group.name, "marks");
         if (!drawing.layers.empty()) group.ink = drawing.layers[0].ink;
@@ -735,12 +734,12 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     const glm::dvec2 size = page_size(page, given);
     info.width = settings.width = size.x;
     info.height = settings.height = size.y;
-    // The pipeline is made from its end: the writer, and before it filters.
+    // The pipeline is built from its end: first the writer, then the filters before it.
     base::Memory& memory = work.memory;
     const std::unique_ptr<PageSink> file = make_writer(memory, writer, info, settings, counts);
     PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
     std::unique_ptr<PageSink> sorted;
-    // Plotters' writers track the pen themselves, by the units that they round to.
+    // Plotter writers track the pen themselves, in their own rounded units.
     if (settings.in_plot_order || settings.for_plotter())
         sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, work);
     LineTypes dashed(memory, sorted ? *sorted : *file);
@@ -748,13 +747,13 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     double done = 0.0;
     const bool filled = !settings.without_paper;
     const glm::vec4 paper = page.placements.empty() ? glm::vec4(1.0F) : page.placements[0].drawing->paper;
-    if (filled) { // the whole page has the paper of its first drawing, or is white
+    if (filled) { // the page has the paper of its first drawing, or white
         dashed.begin_view({{}, {0.0, 0.0, size.x, size.y}, paper, true});
         dashed.end_view();
     }
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
-        placement.far_to_near = !sorted; // each pen is taken up once
+        placement.far_to_near = !sorted; // so that each pen is used once
         lay_out(memory, placement, page.pens, dashed, work.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         work.update(done / parts);

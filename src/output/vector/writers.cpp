@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ends of the pipeline: files of SVG and PDF, whose lines are curves, and of HPGL and G-code, whose lines are
-// straight.
+// The last stages of the pipeline: writers of SVG and PDF, which write lines as curves, and of HPGL and G-code, which
+// write straight lines.
 #include "output/vector/shapes.h"
 #include "output/vector/text_out.h"
 
@@ -17,7 +17,7 @@ namespace {
 using drawing::Cap;
 using glm::dvec2;
 
-// The base of the writers that make curves of lines.
+// The base of the writers that write curves.
 class CurveWriter : public PageSink, protected ShapeSink {
 public:
     void path(const PagePath& path) override {
@@ -39,8 +39,8 @@ protected:
 
 // ---- SVG
 
-// All places in a file are thousandths. A curve is written as a straight line if its handles lie off its chord by no
-// more than this, and an opacity from `opaque` on is left out: neither makes a difference in the file.
+// Positions in a file are whole thousandths. A curve is written as a straight line if its handles are no farther than
+// `straight` from its chord, and an opacity of at least `opaque` is omitted. Neither changes the picture.
 constexpr double straight = 1.5;
 constexpr double opaque = 0.9995;
 
@@ -168,7 +168,8 @@ private:
     }
     void end_shape() override { out_ << "\"/>\n"; }
 
-    // Writes places from where the pen stands; it then stands at the last one. A letter is not written again.
+    // Writes places relative to the current point, and moves that to the last one. A repeated command letter is
+    // omitted.
     void command(char letter, std::span<const Place> places) {
         char before = letter == letter_ ? ' ' : letter;
         for (const Place& p : places) {
@@ -184,7 +185,7 @@ private:
         out_ << "<rect x=\"" << frame.left << "\" y=\"" << frame.top << "\" width=\"" << frame.right - frame.left
              << "\" height=\"" << frame.bottom - frame.top << '"';
     }
-    // An id has letters, digits and '-'.
+    // An id consists of letters, digits and '-'.
     void begin_layer(std::string_view name) {
         out_ << "<g id=\"";
         if (views_ > 0) out_ << "view-" << views_ << '-';
@@ -208,17 +209,17 @@ private:
     }
 
     std::int64_t views_ = 0, groups_ = 0;
-    Place at_{0, 0};    // where the pen stands
-    char letter_ = ' '; // the last command
+    Place at_{0, 0};    // the current point
+    char letter_ = ' '; // the last command letter
 };
 
 // ---- PDF
 
 constexpr double points_of_mm = 72.0 / 25.4;
-// The objects' numbers, which those of groups follow.
+// The numbers of the PDF objects; those of groups follow.
 enum Object : std::int64_t { content = 1, content_length, catalog, pages, page, information, first_of_groups };
 
-// The character that begins at text[at], which is UTF-8; `at` goes on to the next.
+// Decodes the UTF-8 character at text[at] and advances `at` to the next one.
 std::uint32_t next_character(std::string_view text, std::size_t& at) noexcept {
     const auto lead = static_cast<std::uint8_t>(text[at++]);
     const std::uint32_t more = lead < 0xC0 ? 0U : lead < 0xE0 ? 1U : lead < 0xF0 ? 2U : 3U;
@@ -237,7 +238,7 @@ public:
         begin_object();
         out_ << "<< /Length " << std::int64_t{content_length} << " 0 R >>\nstream\n";
         content_ = out_.bytes();
-        // Units are millimetres from the top-left corner, with y down.
+        // Sets the units to millimetres from the top-left corner, with y down.
         out_.precise(points_of_mm) << " 0 0 ";
         out_.precise(-points_of_mm) << " 0 ";
         out_.precise(points_of_mm * page.height) << " cm\n1 j\n";
@@ -265,7 +266,7 @@ public:
         begin_content(group.name);
         set_ink(group.ink);
     }
-    // A disc is a line of no length with round ends.
+    // A disc is written as a line of zero length with round ends.
     void dot(const PageDot& dot) override {
         ++counts_.dots;
         set_ink(dot.is_paper ? paper_ : group_.ink);
@@ -278,7 +279,7 @@ public:
         line_to({dot.x, dot.y});
         end_shape();
     }
-    // All viewers have Helvetica and its Latin letters; others become '?'.
+    // All PDF viewers have Helvetica with Latin letters; other characters become '?'.
     void text(const PageText& text) override {
         set_ink(group_.ink);
         set_opacity(static_cast<double>(group_.ink.w));
@@ -294,7 +295,7 @@ public:
         out_ << ") Tj ET\n";
     }
     void end_group() override { out_ << "EMC\n"; }
-    // The graphics state of before the view is restored.
+    // "Q" restores the graphics state from before the view, so the cached state is reset.
     void end_view() override {
         out_ << "Q\n";
         ink_ = glm::vec4(-1.0F);
@@ -409,7 +410,7 @@ private:
         return offsets_.size();
     }
     void end_object() { out_ << "\nendobj\n"; }
-    // Titles and names are in UTF-16.
+    // Titles and names are written in UTF-16.
     void string(std::string_view text) {
         constexpr std::string_view digits = "0123456789ABCDEF";
         const auto unit = [&](std::uint32_t code) {
@@ -463,28 +464,28 @@ private:
     };
 
     PageInfo page_;
-    glm::vec4 ink_{-1.0F}; // as set
+    glm::vec4 ink_{-1.0F}; // the current ink in the file
     double width_ = -1.0;
     int cap_ = -1, alpha_ = -1;
     bool fills_ = false;
-    std::bitset<256> alphas_; // the ones that are used
+    std::bitset<256> alphas_; // the alphas in use
     base::Array<Name> groups_;
-    base::Array<std::int64_t> offsets_; // where each object begins in the file, bytes; object 1 is the first
-    std::int64_t content_ = 0;          // where the stream begins
+    base::Array<std::int64_t> offsets_; // the byte offset of each object in the file, from object 1 on
+    std::int64_t content_ = 0;          // the offset of the stream
 };
 
 // ---- HPGL and G-code
 
-// Both languages have a grid of whole units with y up from the page's lower left corner, and a pen that is raised,
-// moved and lowered no more often than it must be.
+// Both languages use a grid of whole units with y up from the page's lower left corner, and a pen. The pen is raised,
+// moved and lowered only when needed.
 
-constexpr double hpgl_units = 40.0; // for each millimetre
+constexpr double hpgl_units = 40.0; // per millimetre
 constexpr double gcode_units = 1000.0;
-// An HPGL instruction has at most this many places, because old plotters have small buffers.
+// The most places in an HPGL instruction, because old plotters have small buffers.
 constexpr int most_pairs = 64;
-constexpr char end_of_label = '\x03';    // unless DT says otherwise
-constexpr double letter_of_height = 0.7; // width of an HPGL letter
-constexpr double farthest_unit = 1e15;   // a double tells units apart up to here
+constexpr char end_of_label = '\x03';    // the default, which DT could change
+constexpr double letter_of_height = 0.7; // width of an HPGL letter, as a share of its height
+constexpr double farthest_unit = 1e15;   // doubles resolve units up to here
 
 struct Unit {
     std::int64_t x, y;
@@ -553,7 +554,7 @@ public:
         }
         raise();
         travel(unit_of({text.x, text.y}));
-        is_known_ = false; // a label takes the pen elsewhere
+        is_known_ = false; // a label moves the pen
         out_ << "SI";      // width and height of capitals in centimetres
         number(in_thousandths(0.1 * letter_of_height * text.height));
         out_ << ',';
@@ -600,7 +601,7 @@ private:
     void draw(std::span<const dvec2> line) {
         HRBFNPR_ASSERT(!line.empty());
         travel(unit_of(line[0]));
-        if (!is_down_) { // lines of G-code that lower the pen may have a speed of their own
+        if (!is_down_) { // the G-code that lowers the pen may set its own feed rate
             if (gcode_)
                 write_lines(down_);
             else
@@ -637,17 +638,17 @@ private:
             out_ << p.x << ',' << p.y;
         }
     }
-    // Writes thousandths with a zero before the point, which old plotters want.
+    // Writes thousandths with a zero before the decimal point, which old plotters need.
     void number(std::int64_t thousandths) {
         if (thousandths < 0) out_ << '-';
         if (thousandths != 0 && std::abs(thousandths) < 1000) out_ << '0';
         out_.thousandths(std::abs(thousandths));
     }
-    // Writes '?' for each character that is a control, not ASCII, or ends a comment of G-code.
+    // Writes '?' for each character that is a control, not ASCII, or a parenthesis in a G-code comment.
     void ascii(std::string_view text) {
         for (const char c : text) {
             const auto byte = static_cast<unsigned char>(c);
-            if (byte >= 0x80 && byte < 0xC0) continue; // part of a character that has begun
+            if (byte >= 0x80 && byte < 0xC0) continue; // a continuation byte of UTF-8
             const bool printed = byte >= 0x20 && byte < 0x7F;
             const bool closes = gcode_ && (c == '(' || c == ')');
             out_ << (!printed || closes ? '?' : c);
@@ -664,16 +665,16 @@ private:
     double height_; // the page's height, mm
     ShapeSettings shapes_;
     std::string_view down_, up_; // lines of G-code
-    double feed_;                // mm a minute
+    double feed_;                // mm per minute
     PageCounts& counts_;
     PenLines lines_;
     PenTrack track_;
     double pen_width_ = plotter_pen;
-    std::uint32_t pen_ = 0; // 0: none was taken up
-    Unit at_{0, 0};         // where the pen stands
-    bool is_known_ = false; // else it may stand elsewhere
+    std::uint32_t pen_ = 0; // 0: no pen was selected yet
+    Unit at_{0, 0};         // the pen's position
+    bool is_known_ = false; // whether at_ is the pen's position
     bool is_down_ = false;
-    std::int64_t drawn_ = 0; // places since it was lowered
+    std::int64_t drawn_ = 0; // places since the pen was lowered
 };
 
 } // namespace

@@ -22,7 +22,7 @@ using drawing::StrokePoint;
 
 template <class T>
 void put(std::byte*& to, T value) noexcept {
-    std::memcpy(to, &value, sizeof value); // a layout need not be aligned
+    std::memcpy(to, &value, sizeof value); // fields of a layout may be unaligned
     to += sizeof value;
 }
 
@@ -42,7 +42,7 @@ void put_color(std::byte* to, Scalar scalar, const glm::vec4& color) noexcept {
     }
 }
 
-// The types that an attribute may have.
+// The scalar types that an attribute may have.
 struct AttributeType {
     std::int64_t components;
     bool as_float, as_byte, as_word;
@@ -52,7 +52,7 @@ constexpr AttributeType vector3{3, true, false, false}, scalar{1, true, false, f
 constexpr std::array<AttributeType, last_attribute + 1> attribute_types{
     vector3, vector3, scalar, color4, vector3, vector3, word, small, small, word, scalar, word, word, word};
 
-// All that a vertex can carry. Its mark is asked for once if any field wants something of it.
+// All attributes of a vertex. `source` is filled only if a field needs data of its mark.
 struct Vertex {
     glm::vec3 window;
     float radius, length;
@@ -61,7 +61,7 @@ struct Vertex {
     drawing::MarkClass mark_class;
     bool is_paper;
     drawing::MarkSource source;
-    bool off_mark = false; // the picture has it elsewhere than its mark is
+    bool off_mark = false; // the vertex is drawn at another place than its mark
     std::uint32_t hidden_layers = 0;
     std::uint32_t hidden_by = index_restart; // none
 };
@@ -105,7 +105,7 @@ public:
         store(number, vertex);
     }
 
-    // side: the vertex's offset from the stroke's centre line.
+    // side: offset of the vertex from the stroke's centre line.
     void point(std::int64_t number, const Stroke& stroke, const StrokePoint& p, const glm::vec2& side) const noexcept {
         const drawing::Layer& layer = drawing_.layers[stroke.layer];
         Vertex vertex{{p.x + side.x, p.y + side.y, p.window},
@@ -142,13 +142,13 @@ private:
     bool sources_;
 };
 
-// A stroke's points, and whether they go round.
+// A stroke's points, and whether it is closed.
 struct Line {
     std::span<const StrokePoint> points;
     bool closed;
 
-    // The unit vector to the left of the last segment with a length that ends at a point, or of the next one that
-    // begins there; 0 if no segment has a length.
+    // Returns the unit vector to the left of a segment at point i: the next segment of positive length if `behind`,
+    // else the previous one. Returns 0 if no segment has a length.
     [[nodiscard]] glm::vec2 across(std::size_t i, bool behind) const noexcept {
         HRBFNPR_ASSERT(i < points.size());
         const std::size_t segments = points.size() - 1;
@@ -162,8 +162,8 @@ struct Line {
         return glm::vec2(0.0F);
     }
 
-    // Half the width to the left of a point: half way between both segments' directions, and wider so that both keep
-    // their width, but at most twice as wide.
+    // Returns the offset from point i to the left side. It bisects the two segments' directions and is lengthened so
+    // that both keep their width, but at most doubled.
     [[nodiscard]] glm::vec2 side(std::size_t i) const noexcept {
         glm::vec2 before = across(i, false);
         glm::vec2 after = across(i, true);
@@ -175,7 +175,7 @@ struct Line {
         return miter * points[i].radius;
     }
 
-    // The way from an end to its tip.
+    // The vector from an end to its tip.
     [[nodiscard]] glm::vec2 tip(bool end) const noexcept {
         const glm::vec2 left = across(end ? points.size() - 1 : 0, !end);
         const float far = 2.0F * drawing::point_length * (end ? points.back() : points.front()).radius;
@@ -183,7 +183,7 @@ struct Line {
     }
 };
 
-// A pointed end has two vertices more, in the place of its tip.
+// A pointed end has two additional vertices, both at its tip.
 [[nodiscard]] bool has_tip(const Stroke& stroke, bool end) noexcept {
     return !stroke.closed && (end ? stroke.cap_end : stroke.cap_begin) == drawing::Cap::pointed;
 }
@@ -211,7 +211,7 @@ void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScra
     });
 }
 
-// Strokes stand far to near already, and the number of a vertex is that of its point.
+// Strokes are sorted from far to near already, and each vertex has the number of its point.
 void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Writer& writer) {
     runtime.parallel.for_chunks(drawing.strokes.size(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t s = begin; s < end; ++s) {
@@ -222,7 +222,7 @@ void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Wri
     });
 }
 
-// number: of the strip's first vertex, which is twice the number of points and tips before.
+// number: number of the strip's first vertex, which is twice the number of points and tips before it.
 void write_strip(const Drawing& drawing, const Stroke& stroke, std::int64_t number, const Writer& writer) {
     const Line line{
         drawing.points.span().subspan(static_cast<std::size_t>(stroke.first), static_cast<std::size_t>(stroke.count)),
@@ -272,15 +272,15 @@ void write_indices(const Drawing& drawing, Primitive primitive, std::uint32_t* t
 
 // ---- Numbers for the marks of a set
 
-// One mark of a run, as it is drawn.
+// A mark of a run as it is drawn.
 struct Drawn {
     std::int64_t mark;
-    std::uint32_t layer; // the number of a layer of the drawing
+    std::uint32_t layer; // index into the drawing's layers
     float radius, opacity, depth;
 };
 
-// Calls f for each mark of the run that is drawn, as a dot or as points of a stroke. A stroke of hatching that is cut
-// or closed may have a mark twice.
+// Calls f for each mark of the run that is drawn as a dot or as points of a stroke. A mark may be passed twice if its
+// hatching stroke is cut or closed.
 template <class F>
 void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f) {
     const auto is_own = [&](std::uint32_t layer) {
@@ -299,7 +299,7 @@ void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f)
         for (std::int64_t i = stroke.first; i < end;) {
             const StrokePoint& p = drawing.points[i];
             Drawn drawn{std::int64_t{p.id - run.first_id}, stroke.layer, p.radius, p.opacity, p.depth};
-            for (++i; i < end && drawing.points[i].id == p.id; ++i) // hatching has several points with one mark
+            for (++i; i < end && drawing.points[i].id == p.id; ++i) // several points of hatching may share a mark
                 drawn.radius = std::max(drawn.radius, drawing.points[i].radius);
             f(drawn);
         }
@@ -384,7 +384,7 @@ std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const 
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t i = layer.stroke_first[s]; i < end;) {
             std::int64_t stop = i;
-            while (stop < end && scratch.shown[layer.mark_of(stop)] != 0) ++stop; // a line takes two marks or more
+            while (stop < end && scratch.shown[layer.mark_of(stop)] != 0) ++stop; // a line needs at least two marks
             for (std::int64_t k = i; stop - i > 1 && k < stop; ++k)
                 for (std::uint32_t side = 0; side < sides; ++side)
                     scratch.indices.push_back(sides * static_cast<std::uint32_t>(layer.mark_of(k)) + side);

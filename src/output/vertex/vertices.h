@@ -11,12 +11,12 @@
 
 namespace hrbfnpr::output {
 
-// The numbers are those that hrbfnpr_vertex_layout.primitive takes.
+// The values equal those of hrbfnpr_vertex_layout.primitive.
 enum class Primitive : std::uint32_t { points = 1, line_strips = 2, triangle_strips = 3 };
 // This index ends a strip.
 inline constexpr std::uint32_t index_restart = 0xFFFFFFFFU;
 
-// The numbers are those that hrbfnpr_vertex_attribute.attribute takes.
+// The values equal those of hrbfnpr_vertex_attribute.attribute.
 enum class VertexAttribute : std::uint32_t {
     position = 0,
     window = 1,
@@ -41,7 +41,7 @@ struct VertexField {
     std::uint32_t offset;
 };
 
-// Bytes that a field takes; 0 if the attribute cannot have that type.
+// The number of bytes of a field; 0 if the attribute cannot have that type.
 [[nodiscard]] std::int64_t size_of(const VertexField& field) noexcept;
 
 struct VertexBound {
@@ -51,7 +51,7 @@ struct VertexBound {
 
 struct VertexLayout {
     Primitive primitive;
-    std::span<const VertexField> fields; // checked by the boundary
+    std::span<const VertexField> fields; // the API boundary has checked them
     std::int64_t stride;
 };
 
@@ -60,26 +60,26 @@ struct VertexScratch {
         : order(runtime.memory), keys(runtime.memory), shown(runtime.memory), indices(runtime.memory) {}
 
     drawing::FarToNear order;
-    base::Array<std::uint64_t> keys; // one for each dot or mark that is shown: its depth and its number
+    base::Array<std::uint64_t> keys; // depth and number of each dot or mark that is shown
     base::Array<std::uint8_t> shown; // one for each mark of a run: 1 if it is shown, else 0
     base::Array<std::uint32_t> indices;
 };
 
-// Writes as much as vertex_bound() says. indices may be NULL.
+// Writes as many vertices and indices as vertex_bound() returns. indices may be NULL.
 void write_vertices(const base::Runtime& runtime, const drawing::Drawing& drawing, VertexScratch& scratch,
                     const VertexLayout& layout, std::byte* vertices, std::uint32_t* indices);
 
 // ---- A drawing as numbers for the marks of a point set, in the set's own order
 
-// Views of as many elements as the layer has marks, or empty.
+// Each view has one element for each mark of the layer, or is empty.
 struct MarkViews {
     base::OutView shown, radius, opacity;
 };
 
-// run: a layer of an item, by its number in drawing.runs.
+// run: index into drawing.runs; the run is one layer of an item.
 void write_mark_results(const drawing::Drawing& drawing, std::int64_t run, const MarkViews& views);
 
-// Numbers of marks, as hrbfnpr_drawing_write_mark_indices says; valid until the scratch is used again.
+// Numbers of marks, as documented for hrbfnpr_drawing_write_mark_indices; valid until the scratch is used again.
 [[nodiscard]] std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const drawing::Drawing& drawing,
                                                           std::int64_t run, drawing::MarkClass mark_class,
                                                           Primitive primitive, VertexScratch& scratch);
