@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact implicits, as functions for hrbfnpr_model_create_custom: the plane z = 0, the unit sphere, a torus about z.
+// Exact implicits for hrbfnpr_model_create_custom: the plane z = 0, the unit sphere, and a torus about the z axis.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ inline std::int32_t sphere(void*, std::int64_t count, const double* points, doub
     return 0;
 }
 
-// Radius of the torus's tube, about a circle of radius 1.
+// The radius of the torus's tube, which goes round a circle of radius 1.
 inline constexpr double tube = 0.4;
 
 inline std::int32_t torus(void*, std::int64_t count, const double* points, double* value, double* gradient, double*) {

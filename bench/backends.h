@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contexts by thread backend: the library's own, OpenMP's, and libraries of tasks behind `run_tasks`.
+// Contexts for each thread backend: the library's own pool, OpenMP, and task libraries through `run_tasks`.
 #pragma once
 
 #include "calls.h"
@@ -24,7 +24,7 @@ struct Backend {
     std::string name;
     std::uint32_t number = HRBFNPR_THREAD_BACKEND_AUTO;
     hrbfnpr_run_tasks_fn run_tasks = nullptr;
-    std::shared_ptr<void> user; // what run_tasks gets, which lives as long as this
+    std::shared_ptr<void> user; // the user pointer of run_tasks, kept alive by this struct
 };
 
 #if defined(HRBFNPR_BENCH_TBB)
@@ -47,7 +47,7 @@ inline void run_by_taskflow(void* user, hrbfnpr_task_fn task, void* context, std
 }
 #endif
 
-// All that this build has.
+// Returns all backends of this build.
 [[nodiscard]] inline std::vector<Backend> backends() {
     std::vector<Backend> all = {{"pool", HRBFNPR_THREAD_BACKEND_POOL, nullptr, nullptr},
                                 {"OpenMP", HRBFNPR_THREAD_BACKEND_OPENMP, nullptr, nullptr}};

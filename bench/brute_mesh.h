@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances from a mesh, and its inside, face by face: what signs of models are held against.
+// Distances to a mesh and whether places are inside it, by a loop over all faces: the reference for signs of models.
 #pragma once
 
 #include "support/meshes.h"
@@ -25,7 +25,7 @@ public:
         }
     }
 
-    // By the solid angles of all faces (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983).
+    // Sums the solid angles of all faces (van Oosterom and Strackee, "The solid angle of a plane triangle", 1983).
     [[nodiscard]] bool inside(const Point& p) const {
         double angle = 0.0;
         for (const Face& face : faces_) {

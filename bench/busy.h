@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Other processes that want a processor: what a program shares its machine with.
+// Processes that compete with the benchmark for the processors.
 #pragma once
 
 #include <csignal>
@@ -17,7 +17,7 @@
 
 namespace bench {
 
-// Works for nothing until it ends with this object, or with the process.
+// Runs busy loops in child processes until this object or the process ends.
 class Busy {
 public:
     static constexpr int anywhere = -1;
@@ -32,7 +32,7 @@ public:
         }
     }
 
-    // processor: the one it stays on.  lower: by how much its priority is below this process's, 0 to 19.
+    // processor: the only one that the child may use.  lower: the child's priority is lower than ours by this, 0 to 19.
     void add(int processor = anywhere, int lower = 0) {
         const pid_t child = fork();
         if (child < 0) throw std::runtime_error("cannot fork");

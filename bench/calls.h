@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library's calls as the benchmarks make them: contexts, surfaces, marks; and the benchmarks' own options.
+// Wrappers of library calls that benchmarks share: contexts, surfaces, marks; and the benchmarks' command line options.
 #pragma once
 
 #include "support/generation.h"
@@ -15,7 +15,7 @@ namespace bench {
 using hrbfnpr::test::Generation;
 using hrbfnpr::test::one_layer;
 
-// The rest of the argument that begins with `name`, or nothing.
+// Returns the rest of the argument that begins with `name`; empty if there is no such argument.
 [[nodiscard]] inline std::string option(int argc, char** argv, const char* name) {
     for (int i = 1; i < argc; ++i)
         if (std::strncmp(argv[i], name, std::strlen(name)) == 0) return argv[i] + std::strlen(name);
@@ -34,7 +34,7 @@ using hrbfnpr::test::one_layer;
     return scenes::Context(context);
 }
 
-// In the box from -half to half.
+// Makes a custom model in the box from -half to half.
 [[nodiscard]] inline scenes::Model custom(hrbfnpr_context* context, hrbfnpr_implicit_fn function, const Vec3& half) {
     scenes::Check check;
     hrbfnpr_custom_desc desc;
@@ -50,7 +50,7 @@ using hrbfnpr::test::one_layer;
     return scenes::Model(model);
 }
 
-// Packed x y z.
+// Views packed x y z as an array.
 [[nodiscard]] inline hrbfnpr_array view(const std::vector<double>& numbers) {
     return {numbers.data(), static_cast<std::int64_t>(numbers.size() / 3), 0, HRBFNPR_SCALAR_FLOAT64, 3};
 }
@@ -74,15 +74,15 @@ struct Style : hrbfnpr_style {
         scenes::Check check;
         check(hrbfnpr_style_init_preset(this, sizeof(hrbfnpr_style), preset, check.error()));
         layer.assign(layers, layers + layer_count);
-        layers = nullptr; // get() says where they are
+        layers = nullptr; // get() sets the pointer
     }
-    // What a call takes.
+    // Returns the style for a call.
     const hrbfnpr_style* get() {
         layers = layer.data();
         layer_count = static_cast<std::int64_t>(layer.size());
         return this;
     }
-    // Of the layers of this kind: the first that is for it, or the defaults.
+    // Returns the first layer that applies to marks of this kind, or the defaults.
     [[nodiscard]] hrbfnpr_layer_style of(std::uint32_t kind) const {
         for (const hrbfnpr_layer_style& one : layer)
             if (one.kind == kind || one.kind == HRBFNPR_LAYER_KIND_ANY) return one;
@@ -93,7 +93,8 @@ struct Style : hrbfnpr_style {
     std::vector<hrbfnpr_layer_style> layer;
 };
 
-// The style "full" whose lines are dots of one pen, in the darks: each mark costs as much as one of the stipples.
+// The style "full" with its lines replaced by dots of one pen in the dark parts, so that each mark costs as much as a
+// stipple.
 [[nodiscard]] inline Style full_of_dots() {
     Style style(HRBFNPR_PRESET_FULL);
     for (hrbfnpr_layer_style& layer : style.layer)
@@ -112,7 +113,7 @@ inline scenes::PointSet generate(hrbfnpr_context* context, const hrbfnpr_model* 
     return scenes::PointSet(set);
 }
 
-// The numbers of one attribute; `count` gets how many marks have it.
+// Returns the values of one attribute; sets `count` to the number of marks that have it.
 template <class T>
 [[nodiscard]] const T* attribute(const hrbfnpr_point_set* set, std::int64_t layer, std::uint32_t which,
                                  std::int64_t& count) {

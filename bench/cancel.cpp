@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How long calls go on after a cancel from another thread, and how long their callbacks are silent.
+// How long calls continue after a cancel from another thread, and how long their callbacks are silent.
 //
 //   bench_cancel [--samples=100000] [--marks=1000000] [--dense=2048] [--faces=1000000] [--trials=20] [--threads=0]
 //                [--named=TEXT]
 //
-// Of each call that takes an operation: its time, the longest silence between two calls of its callback (the call's
-// begin and end count, too), and the worst and the median time from a cancel at random moments to its return.  On a
-// busy machine a thread may wait for a processor meanwhile: --threads=1 and the processor time tell the two apart.
-// Rasterizing takes no operation: its time is what a host waits for.
+// For each call that takes an operation, it prints the time, the longest silence between two calls of its callback (the
+// call's begin and end count, too), and the worst and the median time from a cancel at random moments to its return.
+// On a busy machine a thread may wait for a processor meanwhile: --threads=1 and the processor time show whether it
+// did. Rasterizing takes no operation, so a host must wait for its whole time.
 #include "cancel_calls.h"
 #include "timing.h"
 
@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-// Of a clock of the processor's: CLOCK_PROCESS_CPUTIME_ID, all threads, or CLOCK_THREAD_CPUTIME_ID, this one.
+// Reads a processor clock: CLOCK_PROCESS_CPUTIME_ID for all threads, or CLOCK_THREAD_CPUTIME_ID for this one.
 double processor_seconds(clockid_t clock) {
     std::timespec now{};
     clock_gettime(clock, &now);
@@ -44,8 +44,8 @@ struct Silence {
     Clock::time_point last = Clock::now();
     double last_processor = 0.0;
     double longest = 0.0;
-    double longest_processor = 0.0; // of the thread that entered
-    double at = 0.0;                // the progress at the end of the longest
+    double longest_processor = 0.0; // processor time of the calling thread
+    double at = 0.0;                // the progress at the end of the longest silence
 
     static std::int32_t heard(void* user, double progress) {
         auto& self = *static_cast<Silence*>(user);
@@ -90,7 +90,7 @@ struct Latency {
     double processor = 0.0; // of all threads
 };
 
-// Cancels after a while; nothing if the call had ended by then.
+// Cancels the call after a while; returns false if the call had ended by then.
 bool cancel_after(hrbfnpr_context* context, const bench::LongCall& call, double wait, Latency& latency) {
     if (call.prepare) call.prepare();
     scenes::Check check;
@@ -144,7 +144,7 @@ void measure(hrbfnpr_context* context, const bench::LongCall& call, int trials) 
     std::fflush(stdout);
 }
 
-// What takes no operation.
+// Measures calls that take no operation.
 void measure_frame(bench::LongCalls& calls) {
     static_cast<void>(calls.drawing());
     scenes::Drawing drawing;

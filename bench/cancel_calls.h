@@ -18,7 +18,7 @@
 
 namespace bench {
 
-// One kind of call: what it needs afresh each time, and the call itself.
+// One kind of call: what must be prepared before each run, and the call itself.
 struct LongCall {
     std::string name;
     std::function<void()> prepare; // may be empty
@@ -32,7 +32,7 @@ struct CallSizes {
     std::int64_t faces = 1000000;
 };
 
-// The data that calls work on; what takes long to make is made when a call first wants it.
+// The data that calls work on. Data that takes long to make is made when a call first needs it.
 class LongCalls {
 public:
     LongCalls(hrbfnpr_context* context, const CallSizes& sizes)
@@ -59,7 +59,7 @@ public:
         add_sets(calls);
         add_lines(calls);
         add_frame(calls, "frame", false);
-        add_frame(calls, "frame.lines", true); // by a renderer that has no contours yet, with those that others hide
+        add_frame(calls, "frame.lines", true); // a new renderer must find the contours first
         return calls;
     }
 
@@ -344,7 +344,7 @@ private:
     }
     static std::int32_t ignore(void*, const void*, std::uint64_t) { return 0; }
 
-    // ---- What is made once -----------------------------------------------------------------
+    // ---- Data that is made once -------------------------------------------------------------
 
     static hrbfnpr_array_out writable(std::vector<double>& numbers, std::uint32_t components) {
         return {numbers.data(), static_cast<std::int64_t>(numbers.size() / components), 0, HRBFNPR_SCALAR_FLOAT64,
@@ -356,7 +356,7 @@ private:
         return kept.get();
     }
     const hrbfnpr_model* half() { return model(half_, half_model_); }
-    void make_depths() { // and room for what comes of them, which is so much that it takes time, too
+    void make_depths() { // and allocates the results, which are so large that it takes time, too
         if (!depths_.points.empty()) return;
         depths_ = hrbfnpr::test::seen_depths(1280, 960, {0.0014, 0.0, 1.0});
         for (auto& numbers : smoothed_) numbers.resize(depths_.points.size());
@@ -367,7 +367,7 @@ public:
         if (!large_model_) {
             static_cast<void>(model(samples_, large_model_));
             scenes::Check check;
-            check(evaluate(large_model_.get(), nullptr, check.error())); // prepares it
+            check(evaluate(large_model_.get(), nullptr, check.error())); // prepares the evaluation
         }
         return large_model_.get();
     }
@@ -385,7 +385,7 @@ public:
         if (!marks_) marks_ = generate(context_, large(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, sizes_.marks));
         return marks_.get();
     }
-    // The marks from the front, in 1280 x 720 pixels.
+    // The drawing of the marks from the front, in 1280 x 720 pixels.
     [[nodiscard]] const hrbfnpr_drawing* drawing() {
         if (!drawing_) {
             scenes::Check check;
@@ -422,7 +422,7 @@ private:
         check(hrbfnpr_renderer_create(context_, &made, check.error()));
         renderer_.reset(made);
     }
-    // The large model, as it comes from a file: nothing is prepared.
+    // Loads the large model from memory, so that nothing is prepared.
     void load_again() {
         scenes::Check check;
         if (saved_.empty()) {

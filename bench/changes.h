@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the marks of a picture change from one frame to the next: which pop, and which vanish.
+// How the marks of a picture change from one frame to the next: how many pop, and how many vanish.
 #pragma once
 
 #include "orbit.h"
@@ -16,16 +16,16 @@ namespace bench {
 
 struct Changes {
     double frames = 0.0;
-    double shown = 0.0;    // marks in one of two frames, summed over pairs
-    double pops = 0.0;     // of these: by more than half of their full ink
-    double removals = 0.0; // of these: from 1 % of it or more to less
+    double shown = 0.0;    // marks in at least one of two consecutive frames, summed over pairs of frames
+    double pops = 0.0;     // those whose ink changes by more than half of their full ink
+    double removals = 0.0; // those whose ink falls from 1 % of the full ink or more to less
 
     [[nodiscard]] double pop_rate() const { return pops / shown; }
     [[nodiscard]] double removal_rate() const { return removals / shown; }
 };
 
-// The marks of one point set, looked at again and again.  Only front ones count that are away from the contour, and
-// in the picture, both before and after.
+// Follows the marks of one point set from frame to frame.  A mark counts only if in both frames it faces the eye, away
+// from the contour, and is in the picture.
 class Follower {
 public:
     Follower(const hrbfnpr_point_set* set, const Style& style) {
@@ -49,7 +49,7 @@ public:
         return 3.14159265358979323846 * radius * radius * alpha;
     }
 
-    // `original`: the mark that each mark of the set is, or nothing where it is this set's own.
+    // `original`: the mark of this set that each drawn mark is; empty if the drawing is of this set itself.
     void look(const hrbfnpr_camera& camera, const std::vector<Disc>& discs,
               const std::vector<std::uint32_t>& original = {}) {
         before_.swap(now_);
@@ -71,12 +71,12 @@ public:
     [[nodiscard]] const Changes& changes() const { return changes_; }
 
 private:
-    // Marks count from this |n . v| on: nearer to the contour, a mark comes and goes with the view alone.
+    // Marks count from this |n . v| on: nearer to the contour, a mark appears and vanishes by the view alone.
     static constexpr double away = 0.25;
 
     struct Mark {
         glm::dvec3 place, normal;
-        double full; // ink, square pixels
+        double full; // full ink, square pixels
         double radius;
     };
     struct State {
@@ -97,15 +97,15 @@ private:
     Changes changes_;
 };
 
-// The same marks with new random ranks, which say which mark each was.
+// Returns the same marks with new random ranks; `original` gets the old number of each mark.
 [[nodiscard]] inline scenes::PointSet rerolled(hrbfnpr_context* context, const hrbfnpr_point_set* set,
                                                std::uint64_t seed, std::vector<std::uint32_t>& original) {
     scenes::Check check;
     const hrbfnpr_point_set_info info = info_of(set);
-    std::vector<std::uint32_t> order(static_cast<std::size_t>(info.marks)); // of the ranks: the marks
+    std::vector<std::uint32_t> order(static_cast<std::size_t>(info.marks)); // the marks in order of rank
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
     std::shuffle(order.begin(), order.end(), std::mt19937_64(seed));
-    const float step = 1.0F / static_cast<float>(std::bit_ceil(order.size())); // a rank is an exact multiple of it
+    const float step = 1.0F / static_cast<float>(std::bit_ceil(order.size())); // each rank is an exact multiple
     std::vector<float> rank(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) rank[order[i]] = step * static_cast<float>(i);
     std::vector<std::vector<double>> places(static_cast<std::size_t>(info.layers));
@@ -146,10 +146,10 @@ private:
 
 struct Way {
     int steps;
-    double degrees, zoom; // of a step
+    double degrees, zoom; // per step
 };
 
-// Along a way, from the same ranks throughout or from new ones in each frame.
+// Measures the changes along a camera path, with the same ranks in all frames or with new ones in each frame.
 [[nodiscard]] inline Changes follow(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style,
                                     const Orbit& orbit, const Way& way, bool reroll) {
     Follower follower(set, style);

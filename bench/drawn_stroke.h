@@ -11,8 +11,8 @@ namespace bench {
 
 struct StrokePoint {
     float x, y, depth; // pixels
-    float radius;      // half the width there, pixels
-    std::uint32_t id;  // 1 + number of the nearest mark, of all layers in their order
+    float radius;      // half the stroke's width at the point, pixels
+    std::uint32_t id;  // 1 + the number of the nearest mark, counted over all layers in order
 };
 using DrawnStroke = std::vector<StrokePoint>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Places on the edges of a mesh, for measuring how sharp a model has them.
+// Places on the edges of a mesh, for measuring how sharply a model reproduces them.
 #pragma once
 
 #include "brute_mesh.h"
@@ -14,15 +14,15 @@ namespace bench {
 
 struct EdgePlace {
     BruteMesh::Point place;
-    BruteMesh::Point out; // unit: in the middle between the normals of both sides
-    // Its edge, an arc about the z axis where the radius is not 0.
+    BruteMesh::Point out; // unit: halfway between the normals of both sides
+    // The ends of the edge. If `radius` is not 0, the edge is an arc about the z axis.
     BruteMesh::Point from, to;
-    BruteMesh::Point from_tangent{}, to_tangent{}; // unit, of the smooth curve through the edges' ends; 0: straight
+    BruteMesh::Point from_tangent{}, to_tangent{}; // unit, of the smooth curve through the ends; 0: straight
     double radius = 0.0;
-    double angle = 0.0; // between the faces, degrees
+    double angle = 0.0; // between the normals of its faces, degrees
 };
 
-// The nearest place between two.
+// Returns the place of the segment that is nearest to p.
 inline BruteMesh::Point foot_on(const BruteMesh::Point& from, const BruteMesh::Point& to, const BruteMesh::Point& p) {
     const BruteMesh::Point along = BruteMesh::less(to, from);
     const double share = BruteMesh::dot(BruteMesh::less(p, from), along) / BruteMesh::dot(along, along);
@@ -31,7 +31,8 @@ inline BruteMesh::Point foot_on(const BruteMesh::Point& from, const BruteMesh::P
     return foot;
 }
 
-// A place of an edge's smooth curve: a cubic whose handles are those of an arc, 1 / cos^2 of a quarter of its angle.
+// Returns a place on an edge's smooth curve: a cubic whose handles fit an arc; their length is the chord over cos^2 of
+// a quarter of its angle.
 inline BruteMesh::Point on_smooth_edge(const EdgePlace& e, double t) {
     const BruteMesh::Point chord = BruteMesh::less(e.to, e.from);
     const double size = BruteMesh::length(chord);
@@ -71,7 +72,8 @@ inline double distance_to_edge(const EdgePlace& e, const BruteMesh::Point& p) {
     return least;
 }
 
-// From the nearest of the places' edges that bend by so many degrees; the second place of each edge is passed over.
+// Returns the distance to the nearest edge that bends by at least `least_angle` degrees. Skips the second place of each
+// edge.
 inline double distance_to_edges(const std::vector<EdgePlace>& places, double least_angle, const BruteMesh::Point& p) {
     double least = 1e300;
     for (std::size_t i = 0; i < places.size(); i += 2)
@@ -79,13 +81,13 @@ inline double distance_to_edges(const std::vector<EdgePlace>& places, double lea
     return least;
 }
 
-// A curved edge of the shape is a row of chords in its mesh.  Where two of them go on most straight, of all that meet
-// there, and turn by less than 40 degrees, the curve has the direction of the circle through their three ends; beside a
-// corner an edge is an arc by its other end.
+// Sets the tangents of edges: a curved edge of the shape is a row of chords in its mesh. Where two chords are the
+// straightest continuation of each other at a vertex, and turn by less than 40 degrees, the tangent is that of the
+// circle through their three ends. Beside a corner, the edge is an arc that fits its other tangent.
 inline void find_tangents(std::vector<EdgePlace>& places) {
     constexpr double corner = 0.766;
     using Point = BruteMesh::Point;
-    std::map<Point, std::vector<std::pair<std::size_t, Point>>> at; // edges, and their way from there
+    std::map<Point, std::vector<std::pair<std::size_t, Point>>> at; // edges at a vertex, their vectors from it
     for (std::size_t i = 0; i < places.size(); i += 2) {
         at[places[i].from].emplace_back(i, BruteMesh::less(places[i].to, places[i].from));
         at[places[i].to].emplace_back(i, BruteMesh::less(places[i].from, places[i].to));
@@ -96,7 +98,7 @@ inline void find_tangents(std::vector<EdgePlace>& places) {
             const Point& b = ways[k].second;
             return -BruteMesh::dot(a, b) / (BruteMesh::length(a) * BruteMesh::length(b));
         };
-        const auto next = [&, &ways = ways](std::size_t i) { // itself: it ends
+        const auto next = [&, &ways = ways](std::size_t i) { // i itself if the edge ends here
             std::size_t best = i;
             for (std::size_t k = 0; k < ways.size(); ++k)
                 if (k != i && straight(i, k) > (best == i ? corner : straight(i, best))) best = k;
@@ -107,7 +109,7 @@ inline void find_tangents(std::vector<EdgePlace>& places) {
             if (k == i || next(k) != i) continue;
             const Point& a = ways[i].second;
             const Point& b = ways[k].second;
-            Point out; // along a
+            Point out; // the tangent, in the direction of a
             for (std::size_t c = 0; c < 3; ++c) out[c] = a[c] / BruteMesh::dot(a, a) - b[c] / BruteMesh::dot(b, b);
             EdgePlace& e = places[ways[i].first];
             const double size = (e.from == vertex ? 1.0 : -1.0) * BruteMesh::length(out);
@@ -122,7 +124,7 @@ inline void find_tangents(std::vector<EdgePlace>& places) {
             continue;
         }
         const Point chord = BruteMesh::less(e.to, e.from);
-        const auto mirror = [&](const Point& tangent, Point& to) { // about the chord
+        const auto mirror = [&](const Point& tangent, Point& to) { // mirrors about the chord
             const double along = 2.0 * BruteMesh::dot(tangent, chord) / BruteMesh::dot(chord, chord);
             for (std::size_t c = 0; c < 3; ++c) to[c] = along * chord[c] - tangent[c];
         };
@@ -133,13 +135,13 @@ inline void find_tangents(std::vector<EdgePlace>& places) {
     }
 }
 
-// Edges that bend by more than some degrees, at their ends and in between; those about the z axis whose radius is one
-// of these are arcs.
+// Returns two places, near an end and in the middle, of each edge that bends by more than `least_angle` degrees. Edges
+// about the z axis with a radius from `round` are arcs.
 inline std::vector<EdgePlace> edge_places(const hrbfnpr::test::Triangles& mesh, const std::vector<double>& round,
                                           double least_angle = 30.0) {
     constexpr double degree = 0.017453292519943295;
     using Point = BruteMesh::Point;
-    // Vertices may be in the same place.
+    // Merge vertices at the same place.
     std::map<Point, std::size_t> known;
     std::vector<Point> vertex;
     std::vector<std::size_t> of;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Shapes with sharp edges: CSG trees beside a plain recursion, unions of many fits, models of sheets that are fitted to
-// meshes, and which meshes are said to have edges.  --only=csg|rows|pieces|verdict; --trees=N; --models=DIR: a folder
-// of OBJ and PLY meshes that are measured, too; --named=TEXT: only those with it in the name; --save=DIR: writes the
-// meshes of verdict there in place of measuring them.
+// Shapes with sharp edges: CSG trees against a plain recursion, unions of many fits, models of sheets that are fitted
+// to meshes, and which meshes the library finds to have edges.  --only=csg|rows|pieces|verdict; --trees=N;
+// --models=DIR: a folder of OBJ and PLY meshes to measure as well; --named=TEXT: only meshes with TEXT in the name;
+// --save=DIR: writes the meshes of `verdict` there instead of measuring them.
 #include "edges_pieces.h"
 #include "edges_rows.h"
 #include "edges_trees.h"

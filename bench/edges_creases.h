@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the creases that a line set traces are from the true ones.
+// The distances between the creases that a line set traces and the true ones.
 #pragma once
 
 #include "edge_places.h"
@@ -16,13 +16,13 @@ namespace bench {
 
 // In % of the diagonal.
 struct CreaseErrors {
-    double p95 = 0.0, most = 0.0; // of traced points from the curves through the mesh's edges
-    double corner_p95 = 0.0;      // of the ends of the mesh's edges, which are on true ones, from traced lines
-    double found = 0.0;           // share of these that have a traced line within 0.1 %
-    std::int64_t points = 0;      // that were compared
+    double p95 = 0.0, most = 0.0; // from traced points to the curves through the mesh's edges
+    double corner_p95 = 0.0;      // from ends of the mesh's edges, which are on true creases, to traced lines
+    double found = 0.0;           // share of these ends that have a traced line within 0.1 %
+    std::int64_t points = 0;      // the number of traced points
 };
 
-// All creases from the least angle on, in front and behind, also where they are parts of the contour.
+// Shows all creases from the least angle on: front and back, hidden ones, and those on the contour.
 [[nodiscard]] inline hrbfnpr_line_style all_creases(double least_angle) {
     auto line = scenes::made(hrbfnpr_line_style_init);
     line.kind = HRBFNPR_LINE_KIND_CREASE;
@@ -35,7 +35,7 @@ struct CreaseErrors {
     return line;
 }
 
-// Where a place of the window, with its depth, is in the world.
+// Returns the place in the world of a place in the window with its depth.
 [[nodiscard]] inline glm::dvec3 unprojected(const hrbfnpr_camera& camera, const glm::dvec3& window) {
     const glm::dmat4 to_clip = glm::make_mat4(camera.projection) * glm::make_mat4(camera.view);
     const glm::dvec4 clip(2.0 * (window.x - camera.viewport[0]) / camera.viewport[2] - 1.0,
@@ -55,14 +55,14 @@ struct CreaseErrors {
     return least;
 }
 
-// Each edge has two places.
+// Each edge has two places; only the first is compared.
 [[nodiscard]] inline bool is_compared(const std::vector<EdgePlace>& places, std::size_t i) {
     return i % 2 == 0 && places[i].angle >= 40.0;
 }
 
-// Of the model's creases of 30 degrees and more, against the mesh's edges of 20 degrees and more; and the mesh's edges
-// of 40 degrees and more against these.  Points are those of the drawn lines, from three sides: they are on the lines'
-// cubics, and as exact as floats.
+// Compares the model's creases of 30 degrees and more with the mesh's edges of 20 degrees and more, and the mesh's
+// edges of 40 degrees and more with these creases.  The points are those of lines drawn from three sides; they are on
+// the lines' cubics, with the precision of floats.
 [[nodiscard]] inline CreaseErrors crease_errors(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                 const std::vector<EdgePlace>& places) {
     const auto info = info_of(model);

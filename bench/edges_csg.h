@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSG trees made at random, and what they are by a plain recursion over the nodes.
+// Random CSG trees, and their values by a plain recursion over the nodes.
 #pragma once
 
 #include "support/csg_nodes.h"
@@ -16,8 +16,8 @@ namespace bench {
 
 using hrbfnpr::test::CsgNodes;
 
-// At most so many levels; within some 3 of 0.  Transforms are rigid, mirrored and scaled, so that lengths have one
-// factor.
+// A random tree with at most `levels` levels, within about 3 of the origin.  Transforms are rigid, with mirroring and
+// uniform scaling, so that all lengths scale by one factor.
 class RandomCsg {
 public:
     RandomCsg(std::uint32_t seed, int levels) : random_(seed) { add(-1, levels); }

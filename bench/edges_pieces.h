@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models of sheets fitted to meshes with edges: how far their edges are off, how right normals and signs are beside
-// them, and what an evaluation costs.
+// Models of sheets fitted to meshes with edges: the errors of their edges, of normals and signs beside the edges, and
+// the time of an evaluation.
 #pragma once
 
 #include "calls.h"
@@ -38,7 +38,7 @@ inline EdgeSpread edge_spread(std::vector<double> values, double unit) {
     return {values[values.size() * 95 / 100] / unit, values.back() / unit};
 }
 
-// A mesh, a model of it, and what is asked of it; lengths in % of the diagonal.
+// A mesh, a model of it, and the measurements; lengths are in % of the diagonal.
 class PiecesRun {
 public:
     PiecesRun(hrbfnpr_context* context, const EdgeShape& shape, std::uint32_t edges)
@@ -70,7 +70,7 @@ public:
         unit_ = 0.01 * std::sqrt(square);
     }
 
-    // Along the middle of both normals: the nearest change of sign within 2 %.
+    // For each place on an edge, the distance to the nearest sign change within 2 % along the edge's `out` direction.
     [[nodiscard]] EdgeSpread edges() const {
         constexpr int steps = 400;
         std::vector<double> points;
@@ -93,12 +93,13 @@ public:
         return edge_spread(off, 1.0);
     }
 
-    // Of the creases that a line set traces.
+    // The errors of the creases that a line set traces.
     [[nodiscard]] CreaseErrors creases() const {
         return crease_errors(context_, model_.get(), edge_places(shape_.mesh, shape_.round, 20.0));
     }
 
-    // Of places on the mesh within 2 % of its edges; normals from 0.1 % on.
+    // Errors at places on the mesh within 2 % of its edges: distances of the surface, and angles of normals from 0.1 %
+    // on.
     void beside(EdgeSpread& surface, EdgeSpread& normal) const {
         std::vector<double> points, normals;
         sample(20000, points, normals);
@@ -120,7 +121,8 @@ public:
         normal = edge_spread(angle, 1.0);
     }
 
-    // Places beyond 0.1 % of the mesh whose sign is wrong; half of them are within some 3 % of it.
+    // Counts places with a wrong sign among places farther than 0.1 % from the mesh; half of all places are within
+    // about 3 % of it.
     [[nodiscard]] int wrong_signs() const {
         constexpr std::size_t count = 4000;
         std::vector<double> points, normals;
@@ -137,7 +139,7 @@ public:
         return wrong;
     }
 
-    // Evaluations a second, over those of one smooth fit of as many samples; at places beside the surface.
+    // Returns the evaluations per second, relative to one smooth fit of as many samples, at places beside the surface.
     [[nodiscard]] double speed() const {
         std::vector<double> points, normals;
         sample(static_cast<int>(info.centres), points, normals);
@@ -155,7 +157,7 @@ public:
     hrbfnpr_mesh_fit_info info{};
 
 private:
-    // In [-1, 1].
+    // Returns a random number in [-1, 1].
     [[nodiscard]] static double random(std::size_t i, std::uint64_t stream) {
         std::uint64_t bits = (static_cast<std::uint64_t>(i) + 1) * 0x9E3779B97F4A7C15U + stream * 0xD1B54A32D192ED03U;
         bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -223,7 +225,8 @@ inline std::vector<EdgeShape> edge_shapes() {
             {"screw10", screw(10, trapezoidal, 72, 3), 6000, {}}};
 }
 
-// Prints a line for each shape, and the numbers that are held.  folder: of OBJ and PLY meshes, which are measured, too.
+// Prints a line for each shape and reports the tracked numbers.  folder: a folder of OBJ and PLY meshes to measure as
+// well.
 inline void measure_pieces(hrbfnpr_context* context, const std::string& folder, const std::string& named) {
     std::vector<EdgeShape> shapes = edge_shapes();
     if (!folder.empty())

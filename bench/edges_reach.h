@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a solid has a surface, by a dense search: changes of sign on the edges of a lattice.
+// The surface of a solid by a dense search: sign changes on the edges of a lattice.
 #pragma once
 
 #include "calls.h"
@@ -27,9 +27,10 @@ public:
                     for (int axis = 0; axis < 3; ++axis) add(value, {x, y, z}, axis);
     }
 
-    // Walls thinner than a cell may be missed.
+    // May also be true if all walls are thinner than a cell.
     [[nodiscard]] bool empty() const { return places_.empty(); }
-    // To the nearest place that was found; it is on an edge, so up to half a cell more than to the surface.
+    // The distance to the nearest place found. The places are on lattice edges, so the surface may be up to half a cell
+    // nearer.
     [[nodiscard]] double distance(const glm::dvec3& from) const {
         double least = std::numeric_limits<double>::infinity();
         for (const glm::dvec3& place : places_) {

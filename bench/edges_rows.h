@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unions of many fits: what an evaluation takes beside one of a single fit.
+// Unions of many fits: the time of an evaluation, relative to that of a single fit.
 #pragma once
 
 #include "calls.h"
@@ -15,7 +15,7 @@ namespace bench::rows {
 inline constexpr int runs = 9;
 inline constexpr int places = 20000;
 
-// In a row of 8, then rows side by side, then layers of them.
+// Places fits in rows of 8, the rows in layers of 8.
 inline Vec3 centre(int i) { return {3.0 * (i % 8), 3.0 * (i / 8 % 8), 1.2 * (i / 64)}; }
 
 inline scenes::Model unite(hrbfnpr_context* context, const hrbfnpr_model* fit, int count) {
@@ -42,7 +42,7 @@ inline void evaluate(const hrbfnpr_model* model, const std::vector<double>& at) 
     check(hrbfnpr_model_evaluate(model, &points, &values, &gradients, nullptr, nullptr, check.error()));
 }
 
-// Near the surfaces of `count` of them, in no order.
+// Random places near the surfaces of `count` fits.
 inline std::vector<double> near_surfaces(const std::vector<double>& samples, int count) {
     std::mt19937 random(7);
     const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// More meshes for edges_verdict.h, beside those that tests have too: scans, decimated and noisy meshes, parts of
-// machines.
+// Meshes for edges_verdict.h beyond those that tests share: scans, decimated and noisy meshes, machine parts.
 #pragma once
 
 #include "support/verdict_shapes.h"
@@ -15,7 +14,7 @@
 
 namespace hrbfnpr::test::verdict {
 
-// The same with limbs of four sides.
+// A simpler version of animal(), whose limbs have four sides.
 inline std::vector<Block> simple_animal() {
     return {{{-3, -1, 0}, {3, 2, 3}}, {{-3, -1, -3}, {-2, 0, 0}}, {{-3, 1, -3}, {-2, 2, 0}}, {{2, -1, -3}, {3, 0, 0}},
             {{2, 1, -3}, {3, 2, 0}},  {{2, 0, 3}, {3, 1, 5}},     {{2, 0, 5}, {5, 1, 6}},    {{-6, 0, 2}, {-3, 1, 3}}};
@@ -47,7 +46,7 @@ inline Quads torus(int columns, int rows, double tube) {
     });
 }
 
-// Waves in two directions that rise by `height` over a length of 1 / `waves`.
+// `waves` waves per unit length in two directions, with the amplitude `height`.
 inline Quads waves(int n, int waves, double height) {
     return grid(n, n, [&](double u, double v) {
         return glm::dvec3(u, v, height * std::sin(2.0 * pi * waves * u) * std::sin(2.0 * pi * waves * v + 0.7));
@@ -56,8 +55,8 @@ inline Quads waves(int n, int waves, double height) {
 
 using Field = std::function<double(const glm::dvec3&)>;
 
-// The surface where a field is 0, negative inside, in [-1, 1]^3: six tetrahedra a cube. Vertices are off along the
-// edges of the grid by up to `noise` of its cells.
+// Triangulates the zero level of a field, negative inside, in [-1, 1]^3, by six tetrahedra per cube. Vertices are
+// displaced by up to `noise` cells.
 inline Triangles scan(const Field& field, int cells, double noise) {
     Triangles mesh;
     const auto place = [&](const std::array<int, 3>& i) {
@@ -75,7 +74,7 @@ inline Triangles scan(const Field& field, int cells, double noise) {
         if (is_new) {
             const double va = value[static_cast<std::size_t>(key_of(a))],
                          vb = value[static_cast<std::size_t>(key_of(b))];
-            const double t = std::clamp(va / (va - vb), 0.05, 0.95); // Scans have no needles.
+            const double t = std::clamp(va / (va - vb), 0.05, 0.95); // scans have no needle triangles
             glm::dvec3 p = place(a) + t * (place(b) - place(a));
             const auto salt = static_cast<std::uint64_t>(key.first) * 7919U + static_cast<std::uint64_t>(key.second);
             for (int c = 0; c < 3; ++c) p[c] += noise * 2.0 / cells * random(salt, static_cast<std::uint64_t>(c));
@@ -125,7 +124,7 @@ inline Triangles scan(const Field& field, int cells, double noise) {
     return mesh;
 }
 
-// The union of balls and of rods of two ends, with round transitions.
+// A union of rods with round ends, with smooth transitions.
 inline Field soft_body() {
     struct Rod {
         glm::dvec3 from, to;
@@ -148,7 +147,7 @@ inline Field soft_body() {
     };
 }
 
-// One vertex for all that lie in one cell, as simple decimation has it.
+// Merges all vertices in each cell into one, as simple decimation does.
 inline Triangles clustered(const Triangles& fine, double cell) {
     std::map<std::array<long, 3>, std::vector<std::size_t>> cells;
     for (std::size_t v = 0; v < fine.vertices.size() / 3; ++v) {
@@ -177,7 +176,7 @@ inline Triangles clustered(const Triangles& fine, double cell) {
     return mesh;
 }
 
-// A head with a nose, a chin, sockets and ears, as a scanner sees one; off by up to `noise` along each ray.
+// A scanned head with a nose, a chin, sockets and ears, with errors of up to `noise` along each ray.
 inline Triangles head(int levels, double noise) {
     return star(levels, [&](const glm::dvec3& d, std::size_t v) {
         const auto bump = [&](const glm::dvec3& at, double width) {
@@ -191,7 +190,7 @@ inline Triangles head(int levels, double noise) {
     });
 }
 
-// An angle iron, whose inner corner is round.
+// An angle bracket whose inner corner is round.
 inline Triangles bracket(int segments) {
     Outline outline{{{0.0, 0.0}, {2.0, 0.0}, {2.0, 0.3}}, {0.25, 0.25}};
     for (int k = 0; k <= segments; ++k) {
@@ -203,11 +202,11 @@ inline Triangles bracket(int segments) {
     return prism(outline, 1.0);
 }
 
-// A box, 2 by 1.4 by 1, all of whose edges are round, or chamfered: 1 chord.
+// A box of 2 by 1.4 by 1 with rounded edges; with 1 chord, chamfered ones.
 inline Triangles round_box(double radius, int chords) {
     const glm::dvec3 core = glm::dvec3(1.0, 0.7, 0.5) - radius;
     Quads all;
-    std::vector<double> steps; // in units of the core from the middle, and angles beyond it
+    std::vector<double> steps; // units of the core from the middle, and angles beyond it
     for (int k = 0; k <= chords; ++k) steps.push_back(-1.0 - 0.25 * pi * (chords - k) / std::max(chords, 1));
     std::vector<double> coordinate = steps;
     for (std::size_t k = steps.size(); k-- > 0;) coordinate.push_back(-steps[k]);
@@ -235,14 +234,14 @@ inline Triangles round_box(double radius, int chords) {
                 all.face.push_back({first + q[0], first + q[1], first + q[2], first + q[3]});
             }
         }
-    for (glm::dvec3& p : all.vertex) p = glm::round(p * 1e9) * 1e-9; // Seams are welded.
+    for (glm::dvec3& p : all.vertex) p = glm::round(p * 1e9) * 1e-9; // weld seams
     return cut(all, Cut::first);
 }
 
 // A cube with flat chamfers and flat corners.
 inline Triangles chamfered_cube(double chamfer) {
     Triangles mesh;
-    const auto at = [&](int axis, int corner) { // the vertex of a corner of the cube that lies on the side of an axis
+    const auto at = [&](int axis, int corner) { // the vertex of a cube corner on the face across an axis
         std::array<double, 3> p{};
         for (int c = 0; c < 3; ++c) {
             const double sign = (corner >> c & 1) != 0 ? 1.0 : -1.0;
@@ -298,7 +297,7 @@ inline Triangles elbow(int around, int along) {
     return mesh;
 }
 
-// What two cylinders of radius 1 that cross at right angles have in common.
+// The intersection of two cylinders of radius 1 that cross at right angles.
 inline Triangles crossed_cylinders(int n) {
     Triangles mesh;
     for (int side = 0; side < 4; ++side) {
@@ -342,7 +341,7 @@ inline Triangles blade(int around, int along) {
     return mesh;
 }
 
-// A sheet that is folded at right angles twice; open.
+// An open sheet with two folds at right angles.
 inline Triangles folded_sheet(int n) {
     return cut(
         grid(3 * n, n,
@@ -354,20 +353,20 @@ inline Triangles folded_sheet(int n) {
         Cut::first);
 }
 
-// As a file of text has it, whose digits end somewhere.
+// Rounds coordinates, as a text file with few digits does.
 inline Triangles as_text(Triangles mesh, double digit = 1e-6) {
     for (double& x : mesh.vertices) x = std::round(x / digit) * digit;
     return mesh;
 }
 
-// Every coordinate off by up to `off`.
+// Moves every coordinate by up to `off`.
 inline Triangles rough(Triangles mesh, double off) {
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i) mesh.vertices[i] += off * random(i, 11);
     return mesh;
 }
 
-// Moves vertices about the z axis and along it where neither crosses an edge: those on round walls, which are nowhere
-// in rows then.
+// Moves the vertices of round walls about the z axis and along it, but not those on edges. Afterwards the vertices are
+// no longer in rows.
 inline Triangles scattered(Triangles mesh, double off) {
     std::map<std::pair<std::int32_t, std::int32_t>, glm::dvec3> normal;
     const auto at = [&](std::int32_t i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSG trees beside a plain recursion: values, gradients, projections, rays.
+// CSG trees against a plain recursion: values, gradients, projections, rays.
 #pragma once
 
 #include "calls.h"
@@ -23,14 +23,14 @@ struct Score {
     std::int64_t values = 0, wrong_values = 0;
     std::int64_t gradients = 0, wrong_gradients = 0;
     std::int64_t projections = 0, off_surface = 0;
-    std::int64_t bare = 0, bare_converged = 0; // in boxes in which a dense search finds no surface
-    std::int64_t reaching = 0, converged = 0;  // in the others
-    std::vector<double> farther;               // than the nearest surface; in diagonals
+    std::int64_t bare = 0, bare_converged = 0; // projections in boxes where a dense search finds no surface
+    std::int64_t reaching = 0, converged = 0;  // projections in all other boxes
+    std::vector<double> farther;               // distance beyond the nearest surface, in diagonals
     std::int64_t rays = 0, hits = 0, missed = 0, wrong_hits = 0;
     double value_error = 0.0, seconds = 0.0;
 };
 
-// One tree as a model, or null: nothing is left of it.
+// Returns a tree as a model, or null if it is empty.
 inline scenes::Model create(hrbfnpr_context* context, const bench::CsgNodes& nodes, Score& score) {
     hrbfnpr_csg_desc desc = nodes.desc();
     hrbfnpr_error error;
@@ -55,7 +55,7 @@ struct Tree {
 
     [[nodiscard]] double number() { return static_cast<double>(random()) / 4294967296.0; }
     [[nodiscard]] double diagonal() const { return glm::length(high - low); }
-    // In the box and a little beyond.
+    // Random places in the box and slightly beyond.
     [[nodiscard]] std::vector<double> places(int count) {
         std::vector<double> packed;
         for (int i = 0; i < 3 * count; ++i)
@@ -73,7 +73,7 @@ inline hrbfnpr_array_out out(std::vector<double>& numbers, std::uint32_t compone
             components};
 }
 
-// The reference's gradient by differences; NaN at a crease, where those of either side differ.
+// Returns the gradient of the reference by differences; NaN at a crease, where one-sided differences disagree.
 inline glm::dvec3 difference(const bench::CsgReference& f, const glm::dvec3& p, double value, double step) {
     glm::dvec3 gradient;
     for (int axis = 0; axis < 3; ++axis) {
@@ -123,7 +123,7 @@ inline void project(Tree& tree, Score& score) {
     projection.position = out(place, 3);
     projection.status = {status.data(), projections_each, 0, HRBFNPR_SCALAR_UINT32, 1};
     check(hrbfnpr_model_project(tree.model, &points, nullptr, &projection, nullptr, check.error()));
-    const double margin = 0.05 * tree.diagonal(); // of the search box
+    const double margin = 0.05 * tree.diagonal(); // the search box is larger by this
     const DenseSurface dense(tree.model, tree.low - margin, tree.high + margin);
     score.empty_boxes += dense.empty() ? 1 : 0;
     for (std::size_t i = 0; i < status.size(); ++i) {
@@ -138,7 +138,7 @@ inline void project(Tree& tree, Score& score) {
     }
 }
 
-// The first change of sign on a fine row of places in the search box; infinity: there is none.
+// Returns the first sign change at fine steps along a ray in the search box; infinity if there is none.
 inline double first_change(const Tree& tree, const glm::dvec3& origin, const glm::dvec3& direction, double step) {
     const double margin = 0.05 * tree.diagonal();
     int inside = -1;
@@ -180,7 +180,8 @@ inline void cast(Tree& tree, Score& score) {
         ++score.rays;
         if (std::isfinite(t[i])) {
             ++score.hits;
-            // Sooner than sampling says is right, too, where the sign changes: sampling may miss a thin wall.
+            // A hit before the sampled sign change is right, too, if the sign changes there: sampling may miss a thin
+            // wall.
             const double near = 1e-7 * tree.diagonal();
             const bool changes = (tree.reference.at(at(origin, i) + (t[i] - near) * at(direction, i)) < 0.0) !=
                                  (tree.reference.at(at(origin, i) + (t[i] + near) * at(direction, i)) < 0.0);

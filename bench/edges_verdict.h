@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a mesh stands for a shape with edges: generated meshes of which that is known, and what the library says.
+// Whether a mesh stands for a shape with edges: generated meshes with a known answer, and the library's answer.
 #pragma once
 
 #include "calls.h"
@@ -20,8 +20,8 @@ using hrbfnpr::test::Triangles;
 
 using hrbfnpr::test::made;
 
-// What a mesh stands for by construction: a smooth shape, one with edges between faces that may be round, or one whose
-// faces are all flat.
+// The shape that a mesh stands for by construction: a smooth shape, a shape with edges between faces that may be round,
+// or a shape with flat faces only.
 enum class Right { smooth, edges, flat };
 
 struct Model {
@@ -45,7 +45,7 @@ inline void add_cages(std::vector<Model>& models) {
     const std::array<std::string, 4> cuts{"/", "\\", "short", "random"};
     for (std::size_t i = 0; i < cages.size(); ++i)
         for (int level = 0; level <= cages[i].most; ++level) {
-            // Cages of few faces and four sides are no smooth shapes before they are subdivided.
+            // Coarse cages with limbs of four sides are not smooth shapes before they are subdivided.
             if (level == 0 && i != 0 && i != 2 && i != 3) continue;
             const Quads mesh = subdivided(cages[i].mesh, level);
             for (std::size_t how = 0; how < cuts.size(); ++how) {
@@ -87,7 +87,7 @@ inline void add_scans(std::vector<Model>& models) {
     models.push_back({"coarse head", Right::smooth, head(3, 0.0)});
     models.push_back({"thinned body", Right::smooth, clustered(scan(soft_body(), 64, 0.0), 0.1)});
     models.push_back({"thinned head", Right::smooth, clustered(head(5, 0.0), 0.2)});
-    // A terrain of rugged mountains and level lakes, and a figure on a level ground.
+    // A terrain of rugged mountains and level lakes, and a figure on level ground.
     Triangles lakes = cut(waves(80, 5, 0.07), Cut::first);
     for (std::size_t i = 2; i < lakes.vertices.size(); i += 3)
         lakes.vertices[i] = std::max(lakes.vertices[i] + 0.02 * random(i, 3), 0.0);
@@ -237,7 +237,7 @@ inline std::vector<Model> models() {
     return all;
 }
 
-// Makes the mesh, and, if edges are said to stand out, a model as coarse as can be, which has all the sheets.
+// Makes the mesh. If the library finds edges, also fits the coarsest possible model, which has all the sheets.
 inline std::int64_t sheets_of(hrbfnpr_context* context, const Triangles& from, hrbfnpr_mesh_info& info) {
     scenes::Check check;
     auto desc = made(hrbfnpr_mesh_desc_init);
@@ -255,7 +255,7 @@ inline std::int64_t sheets_of(hrbfnpr_context* context, const Triangles& from, h
     double square = 0.0;
     for (std::size_t c = 0; c < 3; ++c)
         square += (info.bounds_max[c] - info.bounds_min[c]) * (info.bounds_max[c] - info.bounds_min[c]);
-    fit.tolerance = fit.far = 0.01 * std::sqrt(square); // Faces are as coarse as with the usual tolerance.
+    fit.tolerance = fit.far = 0.01 * std::sqrt(square); // faces are as coarse as with the default tolerance
     auto told = made(hrbfnpr_mesh_fit_info_init);
     hrbfnpr_model* model = nullptr;
     check(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, &told, nullptr, &model, check.error()));
@@ -263,7 +263,7 @@ inline std::int64_t sheets_of(hrbfnpr_context* context, const Triangles& from, h
     return told.sheets;
 }
 
-// Writes all meshes as OBJ files, numbered in their order; for scripts/ablate.py.
+// Writes all meshes as OBJ files, numbered in order; for scripts/ablate.py.
 inline void save_models(const std::string& folder) {
     int number = 0;
     for (const Model& model : models()) {
@@ -293,7 +293,7 @@ inline void measure_verdict(hrbfnpr_context* context, const std::string& named) 
         const bool is_right = (info.creases != 0) == (model.right != Right::smooth);
         ++count;
         right += is_right ? 1 : 0;
-        // Where all faces are flat, or triangles are few, each face may be a sheet.
+        // If all faces are flat, or triangles are few, each face may be a sheet; other meshes should have few sheets.
         if (info.creases != 0 && model.right != Right::flat && info.faces >= 100)
             most = std::max(most, static_cast<double>(sheets) / static_cast<double>(info.faces));
         std::printf("%-24s %7lld %7s %7s %8.3f %8lld  %s\n", model.name.c_str(), static_cast<long long>(info.faces),

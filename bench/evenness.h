@@ -20,7 +20,7 @@ struct Mark {
     Vec3 normal;
 };
 
-// Cells of one side; visits the points of the 27 cells around a place.
+// A grid of cells; visits the points of the 27 cells around a place.
 class Grid {
 public:
     Grid(const std::vector<Mark>& marks, std::size_t count, double side) : side_(side) {
@@ -50,23 +50,24 @@ private:
 };
 
 struct Evenness {
-    double relative_radius = 0.0; // smallest distance to the nearest other one, in d
-    double mean_nearest = 0.0;    // mean of these distances, in d
-    double low_frequency = 0.0;   // power below a quarter of the sampling's frequency; white noise: 1
+    double relative_radius = 0.0; // smallest distance to a nearest neighbour, in d
+    double mean_nearest = 0.0;    // mean distance to nearest neighbours, in d
+    double low_frequency = 0.0;   // power below a quarter of the sampling frequency; white noise: 1
 };
 
-// A piece of the surface whose marks are looked at; marks outside still are neighbours.
+// The piece of the surface whose marks are measured; marks outside it still count as neighbours.
 struct Window {
-    bool flat = false; // marks outside [-1, 1]^2 are not looked at
+    bool flat = false; // marks outside [-1, 1]^2 are not measured
     [[nodiscard]] bool holds(const Vec3& p, double margin) const {
         return !flat || (std::abs(p[0]) <= 1.0 - margin && std::abs(p[1]) <= 1.0 - margin);
     }
 };
 
-// Straight distances tell how far apart two marks are on a small patch only: not over a crease or around a rim.
+// Straight distances are valid on a small patch only, not over a crease or around a rim.
 inline bool same_patch(const Mark& a, const Mark& b) { return dot(a.normal, b.normal) >= 0.5; }
 
-// The distances of the first `count` marks in d = sqrt(2 / sqrt(3) area / n), that of the densest packing.
+// Measures the distances of the first `count` marks, in d = sqrt(2 / sqrt(3) area / n), the distance of the densest
+// packing.
 inline void measure_distances(const std::vector<Mark>& marks, std::size_t count, double density, const Window& window,
                               Evenness& result) {
     const double d = std::sqrt(2.0 / std::sqrt(3.0) / density);
@@ -89,9 +90,10 @@ inline void measure_distances(const std::vector<Mark>& marks, std::size_t count,
     result.mean_nearest = sum / static_cast<double>(looked_at) / d;
 }
 
-// The variance of sum_i exp(-|x - p_i|^2 / 2 s^2) over places x of the surface, in that of independent marks,
-// density pi s^2.  It weighs the power spectrum by exp(-4 pi^2 s^2 f^2), which has fallen to 1/e at
-// f = sqrt(density) / 4 for s = 2 / (pi sqrt(density)).  Places: every so many of all marks, moved by half a spacing.
+// Measures the variance of sum_i exp(-|x - p_i|^2 / 2 s^2) over places x of the surface, relative to that of
+// independent marks, density pi s^2.  This weighs the power spectrum by exp(-4 pi^2 s^2 f^2), which falls to 1/e at f =
+// sqrt(density) / 4 for s = 2 / (pi sqrt(density)).  The places are a regular subset of all marks, moved by half a
+// spacing.
 inline void measure_low_frequencies(const std::vector<Mark>& marks, std::size_t count, double density,
                                     const std::vector<Mark>& places, const Window& window, Evenness& result) {
     constexpr double pi = 3.14159265358979323846;
@@ -118,8 +120,8 @@ inline void measure_low_frequencies(const std::vector<Mark>& marks, std::size_t 
     result.low_frequency = (squares / number - mean * mean) / (density * pi * sigma * sigma);
 }
 
-// The periodogram of the marks in [-1, 1]^2 under Hann's window, averaged over frequencies from three periods of the
-// window to a quarter of the sampling's; white noise: 1.
+// Returns the periodogram of the marks in [-1, 1]^2 under Hann's window, averaged over frequencies from three periods
+// per window to a quarter of the sampling frequency; white noise: 1.
 inline double windowed_power(const std::vector<Mark>& marks, std::size_t count, double density) {
     constexpr double pi = 3.14159265358979323846;
     std::vector<std::array<double, 3>> inside; // x, y, weight
@@ -132,7 +134,7 @@ inline double windowed_power(const std::vector<Mark>& marks, std::size_t count, 
         squares += weight * weight;
     }
     const double highest = 0.25 * std::sqrt(density);
-    const int steps = static_cast<int>(highest * 2.0); // the window is 2 wide: half a cycle a unit
+    const int steps = static_cast<int>(highest * 2.0); // the window is 2 wide, so a step is half a cycle per unit
     double sum = 0.0;
     int number = 0;
     const int skip = std::max(1, steps * steps / 1500);

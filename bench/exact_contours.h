@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the contours of exact shapes are: in closed form, or from a fine mesh of the bench's own.
+// The contours of exact shapes: in closed form, or from a fine mesh of the benchmark's own.
 #pragma once
 
 #include "exact_shapes.h"
@@ -29,12 +29,12 @@ struct ImageLines {
     }
 };
 
-// From where, or along what, a camera looks.
+// The lines of sight of a camera.
 struct Sight {
     explicit Sight(const hrbfnpr_camera& camera)
         : lens(camera), orthographic(camera.projection[15] != 0.0),
           along(-glm::dvec3(lens.view[0][2], lens.view[1][2], lens.view[2][2])) {}
-    // To a place, of any length.
+    // Returns a vector of any length along the line of sight to a place.
     [[nodiscard]] glm::dvec3 to(const glm::dvec3& p) const { return orthographic ? along : p - lens.eye; }
 
     Lens lens;
@@ -51,7 +51,7 @@ public:
     [[nodiscard]] virtual ImageLines of(const Sight& sight) const = 0;
 };
 
-// With q = p / axes, on the unit sphere: a circle about the eye's direction.
+// q = p / axes is on the unit sphere, where the contour is a circle about the direction to the eye.
 class EllipsoidContours : public Contours {
 public:
     explicit EllipsoidContours(const glm::dvec3& axes) : axes_(axes) {}
@@ -80,8 +80,8 @@ private:
     glm::dvec3 axes_;
 };
 
-// Of c(t) + r u, u the unit normal: u . (c - eye) + r = 0, for each t two u on either side of the line of sight, or
-// none where the eye looks along the tube.
+// The contour of a tube around c(t): c + r u with the unit normal u satisfies u . (c - eye) + r = 0. For each t there
+// are two solutions, on either side of the line of sight, or none if the eye looks along the tube.
 template <class Curve>
 class TubeContours : public Contours {
 public:
@@ -96,7 +96,7 @@ public:
             const Place& p = places[i];
             if (p.is) {
                 for (std::size_t s = 0; s < 2; ++s) side[s].push_back(p.image[s]);
-                // The two meet where they end.
+                // The two sides meet where the contour ends.
                 const bool begins = i > 0 && !places[i - 1].is;
                 if (begins) lines.add_line({p.image[0], p.image[1]});
             }
@@ -131,7 +131,7 @@ private:
             place.image[s] = sight.lens.image_of(c + Curve::radius * (cosine * m + (s == 0 ? sine : -sine) * b));
         return place;
     }
-    // Places from the last one up to this, no farther apart in the image than half a pixel.
+    // Adds places from the last one up to `to`, at most half a pixel apart in the image.
     static void refine(const Sight& sight, const Place& to, std::vector<Place>& places, int depth) {
         const Place& from = places.back();
         const bool near = from.is == to.is && (!to.is || (glm::distance(from.image[0], to.image[0]) < 0.5 &&
@@ -145,8 +145,8 @@ private:
     }
 };
 
-// Of any shape: its zero set cut by the tetrahedra of a fine lattice, on the triangles of which the zeros of
-// n . sight are looked for and brought onto both.
+// The contour of any shape. The zero level is cut by the tetrahedra of a fine lattice; on the resulting triangles,
+// zeros of n . sight are found and then moved onto both zero sets.
 class MeshContours : public Contours {
 public:
     MeshContours(const Shape& shape, int cells) : shape_(shape), cells_(cells) { triangulate(); }
@@ -179,7 +179,7 @@ public:
     }
 
 private:
-    // Newton's steps of least length to f = 0 and n . sight = 0.
+    // Takes Newton steps of least length to f = 0 and n . sight = 0.
     [[nodiscard]] glm::dvec3 settled(const Sight& sight, glm::dvec3 p) const {
         for (int step = 0; step < 6; ++step) {
             const Jet f = shape_.at(p);
@@ -228,7 +228,7 @@ private:
         if (inside == 0 || inside == 4) return;
         for (std::size_t i = 0; i < inside; ++i)
             for (std::size_t k = 0; k < 4 - inside; ++k) {
-                // Of two and two, around the quadrilateral.
+                // With two corners on each side, go around the quadrilateral.
                 const std::size_t o = inside + (inside == 2 && i == 1 ? 1 - k : k);
                 on.push_back(vertex_on(std::min(in[i], in[o]), std::max(in[i], in[o])));
             }

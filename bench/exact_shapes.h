@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Implicits that are known exactly, with gradients and Hessians: an ellipsoid, a surface of genus 2, and tubes about
-// closed curves (a torus, a trefoil).
+// Exact implicits with gradients and Hessians: an ellipsoid, a surface of genus 2, and tubes around closed curves (a
+// torus, a trefoil).
 #pragma once
 
 #include "calls.h"
@@ -20,7 +20,7 @@
 
 namespace bench {
 
-// A number with its first and second derivatives; the latter xx xy xz yy yz zz.
+// A number with its first and second derivatives; the order of the latter is xx xy xz yy yz zz.
 struct Jet {
     double value = 0.0;
     glm::dvec3 gradient{0.0};
@@ -56,10 +56,10 @@ struct Shape {
     virtual ~Shape() = default;
     [[nodiscard]] virtual Jet at(const glm::dvec3& p) const = 0;
 
-    glm::dvec3 half; // of its box about 0
+    glm::dvec3 half; // half the size of its box around the origin
 };
 
-// q - 1, times half the smallest axis.
+// q - 1, times half the smallest axis, where q = sum (p / axes)^2.
 struct Ellipsoid : Shape {
     explicit Ellipsoid(const glm::dvec3& its_axes) : Shape(its_axes), axes(its_axes) {}
     [[nodiscard]] Jet at(const glm::dvec3& p) const override {
@@ -113,7 +113,7 @@ struct Trefoil {
     static constexpr glm::dvec3 half{3.1, 3.35, 1.35};
 };
 
-// The distance from a closed curve, less a radius.
+// The distance from a closed curve, minus a radius.
 template <class Curve>
 struct Tube : Shape {
     Tube() : Shape(Curve::half) {
@@ -128,7 +128,7 @@ struct Tube : Shape {
         const glm::dvec3 u = d / s;
         const glm::dvec3 along = glm::normalize(c1);
         const double speed = glm::dot(c1, c1);
-        // The curvature vector's part along u, and how that bends parallel curves.
+        // The component of the curvature vector along u, and the curvature of parallel curves.
         const double k = glm::dot(c2, u) / speed;
         const double around = -k / (1.0 - s * k);
         Jet jet{s - Curve::radius, u, {}};
@@ -182,7 +182,7 @@ inline std::int32_t evaluate_shape(void* user, std::int64_t count, const double*
     return 0;
 }
 
-// The shape has to live as long.
+// The shape must outlive the model.
 [[nodiscard]] inline scenes::Model custom_shape(hrbfnpr_context* context, Shape& shape) {
     scenes::Check check;
     auto desc = scenes::made(hrbfnpr_custom_desc_init);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Feature lines as a plain dense reference has them: rays on a fine grid of the image, what vanishes along a line at
-// their hits, and where it changes its sign from one to the next.
+// A dense reference for feature lines: rays through a fine grid of the image, the function that vanishes along a line
+// at their hits, and where it changes sign from one hit to the next.
 #pragma once
 
 #include "line_calls.h"
@@ -19,12 +19,12 @@
 
 namespace bench {
 
-// Curvatures of one place.  II = -Hess f / |grad f|; k1 >= k2; change(u, v, w) is the derivative of II(u, v) along w,
+// Curvatures at one place.  II = -Hess f / |grad f|; k1 >= k2; change(u, v, w) is the derivative of II(u, v) along w,
 // with u and v kept in the surface.
 struct PlaceShape {
     glm::dvec3 n{0.0}, d1{0.0}, d2{0.0};
     double k1 = 0.0, k2 = 0.0;
-    glm::dmat3 hessian{0.0}; // over |grad f|
+    glm::dmat3 hessian{0.0}; // divided by |grad f|
     std::array<double, 10> third{};
 
     PlaceShape() = default;
@@ -60,11 +60,11 @@ struct PlaceShape {
     }
 };
 
-// What a kind of line is the zero line of at one place.
+// The function g whose zero level is a line of some kind, at one place.
 struct PlaceValue {
     double g = 1.0;
     double strength = -1.0;
-    glm::dvec3 along{0.0}; // where g changes its sign with it; else 0
+    glm::dvec3 along{0.0}; // the direction whose reversal changes the sign of g; else 0
 };
 
 struct FeatureAsked {
@@ -76,7 +76,7 @@ struct FeatureAsked {
     [[nodiscard]] bool is_crest() const { return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY; }
 };
 
-// q1^2, the square of the view-dependent curvature [Judd et al. 2007], and where on the surface its direction is.
+// q1^2, the square of the view-dependent curvature [Judd et al. 2007], and its direction on the surface.
 struct ViewCurvature {
     double q2 = 0.0;
     glm::dvec3 x{0.0}, s{0.0};
@@ -103,10 +103,10 @@ struct ViewCurvature {
                                             const glm::dvec3& v, double nearness, double unit) {
     PlaceValue value;
     const double facing = glm::dot(p.n, v);
-    const glm::dvec3 w = v - facing * p.n; // w turns by facing II - nearness (1 - w w^T) along the surface
+    const glm::dvec3 w = v - facing * p.n; // along the surface, w changes by facing II - nearness (1 - w w^T)
     switch (asked.kind) {
     case HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR: {
-        // B(w, w), B = -II, and its derivative along w where it is 0.
+        // B(w, w) with B = -II, and its derivative along w where B(w, w) is 0.
         value.g = -p.bend(w, w);
         const double b1 = p.bend(w, p.d1);
         const double b2 = p.bend(w, p.d2);
@@ -117,7 +117,7 @@ struct ViewCurvature {
     case HRBFNPR_LINE_KIND_VALLEY: value = {p.change(p.d1, p.d1, p.d1), (p.k1 - std::abs(p.k2)) * unit, p.d1}; break;
     case HRBFNPR_LINE_KIND_APPARENT_RIDGE: {
         const ViewCurvature q(p, v);
-        // D_s of x^T II M II x, M = I + w w^T / facing^2, with x held.
+        // The derivative along s of x^T II M II x with M = I + w w^T / facing^2, with x kept.
         const auto bend = [&](const glm::dvec3& u) { return p.bend(u, p.d1) * p.d1 + p.bend(u, p.d2) * p.d2; };
         const glm::dvec3 y = bend(q.x);
         const glm::dvec3 dy = p.change(q.x, p.d1, q.s) * p.d1 + p.change(q.x, p.d2, q.s) * p.d2;
@@ -137,7 +137,7 @@ struct ViewCurvature {
     return value;
 }
 
-// The shape of a model's surface at any places on it.
+// The shape of a model's surface at given places on it.
 class ShapeAt {
 public:
     explicit ShapeAt(const hrbfnpr_model* model) : model_(model), plain_(model) {}
@@ -153,7 +153,7 @@ public:
         for (std::size_t i = 0; i < places.size(); ++i) shape.emplace_back(gradient[i], derivatives[i]);
         return shape;
     }
-    // The nearest places of the surface, by Newton's steps along the gradient.
+    // Moves places onto the surface by Newton steps along the gradient.
     [[nodiscard]] std::vector<glm::dvec3> onto_surface(std::vector<glm::dvec3> places) const {
         scenes::Check check;
         const auto n = static_cast<std::int64_t>(places.size());
@@ -175,7 +175,7 @@ private:
     PlainShape plain_;
 };
 
-// First hits of rays through a grid of the image, and the shape there.
+// The first hits of rays through a grid of the image, and the shape at the hits.
 class FeatureGrid {
 public:
     FeatureGrid(const hrbfnpr_model* model, const ShapeAt& shape_at, const hrbfnpr_camera& camera, int rays)
@@ -210,11 +210,11 @@ public:
         return glm::dvec2(node % w, node / w) / static_cast<double>(rays_);
     }
     [[nodiscard]] const Sight& sight() const { return sight_; }
-    // Whether no contour passes between two neighbouring hits.
+    // Returns whether no contour passes between two neighbouring hits.
     [[nodiscard]] bool joined(std::size_t a, std::size_t b) const {
         return is_hit(a) && is_hit(b) && is_near(a, b) && cut_.count(key(a, b)) == 0;
     }
-    // Whether a contour passes within so many pixels.
+    // Returns whether a contour passes within `reach` pixels.
     [[nodiscard]] bool near_contour(const glm::dvec2& pixel, double reach) const {
         const auto low = [&](double x) { return static_cast<int>(std::ceil((x - reach) * rays_)); };
         const auto high = [&](double x) { return static_cast<int>(std::floor((x + reach) * rays_)); };
@@ -227,7 +227,7 @@ public:
     }
 
 private:
-    // Each in the other's tangent plane, nearly.
+    // Returns whether each hit is nearly in the tangent plane of the other.
     [[nodiscard]] bool is_near(std::size_t a, std::size_t b) const {
         const glm::dvec3 step = position_[b] - position_[a];
         const double length = glm::length(step);
@@ -270,8 +270,8 @@ private:
         hit.clear();
         for (const std::uint32_t c : count) hit.push_back(c > 0 ? 1 : 0);
     }
-    // Near its end a contour hides little depth.  Between hits of which one is much deeper, rays on the way tell a
-    // jump, which stands between two of them, from a surface that is seen obliquely.
+    // Near its end, a contour hides little depth.  If one of two hits is much deeper, rays between them distinguish a
+    // jump, which is between two of these rays, from a surface seen obliquely.
     void find_cuts(const hrbfnpr_model* model) {
         const auto w = static_cast<std::size_t>(width_);
         std::vector<std::pair<std::size_t, std::size_t>> steep;
@@ -303,7 +303,7 @@ private:
             if (missed || largest > 0.3 * glm::distance(position_[a], position_[b])) cut_.insert(key(a, b));
         }
     }
-    // Deeper by more than its width.
+    // Returns whether the step between two hits is deeper than wide.
     [[nodiscard]] bool is_steep(std::size_t a, std::size_t b) const {
         const glm::dvec3 step = position_[b] - position_[a];
         const double depth = glm::dot(step, glm::normalize(sight_.to(position_[a])));
@@ -322,9 +322,9 @@ private:
     int rays_, width_, height_;
     std::vector<char> hit_;
     std::vector<glm::dvec3> position_;
-    std::vector<std::int32_t> of_node_; // in shape_; -1: no hit
+    std::vector<std::int32_t> of_node_; // index into shape_; -1: no hit
     std::vector<PlaceShape> shape_;
-    std::unordered_set<std::size_t> cut_; // pairs that a contour passes between
+    std::unordered_set<std::size_t> cut_; // pairs of hits with a contour between them
     std::vector<char> edge_;
 };
 

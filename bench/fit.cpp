@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Fits of a bumpy closed surface by the iterative solver: seconds, memory and residuals over N; beside the direct
-// solver, LAPACK where it is installed, and what the processor could do; and what TRIM_AUTO costs.  --large: up to a
-// million samples; --trim: that alone.
+// Fits of a bumpy closed surface by the iterative solver: seconds, memory and residuals against the number of samples;
+// compared with the direct solver, LAPACK if it is installed, and the processor's peak; and the cost of TRIM_AUTO.
+// --large: up to a million samples; --trim: only the cost of TRIM_AUTO.
 #include "lapack.h"
 #include "peak.h"
 #include "samples.h"
@@ -23,7 +23,7 @@ using bench::Samples;
 
 struct Fit {
     hrbfnpr_model_info info{};
-    double peak_mb = 0.0; // more than the context had before
+    double peak_mb = 0.0; // peak memory of the fit
 };
 
 Fit fit(const Samples& samples, std::uint32_t solver, std::uint32_t trim = HRBFNPR_TRIM_AUTO) {
@@ -48,7 +48,7 @@ Fit fit(const Samples& samples, std::uint32_t solver, std::uint32_t trim = HRBFN
     return result;
 }
 
-// The fastest of a few.
+// Returns the fastest of a few runs.
 Fit best_fit(const Samples& samples, std::uint32_t solver, int runs) {
     Fit best = fit(samples, solver);
     for (int run = 1; run < runs; ++run) {
@@ -58,8 +58,8 @@ Fit best_fit(const Samples& samples, std::uint32_t solver, int runs) {
     return best;
 }
 
-// Of the pairwise products and of the preconditioner's setup: 37 for a pair; a Cholesky factorisation of 4 k numbers
-// and 4 columns of its inverse for a sample with k neighbours.
+// Counts the operations of the pairwise products and of the preconditioner's setup: 37 for a pair; for a sample with k
+// neighbours, a Cholesky factorisation of 4 k numbers and 4 columns of its inverse.
 double flops_at_least(const hrbfnpr_model_info& info) {
     const double n = static_cast<double>(info.centres);
     constexpr double rows = 4.0 * 16.0;
@@ -77,7 +77,7 @@ void print_row(std::int64_t count, const Fit& f, double direct) {
 
 void report(const std::string& name, double value) { bench::report(name.c_str(), value); }
 
-// The slope of log seconds over log N, by least squares.
+// Returns the slope of log seconds over log N, by least squares.
 double growth_exponent(const std::vector<std::array<double, 2>>& points) {
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
     for (const auto& p : points) {
@@ -90,14 +90,14 @@ double growth_exponent(const std::vector<std::array<double, 2>>& points) {
     return (n * xy - x * y) / (n * xx - x * x);
 }
 
-// Processor time of a fit.
+// Returns the processor time of a fit.
 double cost(const Samples& samples, std::uint32_t trim) {
     const std::clock_t start = std::clock();
     (void)fit(samples, HRBFNPR_SOLVER_AUTO, trim);
     return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-// What it costs beside a fit to look for the end of a closed surface: medians of both in turn.
+// Returns the relative extra cost of a fit that looks for the end of a closed surface: medians of alternating runs.
 double cost_of_trim(const Samples& samples, int runs) {
     std::vector<double> never, automatic;
     for (int run = 0; run < runs; ++run) {

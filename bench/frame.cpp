@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Frames: time, growth and ratios to plain code, to software OpenGL and to memory; pops, tone.
-// --head=FILE: a PLY of points with normals (else a generated surface); --only=PART,...: of speed, llvmpipe, growth,
-// pops, tone.
+// Frames: time, growth and ratios to plain code, to software OpenGL and to memory access; pops; tone. --head=FILE: a
+// PLY of points with normals (default: a generated surface); --only=PART,...: any of speed, llvmpipe, growth, pops,
+// tone.
 #include "analytic.h"
 #include "changes.h"
 #include "llvmpipe.h"
@@ -30,9 +30,9 @@ constexpr std::int64_t many = 700'000;
 constexpr int runs = 7;
 constexpr double step = 0.7; // degrees from one frame to the next
 
-// ---- What is drawn -------------------------------------------------------------------------
+// ---- The scenes ---------------------------------------------------------------------------
 
-// Surfaces of more and fewer samples, and marks on them: half stipples and half lines.
+// Surfaces fitted to more or fewer samples, and marks on them: half stipples and half lines.
 class Stock {
 public:
     explicit Stock(Samples samples) : samples_(std::move(samples)) {}
@@ -79,7 +79,7 @@ Style without_attenuation() {
     return style;
 }
 
-// Tone by the share of marks.
+// The tone is the share of marks that are shown.
 Style as_published() {
     Style style = full();
     style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
@@ -87,7 +87,7 @@ Style as_published() {
     return style;
 }
 
-// Nothing is gained by showing fewer marks.
+// All marks are shown.
 Style every_mark() {
     Style style = full();
     style.tone = HRBFNPR_TONE_NONE;
@@ -96,7 +96,7 @@ Style every_mark() {
     return style;
 }
 
-// One frame after the other of an orbit.
+// Draws one frame of an orbit after the other.
 template <class Picture>
 class Film {
 public:
@@ -124,7 +124,7 @@ struct Size {
 constexpr Size small{"720p", 1280, 720};
 constexpr Size large{"1080p", 1920, 1080};
 
-// What is to be timed, and the medians of its frames.
+// A row of the table: a style on some marks, and the medians of its frame times.
 struct Row {
     std::int64_t marks;
     Size size;
@@ -142,10 +142,10 @@ void print(const Row& row) {
                 static_cast<long long>(row.info.shown), static_cast<long long>(row.info.splats));
 }
 
-// In turn, some frames each time, so that what else the machine does falls on all.
+// Times a few frames of each row in turn, so that other load on the machine affects all rows.
 void time(hrbfnpr_context* context, std::vector<Row>& rows) {
     constexpr int rounds = 3;
-    constexpr int frames = 3; // of a round, after one that does not count
+    constexpr int frames = 3; // per round, after one that does not count
     struct Bench {
         Bench(hrbfnpr_context* context, const Row& row)
             : orbit(row.set, row.size.width, row.size.height),
@@ -208,14 +208,14 @@ void run_rows(Stock& stock, Results& results) {
     }
 }
 
-// Reads position, normal and rank of all marks once, clears the image, then reads and writes each pixel; one thread.
+// Reads position, normal and rank of all marks once, clears the image, then reads and writes each pixel; on one thread.
 void touch(const hrbfnpr_point_set* set, std::vector<std::uint8_t>& pixels) {
     std::uint32_t sum = 0;
     for (std::int64_t layer = 0; layer < bench::info_of(set).layers; ++layer)
         for (const std::uint32_t which :
              {HRBFNPR_MARK_ATTRIBUTE_POSITION, HRBFNPR_MARK_ATTRIBUTE_NORMAL, HRBFNPR_MARK_ATTRIBUTE_RANK}) {
             std::int64_t count = 0;
-            // As integers, the sum of which the compiler puts into vectors.
+            // As integers, because the compiler vectorizes only their sum.
             const auto* numbers = bench::attribute<std::uint32_t>(set, layer, which, count);
             const std::int64_t all = count * (which == HRBFNPR_MARK_ATTRIBUTE_RANK ? 1 : 3);
             for (std::int64_t i = 0; i < all; ++i) sum += numbers[i];
@@ -299,7 +299,7 @@ void run_pops(Stock& stock, Results& results) {
     constexpr bench::Way closer{60, 0.0, 1.03};
     const hrbfnpr_point_set* set = stock.marks(count);
     const Orbit orbit(set, small.width, small.height);
-    // Nothing passes behind anything, and the light stays with the model.
+    // No mark is hidden by another surface, and the light stays fixed to the model.
     Style style = without_attenuation();
     style.light_space = HRBFNPR_LIGHT_WORLD;
     for (hrbfnpr_layer_style& layer : style.layer) layer.radius_zoom = 0.0F;
@@ -342,7 +342,7 @@ void run_tone(Stock& stock, Results& results) {
     std::printf("\ncoverage asked for from 0.05 to 0.55, marks of 1.5 px, blurred by 4 px\n");
     const scenes::Model model = bench::custom(stock.context(), bench::plane, {2.2, 1.2, 0.4});
     Style style = bench::ramp_style(asked_tone);
-    // However many marks there are.
+    // Take the worst over different numbers of marks.
     bench::ToneError worst{1e9, 0.0};
     for (const double all : {1.0, 2.0, 4.0}) {
         const std::int64_t budget = bench::ramp_budget(stock.context(), model.get(), all);
@@ -361,7 +361,7 @@ void run_tone(Stock& stock, Results& results) {
 void run(const std::string& head, const std::string& only) {
     Stock stock(head.empty() ? bench::bumpy(4096, 0.15) : bench::read_ply(head));
     Results results;
-    // No part's name is within another's.
+    // No part's name is contained in another's.
     const auto wanted = [&](const char* part) { return only.empty() || only.find(part) != std::string::npos; };
     if (wanted("speed")) {
         run_rows(stock, results);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame of hatching beside one of stipples and lines of about as many marks, all as dots, on an orbit.
+// Frames of hatching against frames of stipples and lines with about as many marks, all as dots, on an orbit.
 #pragma once
 
 #include "line_calls.h"
@@ -12,7 +12,7 @@
 
 namespace bench {
 
-// Both in milliseconds.
+// Both times are in milliseconds.
 struct HatchFrame {
     double hatching = 0.0, marks = 0.0, ratio = 0.0;
 };
@@ -24,7 +24,7 @@ public:
           before_(context, stipples_.get(), dotted(), width, height),
           after_(context, lines_.get(), Style(HRBFNPR_PRESET_ETCHING), width, height) {}
 
-    // Frames in turn, no angle twice; the first ones do not count.
+    // Draws both in turn, at a new angle each time; the first frames do not count.
     [[nodiscard]] HatchFrame measure(int frames) {
         constexpr int warm = 4;
         std::vector<double> hatching, marks, ratios;
@@ -46,9 +46,9 @@ private:
     static constexpr int width = 1280, height = 720;
     static constexpr std::int64_t most_marks = 700'000;
     static constexpr double step = 0.5;    // degrees from one frame to the next
-    static constexpr double lines = 300.0; // of each layer in the root of the area
+    static constexpr double lines = 300.0; // lines of each layer per square root of the area
 
-    // All marks as dots of the same pen, those of lines in the darks.
+    // Draws all marks as dots of the same pen, but the marks of lines only in the dark parts.
     static Style dotted() {
         Style style = full_of_dots();
         for (hrbfnpr_layer_style& layer : style.layer)
@@ -60,7 +60,7 @@ private:
         desc.add(HRBFNPR_LAYER_KIND_HATCH, most_marks / 2);
         return generate(context, model, desc);
     }
-    // Stipples tell where the surface is.
+    // A few stipples show how large the surface is.
     static scenes::PointSet hatched(hrbfnpr_context* context, const hrbfnpr_model* model) {
         constexpr std::int64_t few = 2000;
         const scenes::PointSet probe = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, few));
@@ -77,7 +77,7 @@ private:
         return generate(context, model, desc);
     }
 
-    // Of the paper, pixels that are black.
+    // Returns the ink of the picture, in black pixels.
     static double ink(const Painter& painter) {
         double sum = 0.0;
         const std::vector<std::uint8_t>& pixels = painter.pixels();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures of hatching on several models from several sides: how evenly lines lie on the screen, how often they end,
-// and whether pictures of other sizes have the same ones.
+// and whether pictures of other sizes have the same lines.
 #pragma once
 
 #include "hatch_pictures.h"
@@ -23,7 +23,7 @@ inline constexpr double frame_size = 800.0;
             glm::normalize(glm::dvec3(0.2, -0.9, 0.5))};
 }
 
-// Half dark everywhere.
+// Returns the same medium tone everywhere.
 inline std::int32_t even_tone(void*, std::int64_t count, const float*, const float*, float* tau) {
     std::fill_n(tau, count, 0.5F);
     return 0;
@@ -33,11 +33,11 @@ inline std::int32_t even_tone(void*, std::int64_t count, const float*, const flo
 
 struct ScreenSpacing {
     std::vector<double> gaps;                                 // pixels
-    std::map<std::pair<int, int>, std::vector<double>> parts; // the same in squares of the picture
-    double alone = 0.0;                                       // sides with no line near
+    std::map<std::pair<int, int>, std::vector<double>> parts; // the gaps in each square of the picture
+    double alone = 0.0;                                       // the number of sides without a line near
 
-    // The root mean square over the gaps of all squares, of which each is compared with its square's mean: lines of
-    // nested levels are up to twice as far apart in one place as in another, but not beside each other.
+    // Returns the root mean square over all squares of the variation of gaps within a square. Lines of nested levels
+    // may be up to twice as far apart in one place as in another, but not beside each other.
     [[nodiscard]] double variation_of_parts() const {
         constexpr std::size_t fewest = 20;
         double squares = 0.0;
@@ -54,7 +54,8 @@ struct ScreenSpacing {
     [[nodiscard]] double alone_share() const { return alone / (alone + static_cast<double>(gaps.size())); }
 };
 
-// Of a surface without its rims: both lines face the eye by this much, and lie on the same piece of the surface.
+// Only gaps away from the contours count: both lines face the eye by at least this, and lie on the same piece of the
+// surface.
 inline constexpr double away_from_contours = 0.4;
 inline constexpr float part_side = 40.0F; // pixels
 
@@ -62,7 +63,7 @@ inline void add_gaps(const std::vector<DrawnStroke>& strokes, const MarkTable& m
                      ScreenSpacing& spacing) {
     const Lens lens(camera);
     const auto facing = [&](std::uint32_t id) { return -lens.facing(marks.position[id - 1], marks.normal[id - 1]); };
-    const double rows = lens.viewport.w * 0.5 * camera.projection[5]; // pixels a unit at the distance 1
+    const double rows = lens.viewport.w * 0.5 * camera.projection[5]; // pixels per unit at the distance 1
     for_each_gap(strokes, {}, [&](const StrokePoint& from, const std::optional<Gap>& gap) {
         const glm::dvec3 here = marks.position[from.id - 1];
         if (facing(from.id) < away_from_contours || !lens.holds({from.x, from.y}, 20.0)) return;
@@ -109,8 +110,8 @@ inline void add_gaps(const std::vector<DrawnStroke>& strokes, const MarkTable& m
     return ends;
 }
 
-// Of lines that are thinned out by their distance, or of all of them, by hairlines: those end only where the surface is
-// light, turns away or is hidden, which no choice of lines along these directions can avoid.
+// Returns the ends of lines that are thinned out by their distance, or of all lines, drawn as hairlines. The latter end
+// only where the surface is light, turns away or is hidden, which no choice of lines along these directions can avoid.
 [[nodiscard]] inline StrokeEnds ends_of_hatching(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                  std::uint32_t preset, bool every_line) {
     const scenes::PointSet set = hatch_set(context, model, preset);
@@ -136,13 +137,13 @@ struct SizedStrokes {
     std::vector<DrawnStroke> strokes;
 };
 
-// The least share of the length of a size's strokes that a larger size has, too, within half a pixel of the smallest.
+// The least share of the length of a size's strokes that another size also has, within half a pixel of the smallest.
 struct SameAtSizes {
     double kept = 1.0;  // from a size to a larger one
-    double added = 1.0; // from a size to a smaller one: the rest has been thinned out
+    double added = 1.0; // from a size to a smaller one, where the rest was thinned out
 };
 
-// The lines of a named style for a picture of so many pixels.
+// Returns the lines of a style, scaled to a picture of `size` pixels.
 [[nodiscard]] inline std::vector<hrbfnpr_line_style> picture_lines(const Style& style, double size) {
     std::vector<hrbfnpr_line_style> lines(style.lines, style.lines + style.line_count);
     for (hrbfnpr_line_style& line : lines)
@@ -151,7 +152,7 @@ struct SameAtSizes {
     return lines;
 }
 
-// Hatching as pictures have it, with their contours and halos.
+// Returns the hatching strokes of a picture with its contours and halos.
 [[nodiscard]] inline std::vector<DrawnStroke> picture_strokes(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                               const hrbfnpr_point_set* set,
                                                               const hrbfnpr_line_set* line_set, std::uint32_t preset,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hatching as the command line draws it: the same lines for all sizes, and lengths in pixels that grow with the
+// Hatching as the command line draws it: the same lines for all sizes, with lengths in pixels that scale with the
 // picture.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace bench {
 
-// The layers of a named style: lines of hatching as the command line lays them, 300 in the root of the area, the first
-// so many sets of them; and some stipples to tell where the surface is.
+// Generates the layers of a style: the first `sets` sets of hatching lines, spaced as by the command line, 300 per
+// square root of the area; and some stipples, which show where the surface is.
 [[nodiscard]] inline scenes::PointSet hatch_set(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                 std::uint32_t preset, int sets = 3) {
     constexpr std::int64_t few = 2000;
@@ -32,10 +32,10 @@ namespace bench {
     return generate(context, model, desc);
 }
 
-// A pen of the command line in a picture of so many pixels: below 600 it gets no finer.
+// Returns the pen scale of the command line for a picture of `size` pixels: it is constant below 600.
 [[nodiscard]] inline float pen_of(double size) { return static_cast<float>(std::max(0.75, size / 800.0)); }
 
-// A named style whose lengths are scaled to a picture of this size, without halos.
+// Returns a style whose lengths are scaled to a picture of `size` pixels, without halos.
 [[nodiscard]] inline Style hatch_style(std::uint32_t preset, double size) {
     Style style(preset);
     const float pen = pen_of(size);
@@ -48,7 +48,7 @@ namespace bench {
     return style;
 }
 
-// Of as many pixels each way, which the box fills.
+// Returns a camera of `size` x `size` pixels that the box fills.
 [[nodiscard]] inline hrbfnpr_camera square_camera(const double* low, const double* high, const glm::dvec3& direction,
                                                   double size) {
     scenes::Check check;
@@ -59,7 +59,7 @@ namespace bench {
     return camera;
 }
 
-// What is known of all marks of a set, by their number.
+// Positions, normals and places of all marks of a set, by mark number.
 struct MarkTable {
     explicit MarkTable(const hrbfnpr_point_set* set) {
         const hrbfnpr_point_set_info info = info_of(set);
@@ -84,7 +84,8 @@ struct MarkTable {
             mark.closed = is_closed(mark);
         }
     }
-    // As lines of hatching are taken for closed: ends that meet at a corner, or side by side, are two.
+    // Applies the same rule as the hatching: a line is closed if its ends meet and point the same way, but not if they
+    // meet at a corner or lie side by side.
     [[nodiscard]] bool is_closed(const MarkPlace& line) const {
         if (line.count < 4) return false;
         const glm::dvec3* const first = &position[line.first];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The tone that hatching makes against the one that its style asks for: one, two and three sets of lines, three zooms,
-// on a plane with a ramp of tones and on a lit sphere.  Windows are Gaussians; their sigma is twice the closest spacing
-// of lines, or one separation of the finest lines where these are farther apart.  A set that is asked for the share c
-// of the paper (below hatch_tone_begin nothing) and crosses others is asked for 1 - prod(1 - c) with them.
+// The tone of hatching against the tone that its style asks for: one, two and three sets of lines, at three zooms, on a
+// plane with a ramp of tones and on a lit sphere.  Both are averaged over Gaussian windows; sigma is twice the closest
+// spacing of lines, or one separation of the finest lines if that is larger.  A set is asked to cover the share c of
+// the paper (0 below hatch_tone_begin); crossing sets are together asked to cover 1 - prod(1 - c).
 #pragma once
 
 #include "analytic.h"
@@ -15,7 +15,7 @@ namespace bench {
 
 inline constexpr int tone_size = 800;
 
-// The darkness of the plane, from one corner of [-1, 1]^2 to the other.
+// Returns the darkness of the plane, which increases from one corner of [-1, 1]^2 to the other.
 [[nodiscard]] inline double ramp_darkness(double x, double y) {
     return std::clamp(0.5 + 0.5 * (x + 0.3 * y) / 1.3, 0.0, 1.0);
 }
@@ -26,7 +26,7 @@ inline std::int32_t ramp_tones(void*, std::int64_t count, const float* positions
     return 0;
 }
 
-// The share of the paper that a set of lines is to cover.
+// Returns the share of the paper that a set of lines should cover.
 [[nodiscard]] inline double asked_of(const hrbfnpr_layer_style& layer, double darkness) {
     constexpr double exponent = 1.1;
     const auto begin = static_cast<double>(layer.hatch_tone_begin);
@@ -36,7 +36,7 @@ inline std::int32_t ramp_tones(void*, std::int64_t count, const float* positions
     return static_cast<double>(layer.share) *
            (low + (static_cast<double>(layer.hatch_coverage_end) - low) * std::pow(at, exponent));
 }
-// `layers`: how many sets there are; others of the style have nothing to draw.
+// `layers`: the number of sets that exist; further sets of the style draw nothing.
 [[nodiscard]] inline double asked_of(const Style& style, int layers, double darkness) {
     double white = 1.0;
     for (const hrbfnpr_layer_style& layer : style.layer)
@@ -44,15 +44,15 @@ inline std::int32_t ramp_tones(void*, std::int64_t count, const float* positions
     return 1.0 - white;
 }
 
-// A surface seen along -z from above, by parallel lines of sight.
+// A surface seen from above along -z, in parallel projection.
 struct ToneSurface {
     const char* name;
     hrbfnpr_implicit_fn function;
     Vec3 half;
     double view;                                      // height of the picture at zoom 1
-    std::vector<glm::dvec2> places;                   // in the middle of the picture at zooms above 1
-    bool (*shows)(double x, double y);                // whether what is there counts
-    double (*darkness)(const Style&, double, double); // there
+    std::vector<glm::dvec2> places;                   // the middles of the pictures at zooms above 1
+    bool (*shows)(double x, double y);                // whether a pixel there counts
+    double (*darkness)(const Style&, double, double); // the darkness of the surface there
 };
 
 [[nodiscard]] inline double lit_darkness(const Style& style, double x, double y) {
@@ -71,7 +71,7 @@ struct ToneSurface {
              along_the_ramp,
              [](double x, double y) { return std::abs(x) < 1.0 && std::abs(y) < 1.0; },
              [](const Style&, double x, double y) { return ramp_darkness(x, y); }},
-            // n . v is 0.3 at its rim.
+            // n . v is 0.3 at the rim.
             {"sphere",
              sphere,
              {1.2, 1.2, 1.2},
@@ -121,12 +121,12 @@ struct ToneSurface {
     return style;
 }
 
-// The worst of all rows.
+// The worst figures of all rows.
 struct ToneFigures {
     double psnr = 1e9, bias = 0.0;
 };
 
-// Of one surface and so many sets of lines.
+// Measures one surface with `layers` sets of lines.
 inline void run_tone(hrbfnpr_context* context, const ToneSurface& surface, int layers, ToneFigures& worst) {
     const std::uint32_t preset = layers == 1 ? HRBFNPR_PRESET_ENGRAVING : HRBFNPR_PRESET_ETCHING;
     const scenes::Model model = custom(context, surface.function, surface.half);

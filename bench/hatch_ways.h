@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines of hatching along a way of the camera, by the measure that stipples have: of each place of the surface, whether
-// its ink pops or vanishes from one frame to the next.
+// Hatching along a camera path, by the same measure as for stipples: whether the ink at each place of the surface pops
+// or vanishes from one frame to the next.
 #pragma once
 
 #include "changes.h"
@@ -11,7 +11,7 @@
 
 namespace bench {
 
-// Light of the world and hidden lines shown: nothing passes behind anything, and the tone of a place stays.
+// Light fixed to the world and hidden lines shown, so that nothing is occluded and the tone of a place stays the same.
 [[nodiscard]] inline Style way_style(std::uint32_t preset, double size) {
     Style style = hatch_style(preset, size);
     style.line_count = 0;
@@ -20,7 +20,7 @@ namespace bench {
     return style;
 }
 
-// Of the layers of hatching.
+// Returns the thinnest pen of the hatching layers.
 [[nodiscard]] inline float thinnest_pen(const Style& style) {
     float pen = std::numeric_limits<float>::infinity();
     for (const hrbfnpr_layer_style& layer : style.layer)
@@ -28,13 +28,13 @@ namespace bench {
     return pen;
 }
 
-// The marks of one set, frame after frame.
+// Follows the marks of one set from frame to frame.
 class HatchFollower {
 public:
     explicit HatchFollower(const hrbfnpr_point_set* set) : table_(set) {}
 
     void look(const hrbfnpr_camera& camera, const std::vector<DrawnStroke>& strokes) {
-        constexpr double away = 0.25; // as for stipples: what faces the eye by less may be a contour's
+        constexpr double away = 0.25; // as for stipples: marks that face the eye by less may be near a contour
         const Lens lens(camera);
         std::vector<MarkInk>& inks = frames_.emplace_back(table_.place.size());
         std::vector<glm::vec2> images(inks.size());

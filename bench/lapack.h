@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LAPACK as a baseline, loaded if the machine has it (libopenblas0 or liblapack3): nothing links it.
+// LAPACK as a baseline, loaded at run time if the machine has it (libopenblas0 or liblapack3).
 #pragma once
 
 #include "timing.h"
@@ -27,14 +27,14 @@ public:
     [[nodiscard]] bool found() const noexcept { return potrf_ != nullptr && sysv_ != nullptr; }
     [[nodiscard]] const char* name() const noexcept { return name_; }
 
-    // Seconds of a Cholesky factorisation of a matrix of this size: its numbers do not matter.
+    // Returns the seconds of a Cholesky factorisation of a matrix of this size; its entries do not matter.
     [[nodiscard]] double cholesky_seconds(int size) const {
         std::vector<double> matrix = dominant(size);
         int status = 0;
         return seconds([&] { potrf_("L", &size, matrix.data(), &size, &status, 1); });
     }
 
-    // Seconds of the solution of a symmetric indefinite system.
+    // Returns the seconds of the solution of a symmetric indefinite system.
     [[nodiscard]] double indefinite_seconds(int size) const {
         std::vector<double> matrix = dominant(size);
         std::vector<double> x(static_cast<std::size_t>(size), 1.0);

@@ -41,7 +41,7 @@ using LineSet = std::unique_ptr<const hrbfnpr_line_set, ReleaseLineSet>;
     return info;
 }
 
-// The directions of the corners, edges and faces of a cube, from the eye into the scene.
+// Returns the directions of the corners, edges and faces of a cube, from the eye into the scene.
 [[nodiscard]] inline std::vector<glm::dvec3> cube_directions() {
     std::vector<glm::dvec3> directions;
     for (int x = -1; x <= 1; ++x)
@@ -51,7 +51,7 @@ using LineSet = std::unique_ptr<const hrbfnpr_line_set, ReleaseLineSet>;
     return directions;
 }
 
-// The same, turned a little, so that none looks along an axis or a plane of symmetry.
+// Returns the same directions, turned a little, so that none lies along an axis or in a plane of symmetry.
 [[nodiscard]] inline std::vector<glm::dvec3> turned_directions() {
     const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), 0.07, glm::normalize(glm::dvec3(0.5, 0.3, 0.8))));
     std::vector<glm::dvec3> directions = cube_directions();
@@ -59,7 +59,7 @@ using LineSet = std::unique_ptr<const hrbfnpr_line_set, ReleaseLineSet>;
     return directions;
 }
 
-// Of 1280 x 720 pixels, which the box fills; angle 0: orthographic.
+// Returns a camera of 1280 x 720 pixels that the box fills; angle 0: orthographic.
 [[nodiscard]] inline hrbfnpr_camera camera_of(const double* low, const double* high, const glm::dvec3& direction,
                                               double angle) {
     scenes::Check check;
@@ -70,7 +70,7 @@ using LineSet = std::unique_ptr<const hrbfnpr_line_set, ReleaseLineSet>;
     return camera;
 }
 
-// A point of a stroke as the library hands it over.
+// A point of a stroke, as the library writes it.
 struct LinePoint {
     float window[3]; // pixels, and depth
     float color[4];
@@ -78,11 +78,12 @@ struct LinePoint {
 };
 
 struct Polyline {
-    std::vector<glm::dvec3> window; // pixels, and depth; the first point of a closed one is its last again
-    int layers = 0;                 // of surface before it
+    std::vector<glm::dvec3> window; // pixels, and depth; a closed line repeats its first point at the end
+    int layers = 0;                 // the number of surface layers that hide the line
 };
 
-// Contours alone; those that are hidden by n layers have the opacity 2^-n, so that one drawing tells all.
+// Draws contours alone; a part that n layers hide has the opacity 2^-n, so that one drawing shows the numbers of
+// layers.
 [[nodiscard]] inline hrbfnpr_line_style contour_style() {
     auto line = scenes::made(hrbfnpr_line_style_init);
     line.kind = HRBFNPR_LINE_KIND_CONTOUR;
@@ -95,7 +96,7 @@ struct Polyline {
     return line;
 }
 
-// Lines alone, of one kind or several.
+// A style with lines alone, of one kind or several.
 class LinesStyle {
 public:
     explicit LinesStyle(std::vector<hrbfnpr_line_style> lines) : lines_(std::move(lines)) { layer_.shown = 0; }
@@ -114,7 +115,7 @@ private:
     hrbfnpr_layer_style layer_ = scenes::made(hrbfnpr_layer_style_init);
 };
 
-// Draws the contours of one surface, or the lines that are asked for.
+// Draws the contours of one surface, or the given lines.
 class LinePainter {
 public:
     LinePainter(hrbfnpr_context* context, const hrbfnpr_point_set* marks, const hrbfnpr_line_set* lines,
@@ -128,7 +129,7 @@ public:
     LinePainter(const LinePainter&) = delete;
     LinePainter& operator=(const LinePainter&) = delete;
 
-    // Forgets all that earlier drawings may have left.
+    // Starts with a new renderer, which keeps nothing from earlier drawings.
     void begin_anew() {
         drawing_.reset();
         hrbfnpr_renderer* renderer = nullptr;
@@ -146,7 +147,7 @@ public:
         check_(hrbfnpr_drawing_get_info(drawing_.get(), &info, nullptr));
         return info;
     }
-    // Of the last drawing.
+    // Returns the lines of the last drawing.
     [[nodiscard]] std::vector<Polyline> polylines() {
         constexpr std::uint32_t primitive = HRBFNPR_PRIMITIVE_LINE_STRIPS;
         std::int64_t vertices = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feature lines that are drawn beside those of a dense reference: how much of each lies within a pixel of the other.
+// Drawn feature lines against those of a dense reference: how much of each lies within a pixel of the other.
 #pragma once
 
 #include "feature_grid.h"
@@ -17,15 +17,15 @@
 
 namespace bench {
 
-// Where g changes its sign between places of a grid.
+// The lines where g changes sign between places of a grid.
 struct FeatureLinesSeen {
     ImageLines lines;
-    std::vector<double> strength;  // of nodes
-    std::vector<glm::dvec3> place; // of nodes
-    std::vector<double> slope;     // of segments: of g along its direction, if it has one
+    std::vector<double> strength;  // one per node
+    std::vector<glm::dvec3> place; // one per node
+    std::vector<double> slope;     // one per segment: the slope of g along its direction, if it has one
 };
 
-// The plain reference of one view.
+// The reference lines of one view.
 class FeatureReference {
 public:
     FeatureReference(const FeatureGrid& grid, const ShapeAt& shape_at, const FeatureAsked& asked,
@@ -44,16 +44,16 @@ public:
         find_parts();
     }
 
-    // Lines that must be drawn, and those that may be.
+    // The lines that must be drawn, and the lines that may be drawn.
     [[nodiscard]] const ImageLines& wanted() const { return wanted_; }
     [[nodiscard]] const ImageLines& allowed() const { return allowed_; }
-    // Wherever g vanishes, however weak the line is there.
+    // All places where g is 0, however weak the line is there.
     [[nodiscard]] const ImageLines& zeros() const { return seen_.lines; }
     [[nodiscard]] double undecided() const { return undecided_; } // pixels of allowed lines that need not be drawn
 
 private:
-    static constexpr double margin = 0.02;      // of strengths: nearer to `lower` nobody could tell
-    static constexpr double upper_margin = 0.1; // nearer to `upper`: where a line is strongest it may have no point
+    static constexpr double margin = 0.02;      // of strengths: near `lower`, neither answer is wrong
+    static constexpr double upper_margin = 0.1; // near `upper`: the strongest place may be between a line's points
 
     [[nodiscard]] PlaceValue value_of(const PlaceShape& shape, const glm::dvec3& place) const {
         const glm::dvec3 to = -grid_.sight().to(place);
@@ -61,14 +61,14 @@ private:
         const double nearness = lit || grid_.sight().orthographic ? 0.0 : 1.0 / glm::length(to);
         return place_value(asked_, shape, place, lit ? light_ : glm::normalize(to), nearness, diagonal_);
     }
-    // The triangle's edge from its corner k, or nothing.
+    // Adds the segment of the zero level in a triangle, if there is one.
     void add_triangle(const std::array<std::size_t, 3>& corner) {
         std::array<double, 3> sign{1.0, 1.0, 1.0};
         for (std::size_t k = 0; k < 3; ++k) {
             if (!grid_.joined(corner[k], corner[(k + 1) % 3])) return;
             if (glm::dot(value_[corner[0]].along, value_[corner[k]].along) < 0.0) sign[k] = -1.0;
         }
-        // Around an umbilic directions do not come back to themselves.
+        // Around an umbilic, the direction does not return to itself.
         if (sign[1] * sign[2] * glm::dot(value_[corner[1]].along, value_[corner[2]].along) < 0.0) {
             branch_.insert(corner.begin(), corner.end());
             return;
@@ -108,8 +108,9 @@ private:
         }
         return found->second;
     }
-    // How much the curvature drops to both sides (src/curves/feature_refine.h, docs/lines.md): from 0 for none to 1
-    // where 2 (1 - k' / k) / (k s)^2 is 0.5, at s = 1 / 2k, but two cells at least and a tenth of the diagonal at most.
+    // Multiplies strengths by how much the curvature drops to both sides (src/curves/feature_refine.h, docs/lines.md):
+    // from 0 for no drop to 1 where 2 (1 - k' / k) / (k s)^2 is 0.5, at s = 1 / 2k, clamped from two cells to a tenth
+    // of the diagonal.
     void weigh_by_drop() {
         const bool convex = asked_.kind == HRBFNPR_LINE_KIND_RIDGE;
         const auto bend = [&](const PlaceShape& s) { return convex ? -s.k2 : s.k1; };
@@ -132,7 +133,8 @@ private:
             seen_.strength[i] *= turn[i] > 0.0 ? std::clamp(drop / 0.5, 0.0, 1.0) : 0.0;
         }
     }
-    // Parts that are strong throughout, and somewhere strong enough; not those that are too short to be sure of.
+    // Chooses the parts that are strong throughout and strong enough somewhere. Parts that may be too short are only
+    // allowed.
     void find_parts() {
         const double lower = asked_.lower;
         const auto holds = [&](std::size_t s, double least) {
@@ -151,7 +153,7 @@ private:
         for (std::size_t s = 0; s < seen_.lines.segment.size(); ++s)
             if (holds(s, (1.0 + margin) * lower) && !branches(s))
                 up[root(seen_.lines.segment[s].first)] = root(seen_.lines.segment[s].second);
-        std::map<std::size_t, std::pair<double, double>> part; // strongest, length
+        std::map<std::size_t, std::pair<double, double>> part; // its greatest strength and its length
         for (std::size_t s = 0; s < seen_.lines.segment.size(); ++s) {
             if (!holds(s, (1.0 + margin) * lower)) continue;
             const auto [a, b] = seen_.lines.segment[s];
@@ -169,7 +171,7 @@ private:
         }
         undecided_ = length_of(allowed_) - length_of(wanted_);
     }
-    // Where lines meet at an umbilic, which of them goes on nobody can tell.
+    // At an umbilic several lines meet, and which of them continue is not determined.
     [[nodiscard]] bool branches(std::size_t segment) const {
         const glm::dvec2 at = static_cast<double>(grid_.rays()) * seen_.lines.node[seen_.lines.segment[segment].first];
         const auto w = static_cast<std::size_t>(grid_.width());
@@ -189,20 +191,20 @@ private:
     FeatureAsked asked_;
     glm::dvec3 light_;
     double diagonal_, cell_;
-    std::vector<PlaceValue> value_; // of the grid's places
+    std::vector<PlaceValue> value_; // one per place of the grid
     std::unordered_map<std::size_t, std::size_t> of_edge_;
-    std::unordered_set<std::size_t> branch_; // places of the grid
+    std::unordered_set<std::size_t> branch_; // places of the grid around umbilics
     FeatureLinesSeen seen_;
     ImageLines wanted_, allowed_;
     double undecided_ = 0.0;
 };
 
-// Of the lines that are drawn, and of those that there are; lengths beside contours are left out.
+// Compares drawn and reference lines; lengths beside contours are left out.
 struct FeatureMatch {
     Nearness drawn, wanted;
-    Nearness zeros;         // of what is drawn beside the zero lines, those that are too weak among them
-    double left_out = 0.0;  // pixels, of both, beside contours
-    double undecided = 0.0; // pixels of the reference
+    Nearness zeros;         // of drawn lines against all zero lines, including weak ones
+    double left_out = 0.0;  // pixels of both beside contours
+    double undecided = 0.0; // pixels of reference lines that may be drawn or not
 
     void add(const FeatureMatch& other) {
         drawn.add(other.drawn);
@@ -216,7 +218,7 @@ struct FeatureMatch {
     [[nodiscard]] double recall() const { return share(wanted); }
 };
 
-// As nearness(), away from contours.
+// Like nearness(), but away from contours.
 [[nodiscard]] inline Nearness nearness_inside(const FeatureGrid& grid, const ImageLines& lines,
                                               const ImageLines& others, double& left_out) {
     const NearLines near(others);
@@ -243,7 +245,7 @@ struct FeatureMatch {
     return found;
 }
 
-// The kinds that are compared.
+// Returns the kinds of lines that are compared.
 [[nodiscard]] inline std::vector<FeatureAsked> features_asked() {
     return {{HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR, "suggestive", 10.0, 30.0},
             {HRBFNPR_LINE_KIND_RIDGE, "ridge", 6.0, 15.0},
@@ -254,7 +256,7 @@ struct FeatureMatch {
             {HRBFNPR_LINE_KIND_SECTION, "section"}};
 }
 
-// Draws one kind of feature lines of a model, opaque throughout.
+// Returns a style that draws one kind of feature line of a model, opaque throughout.
 [[nodiscard]] inline hrbfnpr_line_style feature_style(const FeatureAsked& asked) {
     hrbfnpr_line_style line = contour_style();
     line.kind = asked.kind;
@@ -285,7 +287,7 @@ struct FeatureMatch {
     return LineSet(set);
 }
 
-// Directions that look along no axis, and not at one another's backs.
+// Returns directions that are along no axis, and not opposite to each other.
 [[nodiscard]] inline std::vector<glm::dvec3> feature_directions(int count) {
     const std::vector<glm::dvec3> all{glm::normalize(glm::dvec3(-0.3, -0.2, -1.0)),
                                       glm::normalize(glm::dvec3(1.0, -0.5, 0.4)),
@@ -293,7 +295,7 @@ struct FeatureMatch {
     return {all.begin(), all.begin() + std::min<std::ptrdiff_t>(count, 3)};
 }
 
-// The style's own light, towards which isophotes are, in the space of the model.
+// Returns the light of the default style, which isophotes use, in the space of the model.
 [[nodiscard]] inline glm::dvec3 light_of(const hrbfnpr_camera& camera) {
     const auto style = scenes::made(hrbfnpr_style_init);
     const glm::dmat3 view(glm::make_mat4(camera.view));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visible contours that vanish for a frame or two and return, on a way around a surface.
+// Visible contours that vanish for a frame or two and return, on a camera path around a surface.
 #pragma once
 
 #include "line_times.h"
@@ -13,7 +13,7 @@
 
 namespace bench {
 
-// What is seen of contours in one frame.
+// The visible contours of one frame.
 struct SeenFrame {
     SeenFrame(const hrbfnpr_camera& camera, std::vector<Polyline> polylines) : lens(camera) {
         for (Polyline& line : polylines)
@@ -21,7 +21,7 @@ struct SeenFrame {
         lines = image_lines(seen);
         near = std::make_unique<NearLines>(lines);
     }
-    // A place of the surface moves by a part of a pixel against its contour from one frame to the next.
+    // From one frame to the next, a place of the surface moves by a fraction of a pixel relative to its contour.
     [[nodiscard]] bool shows(const glm::dvec3& place) const { return near->distance(lens.image_of(place)) <= 1.0; }
 
     Lens lens;
@@ -31,11 +31,11 @@ struct SeenFrame {
 };
 
 struct Flicker {
-    std::int64_t places = 0; // two pixels apart
-    std::int64_t gone = 0;   // for a frame or two
+    std::int64_t places = 0; // places two pixels apart
+    std::int64_t gone = 0;   // places that vanish for a frame or two
 };
 
-// Of the first of four frames that follow each other.
+// Counts the places of the first of four consecutive frames.
 inline void count_flicker(const std::deque<SeenFrame>& frames, Flicker& flicker) {
     double length = 0.0;
     for (const auto& [a, b] : frames[0].lines.segment)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surfaces that contours are drawn of: generated samples, and files of a folder.
+// The surfaces whose contours are drawn: generated samples, and files of a folder.
 #pragma once
 
 #include "line_calls.h"
@@ -17,7 +17,7 @@
 
 namespace bench {
 
-// A surface, what its lines are drawn from, and the few marks that an item wants.
+// A surface, its line set, and the few marks that an item needs.
 struct LineModel {
     std::string name;
     scenes::Model model;
@@ -33,7 +33,7 @@ struct LineModel {
     return made;
 }
 
-// With at most so many centres.
+// Fits at most `most` centres.
 [[nodiscard]] inline scenes::Model fit_centres(hrbfnpr_context* context, const Samples& samples, std::int64_t most) {
     scenes::Check check;
     auto desc = scenes::made(hrbfnpr_fit_desc_init);
@@ -45,7 +45,7 @@ struct LineModel {
     return scenes::Model(model);
 }
 
-// What is to be fitted.
+// Samples to fit.
 struct Source {
     std::string name;
     std::function<Samples()> samples;
@@ -69,7 +69,7 @@ struct Source {
     return sources;
 }
 
-// Surfaces without a border that are small enough to read at once.
+// Tells whether a file has a surface without a border that is small enough to read at once.
 [[nodiscard]] inline bool is_closed_model(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     const std::array<const char*, 3> others{"canyon", "raw", "dragon"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pixel of length of a stroke costs the rasteriser, beside a row of discs along the same curves.
+// The time that the rasteriser takes per pixel of a stroke's length, against a row of discs along the same curves.
 #pragma once
 
 #include "calls.h"
@@ -17,7 +17,7 @@ inline constexpr int raster_width = 1280;
 inline constexpr int raster_height = 720;
 inline constexpr double raster_radius = 1.2; // pixels
 
-// So many waves across the picture, one below the other, with marks so many pixels apart.  A pixel is a unit.
+// Makes `count` waves across the picture, one below the other, with marks `step` pixels apart.  A pixel is a unit.
 [[nodiscard]] inline scenes::PointSet waves(hrbfnpr_context* context, int count, double step) {
     std::vector<double> position;
     std::vector<double> normal;
@@ -44,7 +44,7 @@ inline constexpr double raster_radius = 1.2; // pixels
     return scenes::PointSet(set);
 }
 
-// Of the waves together, pixels.
+// Returns the total length of the waves, in pixels.
 [[nodiscard]] inline double length_of_waves(int count) {
     double sum = 0.0;
     for (int wave = 0; wave < count; ++wave)
@@ -76,10 +76,10 @@ inline constexpr double raster_radius = 1.2; // pixels
 }
 
 struct RasterTimes {
-    double stroke_ns = 0.0, disc_ns = 0.0; // a pixel of length: the least of all runs
+    double stroke_ns = 0.0, disc_ns = 0.0; // per pixel of length: the least of all runs
 };
 
-// The pictures of so many waves.
+// The pictures of `count` waves.
 class RasterPictures {
 public:
     RasterPictures(hrbfnpr_context* context, int count)
@@ -97,7 +97,7 @@ public:
             ++which;
         }
     }
-    // Less the time of an empty picture.
+    // Returns times minus the time of an empty picture.
     [[nodiscard]] RasterTimes times() const {
         return {1e6 * (least_[1] - least_[0]) / pixels_, 1e6 * (least_[2] - least_[0]) / pixels_};
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Singular points of the field that the lines of a set follow, found from their marks: around a circle in the tangent
-// plane the direction of the lines turns by half turns.  [Knoeppel et al. 2013]
+// Finds singular points of the field that the lines of a set follow, from their marks: around a circle in the tangent
+// plane, the direction of the lines turns by half turns.  [Knoeppel et al. 2013]
 #pragma once
 
 #include "calls.h"
@@ -16,16 +16,16 @@ namespace bench {
 
 struct Singularity {
     Vec3 position;
-    int halves; // twice the index: 1 or -1, seldom more
+    int halves; // twice the index: 1 or -1, rarely more
 };
 
-// Of a field that has been read from marks: nearest ones are asked.
+// A field interpolated from the nearest marks.
 class LineDirections {
 public:
     LineDirections(const std::vector<Mark>& marks, const std::vector<Vec3>& direction, double separation)
         : marks_(marks), direction_(direction), reach_(1.5 * separation), grid_(marks, marks.size(), reach_) {}
 
-    // exp(2 i angle) of the lines at p in the frame u, v of normal n, averaged; 0: none is near.
+    // Returns the mean exp(2 i angle) of the lines at p in the frame u, v of normal n; 0 if none is near.
     [[nodiscard]] std::complex<double> at(const Vec3& p, const Vec3& n, const Vec3& u, const Vec3& v) const {
         std::complex<double> sum(0.0);
         grid_.around(p, [&](std::size_t i) {
@@ -39,7 +39,7 @@ public:
         });
         return sum;
     }
-    // The normal of the mark nearest to p, among those that look like n; 0: none.
+    // Returns the normal of the mark nearest to p among those with similar normals to n; 0 if there is none.
     [[nodiscard]] Vec3 nearest(const Vec3& p, const Vec3& n, Vec3& place) const {
         double least = reach_ * reach_;
         Vec3 normal{0.0, 0.0, 0.0};
@@ -54,7 +54,7 @@ public:
     }
 
 private:
-    // By the shortest rotation from one normal to the other.
+    // Carries d by the shortest rotation from one normal to the other.
     [[nodiscard]] static Vec3 carried(const Vec3& d, const Vec3& from, const Vec3& to, double cosine) {
         const Vec3 axis = cross(from, to);
         const Vec3 turned = cross(axis, d);
@@ -70,7 +70,7 @@ private:
     Grid grid_;
 };
 
-// Twice the index of the field within a circle; 0 where a part of the circle has no lines.
+// Returns twice the index of the field within a circle; 0 if a part of the circle has no lines.
 [[nodiscard]] inline int winding(const LineDirections& lines, const Mark& centre, double radius) {
     constexpr int places = 24;
     const Vec3 n = centre.normal;
@@ -97,7 +97,7 @@ private:
     return static_cast<int>(std::lround(turn / (2.0 * std::numbers::pi)));
 }
 
-// Circles of two separations around every so many marks; those around one point agree.
+// Tests a circle of two separations around every third mark; marks around the same singular point are merged.
 [[nodiscard]] inline std::vector<Singularity> singularities(const std::vector<Mark>& marks,
                                                             const std::vector<Vec3>& direction, double separation) {
     const LineDirections lines(marks, direction, separation);

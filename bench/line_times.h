@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long lines take beside marks, with more samples, and from frame to frame.
+// Times of lines against those of marks, with more samples, and from frame to frame.
 #pragma once
 
 #include "line_views.h"
@@ -10,7 +10,7 @@
 
 namespace bench {
 
-// A walk around a surface, so many degrees a frame.
+// A camera path around a surface.
 class LineOrbit {
 public:
     explicit LineOrbit(const hrbfnpr_model* model) {
@@ -18,7 +18,7 @@ public:
         const glm::dvec3 low = glm::make_vec3(info.bounds_min);
         const glm::dvec3 high = glm::make_vec3(info.bounds_max);
         middle_ = 0.5 * (low + high);
-        // So that all of it stays in the picture and between the planes, whatever the angle.
+        // The box is grown so that the whole surface stays in the picture and between the planes at any angle.
         const glm::dvec3 half(0.5 * glm::length(high - low) / std::sqrt(3.0));
         const glm::dvec3 lower = middle_ - half;
         const glm::dvec3 upper = middle_ + half;
@@ -40,7 +40,7 @@ private:
     hrbfnpr_camera start_{};
 };
 
-// The time of lines over that of 40 000 stipples, from the same directions.
+// Returns the time of lines over that of 40 000 stipples, from the same directions.
 [[nodiscard]] inline double lines_over_marks(hrbfnpr_context* context, const LineModel& model) {
     constexpr std::int64_t marks = 40'000;
     constexpr int runs = 15;
@@ -57,7 +57,8 @@ private:
     return times.ratio;
 }
 
-// A view from nothing over f, its gradient and its Hessian at as many places of the surface as its mesh has vertices.
+// Returns the time of a view by a new renderer over that of f, its gradient and its Hessian at as many places of the
+// surface as its mesh has vertices.
 [[nodiscard]] inline double lines_over_cells(hrbfnpr_context* context, const LineModel& model) {
     constexpr int runs = 9;
     const std::int64_t vertices = info_of(model.lines.get()).triangles / 2;
@@ -79,7 +80,7 @@ private:
     return times.ratio;
 }
 
-// The median of some views.
+// Returns the median time of some views.
 [[nodiscard]] inline double median_ms(hrbfnpr_context* context, std::int64_t samples) {
     const LineModel model = line_model(context, "bumpy", fit_centres(context, bumpy(samples), samples));
     const Views views = draw_views(context, model, [](LinePainter&, const hrbfnpr_camera&) {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines that are drawn beside lines that are known: how much of each lies within a pixel of the other.
+// Drawn lines against known lines: how much of each lies within a pixel of the other.
 #pragma once
 
 #include "exact_contours.h"
@@ -17,7 +17,7 @@
 
 namespace bench {
 
-// Distances to lines in the image, as long as they are below a reach.
+// Distances to lines in the image, up to a reach.
 class NearLines {
 public:
     static constexpr double reach = 4.0;
@@ -57,12 +57,12 @@ private:
     std::unordered_map<std::int64_t, std::vector<std::size_t>> of_cell_;
 };
 
-// How much of some lines is near others.
+// How much of some lines is near other lines.
 struct Nearness {
     double length = 0.0;  // pixels
-    double near = 0.0;    // of these, within a pixel
+    double near = 0.0;    // pixels within a pixel of the others
     double moment = 0.0;  // distance times length
-    double longest = 0.0; // that is farther in one piece
+    double longest = 0.0; // the longest connected piece that is farther away
 
     void add(const Nearness& other) {
         length += other.length;
@@ -72,7 +72,7 @@ struct Nearness {
     }
 };
 
-// Pieces that are connected, by their nodes.
+// The lengths of connected pieces, by their nodes.
 class Joined {
 public:
     explicit Joined(std::size_t nodes) : up_(nodes), length_(nodes, 0.0) { std::iota(up_.begin(), up_.end(), 0); }
@@ -127,7 +127,7 @@ private:
     return lines;
 }
 
-// A shape, and where its contours are.
+// A shape and its contours.
 struct Exact {
     std::string name;
     std::unique_ptr<Shape> shape;

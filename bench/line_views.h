@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How often the curves of a view are whole and their visibility adds up, and how long that takes.
+// How often the curves of a view are whole and their visibility is consistent, and how long that takes.
 #pragma once
 
 #include "line_models.h"
@@ -13,13 +13,13 @@
 
 namespace bench {
 
-// Of all cameras around one surface, or around many.
+// Sums over all cameras around one surface or several.
 struct Views {
     std::int64_t views = 0, valid = 0;
     std::int64_t curves = 0, cusps = 0, crossings = 0;
     std::int64_t refined = 0, settled = 0, broken = 0, contradictions = 0;
     std::vector<double> ms;
-    std::vector<std::string> bad; // in words
+    std::vector<std::string> bad; // descriptions of views that are not valid
 
     void add(const Views& other) {
         views += other.views;
@@ -36,7 +36,7 @@ struct Views {
     }
 };
 
-// The value that a share of all are not above.
+// Returns the value that the given share of all values do not exceed.
 [[nodiscard]] inline double quantile(std::vector<double> values, double share) {
     if (values.empty()) return 0.0;
     std::sort(values.begin(), values.end());
@@ -71,7 +71,7 @@ inline void count(Views& all, const hrbfnpr_drawing_info& info, const std::strin
                       std::to_string(info.line_contradictions));
 }
 
-// In words, for what is bad.
+// Describes a view in messages.
 [[nodiscard]] inline std::string view_name(const std::string& model, const glm::dvec3& direction) {
     char text[128];
     std::snprintf(text, sizeof text, "%s, along (%.3g %.3g %.3g)", model.c_str(), direction.x, direction.y,
@@ -79,8 +79,8 @@ inline void count(Views& all, const hrbfnpr_drawing_info& info, const std::strin
     return text;
 }
 
-// Cameras of 0.5 radians from the corners, edges and faces of a cube; nothing is left from one to the next.
-// `look` gets each painter that has drawn, and its camera.
+// Draws from the corners, edges and faces of a cube, with cameras of 0.5 radians; each view starts with a new renderer.
+// Calls `look` with each painter that has drawn, and its camera.
 template <class Look>
 [[nodiscard]] Views draw_views(hrbfnpr_context* context, const LineModel& model, Look&& look) {
     const hrbfnpr_model_info info = info_of(model.model.get());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether parts of lines are visible, by rays from the eye to places of them.
+// Checks the visibility of lines by rays from the eye to places on them.
 #pragma once
 
 #include "line_calls.h"
@@ -14,16 +14,17 @@
 
 namespace bench {
 
-// A place of a line, and how many layers are said to lie before it.
+// A place on a line, and the number of layers that the drawing says hide it.
 struct LinePlace {
     glm::dvec2 pixel{0.0};
     glm::dvec3 world{0.0};
-    double from_end = 0.0; // pixels, along its part
+    double from_end = 0.0; // pixels to the nearer end of its part, along the part
     double part = 0.0;     // length of its part, pixels
     int layers = 0;
 };
 
-// So many places, evenly along all lines; none so near to an end of a part that nobody could tell.
+// Returns `count` places, evenly along all lines, except places so near to an end of a part that the answer is
+// uncertain.
 [[nodiscard]] inline std::vector<LinePlace> places_of(const std::vector<Polyline>& lines, const Lens& lens,
                                                       std::int64_t count) {
     constexpr double end = 0.05;
@@ -86,7 +87,7 @@ private:
     std::vector<double> hessian_;
 };
 
-// Newton's steps of least length to f = 0 and n . sight = 0, seen from the eye.
+// Takes Newton steps of least length to f = 0 and n . sight = 0, as seen from the eye.
 inline void settle_on_contour(const hrbfnpr_model* model, const glm::dvec3& eye, double longest,
                               std::vector<glm::dvec3>& places) {
     for (int step = 0; step < 6; ++step) {
@@ -110,11 +111,11 @@ inline void settle_on_contour(const hrbfnpr_model* model, const glm::dvec3& eye,
 
 struct VisibilityCount {
     std::int64_t places = 0, visible = 0, right = 0;
-    std::int64_t layers_right = 0;      // with as many layers, too
-    std::int64_t hidden_by_mistake = 0; // of the wrong ones
-    std::int64_t astray = 0;            // farther than half a pixel from any contour: not counted among the places
-    std::int64_t unsure = 0;            // no ray can tell: not counted either
-    std::vector<std::string> wrong;     // in words
+    std::int64_t layers_right = 0;      // the number of layers is right, too
+    std::int64_t hidden_by_mistake = 0; // visible places that are drawn as hidden
+    std::int64_t astray = 0;            // farther than half a pixel from any contour: not counted in `places`
+    std::int64_t unsure = 0;            // no ray gives an answer: not counted either
+    std::vector<std::string> wrong;     // descriptions
 
     void add(const VisibilityCount& other) {
         places += other.places;
@@ -179,8 +180,8 @@ private:
     static constexpr double smallest = 1e-4; // diagonals
     static constexpr double largest = 1e-3;
 
-    // How far before each place its ray has to end: half way to where it meets the same piece of surface again.  With
-    // f = a s^2 / 2 + b s^3 / 6 along the ray that is at s = -3 a / b.
+    // Returns how far before each place its ray must end: half the way to where the ray meets the same piece of surface
+    // again.  With f = a s^2 / 2 + b s^3 / 6 along the ray, that is at s = -3 a / b.
     [[nodiscard]] std::vector<double> gaps(const glm::dvec3& eye, const std::vector<glm::dvec3>& places) const {
         const double step = 1e-4 * diagonal_;
         std::vector<glm::dvec3> before;

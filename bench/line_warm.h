@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Frames that begin with the curves of the frame before: whether they are as whole as those that begin with nothing,
-// and the same.
+// Frames that start from the curves of the previous frame: whether their curves are as whole as those of frames that
+// start from nothing, and the same.
 #pragma once
 
 #include "line_times.h"
@@ -14,8 +14,8 @@
 namespace bench {
 
 struct WarmFrames {
-    Views views;                         // those that go on from the last
-    std::int64_t compared = 0, same = 0; // places of contours of frames that begin with nothing, and those they have
+    Views views;                         // frames that start from the previous frame
+    std::int64_t compared = 0, same = 0; // places on contours of frames that start from nothing; those found
     VisibilityCount visible;
 
     void add(const WarmFrames& other) {
@@ -26,8 +26,8 @@ struct WarmFrames {
     }
 };
 
-// Half a degree a frame, around a model.  Every eighth frame is asked for its visibility by rays, and a painter with
-// nothing draws the same: its contours must be there.
+// Draws frames half a degree apart around a model.  Every eighth frame is checked by rays, and a new renderer draws it
+// as well: all of its contours must be found.
 [[nodiscard]] inline WarmFrames warm_frames(hrbfnpr_context* context, const LineModel& model, int frames,
                                             std::int64_t places) {
     constexpr int compared = 8;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contours as lines: how near to the truth, how often whole, visible where they should be, times, and flicker.
-// --models=DIR: a folder of PLY files of points with normals, besides generated surfaces; --named=TEXT: of these, only
-// those whose name has it in it; --only=PART,...: of truth, views, warm, features, times, flicker, raster; --places=N:
-// of lines whose visibility is looked at; --cameras=N, 3 at most, and --rays=N, along a pixel's side: of what feature
-// lines are compared with.
+// Contours as lines: how close they are to the truth, how often they are whole and their visibility is right, times,
+// and flicker. --models=DIR: a folder of PLY files of points with normals, in addition to generated surfaces;
+// --named=TEXT: only models with TEXT in the name; --only=PART,...: any of truth, views, warm, features, times,
+// flicker, raster; --places=N: the number of places on lines whose visibility is checked; --cameras=N, at most 3, and
+// --rays=N per pixel side: the reference of feature lines.
 #include "line_features.h"
 #include "line_flicker.h"
 #include "line_raster.h"
@@ -39,7 +39,7 @@ struct Settings {
     [[nodiscard]] bool wants(const char* part) const { return only.empty() || only.find(part) != std::string::npos; }
 };
 
-// Generated ones and those of the folder.
+// Returns generated models and those of the folder.
 std::vector<bench::Source> chosen_sources(const Settings& settings) {
     std::vector<bench::Source> all = bench::generated_sources();
     if (!settings.models.empty())
@@ -51,7 +51,7 @@ std::vector<bench::Source> chosen_sources(const Settings& settings) {
     return chosen;
 }
 
-// Of what times are taken: the head, if the folder has it.
+// Returns the samples for the times: the head if a folder is given, else a generated surface.
 bench::Samples orbit_samples(const Settings& settings) {
     return settings.models.empty() ? bench::bumpy(4096) : bench::read_ply(settings.models + "/head_4096.ply");
 }
@@ -62,9 +62,9 @@ struct Results {
     void add(const char* name, double value) { pairs.emplace_back(std::string("lines.").append(name), value); }
 };
 
-// ---- Against what is known ------------------------------------------------------------------
+// ---- Known surfaces -------------------------------------------------------------------------
 
-// Of the lines that are drawn, and of the contours that there are.
+// The drawn lines against the true contours, both ways.
 struct Truth {
     bench::Nearness drawn, wanted;
     Views views;
@@ -129,7 +129,7 @@ void run_truth(hrbfnpr_context* context, Results& results) {
     results.add("longest_gap_px", all.wanted.longest);
 }
 
-// ---- Of fitted surfaces ---------------------------------------------------------------------
+// ---- Fitted surfaces ------------------------------------------------------------------------
 
 void print(const bench::VisibilityCount& c) {
     const auto number = [](std::int64_t n) { return static_cast<long long>(n); };
@@ -140,7 +140,7 @@ void print(const bench::VisibilityCount& c) {
         number(c.places - c.layers_right), number(c.astray), number(c.unsure));
 }
 
-// What may be wrong with what lines are looked for on.
+// Prints possible faults of the mesh that lines are found on.
 void print_faults(const LineModel& model) {
     const hrbfnpr_line_set_info info = bench::info_of(model.lines.get());
     if (info.turned == 0 && info.missed_seeds == 0 && info.borders == 0) return;
@@ -149,7 +149,7 @@ void print_faults(const LineModel& model) {
                 static_cast<long long>(info.borders), info.cell_size, bench::info_of(model.model.get()).spacing);
 }
 
-// Of one surface, in so many places a view.
+// Measurements of one surface.
 struct Measured {
     Views views;
     bench::VisibilityCount visible;
@@ -171,7 +171,7 @@ Measured measure(hrbfnpr_context* context, const bench::Source& source, std::int
     bench::print(source.name, bench::info_of(model.model.get()).centres, bench::info_of(model.lines.get()).triangles,
                  found.views);
     print_faults(model);
-    // Later, so that rays take no time from lines.
+    // Afterwards, so that rays take no time from lines.
     const bench::VisibilityCheck check(model.model.get());
     const std::vector<glm::dvec3> directions = bench::cube_directions();
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -271,7 +271,7 @@ Matches compare_features(hrbfnpr_context* context, const bench::Source& source, 
     return matches;
 }
 
-// Contours with suggestive contours, and contours alone, of the same views.
+// Times contours with suggestive contours, and contours alone, for the same views.
 void time_features(hrbfnpr_context* context, const bench::Samples& samples, Results& results) {
     LineModel model = bench::line_model(context, "", bench::fit_centres(context, samples, 4096));
     model.lines = bench::make_feature_set(context, model.model.get(), {});
@@ -315,7 +315,7 @@ void run_features(hrbfnpr_context* context, const Settings& settings, Results& r
     time_features(context, orbit_samples(settings), results);
 }
 
-// ---- On the way around -----------------------------------------------------------------------
+// ---- Camera paths ----------------------------------------------------------------------------
 
 [[nodiscard]] LineModel orbit_model(hrbfnpr_context* context, const Settings& settings) {
     return bench::line_model(context, "orbit", bench::fit_centres(context, orbit_samples(settings), 4096));
@@ -348,9 +348,9 @@ void run_flicker(hrbfnpr_context* context, const Settings& settings, Results& re
     results.add("flicker", static_cast<double>(found.gone) / static_cast<double>(found.places));
 }
 
-// ---- On the paper ----------------------------------------------------------------------------
+// ---- Raster ----------------------------------------------------------------------------------
 
-// One thread each: what a pixel of a stroke costs, and whether more ink costs as much more.
+// Measures on one thread: the time per pixel of a stroke, and whether it stays the same with more ink.
 void run_raster(Results& results) {
     constexpr int runs = 80;
     auto desc = scenes::made(hrbfnpr_context_desc_init);

@@ -19,10 +19,11 @@ namespace bench {
 
 #if defined(HRBFNPR_BENCH_EGL)
 
-// Every mark as a blended round point with a smooth rim; no depth test, no order, which cost nothing.
+// Draws every mark as a blended round point with a smooth rim, without depth test and order, which would take more
+// time.
 class Llvmpipe {
 public:
-    // Throws std::runtime_error where there is no such OpenGL.
+    // Throws std::runtime_error if there is no such OpenGL.
     Llvmpipe(const hrbfnpr_point_set* set, float radius, int width, int height) : width_(width), height_(height) {
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
         setenv("GALLIUM_DRIVER", "llvmpipe", 1);

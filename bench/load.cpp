@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Load: frames, fits, orders and drawings on an idle machine and beside busy processes, by thread backend.
-// --rounds=N: 12; --marks=N of the frames: 700000; --only=NAME,...: of frame, fit, order, small.
+// Frames, fits, orders and drawings under load: on an idle machine and beside busy processes, for each thread backend.
+// --rounds=N: default 12; --marks=N: marks of the frames, default 700000; --only=NAME,...: any of frame, fit, order,
+// small.
 #include "backends.h"
 #include "busy.h"
 #include "orbit.h"
@@ -26,7 +27,7 @@ using bench::Backend;
 
 // ---- The work ------------------------------------------------------------------------------
 
-// What all backends work on.
+// The data that all backends work on.
 struct Stock {
     explicit Stock(std::int64_t marks)
         : context(bench::make_context()), model(bench::fit(context.get(), samples.points, samples.normals)) {
@@ -45,14 +46,14 @@ bench::Style full() { return bench::Style(HRBFNPR_PRESET_FULL); }
 
 constexpr int width = 1280, height = 720;
 
-// One backend at work; each kind of work gives milliseconds.
+// One backend; each kind of work returns milliseconds.
 class Worker {
 public:
     Worker(const Stock& stock, const Backend& backend)
         : stock_(stock), context_(bench::make_context(backend)), orbit_(stock.set.get(), width, height),
           painter_(context_.get(), stock.set.get(), full(), width, height) {}
 
-    // The image alone is a part of the frame.
+    // Appends the times of whole frames, and of the image alone.
     void frames(int count, std::vector<double>& whole, std::vector<double>& image) {
         for (int i = 0; i < count; ++i) {
             whole.push_back(1e3 * bench::seconds([&] { painter_.draw(orbit_.at(0.7 * angle_++)); }));
@@ -64,7 +65,7 @@ public:
                bench::seconds([&] { (void)bench::fit(context_.get(), stock_.samples.points, stock_.samples.normals); });
     }
     [[nodiscard]] double order() { return generate(stock_.model.get(), 60'000); }
-    // A fit, an order and a drawing, each over in no time.
+    // A fit, an order and a drawing, each very short.
     [[nodiscard]] double small() {
         return 1e3 * bench::seconds([&] {
                    const scenes::Model model = bench::fit(context_.get(), stock_.few.points, stock_.few.normals);
@@ -128,7 +129,7 @@ public:
         return found == cells_.end() ? 0.0 : percentile(found->second, share);
     }
     [[nodiscard]] bool has(const std::string& work) const {
-        return cells_.lower_bound(work + "/") != cells_.lower_bound(work + "0"); // '0' follows '/'
+        return cells_.lower_bound(work + "/") != cells_.lower_bound(work + "0"); // '0' is the character after '/'
     }
 
 private:
@@ -142,8 +143,8 @@ struct Options {
     [[nodiscard]] bool wants(const char* work) const { return only.empty() || only.find(work) != std::string::npos; }
 };
 
-// A batch of each kind of work; the first of a batch only warms up, and what threads of other backends
-// still spin is over by then.
+// Runs a batch of each kind of work; the first of a batch only warms up. The sleep lets the spinning threads of other
+// backends stop first.
 void measure(const Options& options, const std::string& condition, const Backend& backend, Worker& worker,
              Table& table) {
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -184,7 +185,7 @@ void print(const Table& table, const std::vector<Backend>& backends) {
     std::printf("\n");
 }
 
-// The worse one of a busy process that stays on a processor and one that does not.
+// Returns the worse ratio of two loads: a busy process that stays on one processor, and one that does not.
 double under_load(const Table& table, const char* work, const std::string& backend, double share) {
     return std::max(table.value(work, "busy", backend, share), table.value(work, "pinned", backend, share)) /
            table.value(work, "idle", backend, share);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a place is near to one of many.
+// Tests whether a place is near any of many points.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace bench {
 
 class NearPoints {
 public:
-    // points: packed.
+    // points: packed x y z.
     NearPoints(std::vector<double> points, double side) : points_(std::move(points)), side_(side) {
         for (std::size_t i = 0; i < points_.size(); i += 3) cells_[cell(points_.data() + i, 0, 0, 0)].push_back(i);
     }
@@ -21,7 +21,7 @@ public:
         return !visit(p, distance, [](std::size_t, double) { return false; });
     }
 
-    // Calls see(i, distance) of each point within `distance`, until that gives false; whether it never did.
+    // Calls see(i, distance) for each point within `distance` until see returns false; returns whether it never did.
     template <class See>
     bool visit(const double* p, double distance, See&& see) const {
         const int reach = static_cast<int>(std::ceil(distance / side_));

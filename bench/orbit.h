@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A camera on its way around a model, and where it sees a place.
+// A camera path around a model, and the image of a place.
 #pragma once
 
 #include "calls.h"
@@ -10,13 +10,13 @@
 
 namespace bench {
 
-// A camera's matrices, to look through.
+// The matrices of a camera.
 struct Lens {
     explicit Lens(const hrbfnpr_camera& camera)
         : view(glm::make_mat4(camera.view)), to_clip(glm::make_mat4(camera.projection) * view),
           eye(glm::inverse(view)[3]), viewport(glm::make_vec4(camera.viewport)) {}
 
-    // Pixels.
+    // Returns the pixel of a place.
     [[nodiscard]] glm::dvec2 image_of(const glm::dvec3& place) const {
         const glm::dvec4 clip = to_clip * glm::dvec4(place, 1.0);
         return {viewport.x + (clip.x / clip.w + 1.0) / 2.0 * viewport.z,
@@ -26,7 +26,7 @@ struct Lens {
         return pixel.x > viewport.x + margin && pixel.x < viewport.x + viewport.z - margin &&
                pixel.y > viewport.y + margin && pixel.y < viewport.y + viewport.w - margin;
     }
-    // n . v, v from the eye to the place: negative in front.
+    // Returns n . v, where v points from the eye to the place: negative for marks that face the eye.
     [[nodiscard]] double facing(const glm::dvec3& place, const glm::dvec3& normal) const {
         return glm::dot(normal, glm::normalize(place - eye));
     }
@@ -37,7 +37,7 @@ struct Lens {
     glm::dvec4 viewport;
 };
 
-// Around the middle of a point set, which fills the picture at angle 0 and zoom 1.
+// A path around the middle of a point set, which fills the picture at angle 0 and zoom 1.
 class Orbit {
 public:
     Orbit(const hrbfnpr_point_set* set, int width, int height) {
@@ -63,14 +63,14 @@ public:
             glm::translate(glm::dmat4(1.0), -middle_);
         const glm::dmat4 view = glm::make_mat4(start_.view) * turn;
         for (std::size_t i = 0; i < 16; ++i) camera.view[i] = glm::value_ptr(view)[i];
-        // The lens alone: what faces the eye stays what it is.
+        // Zoom changes the projection alone, so that the same marks face the eye.
         camera.projection[0] *= zoom;
         camera.projection[5] *= zoom;
         return camera;
     }
 
 private:
-    // From the near to the far plane there is room for the set whatever its turn.  OpenGL's depths, in perspective.
+    // Moves the planes so that the set fits between them at any angle.  Assumes OpenGL's depths and a perspective.
     static void part_planes(hrbfnpr_camera& camera) {
         double* const p = camera.projection;
         const double near = 0.5 * p[14] / (p[10] - 1.0);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Normals of points without any: how many are right, how far their directions are off, and how long it takes.
+// Normals of points without normals: how many are right, how far their directions are off, and how long it takes.
 //
 //   bench_orient [--models=DIR] [--named=TEXT] [--only=clean,noisy,curves,bound,times] [--noise=0.01]
 //                [--seed=N] [--large]
 //
-// Clouds are those of orient_shapes.h and, with --models, the PLY files of a folder that have normals, which are
-// dropped.  bound: how right a reader who knows the surface is on noisy points (orient_bound.h).  Of open sheets the
-// sign of the whole is a rule's, not the surface's: where it is, the better sign counts.
-// curves: wires and sections far apart, with less noise and more.  --large: a million points, too.
+// Clouds are those of orient_shapes.h and, with --models, the PLY files of a folder, whose normals are only compared
+// with.  bound: how right an estimator that knows the surface is on noisy points (orient_bound.h).  The sign of an open
+// sheet as a whole is a convention, not a property of the surface: in that case the better sign counts. curves: wires
+// and sections far apart, with increasing noise.  --large: also a million points.
 
 #include "orient_bound.h"
 #include "orient_shapes.h"
@@ -106,7 +106,7 @@ std::vector<NamedCloud> clouds_of(const Options& options) {
             if (entry.path().extension() == ".ply") files.push_back(entry.path());
         std::sort(files.begin(), files.end());
         for (const auto& file : files) {
-            const bool scan = file.stem().string().find("raw") != std::string::npos; // noisy as it is
+            const bool scan = file.stem().string().find("raw") != std::string::npos; // already noisy
             if (scan) continue;
             try {
                 clouds.push_back({file.stem().string(), bench::read_ply(file.string()), false});
@@ -124,7 +124,7 @@ std::vector<NamedCloud> clouds_of(const Options& options) {
     return clouds;
 }
 
-// Both sheets of a wall that is thinner than that are one band of noise.
+// The sheets of a wall thinner than this many deviations are one band of noise.
 constexpr double deviations = 4.0;
 
 [[nodiscard]] bool is_thin(const NamedCloud& cloud, double noise) {
@@ -148,8 +148,8 @@ void measure_bound(hrbfnpr_context* context, const std::vector<NamedCloud>& clou
 }
 
 struct OnThickWalls {
-    double share = 0.0; // of all places
-    double right = 1.0; // share of these
+    double share = 0.0; // of all points
+    double right = 1.0; // share of these with a right normal
 };
 
 OnThickWalls on_thick_walls(const Samples& clean, const Score& score, double noise) {
@@ -165,7 +165,7 @@ OnThickWalls on_thick_walls(const Samples& clean, const Score& score, double noi
     return {places / static_cast<double>(thickness.size()), places > 0.0 ? right / places : 1.0};
 }
 
-// Prints a line a cloud, and the worst of all.
+// Prints a line for each cloud, and the worst values of all.
 void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise, std::uint64_t seed) {
     const char* kind = noise > 0.0 ? "noisy" : "clean";
     double right = 1.0;
@@ -208,7 +208,8 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
     if (noise == 0.0) std::printf("orient.right_min %.4f\n", right);
 }
 
-// Curves far apart, of noise in diagonals; and the most noise with which all of their signs, but for 1 %, were right.
+// Measures curves far apart, with noise in diagonals; reports the largest noise with which at least 99 % of the signs
+// are right for all of them.
 void measure_curves(hrbfnpr_context* context, std::uint64_t seed) {
     const std::vector<std::pair<const char*, Samples>> all{
         {"torus, 6 wires", bench::lines_of(bench::torus_patch(1.0, 1.0 / 3.0), 4, 2, 160)},

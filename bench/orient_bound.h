@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How right the normals of noisy points can be at best: by a reader who knows the surface and the noise, and is told no
-// more of a point than where it is.
+// How right the normals of noisy points can be at best: those of an estimator that knows the surface and the noise, and
+// of each point its position only.
 //
-// Of marks that are even on the true surface, exp(-d^2 / 2 sigma^2) says how likely a point at the distance d came from
-// each.  The mean normal by these weights is nearly the direction that is most often on the right side, and the first
-// axis of their second moments the one whose square of the cosine is largest.  Nobody who has to find the surface first
-// can do better.
+// For marks that are even on the true surface, exp(-d^2 / 2 sigma^2) is the likelihood that a point at the distance d
+// came from a mark.  The mean normal by these weights is nearly the direction that is most often on the right side, and
+// the first axis of their second moments is the direction with the largest squared cosine.  No method that must find
+// the surface first can do better.
 #pragma once
 
 #include "calls.h"
@@ -22,7 +22,7 @@ struct Bound {
     double angle = 0.0; // mean, in degrees
 };
 
-// Marks on the surface that the clean samples define.
+// Returns marks on the surface that the clean samples define.
 inline Samples even_marks(hrbfnpr_context* context, const Samples& clean) {
     const scenes::Model model = fit(context, clean.points, clean.normals, HRBFNPR_TRIM_NEVER);
     const scenes::PointSet set = generate(context, model.get(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 200000));
@@ -48,7 +48,7 @@ public:
         }
     }
     [[nodiscard]] const Vec3& mean() const { return mean_; }
-    // The first axis, by powers of the matrix.
+    // Returns the first axis, by powers of the matrix.
     [[nodiscard]] Vec3 axis() const {
         Vec3 axis{0.48, 0.6, 0.64};
         for (int round = 0; round < 60; ++round) {
@@ -65,7 +65,7 @@ private:
     std::array<Vec3, 3> moment_{};
 };
 
-// noisy: the clean samples, moved by sigma.
+// noisy: the clean samples, displaced by sigma.
 inline Bound bound_of(hrbfnpr_context* context, const Samples& clean, const Samples& noisy, double sigma) {
     const Samples marks = even_marks(context, clean);
     const NearPoints near(marks.points, sigma);

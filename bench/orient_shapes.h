@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clouds whose normals are known: surfaces (u, v) -> point, sampled evenly by area.
+// Clouds with known normals: surfaces (u, v) -> point, sampled evenly by area.
 #pragma once
 
 #include "samples.h"
@@ -16,7 +16,7 @@
 namespace bench {
 
 using Point = std::array<double, 3>;
-// Of the unit square, with the cross product of its derivatives outward.
+// A map of the unit square; the cross product of its derivatives points outward.
 using Patch = std::function<Point(double u, double v)>;
 
 inline constexpr double tau = 6.283185307179586;
@@ -45,7 +45,7 @@ inline Facet facet(const Patch& patch, double u, double v) {
     return {p, n, length / (4.0 * h * h)};
 }
 
-// Places of the unit square by area: those of a sequence without clumps (Roberts 2018) that pass.
+// Samples places of the unit square by area: rejection from a low-discrepancy sequence (Roberts 2018).
 inline std::vector<Facet> by_area(const Patch& patch, std::int64_t count) {
     constexpr double plastic = 1.32471795724474602596;
     double most = 0.0;
@@ -60,7 +60,7 @@ inline std::vector<Facet> by_area(const Patch& patch, std::int64_t count) {
     return facets;
 }
 
-// The farthest from those before it, one by one: as even as farthest-point samples of a mesh.
+// Chooses the facet farthest from all chosen ones, one by one, which is as even as farthest-point samples of a mesh.
 inline std::vector<Facet> spread_out(const std::vector<Facet>& facets, std::int64_t count) {
     std::vector<double> distance(facets.size(), HUGE_VAL);
     std::vector<Facet> chosen;
@@ -81,7 +81,7 @@ inline std::vector<Facet> spread_out(const std::vector<Facet>& facets, std::int6
 }
 
 inline Samples sampled(const Patch& patch, std::int64_t count) {
-    constexpr std::int64_t spread = 4000; // more would take long
+    constexpr std::int64_t spread = 4000; // more would take too long
     const std::vector<Facet> facets =
         count <= spread ? spread_out(by_area(patch, 10 * count), count) : by_area(patch, count);
     Samples samples;
@@ -89,7 +89,7 @@ inline Samples sampled(const Patch& patch, std::int64_t count) {
     return samples;
 }
 
-// The tube of this radius about a closed curve.
+// Returns the tube of this radius around a closed curve.
 inline Patch tube(const std::function<Point(double)>& curve, double radius) {
     return [=](double u, double v) {
         constexpr double h = 1e-4;
@@ -97,7 +97,7 @@ inline Patch tube(const std::function<Point(double)>& curve, double radius) {
         const Point a = curve(u + h);
         const Point b = curve(u - h);
         Point t{};
-        Point s{}; // the second derivative, never along the first for the curves below
+        Point s{}; // the second derivative, never parallel to the first for the curves below
         for (std::size_t i = 0; i < 3; ++i) {
             t[i] = a[i] - b[i];
             s[i] = a[i] + b[i] - 2.0 * c[i];
@@ -140,7 +140,7 @@ inline Patch knot_patch() {
         0.35);
 }
 
-// All round the profile (r, z)(v) of a closed or an open curve, which has its outside on its right.
+// Revolves the profile (r, z)(v) of a closed or open curve, whose right side is outside.
 inline Patch turned(const std::function<std::array<double, 2>(double)>& profile) {
     return [=](double u, double v) {
         const auto [r, z] = profile(v);
@@ -148,10 +148,10 @@ inline Patch turned(const std::function<std::array<double, 2>(double)>& profile)
     };
 }
 
-// A round plate of this thickness with a round rim, and a bowl of it.
+// A round plate of this thickness with a round rim, and a bowl of the same thickness.
 inline Patch plate_patch(double radius, double thickness) {
     return turned([=](double v) -> std::array<double, 2> {
-        const double rim = 0.25 * tau * thickness; // half a circle of the thickness
+        const double rim = 0.25 * tau * thickness; // half a circle, the thickness its diameter
         const double length = 2.0 * radius + rim;
         double s = v * length;
         if (s < radius) return {s, -0.5 * thickness};
@@ -203,7 +203,7 @@ inline Samples together(Samples a, const Samples& b) {
     return a;
 }
 
-// Curves u = const and v = const of a patch: wires and cross sections.
+// Samples curves u = const and v = const of a patch: wires and cross sections.
 inline Samples lines_of(const Patch& patch, int across, int along, int points) {
     Samples samples;
     const auto add = [&](double u, double v) {
@@ -217,7 +217,7 @@ inline Samples lines_of(const Patch& patch, int across, int along, int points) {
     return samples;
 }
 
-// Mean distance of a surface's samples, were they a hexagonal lattice.
+// Returns the distance between a surface's samples if they were a hexagonal lattice.
 inline double lattice_spacing(double area, std::int64_t count) {
     return std::sqrt(1.1547 * area / static_cast<double>(count));
 }
@@ -232,7 +232,7 @@ inline double diagonal_of(const Samples& samples) {
     return std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
 }
 
-// Noise of the normal distribution, `deviation` diagonals, in all directions.
+// Adds normally distributed noise of `deviation` diagonals in all directions.
 inline Samples noisy(Samples samples, double deviation, std::uint64_t seed) {
     const double sigma = deviation * diagonal_of(samples);
     std::uint64_t state = seed;
@@ -250,7 +250,7 @@ struct NamedCloud {
     std::string name;
     Samples samples;
     bool smooth;            // the mean angle is judged, too
-    double wall = HUGE_VAL; // thickness of the thinnest
+    double wall = HUGE_VAL; // thickness of the thinnest wall
 };
 
 inline std::vector<NamedCloud> analytic_clouds() {

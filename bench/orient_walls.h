@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How thick the wall is that a sample is on: noise makes both sides of a thin one a single band.
+// The thickness of the wall that a sample is on: noise merges both sides of a thin wall into a single band.
 #pragma once
 
 #include "near_points.h"
@@ -12,8 +12,8 @@
 
 namespace bench {
 
-// Of each clean sample: how far along its normal, either way, the nearest one lies that faces the other way and is no
-// more than 1.5 of its spacings aside; infinite if none is within `most`.
+// Returns for each clean sample how far along its normal, either way, the nearest sample lies that faces the other way
+// and is at most 1.5 spacings aside; infinite if none is within `most`.
 inline std::vector<double> wall_thickness(const Samples& clean, double most) {
     constexpr double aside = 1.5;
     constexpr double faces_away = -0.3; // cosine
@@ -34,7 +34,7 @@ inline std::vector<double> wall_thickness(const Samples& clean, double most) {
             });
         }
         std::sort(distances.begin(), distances.end());
-        double spacing = 0.0; // the first is the sample itself
+        double spacing = 0.0; // nearest distances without the sample itself
         for (std::size_t k = 1; k <= ring && k < distances.size(); ++k) spacing += distances[k] / ring;
         near.visit(place, most + aside * spacing, [&](std::size_t other, double distance) {
             double height = 0.0;

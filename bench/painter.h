@@ -12,7 +12,7 @@
 
 namespace bench {
 
-// A disc as the library hands it over.
+// A disc, as the library writes it.
 struct Disc {
     std::uint32_t id; // 1 + number of the mark
     float radius;     // pixels
@@ -42,9 +42,9 @@ public:
     Painter& operator=(const Painter&) = delete;
 
     void use(const hrbfnpr_point_set* set) { item_.point_set = set; }
-    // Without an image.
+    // Makes the drawing without an image.
     void make_drawing(const hrbfnpr_camera& camera) {
-        drawing_.reset(); // the next one is made in its memory
+        drawing_.reset(); // the next one reuses its memory
         hrbfnpr_drawing* drawing = nullptr;
         check_(hrbfnpr_renderer_draw(renderer_.get(), &item_, 1, 0, &camera, &drawing, check_.error()));
         drawing_.reset(drawing);
@@ -72,7 +72,7 @@ public:
         check_(hrbfnpr_drawing_get_info(drawing_.get(), &info, check_.error()));
         return info;
     }
-    // Of the last draw(): the part that made the image of the drawing.
+    // The time that the last draw() took to rasterize the drawing.
     [[nodiscard]] double image_ms() const { return image_ms_; }
     [[nodiscard]] const std::vector<std::uint8_t>& pixels() const { return pixels_; }
     [[nodiscard]] std::vector<std::uint8_t>& pixels() { return pixels_; }

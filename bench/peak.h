@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The most floating-point operations that this machine does in a second, in double precision.
+// The peak of this machine in floating-point operations per second, in double precision.
 #pragma once
 
 #include "timing.h"
@@ -13,9 +13,9 @@ namespace bench {
 namespace detail {
 
 constexpr std::int64_t steps = 40'000'000;
-constexpr int chains = 12; // multiply-adds under way at a time: more than latency times ports
+constexpr int chains = 12; // concurrent multiply-adds: more than latency times ports
 
-// 8 doubles a vector; the compiler splits it where the processor's are shorter.
+// 8 doubles per vector; the compiler splits it if the processor's vectors are shorter.
 using Vector = double __attribute__((vector_size(64)));
 
 #if defined(__x86_64__)
@@ -37,7 +37,7 @@ HRBFNPR_BENCH_CLONES inline double multiply_add() {
 
 } // namespace detail
 
-// Of `threads` threads together, flops a second; the best of three tries.
+// Returns the flops per second of `threads` threads together; the best of three tries.
 [[nodiscard]] inline double peak_flops(int threads) {
     double best = 0.0;
     for (int attempt = 0; attempt < 3; ++attempt) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Seconds of each stage, from samples to a picture, of a torus with bumps; and how many times
-// as long each takes on one thread as on all.
+// Seconds of each stage from samples to a picture, for a torus with bumps; and the ratio of the time on one thread to
+// the time on all threads.
 #include "calls.h"
 #include "timing.h"
 
@@ -31,7 +31,7 @@ Vec torus_at(double phi, double theta) {
     return {reach * std::cos(phi), reach * std::sin(phi), tube * std::sin(theta)};
 }
 
-// The outward normal, from central differences: their error of 1e-10 is far below any use here.
+// Returns the outward normal from central differences, whose error of 1e-10 does not matter here.
 Vec normal_at(double phi, double theta) {
     constexpr double h = 1e-5;
     const auto along = [](const Vec& a, const Vec& b) { return Vec{a[0] - b[0], a[1] - b[1], a[2] - b[2]}; };
@@ -64,7 +64,7 @@ hrbfnpr_array view(const std::vector<Vec>& vectors) {
     return {vectors.data(), static_cast<std::int64_t>(vectors.size()), 0, HRBFNPR_SCALAR_FLOAT64, 3};
 }
 
-// The four stages on one context, each on what the one before it made.
+// The four stages in one context; each works on the result of the one before.
 class Pipeline {
 public:
     Pipeline(int threads, const Samples& samples) : samples_(samples), context_(bench::make_context(threads)) {

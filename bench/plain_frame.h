@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame as one would write it first: one thread, double precision, a sort and a loop over pixels; no tricks.
+// A frame in the simplest way: one thread, double precision, a sort and a loop over pixels.
 #pragma once
 
 #include "orbit.h"
@@ -13,7 +13,7 @@ namespace bench {
 
 class PlainFrame {
 public:
-    // `with_paper`: marks paint paper, too, so that what lies behind is attenuated [NPAR 6.1]; else ink alone.
+    // `with_paper`: marks also paint paper, which attenuates the marks that they hide [NPAR 6.1]; otherwise only ink.
     PlainFrame(const hrbfnpr_point_set* set, const Style& style, int width, int height, bool with_paper)
         : style_(style), with_paper_(with_paper), width_(width), height_(height),
           pixels_(std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
@@ -79,7 +79,7 @@ private:
                 discs_.push_back({-eye.z, at.x, at.y, double{pen.radius} * mark.width, 1.0, 0.0F});
         }
     }
-    // Behind the ink of its own surface.
+    // The paper is placed behind the ink of its own surface.
     void paper(const glm::dvec3& eye, const glm::dvec2& at, double radius, double alpha, double scale) {
         if (with_paper_)
             discs_.push_back({-eye.z + radius / scale, at.x, at.y, radius, std::clamp(alpha, 0.0, 1.0), 255.0F});
@@ -104,11 +104,11 @@ private:
     }
 
     hrbfnpr_style style_;
-    std::vector<hrbfnpr_layer_style> pens_; // of the layers that have marks
+    std::vector<hrbfnpr_layer_style> pens_; // for the layers that have marks
     bool with_paper_;
     int width_, height_;
     double spacing_ = 0.0;
-    glm::dvec3 light_ = glm::normalize(glm::make_vec3(style_.light)); // of the camera
+    glm::dvec3 light_ = glm::normalize(glm::make_vec3(style_.light)); // fixed to the camera
     std::vector<Mark> marks_;
     std::vector<Disc> discs_;
     std::vector<std::uint8_t> pixels_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Second and third derivatives of a fitted surface, summed plainly from the weights in its file.
+// Second and third derivatives of a fitted surface, summed directly from the weights in its file.
 #pragma once
 
 #include "calls.h"
@@ -19,13 +19,13 @@
 
 namespace bench {
 
-// A saved model, as docs/file-format.md has it.
+// A saved model, in the format of docs/file-format.md.
 class ModelFile {
 public:
     explicit ModelFile(const hrbfnpr_model* model) {
         scenes::Check check;
         std::int64_t size = 0;
-        (void)hrbfnpr_model_save_memory(model, nullptr, 0, &size, nullptr); // how many there are
+        (void)hrbfnpr_model_save_memory(model, nullptr, 0, &size, nullptr); // sets the size
         bytes_.resize(static_cast<std::size_t>(size));
         check(hrbfnpr_model_save_memory(model, bytes_.data(), size, &size, check.error()));
     }
@@ -58,8 +58,8 @@ struct Derivatives {
     std::array<double, 10> third{};
 };
 
-// With (r^2 + eps^2)^(3/2) for the kernel r^3, eps = 0.3 spacings: what the library calls the shape of a surface whose
-// own derivatives jump at its samples.  The kernel is differentiated with the unit weights of
+// Replaces the kernel r^3 by (r^2 + eps^2)^(3/2), eps = 0.3 spacings, as the library does for the shape of a surface
+// whose own derivatives jump at its samples.  The kernel is differentiated with the unit weights of
 //   f(x) = sum_j alpha_j phi(d_j) - beta_j . grad phi(d_j), d_j = x - c_j.
 class PlainShape {
 public:

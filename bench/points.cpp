@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Points on the surface, from samples: the article's Table 1 beside ours, marks a second, and evaluation beside plain
-// sums.
-// --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) in place of generated surfaces.
+// Points on the surface, from samples: the article's Table 1 against ours, marks per second, and evaluation against
+// plain sums.
+// --models=DIR: a folder of PLY files with normals (head_4096.ply, ...) instead of generated surfaces.
 #include "calls.h"
 #include "peak.h"
 #include "read_models.h"
@@ -45,10 +45,10 @@ scenes::Model fit(hrbfnpr_context* context, const Samples& samples) {
 struct Job {
     std::uint32_t kind;
     std::int32_t levels;
-    std::uint32_t guide = HRBFNPR_HATCH_GUIDE_CURVATURE; // of strokes
+    std::uint32_t guide = HRBFNPR_HATCH_GUIDE_CURVATURE; // for strokes
 };
 
-// Their number; -1 if cancelled.
+// Returns the number of marks; -1 if cancelled.
 std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, const Samples& seeds, const Job& job,
                       hrbfnpr_operation* operation = nullptr) {
     scenes::Check check;
@@ -71,11 +71,11 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
 
 struct Row {
     const char* name;
-    const char* file; // null: generated
+    const char* file; // null: generated samples
     std::int64_t samples;
     Job stipples; // levels < 0: none
     Job strokes;
-    double published; // seconds, in all
+    double published; // total seconds in the article
 };
 
 void run_table(hrbfnpr_context* context, const std::string& models) {
@@ -97,7 +97,7 @@ void run_table(hrbfnpr_context* context, const std::string& models) {
         const Samples samples = row.samples == 6 ? axes()
                                 : models.empty() ? bumpy(row.samples, 0.15)
                                                  : read_ply(models + "/" + row.file);
-        // The sphere's seeds: 607 500 marks are 2 * 81 of each of 3750 stipples.
+        // The sphere's seeds: 607 500 marks are 2 * 81 for each of 3750 stipples.
         const Samples seeds = row.samples == 6 ? bumpy(3750, 0.0) : samples;
         std::int64_t stipples = 0;
         std::int64_t marks = 0;
@@ -125,7 +125,7 @@ void run_table(hrbfnpr_context* context, const std::string& models) {
     }
 }
 
-// Places about half a spacing around the samples, in no order.
+// Returns random places within about half a spacing of samples.
 std::vector<double> places_near(const Samples& samples, std::int64_t count) {
     std::vector<double> places;
     const double spacing = std::sqrt(12.6 / static_cast<double>(samples.count()));
@@ -141,7 +141,7 @@ std::vector<double> places_near(const Samples& samples, std::int64_t count) {
     return places;
 }
 
-// Seconds for f and its gradient.
+// Returns the seconds for f and its gradient.
 double evaluate(const hrbfnpr_model* model, const std::vector<double>& places, std::int64_t count,
                 std::vector<double>& results) {
     scenes::Check check;
@@ -160,7 +160,7 @@ double best_of(int runs, const hrbfnpr_model* model, const std::vector<double>& 
     return best;
 }
 
-// Of the direct sums, by hand: 44 for a pair (bench/points.cpp counts a fused multiply-add as two).
+// The operations of the direct sums, counted by hand: 44 for a pair, a fused multiply-add being two.
 constexpr double flops_of_pair = 44.0;
 
 void run_evaluation(hrbfnpr_context* context) {
@@ -195,7 +195,7 @@ void run_evaluation(hrbfnpr_context* context) {
     }
 }
 
-// As many marks from as many seeds on surfaces of more and more centres.
+// Measures the same number of marks from the same seeds on surfaces with more and more centres.
 void run_growth(hrbfnpr_context* context) {
     const Samples seeds = bumpy(4000, 0.15);
     double first = 0.0;
@@ -219,7 +219,7 @@ void run_growth(hrbfnpr_context* context) {
     }
 }
 
-// The longest time from cancelling to the call's return, over generations that are cancelled ever later.
+// Reports the longest time from a cancel to the call's return, over generations that are cancelled later and later.
 void run_cancelling(hrbfnpr_context* context) {
     const Samples samples = bumpy(4096, 0.15);
     const scenes::Model warm = fit(context, samples);
@@ -229,7 +229,7 @@ void run_cancelling(hrbfnpr_context* context) {
     double worst = 0.0;
     constexpr int cancels = 40;
     for (int k = 0; k < cancels; ++k) {
-        const scenes::Model model = fit(context, samples); // not prepared yet
+        const scenes::Model model = fit(context, samples); // nothing is prepared yet
         scenes::Check check;
         hrbfnpr_operation* operation = nullptr;
         check(hrbfnpr_operation_create(context, &operation, check.error()));

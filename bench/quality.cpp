@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How even the marks are: PUBLISHED, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of lines.
-// --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals, for the time of the order (else a generated
-// one).
+// How even marks are: PUBLISHED, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of lines.
+// --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals for the time of the order (default: a generated
+// surface).
 #include "analytic.h"
 #include "calls.h"
 #include "evenness.h"
@@ -42,11 +42,11 @@ constexpr double pi = 3.14159265358979323846;
 struct Surface {
     const char* name;
     scenes::Model model;
-    double area; // 0: as the library estimates it
+    double area; // 0: use the library's estimate
     bool flat = false;
 };
 
-// By falling rank.
+// Returns the marks by falling rank.
 std::vector<Mark> ordered(const hrbfnpr_point_set* set) {
     std::int64_t count = 0;
     const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);
@@ -70,7 +70,7 @@ std::vector<Mark> ordered(const hrbfnpr_point_set* set) {
 
 struct Worst {
     Evenness evenness{1e9, 1e9, 0.0};
-    double power = 0.0; // flat only
+    double power = 0.0; // flat surfaces only
 
     void take(const Evenness& e, double p) {
         evenness.relative_radius = std::min(evenness.relative_radius, e.relative_radius);
@@ -80,7 +80,7 @@ struct Worst {
     }
 };
 
-// At every twentieth of the marks.
+// Measures the prefixes of each twentieth of the marks.
 Worst measure(const char* surface, const char* scheme, const std::vector<Mark>& marks, double area, bool flat,
               const std::vector<Mark>& places) {
     Worst worst;
@@ -123,7 +123,7 @@ Sets sets_on(hrbfnpr_context* context, const Surface& surface, double& area) {
     sets.blue = ordered(blue.get());
     const double spacing = info_of(blue.get()).spacing;
     if (area <= 0.0) area = spacing * spacing * static_cast<double>(sets.blue.size());
-    // A random sixteenth of far denser marks is independent on all scales that matter.
+    // A random sixteenth of far denser marks is independent on all relevant scales.
     const scenes::PointSet dense =
         generate(context, surface.model.get(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 16 * measured_marks));
     sets.white = ordered(dense.get());
@@ -160,7 +160,7 @@ void run_surface(hrbfnpr_context* context, const Surface& surface, Totals& total
 
 // ---- Tone ----------------------------------------------------------------------------------
 
-constexpr double darkest = 0.60; // coverage of all marks
+constexpr double darkest = 0.60; // coverage by all marks
 
 std::int32_t ramp_tone(void*, std::int64_t count, const float* positions, const float*, float* tau) {
     for (std::int64_t i = 0; i < count; ++i) {
@@ -170,7 +170,7 @@ std::int32_t ramp_tone(void*, std::int64_t count, const float* positions, const 
     return 0;
 }
 
-// What the order alone gives: a share of the marks, each in full.
+// Returns the error of the order alone: the tone is the share of marks, each drawn in full.
 bench::ToneError error_of(hrbfnpr_context* context, const hrbfnpr_point_set* set) {
     bench::Style style = bench::ramp_style(ramp_tone);
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
@@ -200,10 +200,10 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
 // ---- Lines of hatching -------------------------------------------------------------------------------
 
 struct Directions {
-    double mean, most; // degrees; of 95 %
+    double mean, most; // degrees; most: of 95 % of the marks
 };
 
-// DIRECTION against the nearer of a torus's meridian and parallel.
+// Compares DIRECTION with the nearer of a torus's meridian and parallel.
 Directions run_directions(const hrbfnpr_point_set* set) {
     std::int64_t count = 0;
     const float* position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ramp of tones as the library draws it, on the plane z = 0 from (-2, -1) to (2, 1).
+// The tone ramp as the library draws it, on the plane z = 0 from (-2, -1) to (2, 1).
 #pragma once
 
 #include "calls.h"
@@ -10,18 +10,18 @@
 
 namespace bench {
 
-// A world position's column.
+// Returns the column of a world position.
 [[nodiscard]] inline double ramp_column(float x) { return (double{x} + 2.0) / 4.0 * ramp_width; }
 
-inline constexpr double ramp_radius = 1.5; // of a mark, pixels
+inline constexpr double ramp_radius = 1.5; // of marks, pixels
 
-// Black discs on white, as many as `tone` says.
+// Draws black discs on white; `tone` gives the share of marks.
 [[nodiscard]] inline Style ramp_style(hrbfnpr_tone_fn tone) {
     Style style(HRBFNPR_PRESET_STIPPLE);
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     style.tone = HRBFNPR_TONE_CALLBACK;
     style.tone_function = tone;
-    style.layer.resize(1); // of the stipples
+    style.layer.resize(1); // only the stipples
     hrbfnpr_layer_style& ink = style.layer[0];
     ink.radius = static_cast<float>(ramp_radius);
     ink.radius_zoom = 0.0F;
@@ -32,7 +32,7 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
     return style;
 }
 
-// The ink of each pixel.
+// Returns the ink of each pixel.
 [[nodiscard]] inline std::vector<double> drawn_ramp(hrbfnpr_context* context, const hrbfnpr_point_set* set,
                                                     Style style) {
     scenes::Check check;
@@ -66,8 +66,8 @@ inline constexpr double ramp_radius = 1.5; // of a mark, pixels
     return ink;
 }
 
-// As many blue-noise stipples as would cover `coverage` without overlap, on the picture and as much of the plane as
-// lies around it.
+// Returns how many blue-noise stipples would cover the share `coverage` without overlap, on the picture and the part of
+// the plane around it.
 [[nodiscard]] inline std::int64_t ramp_budget(hrbfnpr_context* context, const hrbfnpr_model* plane, double coverage) {
     constexpr double pi = 3.14159265358979323846;
     constexpr std::int64_t few = 4000;

@@ -39,7 +39,7 @@ inline Triangles read_obj_mesh(const std::string& path) {
     return mesh;
 }
 
-// Vertices begin with x, y and z as float, further properties are float, too; faces are uchar and int lists.
+// Vertices begin with x, y and z as float, and all further vertex properties are float; faces are uchar and int lists.
 inline Triangles read_ply_mesh(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string line;
@@ -70,7 +70,7 @@ inline Triangles read_ply_mesh(const std::string& path) {
     return mesh;
 }
 
-// All meshes of a folder whose name has the text, by name.
+// Returns all meshes of a folder with `named` in the file name, sorted by name.
 inline std::vector<std::pair<std::string, Triangles>> read_meshes(const std::string& folder, const std::string& named) {
     std::vector<std::filesystem::path> paths;
     for (const auto& entry : std::filesystem::directory_iterator(folder))

@@ -19,7 +19,7 @@ namespace bench {
     return {v[0] / length, v[1] / length, v[2] / length};
 }
 
-// Six float properties a vertex, ascii or little-endian.
+// Reads six float properties per vertex, ascii or little-endian.
 inline Samples read_ply(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string line;
@@ -46,7 +46,7 @@ inline Samples read_ply(const std::string& path) {
     return samples;
 }
 
-// The vertices of a mesh that have a face, with normals weighted by the faces' areas.
+// Returns the vertices of a mesh that have a face, with normals weighted by face area.
 inline Samples read_obj(const std::string& path) {
     std::ifstream file(path);
     std::vector<std::array<double, 3>> position;

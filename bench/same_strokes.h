@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much of one picture's strokes another one has at the same places.
+// The share of one picture's strokes that another picture has at the same places.
 #pragma once
 
 #include "stroke_gaps.h"
@@ -10,7 +10,7 @@ namespace bench {
 
 struct SharedLength {
     double length = 0.0; // pixels of the first picture
-    double shared = 0.0; // of these, drawn in the second one
+    double shared = 0.0; // those that are also drawn in the second picture
 
     [[nodiscard]] double share() const { return length > 0.0 ? shared / length : 1.0; }
 };
@@ -25,8 +25,8 @@ struct SharedLength {
     return std::hypot(px - at * ex, py - at * ey);
 }
 
-// Of the strokes of `one`: what lies within `reach` of the same line in `other`, whose pixels are `scale` of this
-// one's, but for parts narrower than `seen` pixels each way.  line(id): the line that a mark is of.
+// Measures how much of the strokes of `one` is within `reach` of the same line in `other`, whose coordinates are
+// multiplied by `scale`. Parts with a radius below `seen` pixels are left out.  line(id): the line of a mark.
 [[nodiscard]] inline SharedLength shared_length(const std::vector<DrawnStroke>& one,
                                                 const std::vector<DrawnStroke>& other, double scale, double reach,
                                                 const std::function<std::uint32_t(std::uint32_t)>& line,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Meshes: farthest points, and the time and the error of a surface with as many samples as it needs, beside one of
-// 1000 even samples.
-// --models=DIR: a folder of OBJ and PLY meshes in place of generated ones; --named=TEXT: only those with it in the
+// Meshes: farthest points, and the time and the error of a fit with as many samples as it needs, against one with 1000
+// even samples.
+// --models=DIR: a folder of OBJ and PLY meshes instead of generated ones; --named=TEXT: only meshes with TEXT in the
 // name.
 #include "calls.h"
 #include "read_meshes.h"
@@ -24,7 +24,7 @@ using bench::Triangles;
 using hrbfnpr::test::made;
 using Named = std::pair<std::string, Triangles>;
 
-// A ball with waves, finer and finer towards one side.
+// A ball with waves that are finer towards one side.
 Triangles waves(int levels) {
     Triangles mesh = hrbfnpr::test::icosphere(levels);
     for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {
@@ -45,7 +45,7 @@ std::vector<Named> generated() {
             {"balls", hrbfnpr::test::icosphere(5).with(hrbfnpr::test::icosphere(5).moved(0.8, 1.1, 0.3, 0.0))}};
 }
 
-// Reports seconds for `count` of `candidates` places on a ring.
+// Reports the seconds for `count` of `candidates` places on a torus.
 void run_farthest(hrbfnpr_context* context, std::int64_t candidates, std::int64_t count) {
     scenes::Check check;
     std::vector<double> points;
@@ -87,7 +87,7 @@ hrbfnpr_comparison compare(const scenes::Model& model, const hrbfnpr_mesh* mesh)
     return result;
 }
 
-// By the clock, and of all processors: the second does not depend on what else runs.
+// Wall-clock time, and processor time of all threads, which does not depend on what else runs.
 struct Times {
     double seconds = 0.0;
     double processor = 0.0;
@@ -112,12 +112,12 @@ void print(const char* name, std::int64_t centres, const Times& times, const hrb
 }
 
 struct Totals {
-    Times times;             // the most
-    double share = 1.0;      // the least, of both ways
-    double farthest = 0.0;   // the most, % of the diagonal
-    double even_share = 1.0; // of 1000 even samples
+    Times times;             // the greatest
+    double share = 1.0;      // the least, both ways
+    double farthest = 0.0;   // the greatest, % of the diagonal
+    double even_share = 1.0; // for 1000 even samples
     double even_farthest = 0.0;
-    std::int64_t centres = 0; // the most
+    std::int64_t centres = 0; // the greatest
     int reached = 0;
     int meshes = 0;
 };

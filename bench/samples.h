@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples, as the benchmarks call them.
+// The benchmarks' names for samples.
 #pragma once
 
 #include "support/samples.h"

@@ -10,7 +10,7 @@ namespace bench {
 
 struct StrokeEnds {
     double length = 0.0; // pixels, of all strokes
-    double ends = 0.0;   // not at the picture's border; a closed stroke has none
+    double ends = 0.0;   // ends not at the picture's border; a closed stroke has none
     double shorts = 0.0; // strokes shorter than eight times their own greatest width
 
     [[nodiscard]] double ends_per_1000() const { return 1000.0 * ends / length; }

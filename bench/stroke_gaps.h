@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart the lines of a picture are, measured across them.
+// The distances between the lines of a picture, measured across them.
 #pragma once
 
 #include "drawn_stroke.h"
@@ -13,12 +13,12 @@
 
 namespace bench {
 
-// All pieces of all strokes, found by place.
+// All segments of all strokes, found by place.
 class StrokeSegments {
 public:
     struct Segment {
         std::int32_t stroke;
-        std::int32_t point; // from this one to the next
+        std::int32_t point; // the segment runs from this point to the next
     };
 
     explicit StrokeSegments(const std::vector<DrawnStroke>& strokes) : strokes_(strokes) {
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] const StrokePoint& begin(const Segment& s) const { return at(s, 0); }
     [[nodiscard]] const StrokePoint& end(const Segment& s) const { return at(s, 1); }
 
-    // Those whose boxes reach the cells of a box; some more than once.
+    // Visits the segments whose boxes are in the cells of a box; some more than once.
     template <class Visit>
     void in_box(double x0, double y0, double x1, double y1, Visit&& visit) const {
         for (int i = cell(std::min(x0, x1)); i <= cell(std::max(x0, x1)); ++i)
@@ -61,16 +61,16 @@ private:
 
 struct GapSettings {
     double step = 5.0;      // along the strokes, pixels
-    double farthest = 20.0; // sides with none this near are alone
-    double parallel = 0.7;  // least cosine between neighbours
+    double farthest = 20.0; // a side without a line this near is alone
+    double parallel = 0.7;  // the least cosine between neighbours
 };
 
 struct Gap {
     double size = std::numeric_limits<double>::infinity(); // pixels
-    std::uint32_t beside = 0;                              // id of a mark of the line there
+    std::uint32_t beside = 0;                              // id of a mark of the neighbouring line
 };
 
-// A place of a stroke, and the way across it to one side.
+// A place on a stroke, and the direction across it to one side.
 struct GapRay {
     StrokePoint from;
     double tx, ty, side; // unit tangent; 1 or -1
@@ -79,7 +79,7 @@ struct GapRay {
     [[nodiscard]] double ny() const { return side * tx; }
 };
 
-// Where it meets a piece of a line that runs beside it: how far away; else 0.
+// Returns the distance at which the ray meets a segment of a nearly parallel line, or 0.
 [[nodiscard]] inline double meets(const GapRay& ray, const StrokePoint& c, const StrokePoint& d, double parallel) {
     const auto ex = static_cast<double>(d.x - c.x);
     const auto ey = static_cast<double>(d.y - c.y);
@@ -93,7 +93,7 @@ struct GapRay {
 
 [[nodiscard]] inline std::optional<Gap> find_gap(const StrokeSegments& segments, const StrokeSegments::Segment& own,
                                                  const GapRay& ray, const GapSettings& settings) {
-    constexpr int near = 8; // points along the line itself, which may come by again
+    constexpr int near = 8; // points along the line itself, which may return to the place later
     Gap nearest;
     const auto x = static_cast<double>(ray.from.x);
     const auto y = static_cast<double>(ray.from.y);
@@ -111,7 +111,7 @@ template <class Found>
 void for_each_gap(const std::vector<DrawnStroke>& strokes, const GapSettings& settings, Found&& found) {
     const StrokeSegments segments(strokes);
     for (std::size_t s = 0; s < strokes.size(); ++s) {
-        double next = 0.5 * settings.step; // from the segment's beginning
+        double next = 0.5 * settings.step; // from the begin of the segment
         for (std::size_t i = 0; i + 1 < strokes[s].size(); ++i) {
             const StrokePoint& a = strokes[s][i];
             const StrokePoint& b = strokes[s][i + 1];
@@ -131,7 +131,7 @@ void for_each_gap(const std::vector<DrawnStroke>& strokes, const GapSettings& se
 }
 
 struct Spread {
-    double mean = 0.0, variation = 0.0; // standard deviation over mean
+    double mean = 0.0, variation = 0.0; // variation: standard deviation over mean
 };
 
 [[nodiscard]] inline Spread spread_of(const std::vector<double>& values) {

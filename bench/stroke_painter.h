@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes of a drawing as the library hands them over, and how much of each pixel ink covers.
+// Strokes of a drawing as the library writes them, and the ink coverage of each pixel.
 #pragma once
 
 #include "calls.h"
@@ -12,7 +12,7 @@
 
 namespace bench {
 
-// A renderer with one point set and its style, and with lines where there is a set of them.
+// A renderer with one point set and its style, and a line set if there is one.
 class StrokePainter {
 public:
     StrokePainter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style,
@@ -35,7 +35,7 @@ public:
         drawing_.reset(drawing);
     }
     [[nodiscard]] const hrbfnpr_drawing* drawing() const { return drawing_.get(); }
-    // Of the last drawing; those of line sets have no marks.
+    // Returns the strokes of the last drawing; strokes from line sets have no marks.
     [[nodiscard]] std::vector<DrawnStroke> strokes() {
         constexpr std::uint32_t primitive = HRBFNPR_PRIMITIVE_LINE_STRIPS;
         std::int64_t vertices = 0;
@@ -56,13 +56,13 @@ public:
         }
         return strokes;
     }
-    // Dots beside them.
+    // Returns the number of dots in the drawing.
     [[nodiscard]] std::int64_t dots() {
         std::int64_t count = 0;
         check_(hrbfnpr_drawing_vertex_bound(drawing_.get(), HRBFNPR_PRIMITIVE_POINTS, &count, nullptr, check_.error()));
         return count;
     }
-    // The share of each pixel that ink covers.
+    // Returns the share of each pixel that ink covers.
     [[nodiscard]] std::vector<float> coverage(int width, int height) {
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
         auto image = scenes::made(hrbfnpr_image_init);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart the strokes of a set lie.
+// The distances between the strokes of a set.
 #pragma once
 
 #include "calls.h"
@@ -13,18 +13,17 @@
 namespace bench {
 
 struct Spacing {
-    double mean, variation, alone; // in separations; alone: sides with none within 2.5
+    double mean, variation, alone; // in separations; alone: the share of sides without a stroke within 2.5
 };
 
 struct SpacingSettings {
     double separation;
-    double beside; // so far along it, in separations, neighbours are looked at
-    std::size_t
-        apart; // marks of one stroke so far from each other along it are neighbours, as where it winds round; 0: none
+    double beside;     // neighbours are searched up to this far along the stroke, in separations
+    std::size_t apart; // marks of a stroke this many marks apart are neighbours, as where it winds round; 0: none
 };
 
-// Of the only layer of a set: sideways from each mark to the next stroke that runs parallel (within 45 degrees), in
-// separations.
+// Measures the only layer of a set: from each seventh mark sideways to the next stroke that is parallel (within 45
+// degrees), in separations.
 [[nodiscard]] inline Spacing run_spacing(const hrbfnpr_point_set* set, const SpacingSettings& settings) {
     const double separation = settings.separation;
     std::int64_t count = 0;

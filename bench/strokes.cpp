@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Lines of hatching: how evenly they lie, where they end and turn.
-// --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names; --only=PART,...: of
-// surface, tone, screen, ends, sizes, pops, frame; --head=FILE: a PLY of points with normals to time frames of, else a
-// generated surface.
+// --models=DIR: points to fit as well; --named=TEXT: only models with TEXT in the name; --only=PART,...: any of
+// surface, tone, screen, ends, sizes, pops, frame; --head=FILE: a PLY of points with normals for the times of frames
+// (default: a generated surface).
 #include "calls.h"
 #include "hatch_frame_time.h"
 #include "hatch_frames.h"
@@ -48,14 +48,14 @@ struct Strokes {
 };
 
 struct Found {
-    double mean = 0.0, variation = 0.0, alone = 0.0; // of sideways distances, in separations
-    double ends = 0.0;                               // in a length of 1000 separations
-    double kinks = 0.0;                              // turns by more than 30 degrees within two separations, as ends
-    double singularities = 0.0, fewest = 0.0;        // and as few as the sum of their indices takes
+    double mean = 0.0, variation = 0.0, alone = 0.0; // sideways distances, in separations
+    double ends = 0.0;                               // per length of 1000 separations
+    double kinks = 0.0; // turns by more than 30 degrees within two separations, per length as ends
+    double singularities = 0.0, fewest = 0.0; // `fewest`: the least number that the sum of indices allows
     double seconds = 0.0;
 };
 
-// Whether a mark is within three separations of a singular point: lines turn there.
+// Returns whether a mark is within three separations of a singular point, where lines turn.
 bool is_singular(const Strokes& strokes, std::size_t i, const std::vector<bench::Singularity>& points,
                  double separation) {
     return std::any_of(points.begin(), points.end(), [&](const bench::Singularity& point) {
@@ -64,8 +64,8 @@ bool is_singular(const Strokes& strokes, std::size_t i, const std::vector<bench:
     });
 }
 
-// By how much a stroke turns within its tangent planes from mark i - 1 to i: against the direction there, carried along
-// by the shortest rotation, so that the surface's own bend does not count.
+// Returns by how much a stroke turns within its tangent planes from mark i - 1 to i. The direction at i - 1 is carried
+// along by the shortest rotation, so that the curvature of the surface does not count.
 double turn_at(const Strokes& strokes, std::size_t i) {
     const Vec3 n = Strokes::vec(strokes.normal, i);
     const Vec3 before = Strokes::vec(strokes.normal, i - 1);
@@ -80,8 +80,8 @@ double turn_at(const Strokes& strokes, std::size_t i) {
     return std::atan2(bench::dot(bench::cross(carried, now), n), bench::dot(carried, now));
 }
 
-// Whether a part of two separations that ends at mark i turns by more than 30 degrees, none of it near a singular
-// point.
+// Returns whether a part of two separations that ends at mark i turns by more than 30 degrees, away from singular
+// points.
 bool is_kink(const Strokes& strokes, std::size_t i, const std::vector<bench::Singularity>& points, double separation) {
     constexpr double most_turn = 30.0 * std::numbers::pi / 180.0;
     double way = 0.0;
@@ -161,7 +161,7 @@ struct Results {
 struct Settings {
     std::string models, named, only;
 
-    // No part's name is within another's.
+    // No part's name is contained in another's.
     [[nodiscard]] bool wants(const char* part) const { return only.empty() || only.find(part) != std::string::npos; }
 };
 
@@ -265,7 +265,7 @@ void run_ends(hrbfnpr_context* context, const Settings& settings, Results& resul
     results.add("short_intervals", bench::quantile(shorts, 0.5));
 }
 
-// Pictures of 3200 pixels take a while: surfaces of all kinds, but no more than 1000 samples of one.
+// Pictures of 3200 pixels take long, so surfaces of all kinds are measured, but with at most 1000 samples each.
 void run_sizes(hrbfnpr_context* context, const Settings& settings, Results& results) {
     constexpr std::int64_t most_centres = 1000;
     std::printf("\nthe share of a picture's strokes that one of another size has\n");
@@ -310,7 +310,7 @@ void run_pops(hrbfnpr_context* context, const Settings& settings, Results& resul
     results.add("zoom_removals", zoom.removal_rate());
 }
 
-// Of two threads, so that machines can be compared.
+// Times frames on two threads, so that machines can be compared.
 void time_frames(const std::string& head, Results& results) {
     const scenes::Context context = bench::make_context(2);
     const bench::Samples samples = head.empty() ? bench::bumpy(4096) : bench::read_ply(head);

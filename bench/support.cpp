@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Trimmed surfaces: what of a fit's inventions is caught, what is lost of the rest, and how even borders are.
-// --models=DIR: a folder of OBJ and PLY meshes in place of generated ones; --named=TEXT: only those with it in the
+// Trimmed surfaces: how much of the surface that a fit invents is removed, how much of the rest is lost, and how even
+// borders are.
+// --models=DIR: a folder of OBJ and PLY meshes instead of generated ones; --named=TEXT: only meshes with TEXT in the
 // name.
 #include "calls.h"
 #include "near_points.h"
@@ -54,7 +55,7 @@ scenes::Model trimmed(const scenes::Model& model, const Samples* samples, double
     return scenes::Model(out);
 }
 
-// Whether the surface is there, at places on it: a short ray along the normal meets it.
+// Returns whether the model has its surface at each place: a short ray along the normal hits it.
 std::vector<bool> held(const scenes::Model& model, const std::vector<double>& places,
                        const std::vector<double>& normals, double reach) {
     scenes::Check check;
@@ -98,11 +99,12 @@ Samples stipples(hrbfnpr_context* context, const scenes::Model& model, std::int6
 
 struct Totals {
     double bad = 0.0, caught = 0.0, good = 0.0, lost = 0.0, worst = 0.0;
-    double over = 0.0, lost_over = 0.0; // of the good ones, those that lie over the mesh and not beyond its border
+    double over = 0.0, lost_over = 0.0; // good places over the mesh, not beyond its border
     int fits = 0;
 };
 
-// Whether a place lies beside the nearest of dense samples and not over it: beyond the border of an open mesh.
+// Returns whether a place is beside the nearest of dense samples rather than over it: beyond the border of an open
+// mesh.
 bool is_beside(const bench::NearPoints& nearest, const Samples& truth, const double* p, double reach, double beside) {
     double least = 2.0 * reach;
     std::size_t at = 0;
@@ -118,7 +120,7 @@ bool is_beside(const bench::NearPoints& nearest, const Samples& truth, const dou
     return least * least - along * along > beside * beside;
 }
 
-// Even samples of a mesh, and what its dense ones make of the fit.
+// Fits even samples of a mesh, and trims the fit by dense samples.
 void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
     constexpr double off = 0.01; // diagonals
     constexpr std::int64_t dense = 60'000, truth = 300'000, marks = 20'000;
@@ -174,7 +176,7 @@ void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
 
 // ---- Borders ----------------------------------------------------------------------------------
 
-// Of the unit sphere those places with x + z > 0: on a spiral, or at random.
+// Places of the unit sphere with x + z > 0, on a spiral or at random.
 Samples half_sphere(int count, bool even) {
     Samples samples(0);
     std::uint64_t state = 7;
@@ -195,10 +197,10 @@ Samples half_sphere(int count, bool even) {
 }
 
 struct Border {
-    double mean = 0.0, deviation = 0.0, farthest = 0.0; // beyond the true one, spacings
+    double mean = 0.0, deviation = 0.0, farthest = 0.0; // beyond the true border, spacings
 };
 
-// Around the true border, how far beyond it the surface goes.
+// Measures how far the surface goes beyond the true border, all around it.
 Border border_of(const scenes::Model& model, double spacing) {
     constexpr int places = 720;
     constexpr int steps = 200;

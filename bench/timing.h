@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Seconds and ratios that can be trusted on a busy machine: the two sides of a ratio are
-// measured in turn within one run, and a median is reported.
+// Seconds and ratios that are reliable on a busy machine: the two sides of a ratio are measured in turn within one run,
+// and the median is reported.
 #pragma once
 
 #include <algorithm>

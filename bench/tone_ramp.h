@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A ramp of tones, and how far a drawing is from it.
+// A ramp of tones, and the error of a drawing of it.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@ namespace bench {
 inline constexpr int ramp_width = 640;
 inline constexpr int ramp_height = 320;
 
-// Coverage at a column.
+// The coverage at a column.
 inline double asked(double x) { return 0.05 + 0.5 * x / ramp_width; }
 
-// By a Gaussian of 4 pixels.
+// Blurs by a Gaussian of 4 pixels.
 inline std::vector<double> blurred(const std::vector<double>& image) {
     constexpr double sigma = 4.0;
     constexpr int reach = 16;

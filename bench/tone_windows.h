@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far the tone of a drawing is from what was asked for: both blurred by the same Gaussian, so that windows of a few
-// line spacings are compared and not lines.
+// The error of a drawing's tone. Drawn and wanted tones are both blurred by the same Gaussian, so that windows of a few
+// line spacings are compared, not single lines.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace bench {
 
-// Of each pixel, rows from the top.
+// One value per pixel, rows from the top.
 struct ToneImage {
     int width = 0, height = 0;
-    std::vector<float> share; // covered
-    std::vector<bool> counts; // whether the surface with what is asked for is there
+    std::vector<float> share; // covered by ink
+    std::vector<bool> counts; // whether the pixel shows the surface whose tone is compared
 };
 
 [[nodiscard]] inline std::vector<float> gaussian(double sigma) {
@@ -27,7 +27,7 @@ struct ToneImage {
     return kernel;
 }
 
-// Along rows, or down columns.
+// Blurs along rows, or along columns.
 inline void blur_one_way(std::vector<float>& image, int width, int height, const std::vector<float>& kernel,
                          bool rows) {
     const int reach = static_cast<int>(kernel.size() / 2);
@@ -58,10 +58,10 @@ struct ToneSums {
     }
     // White and black are 1 apart.
     [[nodiscard]] double psnr() const { return 10.0 * std::log10(number / squares); }
-    [[nodiscard]] double bias() const { return sum / number; } // too dark: positive
+    [[nodiscard]] double bias() const { return sum / number; } // positive if too dark
 };
 
-// Of the pixels around which all within three sigma counts.
+// Compares the pixels for which all pixels within three sigma count.
 [[nodiscard]] inline ToneSums compare_tones(const ToneImage& drawn, const ToneImage& asked, double sigma) {
     const std::vector<float> kernel = gaussian(sigma);
     const int width = asked.width;

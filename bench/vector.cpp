@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors: travel of a pen before and after sorting, speed and memory of writing, curves beside lines, likeness.
+// Vector output: pen travel before and after sorting, speed and memory of writing, curves against lines, likeness.
 // --model=FILE: a PLY of points with normals to draw as well.  --only=dots,large,curves,lines; match: see
 // vector_match.py.
 #include "hatch_pictures.h"
@@ -49,7 +49,7 @@ bench::Comparison sorting(hrbfnpr_context* context, Page page, int runs) {
         runs, [&] { plain.write(context); }, [&] { page.write(context); });
 }
 
-// Short curves anywhere, as many of which fill the page alike.
+// Random short curves, scaled so that any number of them fills the page equally.
 std::vector<PageLine> random_lines(int count) {
     std::mt19937 engine(1);
     const auto random = [&] { return static_cast<double>(engine()) / 4294967296.0; };
@@ -81,14 +81,14 @@ void sort_random_lines(hrbfnpr_context* context) {
         Page page;
         page.annotations = annotations.data();
         page.annotation_count = count;
-        page.join = page.shortest = 1e-6; // only sorted
+        page.join = page.shortest = 1e-6; // only sort, join nothing
         page.format = HRBFNPR_PAGE_FORMAT_HPGL;
         const hrbfnpr_page_info after = page.write(context);
         const bench::Comparison time = sorting(context, page, 3);
         const std::string name = "random_" + std::to_string(count);
         print(name, page, lines, after, time);
         bench::report((name + "_travel").c_str(), after.travelled / travel(lines));
-        // A random tour's length over this root tends to 0.7124 at best for dots; for lines it is less.
+        // At best, a tour of random dots has 0.7124 times the length of this root; a tour of lines is shorter.
         const double root = std::sqrt(count * 0.9 * bench::page_side * 0.9 * bench::page_side);
         bench::report((name + "_travel_of_root").c_str(), after.travelled / root);
         bench::report((name + "_seconds_of_svg").c_str(), 1.0 / time.ratio);
@@ -136,7 +136,7 @@ void plot(hrbfnpr_context* context, const std::string& name, const Etching& etch
     bench::report((name + "_seconds_of_svg").c_str(), 1.0 / time.ratio);
 }
 
-// Of all models.
+// The worst figures of all models.
 struct Curves {
     double ratio = 0.0, error = 0.0;
 };

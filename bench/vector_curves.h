@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves of an SVG beside the lines that they stand for: how many places they take, and how far off they are.
+// Curves of an SVG against the lines that they stand for: how many points they need, and how far off they are.
 #pragma once
 
 #include "drawn_stroke.h"
@@ -20,14 +20,14 @@ namespace bench {
 
 // A path of an SVG that is one line.
 struct CurveLine {
-    PageLine fine;          // many points of it
-    std::size_t points = 0; // that define it: ends and handles
+    PageLine fine;          // many points along it
+    std::size_t points = 0; // the number of points that define it: ends and handles
     bool closed = false;
 };
 
-// As our SVG has them: M, then c and l with relative places, then perhaps z.
+// Reads path data as our SVG has it: M, then c and l with relative coordinates, then perhaps z.
 [[nodiscard]] inline CurveLine read_curve(std::string_view data) {
-    constexpr int parts = 64; // of a curve
+    constexpr int parts = 64; // per curve
     CurveLine line;
     PagePlace from{};
     char command = ' ';
@@ -62,7 +62,7 @@ struct CurveLine {
     return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-// The farthest place of `line`, looked for along it, from `other`.
+// Returns the greatest distance of places on `line` from `other`.
 [[nodiscard]] inline double farthest_from(const PageLine& line, const PageLine& other, int between) {
     double most = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -78,7 +78,7 @@ struct CurveLine {
     return most;
 }
 
-// Finds the part of a stroke that a path stands for, by where it begins and ends: ends are exact.
+// Finds the part of a stroke that a path stands for by its two ends, which are exact.
 class StrokeParts {
 public:
     explicit StrokeParts(const std::vector<PageLine>& strokes) : strokes_(strokes) {
@@ -86,7 +86,7 @@ public:
             for (std::size_t i = 0; i < strokes[s].size(); ++i)
                 places_.emplace(key(strokes[s][i]), std::pair<std::size_t, std::size_t>{s, i});
     }
-    // Nothing if there is none.
+    // Returns nothing if there is no such part.
     [[nodiscard]] PageLine part(const CurveLine& line) const {
         const auto [first, last] = places_.equal_range(key(line.fine.front()));
         for (auto from = first; from != last; ++from) {
@@ -102,7 +102,7 @@ public:
     }
 
 private:
-    // In thousandths of a millimetre, as files have them.
+    // In thousandths of a millimetre, the precision of files.
     [[nodiscard]] static std::uint64_t key(const PagePlace& p) {
         const auto whole = [](double mm) { return static_cast<std::uint64_t>(std::floor(1000.0 * mm + 0.5)); };
         return whole(p.x) << 32U ^ whole(p.y);
@@ -112,16 +112,16 @@ private:
 };
 
 struct CurveFigures {
-    std::size_t control_points = 0, vertices = 0, straight = 0; // of straight lines as plotters have them
-    double error = 0.0;                                         // mm, the greater of both ways
-    std::size_t unknown = 0;                                    // paths that no stroke was found for
+    std::size_t control_points = 0, vertices = 0, straight = 0; // straight: vertices of the straight lines for plotters
+    double error = 0.0;                                         // mm, the greater of both directions
+    std::size_t unknown = 0;                                    // paths without a matching stroke
 };
 
-// Of a drawing of lines whose widths are left out.
+// Compares a drawing of lines, without their widths.
 [[nodiscard]] inline CurveFigures compare_curves(hrbfnpr_context* context, Page page,
                                                  const std::vector<PageLine>& strokes) {
     auto pen = scenes::made(hrbfnpr_pen_init);
-    pen.width = 5.0; // more than any line: each is drawn once
+    pen.width = 5.0; // wider than any line, so that each is drawn once
     page.pens = &pen;
     page.pen_count = 1;
     page.flags = HRBFNPR_PAGE_WITHOUT_PAPER;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a pen travels between stipples: in their set's order, sorted, by vpype, and at least.
+// The travel of a pen between stipples: in the set's order, sorted, sorted by vpype, and a lower bound.
 #pragma once
 
 #include "painter.h"
@@ -31,7 +31,7 @@ constexpr std::int64_t dots_wanted = 50'000;
     return style;
 }
 
-// In the order of the set, mm.
+// Returns the dots in the order of the set, in mm.
 [[nodiscard]] inline std::vector<PageLine> in_the_sets_order(std::vector<Disc> discs, double scale) {
     std::sort(discs.begin(), discs.end(), [](const Disc& a, const Disc& b) { return a.id < b.id; });
     std::vector<PageLine> lines;
@@ -61,7 +61,7 @@ private:
     }
     [[nodiscard]] std::size_t at(int x, int y) const { return static_cast<std::size_t>(y * cells_ + x); }
 
-    // Rings of cells, until the next one is farther than the second nearest.
+    // Searches rings of cells, until the next ring is farther than the second nearest dot.
     [[nodiscard]] double nearest_two(std::size_t i) const {
         std::array<double, 2> least{1e300, 1e300};
         const int x = cell(place(i).x), y = cell(place(i).y);
@@ -86,7 +86,7 @@ private:
     std::vector<std::vector<std::size_t>> inside_;
 };
 
-// As lines of a micrometre, since vpype leaves out what has no length.
+// Writes dots as lines of a micrometre, because vpype drops lines without length.
 inline void write_for_vpype(const std::vector<PageLine>& dots, const std::string& path) {
     std::FILE* const file = std::fopen(path.c_str(), "w");
     if (file == nullptr) return;
@@ -100,7 +100,7 @@ inline void write_for_vpype(const std::vector<PageLine>& dots, const std::string
     std::fclose(file);
 }
 
-// Of what vpype's `stat` prints in pixels of 1/96 inch; negative if it printed none.
+// Converts the length that vpype's `stat` prints, in pixels of 1/96 inch; negative if it printed none.
 [[nodiscard]] inline double vpype_travel(const std::string& command) {
     std::FILE* const said = ::popen(command.c_str(), "r");
     if (said == nullptr) return -1.0;
@@ -137,7 +137,7 @@ inline void compare_with_vpype(const std::vector<PageLine>& dots, double unsorte
     report("vector.vpype_seconds", time);
 }
 
-// As many visible dots as are wanted, or some more.
+// Draws as many visible dots as are wanted, or some more.
 inline void sort_dots(hrbfnpr_context* context, const hrbfnpr_model* model, const hrbfnpr_camera& camera) {
     std::int64_t budget = 5 * dots_wanted / 2;
     scenes::PointSet set;
@@ -150,7 +150,7 @@ inline void sort_dots(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     painter.make_drawing(camera);
     Page page(painter.drawing(), dots_size);
     page.dots = HRBFNPR_DOT_SHAPE_LINES;
-    page.dot_distance = 1e-6; // all are drawn
+    page.dot_distance = 1e-6; // drop none
     page.format = HRBFNPR_PAGE_FORMAT_HPGL;
     const std::vector<PageLine> dots = in_the_sets_order(std::move(discs), page.item.scale);
     const double unsorted = travel(dots), bound = NearestTwo(dots).bound();

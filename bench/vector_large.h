@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing of a million dots and 100 000 strokes: how fast it is written, and with how much memory.
+// A drawing of a million dots and 100 000 strokes: the speed and the memory of writing it.
 #pragma once
 
 #include "stroke_painter.h"
@@ -23,7 +23,7 @@ constexpr std::int64_t many_dots = 1'000'000, many_strokes = 100'000;
 constexpr int marks_of_stroke = 12;
 constexpr double large_size = 8000.0; // pixels
 
-// Marks of a layer on the plane z = 0, within a square of two.
+// Marks of a layer on the plane z = 0, within a square of side 2.
 struct FlatLayer {
     std::vector<double> position, normal;
     std::vector<float> width;
@@ -46,7 +46,7 @@ struct FlatLayer {
     }
 };
 
-// Anywhere, but alike on every machine.
+// Random numbers that are the same on every machine.
 class Places {
 public:
     double next() { return static_cast<double>(engine_()) / 4294967296.0; }
@@ -65,7 +65,7 @@ private:
     return layer;
 }
 
-// Short curves whose widths swell in the middle, as hatching has them; or of one width.
+// Short curves whose widths swell in the middle, like hatching, or are constant.
 [[nodiscard]] inline FlatLayer flat_strokes(std::int64_t count, bool swelling) {
     FlatLayer layer;
     Places places;
@@ -83,7 +83,7 @@ private:
     return layer;
 }
 
-// A drawing of these, and what it was made with.
+// A drawing of these layers, and the objects that it was made with.
 class LargeDrawing {
 public:
     LargeDrawing(hrbfnpr_context* context, const std::vector<hrbfnpr_layer_arrays>& layers)
@@ -131,13 +131,13 @@ private:
 
 // ---- Speed ------------------------------------------------------------------------------------
 
-// To a stream, as a program would.
+// Writes to a stream, as a program would.
 [[nodiscard]] inline std::int32_t to_stream(void* user, const void* data, std::uint64_t size) {
     return std::fwrite(data, 1, size, static_cast<std::FILE*>(user)) == size ? 0 : 1;
 }
 
 struct WriteSpeed {
-    double seconds, of_printf; // and how many times as long printf takes for the same numbers
+    double seconds, of_printf; // of_printf: the time that printf takes for the same numbers, over `seconds`
     hrbfnpr_page_info info;
     std::size_t numbers;
 };
@@ -171,7 +171,7 @@ inline WriteSpeed print_speed(hrbfnpr_context* context, const char* what, const 
 
 // ---- Memory -----------------------------------------------------------------------------------
 
-// Of this process, MB: as it is, or the most since it was forgotten.  Linux; else 0.
+// Returns the memory of this process in MB: the present one, or the peak since forget_peak().  Linux; elsewhere 0.
 [[nodiscard]] inline double resident_mb(const char* which) {
     std::ifstream file("/proc/self/status");
     for (std::string line; std::getline(file, line);)
@@ -184,7 +184,7 @@ struct WriteMemory {
     double context_mb, resident_mb;
 };
 
-// In a context of its own, whose peak is that of the writing alone.
+// Uses a context of its own, whose peak is that of writing alone.
 [[nodiscard]] inline WriteMemory write_memory(const hrbfnpr_drawing* drawing, std::uint32_t format) {
     const scenes::Context context = make_context();
     scenes::Check check;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages as the benchmarks write them: to nowhere, or to memory and read again.
+// Pages as the benchmarks write them: to nowhere, or to memory to be read again.
 #pragma once
 
 #include "calls.h"
@@ -20,16 +20,16 @@ struct PagePlace {
 };
 using PageLine = std::vector<PagePlace>;
 
-constexpr double page_side = 180.0; // mm, of the pages that are written
+constexpr double page_side = 180.0; // mm, of all pages
 
-// A drawing of so many pixels each way that fills the page.
+// A page that a drawing of `pixels` by `pixels` fills.
 struct Page : hrbfnpr_page_desc {
     Page() : hrbfnpr_page_desc(scenes::made(hrbfnpr_page_desc_init)) { width = height = page_side; }
     Page(const hrbfnpr_drawing* drawing, double pixels) : Page() {
         item.drawing = drawing;
         item.scale = page_side / pixels;
     }
-    // Handed to `to`.
+    // Writes the page through `to`.
     hrbfnpr_page_info send(hrbfnpr_context* context, hrbfnpr_write_fn to, void* user) {
         if (item.drawing != nullptr) {
             items = &item;
@@ -57,7 +57,7 @@ private:
     }
 };
 
-// From the lower left corner, between the lines.
+// Returns the travel of a pen between the lines, starting at the lower left corner.
 [[nodiscard]] inline double travel(const std::vector<PageLine>& lines) {
     PagePlace pen{0.0, page_side};
     double sum = 0.0;
@@ -68,7 +68,7 @@ private:
     return sum;
 }
 
-// What a plotter takes at the speeds of a page.
+// Returns the hours that a plotter needs at the speeds of a page.
 [[nodiscard]] inline double plotter_hours(const hrbfnpr_page_desc& desc, double drawn, double travelled,
                                           std::size_t lifts) {
     return (drawn / desc.draw_speed + travelled / desc.travel_speed +
@@ -76,7 +76,8 @@ private:
            3600.0;
 }
 
-// The number that begins at text[at], or after one blank or comma; `at` goes on behind it.  None: false.
+// Reads the number that begins at text[at], or after one blank or comma, and moves `at` past it; false if there is
+// none.
 inline bool next_number(std::string_view text, std::size_t& at, double& number) {
     std::size_t begin = at;
     if (begin < text.size() && (text[begin] == ' ' || text[begin] == ',')) ++begin;
@@ -86,7 +87,7 @@ inline bool next_number(std::string_view text, std::size_t& at, double& number) 
     return true;
 }
 
-// All numbers of a text, in their order, those of words like "h1" too.
+// Returns all numbers of a text in order, including those in words like "h1".
 [[nodiscard]] inline std::vector<double> numbers_of(std::string_view text) {
     std::vector<double> numbers;
     for (std::size_t at = 0; at < text.size();) {
@@ -99,7 +100,7 @@ inline bool next_number(std::string_view text, std::size_t& at, double& number) 
     return numbers;
 }
 
-// The data of each path of an SVG.
+// Returns the data of each path of an SVG.
 [[nodiscard]] inline std::vector<std::string_view> path_data(std::string_view svg) {
     constexpr std::string_view begin = " d=\"";
     std::vector<std::string_view> paths;

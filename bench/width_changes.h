@@ -11,24 +11,24 @@
 
 namespace bench {
 
-// Of one mark in one frame.
+// One mark in one frame.
 struct MarkInk {
     float width = 0.0F;  // of the line drawn there, pixels; 0: none
-    bool counts = false; // it faces the eye, away from contours, and lies in the picture
+    bool counts = false; // it faces the eye, away from contours, and is in the picture
 };
 
 struct WidthChanges {
     double frames = 0.0;
-    double shown = 0.0;    // marks with ink in one of two frames, summed over pairs
-    double pops = 0.0;     // of these: by more than half of its full width
-    double removals = 0.0; // of these: from a hundredth of it or more to less
+    double shown = 0.0;    // marks with ink in at least one of two consecutive frames, summed over pairs of frames
+    double pops = 0.0;     // those whose width changes by more than half of their full width
+    double removals = 0.0; // those whose width falls from a hundredth of the full width or more to less
 
     [[nodiscard]] double pop_rate() const { return pops / shown; }
     [[nodiscard]] double removal_rate() const { return removals / shown; }
 };
 
-// Frames after each other, of the same marks.  The full width of a mark is the widest that it is on the whole way, but
-// not less than the pen: at a line's tip it may never be more than a hair.
+// Compares consecutive frames of the same marks.  A mark's full width is its greatest width in all frames, but at least
+// the pen, because at a line's tip it may never be more than a hair.
 [[nodiscard]] inline WidthChanges width_changes(const std::vector<std::vector<MarkInk>>& frames, float pen = 0.0F) {
     std::vector<float> widest(frames.empty() ? 0 : frames[0].size(), pen);
     for (const auto& frame : frames)
@@ -49,15 +49,15 @@ struct WidthChanges {
     return changes;
 }
 
-// Where a mark is in its line; of marks one after the other along a line places are too.
+// The place of a mark in its line; consecutive marks along a line have consecutive numbers.
 struct MarkPlace {
     std::uint32_t line = 0;
-    std::uint32_t first = 0; // mark of the line
-    std::uint32_t count = 0; // of its marks
-    bool closed = false;     // its last mark is beside its first one
+    std::uint32_t first = 0; // the number of the line's first mark
+    std::uint32_t count = 0; // the number of marks
+    bool closed = false;     // the line's last mark is beside its first one
 };
 
-// A stroke where it is nearest to a mark's image.
+// The place of a stroke nearest to a mark's image.
 struct NearestPlace {
     std::size_t mark = 0;
     float distance = 0.0F; // pixels
@@ -73,7 +73,8 @@ struct NearestPlace {
     return {mark, glm::distance(from + t * way, image), 2.0F * (a.radius + t * (b.radius - a.radius))};
 }
 
-// Along the line from the mark of a point of a stroke to that of the next one; nothing if they are of two lines.
+// Returns the number of marks along the line from the mark of a stroke's point to that of the next point; nothing if
+// they are on two lines.
 [[nodiscard]] inline std::optional<std::int64_t> way_after(const DrawnStroke& stroke, std::size_t point,
                                                            const std::vector<MarkPlace>& places) {
     if (point + 1 >= stroke.size()) return std::nullopt;
@@ -83,11 +84,11 @@ struct NearestPlace {
     if (line.line != places[b].line) return std::nullopt;
     std::int64_t way = std::int64_t{b} - std::int64_t{a};
     const std::int64_t around = line.count;
-    if (line.closed && 2 * std::abs(way) > around) way += way > 0 ? -around : around; // the shorter one
+    if (line.closed && 2 * std::abs(way) > around) way += way > 0 ? -around : around; // the shorter way
     return way;
 }
 
-// Puts the widths of a stroke on all marks that it passes, each as it is where the stroke is nearest to the mark's own
+// Sets the widths at all marks that a stroke passes. Each is the stroke's width where it is nearest to the mark's
 // image, in pixels, if that is within a pixel.  A mark's number is its id - 1.
 inline void add_widths(const DrawnStroke& stroke, const std::vector<MarkPlace>& places,
                        const std::vector<glm::vec2>& images, std::vector<MarkInk>& inks) {
@@ -98,7 +99,7 @@ inline void add_widths(const DrawnStroke& stroke, const std::vector<MarkPlace>& 
         const std::uint32_t own = stroke[i].id - 1;
         const MarkPlace& line = places[own];
         const std::int64_t around = line.count;
-        // And those beside: points near a tip have the mark of one that may be as far away as the next one.
+        // Also test the marks on both sides: points near a tip may carry a mark as far away as the next one.
         const std::int64_t before = i > 0 ? std::abs(way_after(stroke, i - 1, places).value_or(0)) : 0;
         const std::int64_t beside = 1 + std::max(before, std::abs(way_after(stroke, i + 1, places).value_or(0)));
         const std::int64_t first = std::int64_t{own} - line.first;

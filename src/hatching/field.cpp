@@ -17,7 +17,7 @@
 namespace hrbfnpr::hatching {
 namespace {
 
-// The magnitude of a number whose square can neither overflow nor underflow; std::abs takes care of both.
+// Returns the magnitude of a number whose square neither overflows nor underflows; std::abs handles both.
 [[nodiscard]] inline double magnitude(const Complex& z) noexcept {
     return std::sqrt(z.real() * z.real() + z.imag() * z.imag());
 }
@@ -26,12 +26,13 @@ namespace {
     return size > 0.0 ? z / size : z;
 }
 
-// ---- Numbers seen from neighbours
+// ---- Numbers as seen from neighbours
 
 struct Link {
-    Complex factor; // the number at the link's end, times this, is that number as seen from its begin
+    Complex factor; // transports the number of node `to` to the node where the link begins
     std::int32_t to;
-    float sense; // -1: the number is conjugated first, since the lines at both ends point to opposite ways; else 1
+    float sense; // -1: the number is conjugated first, because the lines of both nodes point in opposite directions;
+                 // else 1
 };
 
 constexpr std::int64_t nodes_a_task = 2048;
@@ -46,7 +47,7 @@ void for_nodes(const base::Work& work, std::int64_t nodes, const Visit& visit) {
 
 class Links {
 public:
-    // The graph must outlive these. link_between(i, j): the link from node i to its neighbour j.
+    // The graph must outlive the links. link_between(i, j): the link from node i to its neighbour j.
     template <class LinkBetween>
     Links(const base::Work& work, const Graph& graph, const LinkBetween& link_between)
         : graph_(graph), link_(work.memory) {
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
         return (around(i, z) + z[i]) / (1.0 + count(i));
     }
-    // Makes these the links of waves of half the period: along each link the phase grows by twice as much.
+    // Turns the links into those of waves of half the period: along each link the phase grows by twice as much.
     void halve_period(const base::Work& work) {
         for_nodes(work, nodes(), [&](std::int64_t i) {
             for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k)
@@ -90,7 +91,7 @@ private:
     base::Array<Link> link_;
 };
 
-// Replaces z by next(i, z) at all nodes at once, as many times as there are rounds.
+// Replaces z by next(i, z) at all nodes at once, `rounds` times.
 template <class Next>
 void iterate(const base::Work& work, int rounds, Numbers& z, const Next& next) {
     Numbers after(work.memory, z.size());
@@ -100,7 +101,7 @@ void iterate(const base::Work& work, int rounds, Numbers& z, const Next& next) {
     }
 }
 
-// Adds value(i) up over all nodes: first within each task, then over the tasks in their order.
+// Sums value(i) over all nodes: first within each task, then over the tasks in order, so that threads change no bits.
 template <class Value>
 double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) {
     base::Array<double> part(work.memory, (nodes + nodes_a_task - 1) / nodes_a_task);
@@ -118,8 +119,8 @@ double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) 
 double inner(const Complex& a, const Complex& b) noexcept { return a.real() * b.real() + a.imag() * b.imag(); }
 
 // Conjugate gradients for the system diagonal_i x_i - coupling * links.around(i, x) = right_i, which must be positive
-// definite over the reals. x: the start, and the solution. It ends where the norm of the residual is `tolerance` times
-// that of the right side.
+// definite over the reals. x is the start and becomes the solution. The iteration ends when the norm of the residual is
+// at most `tolerance` times that of the right side.
 void solve(const base::Work& work, double tolerance, int most_steps, const Links& links,
            const base::Array<double>& diagonal, double coupling, const Numbers& right, Numbers& x) {
     const std::int64_t n = right.size();
@@ -168,8 +169,8 @@ bool are_linked(const SampleGraph& graph, std::int64_t i, std::int64_t j) noexce
     return std::abs(glm::dot(way, a)) <= steepest && std::abs(glm::dot(way, b)) <= steepest;
 }
 
-// How a line of sample j, as exp(2 i angle) in its frame, is seen from sample i: by the rotation that takes one normal
-// to the other along the shortest way.
+// Returns the link that transports a line of sample j, as exp(2 i angle) in its frame, to sample i: by the rotation
+// that takes one normal to the other along the shortest way.
 Link line_link(const SampleGraph& graph, std::int64_t i, std::int32_t j) noexcept {
     const glm::dvec3 a = graph.normal[i];
     const glm::dvec3 b = graph.normal[j];
@@ -180,7 +181,7 @@ Link line_link(const SampleGraph& graph, std::int64_t i, std::int32_t j) noexcep
     return {std::polar(1.0, -2.0 * graph.angle(j, carried)), j, 1.0F};
 }
 
-// ---- What lines are to follow
+// ---- The lines that the field should follow
 
 // Principal curvatures at each sample: their mean, and half their difference as a line.
 struct Bends {
@@ -188,13 +189,14 @@ struct Bends {
     Numbers difference;
 };
 
-// Averages with the neighbours: each round spreads by about half a spacing, and the rounds together by some four.
+// Averages curvatures with those of the neighbours. Each round spreads by about half a spacing, all rounds by about
+// four.
 Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Links& links) {
     base::Array<surface::Curvature> curvature(site.memory());
     surface::principal_curvatures(site.work, site.implicit, graph.position, curvature);
     Bends bends{base::Array<double>(site.memory(), graph.nodes()), Numbers(site.memory(), graph.nodes())};
     Numbers means(site.memory(), graph.nodes());
-    const double sharpest = 4.0 / graph.spacing; // samples cannot tell sharper bends
+    const double sharpest = 4.0 / graph.spacing; // samples do not resolve sharper bends
     for (std::int64_t i = 0; i < graph.nodes(); ++i) {
         const surface::Curvature& c = curvature[i];
         const double k1 = std::clamp(c.k1, -sharpest, sharpest);
@@ -217,13 +219,13 @@ Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Lin
     return bends;
 }
 
-// A tangent in the frame of sample i.
+// Returns a tangent as a complex number in the frame of sample i.
 Complex in_frame(const SampleGraph& graph, std::int64_t i, const glm::dvec3& v) noexcept {
     return {glm::dot(v, graph.u[i]), glm::dot(v, glm::cross(graph.normal[i], graph.u[i]))};
 }
 
-// Where the surface faces the eye lines are left to the others; near the silhouette they are conjugate to the tangent
-// part of the direction to it: II(view, line) = 0. A silhouette's own tangent is so.  [Hertzmann & Zorin 2000]
+// Where the surface faces the eye, this line has little weight. Near the silhouette it is conjugate to the tangent part
+// of the direction to the eye: II(view, line) = 0. The tangent of a silhouette is so.    [Hertzmann & Zorin 2000]
 Complex silhouette_line(double mean, const Complex& difference, const Complex& view, double diagonal) noexcept {
     const Complex turned = mean * view + difference * std::conj(view); // by the shape operator
     const double size = std::abs(turned);
@@ -251,8 +253,8 @@ Complex named_line(const SampleGraph& graph, std::int64_t i, const Bends& bends,
     return line * line;
 }
 
-// The line around the axis, as long as that is not along the normal. Between creases a flat face across the axis gets
-// nothing from beside it but rounding errors: it has another axis.
+// Returns the line around the axis, weighted by the sine between axis and normal, squared. Between creases, a flat face
+// across the axis gets only rounding errors from its neighbours, so it uses another axis.
 Complex axis_line(const SampleGraph& graph, std::int64_t i, const FieldSettings& settings,
                   const Complex& wanted) noexcept {
     const auto around = [&](const glm::dvec3& axis, double weight) {
@@ -299,9 +301,9 @@ Links wave_links(const base::Work& work, const Graph& graph, const Waves& waves,
             }};
 }
 
-// The wave that neighbours agree on most: the eigenvector of the least eigenvalue, by inverse iteration. It lives in a
-// few places only; where it is small its phase is right already. It grows by 1 / eigen_shift at most in each step,
-// which no number overflows by.
+// Returns the wave on which neighbours agree most: the eigenvector of the least eigenvalue, by inverse iteration. The
+// eigenvector is large in a few places only; where it is small its phase is right already. It grows by at most 1 /
+// eigen_shift in each step, which cannot overflow.
 Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t seed) {
     const std::int64_t n = links.nodes();
     base::Array<double> diagonal(work.memory, n);
@@ -320,9 +322,9 @@ Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t see
     return x;
 }
 
-// The wave of half the period of the links has twice the phase. In plain means it is low where it is squeezed or drawn
-// out, so that waves of the right length grow into it from around there, and a fork of two lines becomes two forks;
-// among waves of one height none would, and lines would stay too dense or too sparse.
+// A wave of half the period of the links has twice the phase. Plain means make it low where it is squeezed or
+// stretched. There, waves of the right length grow in from the surroundings, and a fork of two lines becomes two forks.
+// Waves of unit height could not do that, and lines would stay too dense or too sparse.
 Numbers halved(const base::Work& work, const Links& links, const Numbers& wave, int means) {
     HRBFNPR_ASSERT(links.nodes() == wave.size());
     Numbers z(work.memory, wave.size());
@@ -338,11 +340,11 @@ struct Heard {
     std::int64_t sample;
     double weight;
     bool turned = false;
-    Complex factor{1.0}; // the sample's wave, times this, is that wave as seen from the vertex
+    Complex factor{1.0}; // transports the sample's wave to the vertex
 };
 
-// The line of a vertex from those of the samples around it, unit; 0: it has none. A line has no sign, so that angles
-// are doubled before they are added.
+// Returns the unit line of a vertex from those of the samples around it; 0 if it has none. A line has no sign, so
+// angles are doubled before they are added.
 glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, const glm::dvec3& normal) noexcept {
     const glm::dvec3 u = geometry::any_perpendicular(normal);
     const glm::dvec3 v = glm::cross(normal, u);
@@ -359,7 +361,7 @@ glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, cons
     return std::cos(angle) * u + std::sin(angle) * v;
 }
 
-// The line and the waves of a vertex that is there already.
+// Interpolates the line of an existing vertex, and its waves.
 void interpolate(const Waves& samples, base::Array<Heard>& heard, const glm::dvec3& normal, std::int64_t vertex,
                  Waves& result) noexcept {
     const glm::dvec3 line = mean_line(samples, heard, normal);
@@ -416,7 +418,7 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
     return result;
 }
 
-// Both ends of each edge are neighbours; at a border one of them has the other only.
+// Both ends of an edge are neighbours of each other; at a border, only one end has the other one as a neighbour.
 Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
     Graph graph(memory);
     graph.first.resize(mesh.vertices() + 1);
@@ -448,7 +450,7 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
     graph.u.resize(n);
     for (std::int64_t i = 0; i < n; ++i) graph.u.set(i, geometry::any_perpendicular(graph.normal[i]));
     const geometry::Neighbours near(work.runtime().parallel, graph.position, hatching_tuning.neighbours, work);
-    base::Array<std::uint64_t> links(work.memory); // the begin in the upper half, the end in the lower one
+    base::Array<std::uint64_t> links(work.memory); // the start node in the upper half, the end node in the lower half
     for (const std::int64_t i : work.over(n)) {
         for (const std::int64_t j : near.of(i)) {
             if (!are_linked(graph, i, j)) continue;
@@ -456,7 +458,7 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
             links.push_back(static_cast<std::uint64_t>(j) << 32U | static_cast<std::uint64_t>(i));
         }
     }
-    base::sort_long(links.begin(), links.end(), std::less<>(), work); // equal ones are the same link
+    base::sort_long(links.begin(), links.end(), std::less<>(), work); // equal numbers are the same link
     links.resize(std::unique(links.begin(), links.end()) - links.begin());
     graph.first.resize(n + 1);
     for (const std::uint64_t link : links) {
@@ -466,8 +468,8 @@ void link_samples(const base::Work& work, SampleGraph& graph) {
     std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
 }
 
-// With L the links' Laplacian, a how sure the wanted lines q are, l the smoothing and h the spacing, this solves
-// (L (l / h)^2 / 6 + a) z = a q, and then again with a term that pulls z to unit length.
+// L is the Laplacian of the links, q the wanted lines, a their confidence, l the smoothing length and h the spacing.
+// This solves (L (l / h)^2 / 6 + a) z = a q, and then again, twice, with a term that pulls z to unit length.
 base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph, const FieldSettings& settings,
                                 const marks::DirectionFunction& function) {
     const base::Runtime& runtime = site.work;

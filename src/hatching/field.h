@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Complex numbers at the nodes of a graph: lines of a field (directions without a sign, as exp(2 i angle)) at even
-// samples of the surface, and waves (as exp(i phase)) at samples or at the vertices of a mesh. Crests of waves run
-// along the field's lines. The waves have several periods, each half of the one before, so that every crest is one of
-// the next wave, too.                                                  [Knoeppel et al. 2013; Knoeppel et al. 2015]
+// Complex numbers at the nodes of a graph. They are lines of a field (directions without a sign, as exp(2 i angle)) at
+// even samples of the surface, or waves (as exp(i phase)) at samples or at the vertices of a mesh. Crests of waves run
+// along the lines of the field. Each wave has half the period of the one before, so that every crest of a wave is also
+// one of the next wave.                                                [Knoeppel et al. 2013; Knoeppel et al. 2015]
 //   link_samples: samples -> a graph of neighbours on the same sheet, each with a tangent frame
-//   line_angles: curvature, a law with a name or the caller's directions -> the smoothest field that follows them where
-//                they are sure
+//   line_angles: curvature, a named guide or the caller's directions -> the smoothest field that follows them where
+//                their confidence is high
 //   add_sample_waves: lines of samples -> waves of the long periods
-//   waves_at_vertices: these -> the same waves at the vertices of a mesh, and waves of the short periods
+//   waves_at_vertices: waves of samples -> the same waves at the vertices of a mesh, and waves of the short periods
 #pragma once
 
 #include "base/assert.h"
@@ -22,33 +22,33 @@
 namespace hrbfnpr::hatching {
 
 using Complex = std::complex<double>;
-using Numbers = base::Array<Complex>; // one at each node
+using Numbers = base::Array<Complex>; // one number per node
 inline constexpr double tau = 2.0 * std::numbers::pi;
 
-// The product of finite numbers. The operator of std::complex looks for NaN, which costs more than the product itself.
+// The product of finite numbers. The operator of std::complex checks for NaN, which costs more than the product.
 [[nodiscard]] inline Complex product(const Complex& a, const Complex& b) noexcept {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
 // ---- The field
 
-// Which nodes are linked: those from first[i] up to first[i + 1] are the neighbours of node i.
+// The links between nodes: the neighbours of node i are those from first[i] up to first[i + 1].
 struct Graph {
     explicit Graph(base::Memory& memory) noexcept : first(memory), neighbour(memory) {}
 
     [[nodiscard]] std::int64_t nodes() const noexcept { return first.size() - 1; }
 
-    base::Array<std::int64_t> first; // one more than there are nodes
+    base::Array<std::int64_t> first; // its size is the number of nodes plus 1
     base::Array<std::int32_t> neighbour;
 };
 
-// What lines follow. The numbers are those that hrbfnpr_layer_desc.guide takes.
+// What lines follow. The values are those of hrbfnpr_layer_desc.guide.
 enum class Guide : std::uint32_t { curvature = 0, combing = 1, sections = 2, light = 3, silhouette = 4 };
 
 struct FieldSettings {
     double smoothing = 0.04;        // the length over which lines are smoothed, in diagonals
-    glm::dvec3 axis{0.0, 1.0, 0.0}; // where curvature says little lines run across this, around it
-    double axis_weight = 0.06;      // how much the axis counts against curvature
+    glm::dvec3 axis{0.0, 1.0, 0.0}; // where curvature has little confidence, lines run around this axis
+    double axis_weight = 0.06;      // the weight of the axis against curvature
     Guide guide = Guide::curvature;
     glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // unit: to the light, or to the eye
     double guide_weight = 1.0;                 // the share of `guide`; curvature has the rest
@@ -57,12 +57,12 @@ struct FieldSettings {
     [[nodiscard]] bool operator==(const FieldSettings& other) const noexcept = default;
 };
 
-// Even samples of the surface; the graph's links lead over no crease and to no other sheet.
+// Even samples of the surface. No link of the graph leads over a crease or to another sheet.
 struct SampleGraph : Graph {
     explicit SampleGraph(base::Memory& memory) noexcept
         : Graph(memory), position(memory), normal(memory), sheet(memory), u(memory) {}
 
-    // The unit tangent at this angle in the frame of sample i, and the angle of a tangent there.
+    // Return the unit tangent at an angle in the frame of sample i, and the angle of a tangent in it.
     [[nodiscard]] glm::dvec3 tangent(std::int64_t i, double angle) const noexcept {
         return std::cos(angle) * u[i] + std::sin(angle) * glm::cross(normal[i], u[i]);
     }
@@ -71,26 +71,26 @@ struct SampleGraph : Graph {
     }
 
     geometry::VecArray position, normal;
-    base::Array<std::int32_t> sheet; // the implicit's sheet at each sample; empty: the surface is smooth
+    base::Array<std::int32_t> sheet; // the implicit's sheet at each sample; empty if the surface is smooth
     geometry::VecArray u;            // the first axis of each sample's frame; the second is normal x u
-    double spacing = 0.0;            // the root of the area for each sample
+    double spacing = 0.0;            // the square root of the area per sample
 };
 
-// Links the samples, whose positions, normals, sheets and spacing are there.
+// Links the samples. Their positions, normals, sheets and spacing must be set.
 void link_samples(const base::Work& work, SampleGraph& graph);
 
-// The line along the larger of both principal curvatures by amount, of which this is the mean and half the difference,
-// as exp(2 i angle) times how sure it is, from 0 to 1.
+// Returns the line along the principal direction of the larger absolute curvature, as exp(2 i angle) times its
+// confidence from 0 to 1. `mean` is the mean of the principal curvatures, `difference` half their difference as a line.
 [[nodiscard]] Complex curvature_line(double mean, const Complex& difference, double diagonal) noexcept;
 
-// The angle of the line of each sample in its frame. The function, if there is one, takes the place of curvature.
+// Returns the angle of each sample's line in its frame. A function, if there is one, replaces the curvature.
 [[nodiscard]] base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph,
                                               const FieldSettings& settings, const marks::DirectionFunction& function);
 
 // ---- Waves
 
-// Waves at the nodes of a graph: exp(i phase), where the phase grows across the line of each node, to its left as seen
-// from outside. The magnitude, up to 1, says how far the waves around a node agree.
+// Waves at the nodes of a graph, as exp(i phase). The phase grows across the line of each node, to the left of the line
+// as seen from outside. The magnitude, up to 1, says how well the waves around a node agree.
 struct Waves {
     Waves(base::Memory& memory, const geometry::VecArray& nodes, double coarsest)
         : position(nodes), along(memory, nodes.size()), across(memory, nodes.size()), period(coarsest), level(memory) {}
@@ -100,11 +100,11 @@ struct Waves {
         across.set(i, glm::cross(normal, tangent));
     }
     [[nodiscard]] bool has_line(std::int64_t i) const noexcept { return glm::dot(along[i], along[i]) > 0.0; }
-    // Whether the lines of two neighbours point to opposite ways: their signs mean nothing.
+    // Returns whether the lines of two neighbours point in opposite directions; the sign of a line has no meaning.
     [[nodiscard]] bool turned(std::int64_t a, std::int64_t b) const noexcept {
         return glm::dot(along[a], along[b]) < 0.0;
     }
-    // By how much the phase of a wave of this period grows from node a to b, in the sense of a's line.
+    // Returns by how much the phase of a wave of this period grows from node a to b, in the sense of a's line.
     [[nodiscard]] double growth(std::int64_t a, std::int64_t b, double wave_period) const noexcept {
         const glm::dvec3 there = across[b];
         const glm::dvec3 mean = 0.5 * (across[a] + (turned(a, b) ? -there : there));
@@ -115,20 +115,20 @@ struct Waves {
         return std::ldexp(period, -static_cast<int>(number));
     }
 
-    const geometry::VecArray& position; // the place of each node
-    geometry::VecArray along, across;   // unit, tangent; 0 where a node has no line
+    const geometry::VecArray& position; // the position of each node
+    geometry::VecArray along, across;   // unit, tangent; 0 if a node has no line
     double period;                      // the period of the first wave, object units
     base::List<Numbers> level;          // the waves, coarsest first
 };
 
-// The wave as a line sees it that points to the opposite way, or to the same.
+// Returns the wave as seen from a line that points in the opposite direction, or in the same one.
 [[nodiscard]] inline Complex seen(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
 
-// Adds waves to the samples' lines: as many levels as wanted, but none too fine for the samples.
+// Adds waves to the samples' lines: `levels` levels, or as many as the samples can represent.
 void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels, Waves& samples);
 
-// sheets: the implicit's sheet at each vertex; empty where the samples have none. As many levels as wanted, but none
-// too fine for the mesh.
+// Interpolates the waves to the vertices of a mesh and adds finer ones: `levels` levels, or as many as the mesh can
+// represent. `sheets`: the implicit's sheet at each vertex; empty if the samples have none.
 [[nodiscard]] Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
                                       const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
                                       int levels);

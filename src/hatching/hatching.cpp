@@ -12,7 +12,7 @@
 namespace hrbfnpr::hatching {
 namespace {
 
-// Lines a separation apart have area / separation of length together.
+// Lines that are a separation apart have a total length of area / separation.
 double separation_of(const Settings& settings, double area) noexcept {
     if (settings.separation > 0.0) return settings.separation;
     const auto budget = static_cast<double>(std::max<std::int64_t>(settings.budget, 1));
@@ -32,7 +32,7 @@ void require_room(const marks::Site& site, const Settings& settings, double area
              "layers[%lld]: a separation of %g and a step of %g make about %g marks, and %lld are the most: raise them",
              static_cast<long long>(settings.layer), site.unit * separation, site.unit * step, marks,
              static_cast<long long>(marks::most_even_marks));
-    // Marks far apart make few marks of many lines, which are found all the same.
+    // Marks far apart give few marks, but as many lines, which must all be found.
     const double squares = area / (separation * separation);
     if (squares > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,
@@ -70,7 +70,7 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
     mesh.domain = site.implicit.domain();
     mesh_ = triangulate_of_any_size(site.work.part(0.64, 0.94), site.implicit, graph_.position, mesh);
     if (site.implicit.sheets() == nullptr) return;
-    // Lines end where the mesh does.
+    // The mesh is split at creases, so that lines end there.
     curves::SharpMesh sharp = split_at_creases(site.work.part(0.94, 1.0), site.implicit, std::move(mesh_));
     mesh_ = std::move(sharp.mesh);
     sheet_.resize(mesh_.vertices());

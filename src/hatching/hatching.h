@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hatching laid out on a surface: lines all over it along one smooth field, evenly spaced, in nested levels of which
-// each has the lines between those of the ones before. In this order:
+// Hatching on a surface: evenly spaced lines along one smooth field cover it, in nested levels. Each level has the
+// lines between those of the coarser levels. The steps are:
 //   field.h       even samples -> a graph of neighbours -> a smooth field of lines -> waves on the samples, of the
 //                 longest period and of halves of it -> waves on a mesh
 //   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances -> marks on the surface
@@ -17,18 +17,18 @@ namespace hrbfnpr::hatching {
 // Lengths are in object units.
 struct Settings {
     std::int64_t layer = 0;  // for messages
-    std::int64_t budget = 0; // the number of marks, about, where there is no separation
-    double separation = 0.0; // the distance of neighbouring lines of all levels together; 0: it follows from the budget
-    double step = 0.0;       // between the marks of a line; 0: a part of the separation
-    double angle = 0.0;      // by which lines are turned in the tangent plane, counter-clockwise from outside; radians
+    std::int64_t budget = 0; // the approximate number of marks, used if there is no separation
+    double separation = 0.0; // distance between neighbouring lines of all levels together; 0: set by the budget
+    double step = 0.0;       // the distance between the marks of a line; 0: a share of the separation
+    double angle = 0.0;      // lines are turned by this in the tangent plane, counter-clockwise from outside; radians
     FieldSettings field;
-    marks::DirectionFunction direction; // what lines follow in place of curvature
+    marks::DirectionFunction direction; // its directions replace the curvature
 
-    // Whether lines of both can be laid on one ground.
+    // Returns whether lines of both settings can use one Ground.
     [[nodiscard]] bool is_on_ground_of(const Settings& other) const noexcept;
 };
 
-// What lines of any angle are laid on: the field, and the mesh that they are found on.
+// The data that lines of any angle share: the field, and the mesh on which the lines are found.
 class Ground {
 public:
     Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings);
@@ -46,7 +46,7 @@ private:
     SampleGraph graph_;
     base::Array<double> angle_; // the angle of the field's line at each sample, in the sample's frame, radians
     curves::SurfaceMesh mesh_;
-    base::Array<std::int32_t> sheet_; // the sheet of each vertex of the mesh, if the mesh ends at creases; else empty
+    base::Array<std::int32_t> sheet_; // the sheet of each vertex if the mesh is split at creases; else empty
 };
 
 } // namespace hrbfnpr::hatching

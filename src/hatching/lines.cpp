@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// 1. find_crests: a crest crosses edges of the mesh; crossings are linked in triangles, and lines follow the links.
+// 1. find_crests: a crest crosses edges of the mesh. Crossings are linked within triangles, and lines follow the links.
 // 2. join_ends: ends that face each other over a small gap are joined, the nearest first.
-// 3. even_out: lines are moved to the middle between those beside them, and straightened where they turn too much.
-// 4. add_line_marks: lines get a mark at each step, which is settled on the surface. They are cut into pieces where
-//    they pass over a crease or leave the surface; the ends of pieces are drawn up to creases.
+// 3. even_out: lines are moved to the middle between their neighbours, and straightened where they turn too much.
+// 4. add_line_marks: lines get a mark at each step, which is projected onto the surface. Lines are cut where they
+//    pass over a crease or leave the surface; the ends of pieces are extended to creases.
 #include "hatching/lines.h"
 
 #include "base/sort.h"
@@ -25,23 +25,23 @@ constexpr std::int64_t triangles_a_task = 4096;
 
 // ---- Crests of waves
 
-// A crest over an edge of the mesh, from vertex a to b.
+// The place where a crest crosses an edge of the mesh, from vertex a to b.
 struct Crossing {
-    double share;      // the place on the way from a to b, from 0 to 1
+    double share;      // the position between a and b, from 0 to 1
     std::int32_t a, b; // vertices
-    bool rises;        // whether the phase grows, in the sense of a's line
+    bool rises;        // whether the phase grows from a to b, in the sense of a's line
     std::uint8_t level;
 };
 
-// Edge 3 t + k of a mesh runs from corner k of triangle t to the next one. On both sides of an edge stands a triangle;
-// the one of the lower number owns it.
+// Edge 3 t + k of a mesh runs from corner k of triangle t to the next corner. Of the two triangles at an edge, the one
+// with the lower number owns it.
 std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
 }
 bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
 }
-// The same edge as the triangle across has it; -1 if no triangle is there.
+// Returns the same edge in the triangle across it; -1 if there is no such triangle.
 std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
     for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
@@ -49,8 +49,8 @@ std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept
     return -1;
 }
 
-// Calls visit(crossing, number of its line) for all crests of the finest wave between two vertices, and for
-// 2^halvings - 1 lines between any two crests, in the order of their numbers.
+// Calls visit(crossing, line number) for all crests of the finest wave between two vertices, and for 2^halvings - 1
+// lines between any two crests, in the order of their numbers.
 template <class Visit>
 void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t b, const Visit& visit) {
 
@@ -67,8 +67,8 @@ void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t
     }
 }
 
-// A wave that was halved r times less than the finest lines has every 2^r-th of them. Where the number of a line tells
-// no more, the waves say whether they have a crest there.
+// A wave that was halved r times less than the finest lines has every 2^r-th of them as a crest. For waves up to the
+// finest one the line number does not tell, so the waves are evaluated at the crossing.
 std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::int64_t line) noexcept {
     const int twos = std::countr_zero(static_cast<std::uint64_t>(line));
     if (twos < halvings) return static_cast<std::uint8_t>(waves.finest() + halvings - twos);
@@ -85,10 +85,11 @@ std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::
 struct Crossings {
     explicit Crossings(base::Memory& memory) noexcept : first(memory), crossing(memory), link(memory) {}
 
-    // The number of the first crossing of each edge, and the end. An edge that another triangle owns has none.
+    // The number of each edge's first crossing, and the end. An edge that another triangle owns has no crossings.
     base::Array<std::int64_t> first;
-    base::Array<Crossing> crossing; // in their order along the edge
-    // Two for each crossing: the next one in the owner's triangle, and the next one in the triangle across; -1: none.
+    base::Array<Crossing> crossing; // in order along the edge
+    // Two links per crossing: to the next one in the owner's triangle, and to the next one in the triangle across; -1:
+    // none.
     base::Array<std::int64_t> link;
 };
 
@@ -117,15 +118,15 @@ Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, c
             found.crossing[at++] = c;
         });
         HRBFNPR_ASSERT(at == found.first[edge + 1]);
-        // On an edge on which the phase falls the lines come in reverse.
+        // If the phase falls along the edge, the lines were visited in reverse.
         if (at > found.first[edge] && !found.crossing[found.first[edge]].rises)
             std::reverse(found.crossing.data() + found.first[edge], found.crossing.data() + at);
     });
     return found;
 }
 
-// Around a triangle a line that comes in goes out where the phase comes back: neighbours of opposite sense belong to
-// one line, and the crossings between them are done. Lines that are left over end here, at a fork.
+// Walking around a triangle, a line that enters leaves where the phase returns: consecutive crossings of opposite sense
+// belong to one line, once the crossings between them are linked. Lines without a partner end here, at a fork.
 void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int64_t triangle, Crossings& found,
                    base::Array<std::int64_t>& open) {
     const std::int32_t corner = mesh.corner[3 * triangle];
@@ -133,13 +134,13 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     const std::int32_t last = mesh.corner[3 * triangle + 2];
     const bool next_turned = waves.turned(corner, next);
     const bool last_turned = waves.turned(corner, last);
-    if ((next_turned != last_turned) != waves.turned(next, last)) return; // the lines turn by half around here
-    open.clear(); // 2 * crossing + 1 where the phase rises, in the sense of the first corner's line
+    if ((next_turned != last_turned) != waves.turned(next, last)) return; // the field turns by half a turn here
+    open.clear(); // 2 * slot + 1 if the phase rises, in the sense of the first corner's line
     const auto add = [&](std::int64_t crossing, bool backwards, bool owned) {
         const Crossing& c = found.crossing[crossing];
         const bool turned = c.a == next ? next_turned : c.a == last && last_turned;
         const bool rises = (c.rises != turned) != backwards;
-        // The side of each crossing that is in this triangle.
+        // The link slot of this crossing that is in this triangle.
         const std::int64_t slot = 2 * crossing + (owned ? 0 : 1);
         if (!open.empty() && (open.back() % 2 != 0) != rises) {
             const std::int64_t other = open.back() / 2;
@@ -159,7 +160,7 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     }
 }
 
-// Lines from their ends first, then closed ones; not those that cross one edge only.
+// Follows open lines first, from an end, and then closed ones. Lines that cross only one edge are left out.
 Lines walk(const curves::SurfaceMesh& mesh, const Crossings& found, const base::Progress& progress) {
     Lines lines(mesh.position.memory());
     base::Array<std::uint8_t> taken(mesh.position.memory(), found.crossing.size());
@@ -189,12 +190,12 @@ Lines walk(const curves::SurfaceMesh& mesh, const Crossings& found, const base::
 
 // ---- Ends of lines
 
-// End 2 l is the begin of line l, 2 l + 1 its end; `way` leads outwards.
+// End 2 l is the begin of line l, and 2 l + 1 its end; `way` points outwards.
 struct Ends {
     geometry::VecArray place, way;
 };
 
-// Points near an end know their place only to a part of the mesh's cells, so that its direction is told by some more.
+// Points on mesh edges are only accurate to a fraction of a cell, so an end's direction is taken over several points.
 Ends ends_of(const Lines& lines, double reach) {
     Ends ends{geometry::VecArray(lines.first.memory()), geometry::VecArray(lines.first.memory())};
     for (std::int64_t l = 0; l < lines.count(); ++l)
@@ -212,7 +213,7 @@ Ends ends_of(const Lines& lines, double reach) {
     return ends;
 }
 
-// Over a gap that is hardly one the way across says nothing, and the ends' directions say less.
+// Over a tiny gap the direction across means nothing, so only the ends' directions count, with a larger tolerance.
 bool face_each_other(const Ends& ends, std::int64_t a, std::int64_t b, double reach) noexcept {
     const glm::dvec3 gap = ends.place[b] - ends.place[a];
     const double length = glm::length(gap);
@@ -222,7 +223,7 @@ bool face_each_other(const Ends& ends, std::int64_t a, std::int64_t b, double re
     return length <= reach && glm::dot(ends.way[a], gap) > least && glm::dot(ends.way[b], gap) < -least;
 }
 
-// For each end the one that it is joined to; -1: none. The nearest are joined first.
+// Returns the end that each end is joined to; -1: none. The nearest are joined first.
 base::Array<std::int64_t> partners(const Lines& lines, const Ends& ends, double reach, const base::Progress& progress) {
     struct Pair {
         double distance;
@@ -252,8 +253,8 @@ base::Array<std::int64_t> partners(const Lines& lines, const Ends& ends, double 
     return partner;
 }
 
-// Adds the points of a line from one of its ends on. Where ends lie beside each other, or one beyond the other, points
-// that would lead back are left out.
+// Appends the points of a line, starting at one of its ends. If ends overlap or lie side by side, points that would
+// lead back are left out.
 void add_from(const Lines& lines, const Ends& ends, std::int64_t end, Lines& result, const base::Progress& progress) {
     const std::int64_t line = end / 2;
     const std::int64_t last = lines.points(line) - 1;
@@ -271,12 +272,12 @@ void add_from(const Lines& lines, const Ends& ends, std::int64_t end, Lines& res
 
 constexpr std::int64_t lines_a_task = 16;
 
-// The points of a line: those from begin up to end.
+// The range of a line's points.
 struct Stretch {
     std::int64_t begin, end;
     bool closed;
 
-    // The neighbours of a point along the line; -1 beyond an end.
+    // Return the neighbours of a point along the line; -1 beyond an end.
     [[nodiscard]] std::int64_t after(std::int64_t i) const noexcept {
         return i + 1 < end ? i + 1 : closed ? begin : -1;
     }
@@ -295,7 +296,7 @@ void for_lines(const base::Work& work, const Lines& lines, const Visit& visit) {
     });
 }
 
-// Replaces the points of a line by moved(point before, point, point after) of where they were; open ends stay.
+// Replaces the points of a line by moved(i, point before, point, point after), from their old places; open ends stay.
 template <class Moved>
 void move_between(geometry::VecArray& position, const Stretch& line, const Moved& moved) {
     const glm::dvec3 first = position[line.begin];
@@ -308,7 +309,7 @@ void move_between(geometry::VecArray& position, const Stretch& line, const Moved
     }
 }
 
-// The unit tangents across a line; 0 where it does not go on.
+// Sets the unit tangents across a line; 0 where the line has no direction.
 void set_across(const Lines& lines, const Stretch& line, geometry::VecArray& across) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         const std::int64_t last = line.before(i);
@@ -322,30 +323,30 @@ void set_across(const Lines& lines, const Stretch& line, geometry::VecArray& acr
 
 // ---- Neighbours
 
-// A place between two points of the line beside a point.
+// A place on a neighbouring line, between two of its points.
 struct Neighbour {
-    std::int32_t from = -1, to = -1; // -1: there is no line
+    std::int32_t from = -1, to = -1; // -1: there is no neighbouring line
     float share = 0.0F;              // where the place is between the two points: 0 at `from`, 1 at `to`
     float gap = 0.0F;                // the distance to that place, in separations
-    float sense = 0.0F;              // 1 if that line's way across points to the same side, else -1
+    float sense = 0.0F;              // 1 if the neighbouring line's `across` points to the same side, else -1
 };
 
-// The neighbours of each point: against its way across, and along it.
+// The neighbours of each point: first the one against its `across` direction, then the one along it.
 using Beside = base::Array<std::array<Neighbour, 2>>;
 
-// Where the plane across the line at each point meets other lines, or a part of the same line farther on: the nearest
-// place on either side.
+// Finds the neighbours of each point: on each side, the nearest place where the plane across the line meets another
+// line, or a distant part of the same line.
 void find_beside(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation,
                  Beside& beside) {
     const double step = hatching_tuning.even_step;
     const geometry::PointGrid grid(lines.position, (hatching_tuning.beside + step) * separation, work);
     const geometry::VecArray places = grid.in_order(lines.position, work);
-    base::Array<std::int32_t> next(work.memory); // the point after each point on its line; -1: the line ends there
+    base::Array<std::int32_t> next(work.memory); // the next point on each point's line; -1 at its end
     base::resize_long(next, lines.position.size(), work);
     for_lines(work, lines, [&](const Stretch& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
     });
-    // Along a line its own points are beside others only where it winds round.
+    // Points of the same line are neighbours only where it winds round.
     const auto is_apart = [&](const Stretch& line, std::int64_t i, std::int64_t j) {
         if (j < line.begin || j >= line.end) return true;
         const std::int64_t way = std::abs(i - j);
@@ -396,7 +397,7 @@ void find_beside(const base::Work& work, const Lines& lines, const geometry::Vec
 
 // ---- Moves
 
-// An exponential mean of the values along a line, twice to and fro.
+// Replaces the values along a line by an exponential mean, run forwards and backwards twice.
 void average(const Stretch& line, float* values) {
     const std::int64_t count = line.end - line.begin;
     const std::int64_t run_up = line.closed ? std::min<std::int64_t>(hatching_tuning.run_up, count) : 0;
@@ -411,7 +412,7 @@ void average(const Stretch& line, float* values) {
     }
 }
 
-// How far a point is from the middle between its neighbours, after the moves of all three; in separations.
+// Returns the distance of a point from the middle between its neighbours, after the moves of all three; in separations.
 float way_to_middle(const Beside& beside, const base::Array<float>& move, std::int64_t i) noexcept {
     std::array<float, 2> gap{};
     for (const std::size_t side : {0U, 1U}) {
@@ -423,7 +424,7 @@ float way_to_middle(const Beside& beside, const base::Array<float>& move, std::i
     return 0.5F * (gap[1] - gap[0]);
 }
 
-// How far each point is to move across its line, in separations.
+// Returns how far each point should move across its line, in separations.
 base::Array<float> even_moves(const base::Work& work, const Lines& lines, const Beside& beside) {
     base::Array<float> move(work.memory, beside.size());
     base::Array<float> wanted(work.memory, beside.size());
@@ -442,9 +443,9 @@ base::Array<float> even_moves(const base::Work& work, const Lines& lines, const 
 
 // ---- Kinks
 
-// Marks the points of all parts, each of two separations, that turn too much within the surface. Parts that turn still
-// more are not marked: there the field itself turns, around a singular point. turn: gets the angle by which the line
-// turns at each point, radians.
+// Marks the points of all parts, each of two separations, that turn too much within the surface; returns whether there
+// are any. Parts that turn even more are not marked, because there the field itself turns, around a singular point.
+// Sets `turn` to the angle by which the line turns at each point, in radians.
 bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         kink[i] = 0;
@@ -471,7 +472,7 @@ bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& tur
     return any;
 }
 
-// Moves points in kinks halfway to the middle of those beside them, across the line.
+// Moves points in kinks sideways, half the way to the middle between the points before and after.
 void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across) {
     base::Array<float> turn(work.memory, lines.position.size());
     base::Array<std::uint8_t> kink(work.memory, lines.position.size());
@@ -489,8 +490,8 @@ void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across
 
 // ---- Marks along lines
 
-// Around a fork of a coarse wave a line changes its level often, and is to change it only for long: each mark gets the
-// median level of those up to `reach` away along the line.
+// Around a fork of a coarse wave a line changes its level often, but only lasting changes should remain. So each mark
+// gets the median level of the marks up to `reach` away along the line.
 void smooth_levels(Lines& lines, std::int64_t reach) {
     base::Array<std::uint8_t> median(lines.first.memory());
     base::Array<std::uint8_t> near(lines.first.memory());
@@ -506,7 +507,7 @@ void smooth_levels(Lines& lines, std::int64_t reach) {
     std::swap(lines.level, median);
 }
 
-// Brings marks onto the surface; the normal of one that did not settle is 0.
+// Projects marks onto the surface; a mark that does not settle gets the normal 0.
 void settle(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
             marks::LevelReport& report) {
     marks::Settler settler(site);
@@ -526,9 +527,9 @@ void settle(const marks::Site& site, double separation, const geometry::Bounds& 
     }
 }
 
-// 1 for marks on another sheet than the mark before them, which is the last one for the first of a line; empty where
-// the surface is smooth. A mark on the crease itself belongs to the sheet of the marks that it goes on from, or else
-// leads to, and gets its normal.
+// Returns 1 for each mark on another sheet than the mark before it; for the first mark of a closed line this is the
+// last one. All are 0 if the surface is smooth. A mark on the crease itself gets the sheet and the normal of the marks
+// that it continues, or else of those that it leads to.
 base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& lines) {
     base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, lines.position);
     base::Array<std::uint8_t> starts(site.memory(), sheet.size());
@@ -545,7 +546,7 @@ base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& line
     const auto has_settled = [&](std::int64_t i) { return lines.normal[i] != glm::dvec3(0.0); };
     for (std::int64_t l = 0; l < lines.count(); ++l) {
         site.work.check();
-        bool goes_on = false; // the mark before does, from the one before that
+        bool goes_on = false; // whether the mark before continues the one before that
         for (std::int64_t i = lines.first[l], last = lines.first[l + 1] - 1; i < lines.first[l + 1]; last = i++) {
             if (i == lines.first[l] && lines.closed[l] == 0) continue;
             const bool both = has_settled(last) && has_settled(i);
@@ -563,11 +564,11 @@ bool is_a_step(const glm::dvec3& a, const glm::dvec3& b, double step) noexcept {
     return distance > hatching_tuning.least_step && distance < hatching_tuning.most_step;
 }
 
-// A line ends where its face of the mesh does, but once it has been moved to the middle between others, its last mark
-// may lie beyond the crease, on the next sheet, or somewhat before it. So an end beside a crease gets a mark on that.
+// A line ends where its face of the mesh does. But once it has been moved, its last mark may lie beyond the crease, on
+// the next sheet, or short of the crease. So an end beside a crease gets a mark on the crease.
 struct CreaseEnd {
     surface::MeetingPlace place;
-    bool replaces = false; // the mark that the line ended with, which is too near
+    bool replaces = false; // replaces the line's last mark, which is too close
 };
 
 CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, const glm::dvec3& end, double step) {
@@ -587,7 +588,7 @@ CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, co
     return is_a_step(place.position, replaces ? inner : end, step) ? CreaseEnd{place, replaces} : CreaseEnd{};
 }
 
-// Lines in pieces each of which lies on the surface and on one side of all creases.
+// Cuts lines into pieces that lie on the surface and on one side of all creases.
 Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step) {
     Lines pieces(site.memory());
     const auto add = [&](std::int64_t l, std::int64_t begin, std::int64_t end) {
@@ -607,7 +608,7 @@ Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::ui
         pieces.end_line(false);
     };
     for (std::int64_t l = 0; l < lines.count(); ++l) {
-        // The last mark of a closed line is its first one once more.
+        // The first mark of a closed line is repeated as its last one.
         const std::int64_t count = lines.points(l) + (lines.closed[l] != 0 ? 1 : 0);
         std::int64_t begin = 0;
         for (std::int64_t k = 1; k <= count; ++k) {
@@ -658,7 +659,7 @@ Lines join_ends(const Lines& lines, double reach, const base::Progress& progress
     const base::Array<std::int64_t> partner = partners(lines, ends, reach, progress);
     Lines result(lines.first.memory());
     base::Array<std::uint8_t> taken(lines.first.memory(), lines.count());
-    // From this end into its line, and on.
+    // Follows the line of this end, then the line joined to its other end, and so on.
     const auto follow = [&](std::int64_t from) {
         std::int64_t end = from;
         bool closed = lines.closed[from / 2] != 0;
@@ -710,7 +711,7 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
 Lines even_out(const base::Work& work, const Lines& given, double separation) {
     HRBFNPR_ASSERT(separation > 0.0);
     Lines lines = resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest * separation, work);
-    // Points on a mesh's edges know their place only to a part of its cells.
+    // Points on mesh edges are only accurate to a fraction of a cell, so they are smoothed.
     for_lines(work, lines, [&](const Stretch& line) {
         for (int round = 0; round < hatching_tuning.smoothings; ++round)
             move_between(lines.position, line,
@@ -745,7 +746,8 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     settle(site, separation, region, lines, level);
     const base::Array<std::uint8_t> starts = starts_at_creases(site, lines);
     const Lines pieces = cut(site, lines, starts, step);
-    // Marks that no piece is made of were placed for nothing; those on creases, and ends of rings, come on top.
+    // Settled marks that are in no piece count as strayed. Marks on creases and repeated marks of closed lines are
+    // extra.
     const std::int64_t all = pieces.position.size();
     const std::int64_t added = std::max<std::int64_t>(0, all - level.placed);
     level.attempted += added;

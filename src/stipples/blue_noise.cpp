@@ -32,8 +32,8 @@ std::int64_t cells_across(const SurfaceCells& cells) noexcept {
     return 1 + std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-// The samples' box and as much around it as the surface is known beyond its samples. Another sheet that
-// the function happens to have farther out, and an open sheet's continuation, stay outside.
+// The region is the samples' box with a margin: the surface is known only so close to its samples. Farther sheets of
+// the function and the continuation of an open sheet stay outside.
 geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing) {
     const geometry::Bounds& bounds = site.implicit.bounds();
     const double diagonal = site.implicit.diagonal();
@@ -46,16 +46,16 @@ geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, d
             if (region.contains(seeds.position[i])) return true;
         return false;
     };
-    // Points that the caller chose are wanted wherever they are.
+    // The region grows to the seed points that the caller chose, and to all seeds if none is inside.
     if (seeds.source == marks::SeedSource::points || !inside())
         for (std::int64_t i = 0; i < seeds.position.size(); ++i) region.extend(seeds.position[i]);
     return region;
 }
 
-// Where the surface bends within the spacing of marks, they may come to rest beside each other. Of two that are nearer
-// than all others the later one is dropped, and counted as strayed. The later one also says how far they must be apart,
-// so marks are looked at in parts, in each of which that is much the same distance. `wandered`: the marks that are not
-// where they were chosen, rising.
+// Where the surface bends within the spacing of marks, projected marks may be close to each other. Of two marks that
+// are too close, the later one is dropped and counted as strayed. The later mark also determines the least distance, so
+// marks are processed in ranges of the order in which this distance is similar. `wandered`: the marks that moved away
+// from where they were chosen, ascending.
 void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
                       marks::LevelReport& report) {
     HRBFNPR_ASSERT(std::is_sorted(wandered.begin(), wandered.end()));
@@ -100,7 +100,7 @@ void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& 
     marks.normal.resize(kept);
 }
 
-// Projects the chosen marks. Those that do not arrive leave a gap in the order, and are counted.
+// Projects the chosen marks. Marks that do not converge leave a gap in the order, and are counted.
 void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks) {
     const std::int64_t all = chosen.size();
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(all); };
@@ -116,7 +116,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
             const float(&p)[3] = chosen[i].position;
             settler.start.push_back(cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
         }
-        // A mark that goes farther than a cell's side comes to another sheet.
+        // A mark that moves farther than a cell's side has reached another sheet.
         settler.settle(cells.grid.side, report, site.work.part(share(begin), share(begin + count)));
         for (const std::int64_t i : site.work.over(count)) {
             if (!settler.placed(i)) continue;
@@ -146,7 +146,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 
 // ---- Densities
 
-// The densities at marks. `mean_bend` is the mean over all marks of the first call, which sets it.
+// Returns the densities at marks. The first call sets `mean_bend` to the mean over its marks.
 [[nodiscard]] base::Array<double> densities_by_curvature(const marks::Site& site, const EvenMarks& marks,
                                                          double strength, std::optional<double>& mean_bend) {
     HRBFNPR_ASSERT(strength >= 0.0 && strength <= 1.0);
@@ -187,16 +187,16 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     const geometry::Bounds region = region_of(site, seeds, sample_spacing);
     const double diagonal = region.diagonal();
     SurfaceCells cells(site.memory());
-    // A small surface in a large box tells its area only by cells that are small to it: they are found anew until the
-    // estimate asks for no finer ones.
+    // The estimated area of a small surface in a large box is right only if the cells are small too, so they are found
+    // again until the estimate asks for no finer ones.
     const double finest = diagonal / stipple_tuning.most_in_diagonal;
     double side = diagonal / stipple_tuning.fewest_in_diagonal;
     for (int round = 0; round < stipple_tuning.cover_rounds; ++round) {
-        // Later rounds are those of small surfaces in large boxes.
+        // Only small surfaces in large boxes need later rounds.
         const base::Work part = site.work.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
         cells = find_surface_cells(site.with(part), seeds.position, region, side);
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
-        // A few cells do not tell its shape or its area.
+        // Too few cells do not determine the area.
         const bool known = cells_across(cells) >= stipple_tuning.fewest_across;
         const double wanted = known ? std::max(stipple_tuning.cell_spacings * spacing, finest)
                                     : std::max(stipple_tuning.blind_step * side, finest);
@@ -248,7 +248,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     if (!(mean > 0.0))
         fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
              static_cast<long long>(probe.position.size()));
-    // About as many as remain of the most that are made.
+    // The number of marks that remain of the largest even order.
     const double most = stipple_tuning.most_excess * static_cast<double>(wanted);
     if (std::min(static_cast<double>(wanted), most * mean) < 0.5)
         fail(Status::invalid_argument,
@@ -261,7 +261,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
         spread_evenly(site.part(0.15, 0.9), cells, static_cast<std::int64_t>(all), marks::Kind::stipples);
     const base::Array<double> at = densities(even, site.work.part(0.9, 1.0));
     struct Place {
-        double key; // place in the even order over the density
+        double key; // place in the even order, divided by the density
         std::int64_t mark;
         [[nodiscard]] bool operator<(const Place& other) const noexcept {
             return key != other.key ? key < other.key : mark < other.mark;

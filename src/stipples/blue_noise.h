@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::stipples {
 
-// The part of the surface that the marks are spread over, cut finely enough for `marks` of them.
+// Finds the cells of the surface that the marks are spread over, fine enough for `marks` marks.
 [[nodiscard]] SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing,
                                          std::int64_t marks);
 
@@ -22,13 +22,13 @@ struct EvenMarks {
     double area = 0.0; // the area of the covered surface
 };
 
-// Throws not_converged if there is not a single one.
+// Throws not_converged if no mark could be placed.
 [[nodiscard]] EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                       marks::Kind kind);
 
 // ---- Densities: where stipples are to be denser
 
-// The numbers are those that hrbfnpr_layer_desc.density takes.
+// The values are those of hrbfnpr_layer_desc.density.
 enum class Density : std::uint32_t { uniform = 0, curvature = 1, callback = 2 };
 
 struct DensitySettings {
@@ -38,8 +38,8 @@ struct DensitySettings {
     void* user = nullptr;
 };
 
-// `wanted` marks of an even order, from which those are left out whose place in the order, divided by the density at
-// the mark, is too high: every prefix of the rest is, at each place, a prefix of the even order.
+// Thins an even order to at most `wanted` marks: a mark whose place in the order, divided by the density there, is too
+// high is left out. So every prefix of the result is, at each place, a prefix of the even order.
 [[nodiscard]] EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                           const DensitySettings& density);
 

@@ -23,10 +23,10 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
     return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
 }
 
-// ---- 1. Where planes are the surface
+// ---- 1. Cells whose planes match the surface
 
-// A plane is the surface where those of all cells beside it are the same one: none is nearer to another sheet, or
-// around a bend. The angle between them gives the divergence of the normals, twice the mean curvature.
+// A cell is flat if its plane agrees with the planes of the cells beside it: no other sheet is nearer, and the surface
+// does not bend. The turn of the normals gives their divergence, twice the mean curvature.
 [[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
                                std::int64_t number, CellMap::BlocksAround& blocks) noexcept {
     constexpr JudgedCell bent = {CellKind::bent, 0.0F};
@@ -40,7 +40,7 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.passes_by))
         return {CellKind::clear, 0.0F};
     const CellMap::Around around = numbers.around(cell.code, blocks);
-    // A crease may cut off no more than an edge or a corner of the cell.
+    // A crease may cut off only an edge or a corner of the cell, so all 26 neighbours are checked.
     for (const std::int32_t next : around)
         if (site.implicit.sheets() != nullptr && next >= 0 &&
             !(glm::dot(cell.normal, cells.cell[next].normal) >= surface::smooth_cosine))
@@ -70,22 +70,23 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
 
 // ---- 2. Candidates on planes
 
-// The second power's root of x^3 = x + 1: the multiples of 1/x and 1/x^2 fill the unit square evenly, however many
-// there are (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). Both are in 2^-32.
+// Roberts 2018, "The unreasonable effectiveness of quasirandom sequences": with the root x of x^3 = x + 1, the
+// multiples of 1/x and 1/x^2 fill the unit square evenly at any number of points. These are 1/x and 1/x^2 in units of
+// 2^-32.
 constexpr std::uint32_t long_step = 3242174889;
 constexpr std::uint32_t short_step = 2447445414;
 
-// Trials stand above a face of the cell, evenly; those whose place on the plane is in the cell are candidates. Along
-// the face they are counted in 2^-32 sides from its middle, and wrap around.
+// The trials of a cell are spread evenly over one of its faces; those whose place on the plane is in the cell are
+// candidates. Coordinates on the face are in units of 2^-32 sides from its middle, and wrap around.
 struct PlaneTrials {
     int up; // the axis across the face
     std::int32_t count;
-    std::uint32_t u, v; // the place of the first trial along both axes of the face
+    std::uint32_t u, v; // the coordinates of the first trial on the face
     std::uint32_t step_u, step_v;
     double before; // random, in [0, 1): the ticket of trial k is (k + before) / count
     double level, slope_u, slope_v;
 
-    // The place of a trial on the plane, in sides from the cell's centre.
+    // Returns the place of a trial on the plane, in sides from the cell's centre.
     [[nodiscard]] glm::dvec3 offset(std::int32_t k) const noexcept {
         const auto along = [&](std::uint32_t from, std::uint32_t step) {
             return of_32_bits * static_cast<std::int32_t>(from + step * static_cast<std::uint32_t>(k));
@@ -108,7 +109,7 @@ struct PlaneTrials {
     const glm::dvec3 a = glm::abs(cell.normal);
     const int up = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
     const double trials = planes.density * side * side / std::abs(cell.normal[up]);
-    // The points are a lattice; turned and mirrored in some cells, it leaves no trace in the whole.
+    // The points form a lattice. It is turned and mirrored at random from cell to cell, so that it does not show.
     const bool turned = (random[3] & 1U) != 0;
     const bool mirrored = (random[3] & 2U) != 0;
     const std::uint32_t along_v = turned ? long_step : short_step;
@@ -124,7 +125,7 @@ struct PlaneTrials {
             -cell.normal[(up + 2) % 3] / cell.normal[up]};
 }
 
-// Calls visit(place, ticket) for the candidates of a flat cell, the ticket being in [0, 1).
+// Calls visit(place, ticket) for the candidates of a flat cell; the tickets are in [0, 1).
 template <class Visit>
 void for_candidates_on_plane(const marks::Site& site, const SurfaceCells& cells, std::int64_t number,
                              const PlaneCandidates& planes, Visit&& visit) noexcept {
@@ -151,9 +152,9 @@ void put(const glm::vec3& position, float normal, std::uint32_t ticket, std::int
     candidates.ticket[place] = ticket;
 }
 
-// The plane touches the surface at a distance from the cell's centre; away from there by t, a surface of mean curvature
-// k is 1/2 k t^2 below it, up to the difference of the two principal curvatures. Candidates stay in their cells, where
-// the order looks for them.
+// The plane touches the surface at the point nearest to the cell's centre. At a distance t from there, a surface of
+// mean curvature k is 1/2 k t^2 below the plane, if the principal curvatures are equal. Candidates stay in their cells,
+// because the order looks for them there.
 void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int64_t number,
                     const PlaneCandidates& planes, std::int64_t to, Candidates& candidates) noexcept {
     const SurfaceCells& cells = judged.cells;
@@ -173,15 +174,15 @@ void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int
 
 // ---- 3. Candidates in the layer
 
-// The cell of a place; -1 outside the region or the cells.
+// Returns the cell of a place; -1 outside the region or the cells.
 [[nodiscard]] std::int32_t cell_of(const JudgedCells& judged, const glm::dvec3& p) noexcept {
     const SurfaceCells& cells = judged.cells;
     return cells.region.contains(p) ? judged.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
 }
 
-// The cells' random numbers of a round: number 0 decides whether the fraction of a trial becomes one, number k gives
-// trial k. Trials that the cell's plane puts far off the band are not evaluated: its error within the cell is 3/8
-// side^2 curvature, so this holds where the surface bends with radii above 1.5 sides, and not at creases.
+// Random number 0 of a cell rounds the fractional number of its trials up or down; number k gives trial k. Trials that
+// the cell's plane puts far off the band are not evaluated: the plane's error within the cell is 3/8 side^2 curvature,
+// so this is right where the surface's radii of curvature are above 1.5 sides, and not used if there are creases.
 void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
                  std::span<const std::int64_t> slot, std::uint32_t stream, geometry::VecArray& trial,
                  base::Array<std::uint32_t>& ticket) {
@@ -189,7 +190,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     const double side = cells.grid.side;
     const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.passes_by * side
                                                               : std::numeric_limits<double>::infinity();
-    trial.resize(slot.back()); // at first a slot for each, with NaN where it is not worth evaluating
+    trial.resize(slot.back()); // at first one slot per trial, with NaN if it is not worth evaluating
     ticket.resize_for_overwrite(slot.back());
     const auto count = static_cast<std::int64_t>(trial_cells.size());
     site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -201,7 +202,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
                 const auto u = base::uniform4(site.random_seed, cell.code, base::Purpose::candidate, stream | number);
                 const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
                 const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
-                const bool worth = !(std::abs(distance) > unlikely); // also where it is not a number
+                const bool worth = !(std::abs(distance) > unlikely); // also true for NaN
                 trial.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
                 ticket[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
             }
@@ -217,7 +218,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     ticket.resize(kept);
 }
 
-// How often each trial counts: once within the band, but beside creases not at all, or twice.
+// Returns how often each trial counts: once within the band, but near creases 0, 1 or 2 times.
 [[nodiscard]] base::Array<std::uint8_t> times_that_count(const marks::Site& site, const SurfaceCells& cells,
                                                          const geometry::VecArray& trial,
                                                          const marks::FieldSamples& field) {
@@ -249,12 +250,12 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     return times;
 }
 
-// How many projections of a trial are in bent cells, and how many in none.
+// The number of a trial's projections in cells that are not flat, and the number outside all cells or off the surface.
 struct Landed {
     std::uint8_t kept = 0, strayed = 0;
 };
 
-// The projections of a trial: the first one is its own, others are beside that in its tangent plane.
+// Makes the projections of a trial: its own, and then others around that one in the tangent plane.
 [[nodiscard]] Landed land(const marks::Site& site, const JudgedCells& judged, const glm::dvec3& trial,
                           std::uint32_t first_ticket, double distance, const glm::dvec3& gradient, std::uint32_t count,
                           Projection* to) noexcept {
@@ -264,7 +265,7 @@ struct Landed {
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
     const float bits = packed(normal);
     const glm::dvec3 projection = trial - distance * normal;
-    // Where a cell's plane is wrong about one of its points, one step is not enough.
+    // If the cell's plane is wrong about the trial, one step is not enough.
     const std::int32_t own = cell_of(judged, trial);
     const bool bent =
         site.implicit.sheets() != nullptr || own < 0 ||
@@ -292,7 +293,7 @@ struct Landed {
     return landed;
 }
 
-// Appends the projections of trials.
+// Appends the projections of all trials to `layer`.
 void step_down(const marks::Site& site, const JudgedCells& judged, const geometry::VecArray& trial,
                const base::Array<std::uint32_t>& ticket, LayerCandidates& layer) {
     HRBFNPR_ASSERT(trial.size() == ticket.size());
@@ -316,8 +317,8 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
     }
 }
 
-// Whether projections that a cell's plane agrees with are off the surface all the same. Planes of a function that is no
-// distance, such as a square of one, tell the wrong distance alike at all points.
+// Returns whether many projections are off the surface although the planes of their cells agree with them. This happens
+// if the function is not a distance, such as the square of one: all planes are then wrong in the same way.
 [[nodiscard]] bool many_are_off(const marks::Site& site, const SurfaceCells& cells,
                                 std::span<const Projection> projections) {
     geometry::VecArray place(site.memory());
@@ -331,7 +332,8 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
     return static_cast<double>(off) > stipple_tuning.most_off * static_cast<double>(place.size());
 }
 
-// Takes a projection one step on; returns whether it needs another one. Its cell becomes -1 where it is no candidate.
+// Moves a projection one step further; returns whether it needs another step. Sets its cell to -1 if it is no
+// candidate.
 [[nodiscard]] bool step_on(const marks::Site& site, const JudgedCells& judged, double distance,
                            const glm::dvec3& gradient, bool first, Projection& projection,
                            std::int64_t& strayed) noexcept {
@@ -345,7 +347,7 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
         const glm::dvec3 own = glm::normalize(glm::dvec3(unpacked[0], unpacked[1], unpacked[2]));
         const double agree = glm::dot(own, normal);
         if (!(agree >= surface::smooth_cosine)) {
-            // It is in the tangent plane of another sheet: it goes back over the crease, by as much as it was beyond.
+            // The place is in the tangent plane of another sheet, beyond the crease: reflect it back over the crease.
             const glm::dvec3 across = normal - agree * own;
             const double square = glm::dot(across, across);
             const glm::dvec3 at = place - 2.0 * distance / square * across;
@@ -367,7 +369,7 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
     return std::abs(distance) > stipple_tuning.near_enough * cells.grid.side;
 }
 
-// Takes the projections from `first` on further down where one step is not enough.
+// Moves the projections from number `first` on further down where one step is not enough.
 void step_down_again(const marks::Site& site, const JudgedCells& judged, std::int64_t first, LayerCandidates& layer) {
     base::Array<Projection>& all = layer.projection;
     HRBFNPR_ASSERT(first >= 0 && first <= all.size());
@@ -392,13 +394,14 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
                all.begin());
 }
 
-// ---- 4. Both side by side
+// ---- 4. Both kinds together
 
-// Both cell by cell, each cell with groups of its own; cells without any are left out.
+// Stores the candidates of both kinds cell by cell. Each cell has groups of its own; cells without candidates are left
+// out.
 void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates) {
     const std::int64_t count = judged.cells.cell.size();
-    base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, their number
+    base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, a count
     for (const Projection& projection : layer.projection) ++next[projection.cell];
     std::int64_t groups = 0;
     for (std::int64_t cell = 0; cell < count; ++cell) {
@@ -436,14 +439,14 @@ JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells) {
 PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream, double density,
                                double most_trials) {
     HRBFNPR_ASSERT(density > 0.0);
-    constexpr double most_of_cell = 1e6; // so that trials can be numbered
+    constexpr double most_of_cell = 1e6; // keeps trial numbers within 32 bits
     const auto flat = static_cast<double>(std::count_if(judged.cell.begin(), judged.cell.end(),
                                                         [](const JudgedCell& c) { return c.kind == CellKind::flat; }));
     PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
                            base::Array<std::int32_t>(site.memory(), judged.cell.size())};
     site.work.for_chunks(judged.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            site.work.check(); // a cell may have many
+            site.work.check(); // a cell may have many trials
             if (judged.kind(i) == CellKind::flat)
                 for_candidates_on_plane(site, judged.cells, i, planes,
                                         [&](const glm::dvec3&, double) { ++planes.count[i]; });
@@ -453,8 +456,8 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judge
     return planes;
 }
 
-// near / trials is the part of the volume that is in the layer of thickness 2 band. Of its area, the part in the region
-// and in cells that are not flat is the same as of the projections.
+// near / trials is the share of the volume that is in the layer of thickness 2 band. The share of the layer's area that
+// is in the region and in cells that are not flat equals the share of such projections.
 double LayerCandidates::area() const noexcept {
     if (rounds == 0) return volume / (2.0 * reach);
     if (near == 0) return 0.0;
@@ -469,9 +472,9 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     layer.stream = stream;
     layer.reach = cells.reach();
     layer.band = cells.band;
-    // Fewer where cells are small to the distance of marks: they would be one to the order.
+    // Small cells get fewer, because the order would not distinguish candidates so close to each other.
     constexpr std::int64_t most = stipple_tuning.most_projections;
-    // The mean distance of marks, each of which needs about `most` candidates.
+    // The mean distance between marks, each of which needs about `most` candidates.
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
     layer.each = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
@@ -492,7 +495,7 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
     const std::int64_t cells = layer.trial_cell.size();
     const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
     if (cells == 0 || !(missing > 0.0)) return;
-    // The mean number of projections that a trial gives.
+    // The mean number of projections per trial.
     double of_trial = static_cast<double>(layer.projection.size()) / layer.trials;
     if (layer.rounds == 0) of_trial = static_cast<double>(layer.each) * 2.0 * layer.band * layer.area() / layer.volume;
     const double per_cell = missing / std::max(of_trial, stipple_tuning.least_of_trial) / static_cast<double>(cells);
@@ -528,7 +531,7 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     const std::uint32_t stream = marks::stream_of(kind);
     const JudgedCells judged = judge_cells(site, cells);
     LayerCandidates layer = layer_candidates(judged, stream, wanted);
-    // Where the function is no distance, the cells' area is wrong, and the first round gives too few.
+    // Where the function is not a distance, the area from cells is wrong, and the first round gives too few candidates.
     const auto many = static_cast<double>(wanted);
     double density = many / cells.rough_area();
     PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};

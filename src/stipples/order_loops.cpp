@@ -18,7 +18,7 @@ using W = hn::Vec<F>;
 
 HWY_INLINE std::int64_t lanes() { return static_cast<std::int64_t>(hn::Lanes(F())); }
 
-// Products and sums are rounded one by one: a fused step would give other bits where there is one.
+// Each product and each sum is rounded: a fused multiply-add, which not all targets have, would give other bits.
 HWY_INLINE W dot(W ax, W ay, W az, W bx, W by, W bz) {
     return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
 }
@@ -29,7 +29,7 @@ HWY_INLINE W coordinate(hn::Vec<U> bits) {
     return hn::Sub(hn::ConvertTo(F(), hn::BitCast(I(), ten)), hn::Set(F(), 511.5F));
 }
 
-// A mark beside each lane. Normals are not of unit length.
+// One mark, repeated in all lanes. Normals are not of unit length.
 struct FeltMark {
     HWY_INLINE explicit FeltMark(const OrderMark& mark)
         : x(hn::Set(F(), mark.position[0])), y(hn::Set(F(), mark.position[1])), z(hn::Set(F(), mark.position[2])),
@@ -42,7 +42,7 @@ struct FeltMark {
     W x, y, z, normal_x, normal_y, normal_z;
 };
 
-// Some candidates of a group side by side.
+// One vector of a group's candidates.
 struct Lanes {
     HWY_INLINE Lanes(OrderGroup& of, std::int64_t first)
         : group(of), at(first), x(load(OrderGroup::x)), y(load(OrderGroup::y)), z(load(OrderGroup::z)),
@@ -60,7 +60,7 @@ struct Lanes {
         const W own_y = coordinate<10>(normal);
         const W own_z = coordinate<20>(normal);
         const W turn = dot(own_x, own_y, own_z, mark.normal_x, mark.normal_y, mark.normal_z);
-        if (on_surface) { // through both tangent planes
+        if (on_surface) { // the way through both tangent planes
             const W here = dot(way_x, way_y, way_z, own_x, own_y, own_z);
             const W there = dot(way_x, way_y, way_z, mark.normal_x, mark.normal_y, mark.normal_z);
             const W both = hn::Mul(hn::Set(d, -2.0F), hn::Mul(here, there));
@@ -87,10 +87,10 @@ struct Lanes {
     W energy, clearance;
 };
 
-// Some targets of Highway take the largest finite number for the smallest of infinite ones.
+// Some targets of Highway return the largest finite number as the minimum of lanes that are all infinite.
 HWY_INLINE float infinite_beyond_most(float x) { return x < 3.4028234e38F ? x : __builtin_inff(); }
 
-// The lowest of each lane, and where it was first.
+// Keeps the lowest energy of each lane, and the first index that has it.
 class Search {
 public:
     explicit Search(float enough)
@@ -120,7 +120,8 @@ private:
     hn::Vec<I> at_;
 };
 
-// Calls visit(group, at, number): lanes from `at` on, the first of which has that number in the block.
+// Calls visit(group, at, number) for each vector of lanes: it starts at place `at` of the group, and at `number` in the
+// block.
 template <class Visit>
 HWY_INLINE void for_lanes(const OrderBlock& block, Visit&& visit) {
     for (std::int64_t g = 0; g < block.groups; ++g)
@@ -162,7 +163,7 @@ OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float 
     return search.found();
 }
 
-// Numbers after the last one may be another thread's, which is writing them: the last ones are copied.
+// Another thread may be writing the numbers after the last one, so the remainder is copied before it is loaded.
 std::int64_t smallest(const float* numbers, std::int64_t count) {
     Search search(0.0F);
     std::int64_t at = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of the progressive order, on every instruction set: candidates feel marks, and the one at the lowest
-// energy is found.
+// The inner loops of the progressive order, on every instruction set: candidates add up the energy of marks, and the
+// candidate of the lowest energy is found.
 #pragma once
 
 #include "base/assert.h"
@@ -10,13 +10,13 @@
 
 namespace hrbfnpr::stipples {
 
-// The candidates of a cell, sixteen at a time: each number of all of them in a line of the cache. Whole lines are read
-// and written: part of one that was just written would have to wait for it.
+// Sixteen candidates of a cell. Each column is one cache line. Whole lines are read and written, because reading a part
+// of a line that was just written would stall.
 struct alignas(64) OrderGroup {
     static constexpr std::int64_t size = 16;
     // x, y, z; the normal's bits (packed_normal); the energy, a sum of (1 - s / reach^2)^4 over the marks on the same
-    // side at squared distance s; and the squared distance to the nearest of them. A free place has an infinite energy
-    // and a clearance of -1.
+    // side at squared distance s; the clearance, the squared distance to the nearest of these marks. A free place has
+    // an infinite energy and a clearance of -1.
     enum Column : std::int64_t { x, y, z, normal, energy, clearance, columns };
 
     float number[columns][size];
@@ -42,11 +42,11 @@ struct OrderMark {
     float normal; // packed
 };
 
-// Normals that turn by more than this cosine belong to opposite sides: over a crease marks still see each other,
-// through a thin sheet they do not.
+// Normals whose cosine is below this belong to opposite sides: marks see each other over a crease, but not through a
+// thin sheet.
 inline constexpr float opposite = -0.3F;
 
-// Ten bits a coordinate: enough to tell sides apart, and for a tangent plane.
+// Packs ten bits per coordinate, which is enough to tell sides apart and for a tangent plane.
 [[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
 // An unpacked normal has about this length.
 inline constexpr float unpacked_length = 511.5F;
@@ -55,11 +55,11 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
     for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - unpacked_length;
 }
 
-// A summary of a cell's energies; infinite where no candidate is open.
+// A summary of a cell's energies, which are infinite where no candidate is open.
 struct OrderLowest {
-    std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1: none is open
+    std::int64_t at; // the first with the lowest energy among those with clearance >= enough; -1: none is open
     float energy;    // its energy
-    float of_all;    // the lowest energy, whatever the clearance
+    float of_all;    // the lowest energy at any clearance
 };
 
 struct OrderLoops {
@@ -68,20 +68,20 @@ struct OrderLoops {
     using FeelAndFind = OrderLowest (*)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
                                         float enough);
 
-    // Candidates take note of marks, one after the other. The second function is for a surface that has creases: over a
-    // crease, whose sheets have the normals m and n, the way o between two points is shorter than the one through both
-    // tangent planes, the square of which is o . o - 2 (o . m) (o . n) / (1 + m . n).
+    // Adds marks to the energies and clearances of candidates. The second function is for a creased surface. Over a
+    // crease between sheets with normals m and n, the straight way o between two points is shorter than the way through
+    // both tangent planes, whose square is o . o - 2 (o . m) (o . n) / (1 + m . n).
     Feel feel[2];
     OrderLowest (*lowest)(const OrderBlock& block, float enough);
-    // Both, of one mark.
+    // Does both for one mark.
     FeelAndFind feel_and_find[2];
-    // The first of the smallest; -1 where all are infinite.
+    // Returns the index of the first smallest number; -1 if all are infinite.
     std::int64_t (*smallest)(const float* numbers, std::int64_t count);
 };
 
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;
-// No mark is felt: the first `count` places have no energy and all the clearance. The others are free, and hold numbers
-// from which no NaN comes.
+// Resets the first `count` places to zero energy and infinite clearance. The other places become free, with numbers
+// that give no NaN.
 void forget_marks(const OrderBlock& block, std::int64_t count) noexcept;
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;

@@ -24,11 +24,11 @@ struct StageSettings {
     std::int32_t level = 0;         // the side of a cell is that of the candidates' cells times 2^level
     double reach = 0.0;             // how far a mark's energy reaches; at most a side
     std::uint64_t ticket_limit = 0; // candidates with smaller tickets take part
-    double nearness = 0.8;          // part of the radius from which on a candidate may move into its gap
+    double nearness = 0.8;          // a candidate at this share of the radius or more may move into its gap
     double farthest_move = 0.0;     // less than half a side
 };
 
-// The cells of the last stage, which marks of all stages must stay in: a later stage would not find others.
+// The cells of the last stage. Marks of all stages must stay in them, because the last stage finds no other marks.
 struct Home {
     std::int32_t level;
     CellMap cells;
@@ -45,31 +45,31 @@ struct Order {
 
 constexpr std::int32_t slots_of_cell = 5;
 
-// Marks stand with their cells, so that all that is around a mark is in few cache lines: two for each cell.
+// Marks are stored in their cells, so that the marks around a place are in few cache lines: two per cell.
 struct alignas(64) StageCell {
-    std::int64_t group; // where its candidates begin
+    std::int64_t group; // where the cell's candidates begin
     std::int32_t groups;
-    std::int32_t best;  // open candidate of the lowest energy; -1 where none is open
-    std::int32_t marks; // in its slots
-    std::int32_t more;  // the first of those that found no slot, in Stage::extra; -1 where all have one
+    std::int32_t best;  // the open candidate with the lowest energy; -1 if none is open
+    std::int32_t marks; // the number of used slots
+    std::int32_t more;  // the first mark without a slot, in Stage::extra; -1 if all marks have slots
     glm::vec3 low;      // corner, relative to the grid's origin
     std::array<OrderMark, slots_of_cell> slot;
 };
 struct Extra {
     OrderMark mark;
-    std::int32_t next; // the next one of the same cell, in Stage::extra; -1: this is the last one
+    std::int32_t next; // the next mark of the same cell, in Stage::extra; -1 for the last one
 };
 struct Tile {
-    std::int32_t begin, end; // cells
+    std::int32_t begin, end; // the range of its cells
 };
 struct Fresh {
     OrderMark mark;
     float energy;
-    std::int32_t cell; // -1 where the gap is too small
+    std::int32_t cell; // -1 if the gap is too small
     std::uint8_t step;
-    bool linked; // in its cell's slots
+    bool linked; // it has one of its cell's slots
 };
-// A tile gets at most this many marks in a sweep.
+// The most marks that a tile gets in a sweep.
 constexpr std::int64_t most_fresh = 64;
 // The code of a cell's tile is the cell's code without this many bits of each coordinate.
 constexpr unsigned tile_bits = 3;
@@ -84,7 +84,7 @@ constexpr unsigned tile_bits = 3;
     return vector(normal);
 }
 
-// The 27 cells around a cell that have a point nearer than `distance` to the place `in_cell`, a bit for each.
+// Returns a bit for each of the 27 cells around a cell that has a point closer than `distance` to the place `in_cell`.
 [[nodiscard]] std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noexcept {
     float squared[3][3];
     for (int axis = 0; axis < 3; ++axis) {
@@ -102,9 +102,9 @@ constexpr unsigned tile_bits = 3;
     return found;
 }
 
-// The cells of a stage with their candidates and marks. Tiles of 8 x 8 x 8 cells are worked on in eight turns, in each
-// of which no two are neighbours: a mark changes candidates less than two cells outside its tile. Within its turn a
-// tile is filled greedily, one mark after the other.
+// The cells of a stage with their candidates and marks. Tiles of 8 x 8 x 8 cells are processed in eight turns. No two
+// tiles of a turn are neighbours, because a mark changes candidates less than two cells outside its tile. Within a
+// turn, each tile is filled greedily, mark by mark.
 struct Stage {
     Stage(const marks::Site& of, const Candidates& candidates, const Home& home_cells, const StageSettings& its)
         : site(of),
@@ -121,7 +121,7 @@ struct Stage {
     [[nodiscard]] float inverse_squared_reach() const noexcept {
         return static_cast<float>(1.0 / (settings.reach * settings.reach));
     }
-    // The code of the candidates' cell at a place relative to the grid's origin.
+    // Returns the code of the candidates' cell at a place relative to the grid's origin.
     [[nodiscard]] std::uint64_t code_at(const glm::dvec3& position) const noexcept {
         return geometry::morton_code(grid.cell_of(grid.origin + position));
     }
@@ -129,7 +129,7 @@ struct Stage {
         return number.find(code >> static_cast<unsigned>(3 * settings.level));
     }
 
-    // Keeps the summary of a cell's candidates whose squared distance from marks is enough.
+    // Stores the summary of a cell's candidates that are far enough from all marks.
     void note(std::int32_t c, const OrderLowest& found) noexcept {
         cell[c].best = static_cast<std::int32_t>(found.at);
         lowest[c] = found.energy;
@@ -144,7 +144,7 @@ struct Stage {
             for (std::int64_t c = begin; c < end; ++c) visit(c);
         });
     }
-    // Calls visit on the cells that have a point nearer than `distance` to a place in cell c.
+    // Calls visit on the cells that have a point closer than `distance` to a place in cell c.
     template <class Visit>
     void for_reached(const glm::vec3& position, double distance, std::int32_t c, Visit&& visit) const {
         std::uint32_t left = reached(position - cell[c].low, side, static_cast<float>(distance));
@@ -157,7 +157,7 @@ struct Stage {
         for (std::int32_t k = 0; k < cell[c].marks; ++k) visit(cell[c].slot[static_cast<std::size_t>(k)]);
         for (std::int32_t at = cell[c].more; at >= 0; at = extra[at].next) visit(extra[at].mark);
     }
-    // Whether there was a slot.
+    // Returns whether there was a free slot.
     bool link(const OrderMark& mark, std::int32_t c) noexcept {
         HRBFNPR_ASSERT(c >= 0 && c < cell.size());
         if (cell[c].marks == slots_of_cell) return false;
@@ -181,14 +181,15 @@ struct Stage {
     CellMap number; // gives the number of a cell by its code
     base::Array<StageCell> cell;
     base::Array<CellMap::Around> neighbour;
-    base::Array<float> lowest;   // energy of the best candidate of each cell; infinite where none is open
-    base::Array<float> floor;    // no candidate of the cell has a lower energy
-    float enough = 0.0F;         // squared distance from marks that made a candidate open in the last step
+    base::Array<float> lowest; // the energy of each cell's best candidate; infinite if none is open
+    base::Array<float> floor;  // no candidate of the cell has a lower energy
+    float enough = 0.0F; // candidates are open if their squared distance from marks is at least this; set for the last
+                         // step of a sweep
     OrderGroup* group = nullptr; // `own_group`, or the candidates' own
     base::Array<OrderGroup> own_group;
     base::Array<Extra> extra;
 
-    base::Array<Tile> tile; // those of the first turn, then those of the next
+    base::Array<Tile> tile; // the tiles of the first turn, then those of the second, and so on
     std::array<std::int64_t, 9> turn{};
     base::Array<Fresh> fresh;              // most_fresh places for each tile of the turn
     base::Array<std::int32_t> fresh_count; // the number of fresh marks in each tile of the turn
@@ -196,12 +197,12 @@ struct Stage {
 
 // ---- Making a stage
 
-// Gives each cell its candidates; returns the cells' codes. Where all take part in the same cells, the stage works in
-// the candidates' own memory.
+// Gives each cell its candidates; returns the codes of the cells. If all candidates take part and the cells are the
+// same, the stage works in the candidates' own memory.
 [[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
     const StageSettings& settings = stage.settings;
     base::Array<std::uint64_t> code(stage.site.memory());
-    base::Array<std::int64_t> part(stage.site.memory()); // the candidates' first cell in each cell, and the end
+    base::Array<std::int64_t> part(stage.site.memory()); // the first of the candidates' cells in each cell, and the end
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);
         if (!code.empty() && code.back() == here) continue;
@@ -227,7 +228,7 @@ struct Stage {
         for (std::int64_t from = part[c]; from < part[c + 1]; ++from)
             candidates.for_taken(from, settings.ticket_limit, visit);
     };
-    // A few large cells have as many candidates as many small ones.
+    // A few large cells have as many candidates as many small ones, so few cells make a chunk.
     const std::int64_t grain = std::clamp<std::int64_t>(code.size() / 64, 1, cells_a_task);
     stage.site.work.for_chunks(code.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
@@ -252,7 +253,7 @@ struct Stage {
     return code;
 }
 
-// A tile's turn is the parity of its coordinates, the last bits of its code.
+// The turn of a tile is given by the parities of its coordinates, which are the last bits of its code.
 void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     HRBFNPR_ASSERT(std::is_sorted(code.begin(), code.end()));
     const auto tile_of = [&](std::int64_t c) { return code[c] >> (3 * tile_bits); };
@@ -275,7 +276,7 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     });
 }
 
-// Puts marks of earlier stages into their cells. A mark outside all of them would be felt by none: `Home` prevents it.
+// Puts marks of earlier stages into their cells. A mark outside all cells would have no effect; `Home` prevents that.
 void link_all(const OrderedMarks& marks, Stage& stage) {
     base::Array<std::int32_t> cell(stage.site.memory(), marks.size());
     stage.site.work.for_chunks(marks.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -288,7 +289,7 @@ void link_all(const OrderedMarks& marks, Stage& stage) {
 
 void feel_all(Stage& stage) {
     stage.for_cells([&](std::int64_t c) {
-        std::array<OrderMark, 64> near; // more are felt in parts
+        std::array<OrderMark, 64> near; // a larger number is processed in parts
         std::size_t count = 0;
         const auto feel = [&] {
             stage.loops.feel[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
@@ -319,8 +320,8 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexc
     return u.x * v.y - u.y * v.x;
 }
 
-// The unit direction from p along which the distances to the nearest points a and b, or to a alone, grow and stay
-// equal.
+// Returns the unit direction at p along which the distances to the nearest points a and b grow and stay equal; without
+// b, the direction away from a.
 glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
     if (b == nullptr) {
         const double length = glm::length(p - a);
@@ -330,25 +331,25 @@ glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b)
     return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
 }
 
-// At most this many marks around a candidate are looked at; a plane has room for about 20 of them within the distance
-// that counts.
+// The most marks that are looked at around a candidate; a plane has room for about 20 of them within the distance that
+// counts.
 constexpr std::size_t most_around = 64;
 
-// The marks around a candidate, as seen from it.
+// The marks around a candidate, relative to it.
 struct Surroundings {
     glm::vec3 start, normal; // the candidate's place, relative to the grid's origin, and its unit normal
-    float farthest;          // marks farther than this are not looked at, squared
+    float farthest;          // squared; marks farther than this are ignored
     geometry::TangentFrame frame;
     bool creased;      // the surface has creases
-    bool bent = false; // some marks have another normal, but not over a crease
+    bool bent = false; // some mark has a very different normal, without a crease
     std::size_t count = 0;
-    std::array<glm::dvec2, most_around> flat; // in its tangent plane, as far away as in space or along the surface
+    std::array<glm::dvec2, most_around> flat; // in the tangent plane, as far away as in space or along the surface
     std::array<glm::dvec3, most_around> between;
-    std::array<glm::dvec3, most_around> beyond; // the normals of those over a crease, and 0
+    std::array<glm::dvec3, most_around> beyond; // the normals of marks over a crease; 0 for other marks
 };
 
-// The square of the way from a place with the unit normal n to another one, o away, with the normal m: over the crease
-// between them, through both tangent planes.
+// Returns the square of the way from a place with unit normal n to another place with normal m, at offset o. The way
+// leads over the crease between them, through both tangent planes.
 [[nodiscard]] double squared_way(const glm::dvec3& o, const glm::dvec3& n, const glm::dvec3& m) noexcept {
     const double detour = -2.0 * glm::dot(o, n) * glm::dot(o, m) / std::max(1.0 + glm::dot(n, m), 0.1);
     return glm::dot(o, o) + std::max(detour, 0.0);
@@ -375,7 +376,7 @@ void look_at(const OrderMark& mark, Surroundings& around) noexcept {
     around.between[around.count++] = precise;
 }
 
-// Whether a place is nowhere nearer to a mark than the radius, nor over the crease that the mark is beyond.
+// Returns whether a place keeps the radius from all marks, and is on the candidate's side of all creases.
 [[nodiscard]] bool is_free(const Surroundings& around, const glm::dvec2& way, const glm::dvec3& moved,
                            double radius) noexcept {
     for (std::size_t i = 0; i < around.count; ++i) {
@@ -390,14 +391,14 @@ void look_at(const OrderMark& mark, Surroundings& around) noexcept {
     return true;
 }
 
-// Moves a candidate into the middle of its gap, where it keeps the radius; its cell becomes -1 where there is no room.
-// `unlinked`: marks that are in no cell.
+// Moves a candidate into the middle of its gap, where it keeps the radius; sets its cell to -1 if there is no room.
+// `unlinked`: marks that have no slot in a cell.
 void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::int32_t> unlinked, double radius,
                    Fresh& fresh) noexcept {
     const double farthest_move = stage.settings.farthest_move;
     const glm::dvec3 normal = glm::normalize(unpacked(fresh.mark.normal));
     const double far = radius + 2.0 * farthest_move;
-    Surroundings around; // the arrays are filled as far as `count`
+    Surroundings around; // the arrays are filled up to `count`
     around.start = place_of(fresh.mark);
     around.normal = glm::vec3(normal);
     around.farthest = static_cast<float>(far * far);
@@ -408,7 +409,7 @@ void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::in
         stage.for_marks(there, [&](const OrderMark& mark) { look_at(mark, around); });
     });
     fresh.cell = -1;
-    if (around.bent) return; // a tangent plane is no way along it
+    if (around.bent) return; // the tangent plane does not follow the surface
     const glm::dvec2 way = toward_void({around.flat.data(), around.count}, stipple_tuning.aim * radius, farthest_move);
     const glm::dvec3 moved = way.x * around.frame.u + way.y * around.frame.r;
     const glm::dvec3 end = glm::dvec3(around.start) + moved;
@@ -422,16 +423,16 @@ void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::in
 
 // ---- A sweep over the tiles
 
-// The radius that marks keep, and the energy that they are below.
+// The radius that marks keep, and the energy below which candidates become marks.
 struct SweepStep {
     double radius;
     float threshold;
 };
 
-// Sweeps of large orders have this many steps at most.
+// The most steps of a sweep, used for large orders.
 constexpr std::size_t steps_of_sweep = 12;
 
-// Asks for all that a mark near the cell will change, so that it comes in one go.
+// Prefetches all that a mark near the cell will change, so that the loads overlap.
 void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     const CellMap::Around& neighbour = stage.neighbour[cell];
     for (const std::int32_t there : neighbour)
@@ -440,7 +441,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
         if (there >= 0) base::prefetch(stage.group + stage.cell[there].group, stage.cell[there].groups);
 }
 
-// The cell's best candidate itself if it keeps the distance, else a place in its gap that does.
+// Returns the cell's best candidate itself if it keeps the distance, or else a place in its gap that does.
 [[nodiscard]] Fresh place_best(Stage& stage, std::int32_t cell, const Fresh* all,
                                std::span<const std::int32_t> unlinked, double radius) noexcept {
     const std::int64_t i = stage.cell[cell].best;
@@ -458,17 +459,18 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     return fresh;
 }
 
-// Fills a tile, the steps one after the other; returns the number of fresh marks.
+// Fills a tile, one step after the other; returns the number of fresh marks.
 [[nodiscard]] std::int32_t fill_tile(Stage& stage, const Tile& tile, std::span<const SweepStep> steps, Fresh* fresh) {
     HRBFNPR_ASSERT(tile.begin >= 0 && tile.begin < tile.end && tile.end <= stage.cell.size());
     std::int32_t count = 0;
     std::size_t unlinked_count = 0;
-    std::array<std::int32_t, most_fresh> unlinked; // the numbers of fresh marks that found no slot in their cell
+    std::array<std::int32_t, most_fresh> unlinked; // indices of fresh marks that found no slot in their cell
     for (std::size_t step = 0; step < steps.size(); ++step) {
         const auto [radius, threshold] = steps[step];
         const double nearness = stage.settings.nearness;
         const auto enough = static_cast<float>(nearness * nearness * radius * radius);
-        // Smaller radii open more candidates. Those of later steps are found when their cells are next felt.
+        // Smaller radii open more candidates. Candidates that later steps open are found when their cells next get a
+        // mark.
         for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell)
             if (stage.floor[cell] < steps.back().threshold) stage.refresh(cell, enough);
         while (count < most_fresh) {
@@ -497,7 +499,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     return count;
 }
 
-// Leaves those of the last sweep that have the lowest energies.
+// Keeps only the `room` marks of the last sweep that have the lowest energies.
 void keep_lowest(const base::Array<float>& energy, std::int64_t room, Order& order) {
     HRBFNPR_ASSERT(room >= 0 && room < energy.size() && energy.size() <= order.mark.size());
     const std::int64_t first = order.mark.size() - energy.size();
@@ -516,13 +518,13 @@ void keep_lowest(const base::Array<float>& energy, std::int64_t room, Order& ord
     order.step.resize(kept);
 }
 
-// Places marks that keep the radius from all others at energies below the threshold, lowest first in each tile, and at
-// most a few in each tile. They are appended tile by tile; of more than `room` the lowest remain, and then the stage is
-// over.
+// Places marks that keep the radius from all others, at energies below the threshold, lowest first in each tile and at
+// most `most_fresh` in each. Appends them tile by tile. If there are more than `room`, the lowest remain and the stage
+// is over.
 void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Order& order) {
     HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
     order.sweep.push_back(order.mark.size());
-    base::Array<float> energy(stage.site.memory()); // the energy of each of the sweep's marks when it was placed
+    base::Array<float> energy(stage.site.memory()); // the energy that each mark of the sweep had when it was placed
     const double nearest = stage.settings.nearness * steps.back().radius;
     stage.enough = static_cast<float>(nearest * nearest);
     for (std::size_t turn = 0; turn < 8; ++turn) {
@@ -553,13 +555,13 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
 
 // ---- Stage by stage
 
-// Places marks until there are `last` of them; returns false where they would have to be nearer than `closest`, in
+// Places marks until there are `last` of them; returns false if they would have to be closer than `closest`, in
 // distances of the densest packing.
 bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest, Order& order,
           const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
     float threshold = stipple_tuning.least_threshold;
-    bool missed = false; // candidates that only a sweep's later steps open, in cells that none of its marks is near
+    bool missed = false; // the sweep missed candidates that only its later steps open, far from its new marks
     while (order.mark.size() < last) {
         progress.check();
         const auto before = static_cast<double>(order.mark.size());
@@ -584,7 +586,8 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
             if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
             continue;
         }
-        // The lowest energy of a candidate that keeps the distance of the last step; infinite where none does.
+        // Afterwards, each cell's lowest energy is that of its candidates that keep the distance of the last step, or
+        // infinite.
         stage.for_cells([&](std::int64_t c) { stage.refresh(static_cast<std::int32_t>(c), stage.enough); });
         const float lowest = *std::min_element(stage.lowest.begin(), stage.lowest.end());
         missed = after == before && lowest < threshold;
@@ -596,7 +599,7 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
     return true;
 }
 
-// Fills up to `last` marks in cells of that level; returns false where no place is left for them.
+// Fills up to `last` marks in cells of level `level`; returns false if no place is left for them.
 bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home, std::int32_t level, std::int64_t last,
                std::int64_t wanted, Order& order) {
     HRBFNPR_ASSERT(level >= home.level);
@@ -609,8 +612,8 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
     settings.reach = std::min(side, stipple_tuning.energy_reach * end);
     settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
     settings.nearness = std::max(stipple_tuning.nearness, 1.0 - static_cast<double>(last) / taken);
-    // Into the cells next door at most, and no farther than candidates are true to the surface: they are many where
-    // marks are few.
+    // Candidates move into an adjacent cell at most, and no farther than they are true to the surface. They are many
+    // where marks are few.
     settings.farthest_move = std::min(0.5 * (1.0 - stipple_tuning.kept_distance) * side,
                                       stipple_tuning.farthest_move * candidates.grid.side);
     for (const double least : {stipple_tuning.least_distance, 0.0}) {
@@ -618,18 +621,18 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
         find_tiles(take_candidates(candidates, stage), stage);
         link_all(order.mark, stage);
         feel_all(stage);
-        // Closer points are the same to float positions.
+        // Points closer than 1e-7 diagonals are equal as float positions.
         const double closest = std::max(least, 1e-7 * candidates.region.diagonal() / end);
         if (fill(stage, candidates.area, last, wanted, closest, order, site.work)) return true;
     }
     return false;
 }
 
-// Marks of one step stand tile by tile; in random order a part of them is spread like the whole. Those of a sweep
-// follow each other.
+// Marks of a step are stored tile by tile. Shuffling each step spreads any part of them like the whole. The marks of a
+// sweep are consecutive.
 [[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const Order& order) {
     struct Lot {
-        std::uint64_t bits; // the first eight are the step
+        std::uint64_t bits; // the top eight bits are the step
         std::int64_t mark;
         [[nodiscard]] bool operator<(const Lot& other) const noexcept { return bits < other.bits; }
     };
@@ -666,12 +669,12 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
     for (int vertex = 0; vertex < most_vertices; ++vertex) {
         const glm::dvec2 a = around[edge[0]];
         const glm::dvec2 direction = uphill(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
-        // How far to where the nearest point is `wanted` away: |at + t d - a| = wanted.
+        // The distance to where the nearest point is `wanted` away: |at + t d - a| = wanted.
         const double along = glm::dot(at - a, direction);
         const double own = squared(at - a);
         const double missing = wanted * wanted - own;
         const double enough = missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
-        // The next point that comes to be as near: |at + t d - q| = |at + t d - a|.
+        // The distance to where another point becomes as near: |at + t d - q| = |at + t d - a|.
         double distance = 2.0 * farthest;
         std::size_t third = none;
         for (std::size_t i = 0; i < around.size(); ++i) {
@@ -690,8 +693,8 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
             edge[1] = third;
             continue;
         }
-        // At equal distances from three points: a maximum if they surround it, else on along the edge that it is
-        // beyond.
+        // Three points are at equal distances: this is a maximum if they surround the place; otherwise continue along
+        // the edge that the place is beyond.
         const glm::dvec2 b = around[edge[1]];
         const glm::dvec2 c = around[third];
         const double all = turn(a, b, c);
@@ -725,7 +728,7 @@ OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, 
     std::int32_t level = home.level;
     while (level < CellGrid::bits && side(level) < reach(1.0)) ++level;
     for (bool has_room = true; has_room && level > home.level; --level) {
-        // With this number of marks the energies of a stage reach as far as the side of its cells.
+        // With this number of marks, the energies of a stage reach as far as the side of its cells.
         const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
         const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
         if (last > order.mark.size()) has_room = run_stage(site, candidates, home, level, last, wanted, order);

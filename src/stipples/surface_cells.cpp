@@ -16,13 +16,14 @@ using Cell = geometry::CellGrid::Cell;
 
 constexpr double no_plane = std::numeric_limits<double>::quiet_NaN();
 
-// A cell that the flood has come to.
+// A cell that the flood has reached.
 struct Front {
     std::uint64_t cell; // packed
-    double expected;    // distance by the plane of the cell that it was reached from; NaN for the cell of a seed
+    double expected;    // distance by the plane of the cell that the flood came from; NaN for the cell of a seed
 };
 
-// A cell that was judged: whether it belongs, and to which of the 27 cells around it the flood goes on, a bit for each.
+// A judged cell: whether it belongs to the surface cells, and a bit for each of the 27 cells around it that the flood
+// enters.
 struct Judged {
     SurfaceCell cell;
     bool belongs;
@@ -34,7 +35,7 @@ struct Judged {
            cells.region.grown(0.5 * cells.grid.side).contains(cells.grid.centre(cell));
 }
 
-// The distance of the centre of `next` from the surface, by the plane of the cell at `place`.
+// Returns the distance of the centre of `next` from the surface, by the plane of the cell at `place`.
 [[nodiscard]] double expected_at(const SurfaceCells& cells, const SurfaceCell& cell, const Cell& place,
                                  const Cell& next) noexcept {
     const glm::dvec3 way(static_cast<double>(next[0] - place[0]), static_cast<double>(next[1] - place[1]),
@@ -42,8 +43,8 @@ struct Judged {
     return cell.distance + cells.grid.side * glm::dot(cell.normal, way);
 }
 
-// Cells that a cell's plane puts too far off are left to neighbours whose planes do not. Where planes have been wrong,
-// as at a sharp rim or if the function is no distance, the flood goes on anywhere.
+// The flood skips cells that the plane of this cell puts too far off; a neighbour's plane may still reach them. If
+// planes have been wrong, as at a sharp rim or if the function is not a distance, the flood goes everywhere.
 [[nodiscard]] std::uint32_t onward_from(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
                                         bool anywhere) noexcept {
     const double side = cells.grid.side;
@@ -62,9 +63,9 @@ struct Judged {
 }
 
 // A cell belongs if its centre is near enough to the surface, to first order, for some of its points to be in the band;
-// a seed's own cell belongs in any case. The flood goes on only from cells that the surface may pass through, so that
-// it does not jump to a sheet a few cells away: a point of the band has its nearest surface point at most one cell
-// further (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). Nor does it go on beyond the end of a trimmed surface.
+// a seed's cell always belongs. The flood continues only from cells that the surface may pass through, so that it does
+// not jump to a sheet a few cells away: the surface point nearest to a point of the band is at most one cell further
+// (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). It also stops at the end of a trimmed surface.
 [[nodiscard]] Judged judge_reached(const marks::Site& site, const SurfaceCells& cells, const Front& from, bool seeded,
                                    double distance, const glm::dvec3& gradient) {
     const Cell place = geometry::CellGrid::unpack(from.cell);
@@ -144,7 +145,7 @@ CellMap::CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes) 
     for (std::int64_t i = 0; i < codes.size(); ++i) {
         if (begins_block(i)) {
             const std::uint64_t block = codes[i] / geometry::cells_of_block;
-            HRBFNPR_ASSERT(find_block(block) == nullptr); // the codes of a block follow each other
+            HRBFNPR_ASSERT(find_block(block) == nullptr); // the codes of a block are consecutive
             place_[place_of(block)] = {block + 1, number_.size()};
             number_.push_back({});
             number_.back().fill(-1);
@@ -161,7 +162,7 @@ CellMap::CellMap(const SurfaceCells& cells) : CellMap(cells.cell.memory()) {
     *this = CellMap(codes.memory(), codes);
 }
 
-// Where the block stands, or the free place where it would.
+// Returns the slot of the block, or the free slot where it would go.
 std::int64_t CellMap::place_of(std::uint64_t block) const noexcept {
     HRBFNPR_ASSERT(!place_.empty());
     const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
