@@ -4,7 +4,7 @@
     house.py ROOT CHECK     prints what breaks the rule and returns 1, or 77 if it cannot tell
 
 A CHECK is a function below: floors, openmp, forbidden, namespaces, sizes, abi_version, spdx,
-format.
+format, words.
 """
 
 import re
@@ -57,6 +57,17 @@ ONLY_IN = [
     (r"#\s*include\s*<hrbfnpr\.h>|#\s*include\s*\"hrbfnpr\.h\"", r"(api|picture)/", "only src/api and its first user, src/picture, know the public header"),
     (r"#\s*include\s*[<\"](Eigen|unsupported)/", r"fit/", "Eigen stays inside the solver"),
 ]
+# What makes a comment hard to read, and what to write in its place.
+HARD_WORDS = [
+    (r"^[Oo]f ", "begin with the subject: 'For a closed chain, ...'"),
+    (r"\.\.\.", "end the sentence; a sentence does not run over several declarations"),
+    (r"\b[Ss]o (many|much|far|near|little|long|short)\b", "name the number or the distance"),
+    (r"\b[Ww]hat (is|are|was|of|lies|has|they|it|a|the)\b", "use a noun: 'the points outside', 'NaN'"),
+    (r"\bbehind\b", "write 'after', or 'farther away'"),
+    (r"\b(there (is|are) none|is none|are none)\b", "name the thing that is missing"),
+    (r"\b[Nn]obody\b|\b[Ww]hoever\b", "name the code that does it"),
+]
+NO_COMMENT = re.compile(r"SPDX|NOLINT")
 OPENMP = r"#\s*pragma\s+omp\b|<omp\.h>|\b_OPENMP\b|\bomp_\w+\s*\("
 FORBIDDEN_IN_SOURCES = [
     (r"\bthread_local\b", "a host's job system may resume a call on another thread"),
@@ -200,7 +211,34 @@ def format(root):
         yield "please run scripts/lint --fix; clang-format-14 says:\n" + result.stderr
 
 
-CHECKS = {check.__name__: check for check in (floors, openmp, forbidden, namespaces, sizes, abi_version, spdx, format)}
+def comments(text):
+    """Yields the first line and the words of each comment of a C++ file."""
+    above = []  # the lines of a comment that stands alone
+    for number, line in enumerate([*text.split("\n"), ""], 1):
+        stripped = line.strip()
+        if stripped.startswith("//") and not NO_COMMENT.search(stripped):
+            above.append(stripped[2:].strip())
+            continue
+        if above:
+            yield number - len(above), " ".join(above)
+            above = []
+        if beside := re.search(r"[;,{)]\s*// (.+)$", line):
+            yield number, beside.group(1)
+
+
+def words(root):
+    """Comments are sentences that a reader understands without parsing them twice."""
+    for path in source_files(root, ["src"], (".h", ".cpp")):
+        for number, comment in comments(path.read_text(encoding="utf-8")):
+            for pattern, remedy in HARD_WORDS:
+                if found := re.search(pattern, comment):
+                    yield f"{path.relative_to(root)}:{number}: '{found.group(0)}': {remedy}"
+
+
+CHECKS = {
+    check.__name__: check
+    for check in (floors, openmp, forbidden, namespaces, sizes, abi_version, spdx, format, words)
+}
 
 
 def main():

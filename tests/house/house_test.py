@@ -68,6 +68,10 @@ BREAKS = [
     ("spdx", "bindings/new.h", "// Made by make_new.py; do not edit.\n"),
     ("abi_version", "src/hrbfnpr.map", "HRBFNPR_4 {\n};\n"),
     ("format", "src/fit/fit.cpp", "int   a ;\n"),
+    ("words", "src/fit/fit.cpp", "// Of a closed one the first.\nint a;\n"),
+    ("words", "src/fit/fit.cpp", "int a; // what is no number\n"),
+    ("words", "src/fit/fit.h", "// The sides, of which\n// there are so many.\nint a;\n"),
+    ("words", "src/base/base.h", "int a; // the first ...\nint b; // ... and the last\n"),
 ]
 
 
