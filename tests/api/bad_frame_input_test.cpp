@@ -141,7 +141,7 @@ protected:
     hrbfnpr_style style = made(hrbfnpr_style_init);
     hrbfnpr_item item;
     Drawing drawing;
-    Drawing kept; // a good one
+    Drawing kept; // a valid drawing
 };
 
 TEST_F(BadFrame, Style) {
@@ -166,7 +166,7 @@ TEST_F(BadFrame, Style) {
     style = good;
     style.struct_size = 2;
     EXPECT_FAILS(draw(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "items[0].style.struct_size is 2");
-    // The good drawing from before is still there.
+    // The valid drawing from before still exists.
     EXPECT_GT(info_of(kept).dots, 0);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of bad inputs, first half: contexts, models and arrays.  Every row changes one thing of
-// a good call and names the status and the words it must give.
+// The table of bad inputs, first half: contexts, models and arrays. Every row changes one thing of a valid call and
+// names the status and the words of the error.
 #include "fixture.h"
 
 #include <cmath>
@@ -23,7 +23,7 @@ struct Row {
     const char* message;
 };
 
-// A good call's data, for the rows to change.
+// The data of a valid call, for the rows to change.
 struct FitCall {
     scenes::Samples samples = scenes::sphere_6();
     std::vector<float> floats = std::vector<float>(18, 1.0F);

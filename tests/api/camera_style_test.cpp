@@ -9,7 +9,7 @@
 namespace api_test::camera_style_test {
 namespace {
 
-// Where a world point comes to lie, in pixels.
+// The pixel position of a world point.
 std::array<double, 2> pixel(const hrbfnpr_camera& camera, const double (&world)[3]) {
     double eye[4] = {0, 0, 0, 0};
     double clip[4] = {0, 0, 0, 0};
@@ -77,7 +77,7 @@ TEST(Camera, AFailureChangesNothing) {
     EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 9, 9, 1, 2, error), invalid, "camera.depth_convention is 3");
 }
 
-// What a style says of a kind of layers: the first that is for it.
+// The layer style that a style uses for a kind of layers: the first that matches.
 hrbfnpr_layer_style style_for(const hrbfnpr_style& style, std::uint32_t kind) {
     for (std::int64_t i = 0; i < style.layer_count; ++i)
         if (style.layers[i].kind == kind || style.layers[i].kind == HRBFNPR_LAYER_KIND_ANY) return style.layers[i];
@@ -100,7 +100,7 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         ASSERT_NE(layers, nullptr);
         ASSERT_GT(count, 0);
         for (std::int64_t i = 0; i < count; ++i) EXPECT_EQ(layers[i].struct_size, sizeof *layers);
-        // The style shows something of the layers that a program generates for it.
+        // The style shows at least one of the layers that a program generates for it.
         bool draws = false;
         for (std::int64_t i = 0; i < count; ++i) {
             const hrbfnpr_layer_style layer = style_for(style, layers[i].kind);
@@ -139,7 +139,7 @@ TEST(Style, PresetsAreGeneratedAndDrawn) {
     const LineSet lines(raw_lines);
     for (std::uint32_t preset = 0; hrbfnpr_preset_name(preset) != nullptr; ++preset) {
         auto desc = made(hrbfnpr_generate_desc_init);
-        desc.layers = hrbfnpr_preset_layers(preset, &desc.layer_count); // as they are
+        desc.layers = hrbfnpr_preset_layers(preset, &desc.layer_count); // unchanged
         desc.shared_budget = 2000;
         hrbfnpr_point_set* raw = nullptr;
         ASSERT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, &raw, error));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solids put together from others, through the boundary: values, lifetimes, files, drawings, and every bad argument.
+// Tests solids put together from others, through the boundary: values, lifetimes, files, drawings, and every bad
+// argument.
 #include "fixture.h"
 #include "support/csg_nodes.h"
 #include "trimmed.h"
@@ -55,7 +56,7 @@ std::vector<double> values_of(const Model& model, const std::vector<double>& poi
     return value;
 }
 
-// csg_part() without its blend.
+// The value of csg_part() without its blend.
 double part_at(const double* p) {
     const auto box = [&](double x, double y, double z, double w, double h, double d) {
         return std::max({std::abs(p[0] - x) - w, std::abs(p[1] - y) - h, std::abs(p[2] - z) - d});
@@ -110,7 +111,7 @@ TEST(CsgModel, RaysProjectionsAndInsideTestsAreRight) {
     EXPECT_GT(count, 300);
     for (std::size_t i = 0; i < inside.size(); ++i) ASSERT_EQ(inside[i], part_at(&point[3 * i]) < 0.0 ? 1 : 0) << i;
 
-    // Straight down: the first change of sign.
+    // Rays go straight down, and meet the first change of sign.
     std::vector<double> origin = point;
     for (std::size_t i = 0; i < 2000; ++i) origin[3 * i + 2] = 3.0;
     std::vector<double> direction;
@@ -166,7 +167,8 @@ TEST(CsgModel, ATreeInATreeIsPartOfIt) {
     CsgNodes ball;
     ball.add(HRBFNPR_CSG_OFFSET).distance = 0.25;
     ball.add(HRBFNPR_CSG_SPHERE, 0, 0.5, 0.0, 0.0).radius = 0.5;
-    // Moved and doubled, taken from a box: with the tree as a leaf, and written out.
+    // The ball is moved, doubled and taken from a box, once with its tree as a leaf and once with its nodes written
+    // out.
     CsgNodes whole;
     CsgNodes parts;
     for (CsgNodes* nodes : {&whole, &parts}) {
@@ -218,7 +220,7 @@ TEST(CsgModel, KeepsItsLeavesAndLetsThemGo) {
         EXPECT_GT(values_of(both, {1.5, 0.0, 1.0})[0], 0.0);
         std::int64_t size = 0;
         EXPECT_FAILS(hrbfnpr_model_save_memory(both.get(), nullptr, 0, &size, error), invalid, "custom");
-        // The tree of a tree has the leaves for itself.
+        // The tree of a tree keeps the leaves alive.
         CsgNodes more;
         more.add(HRBFNPR_CSG_COMPLEMENT);
         more.add(HRBFNPR_CSG_MODEL, 0).model = both.get();
@@ -295,7 +297,7 @@ TEST(CsgModel, BadInputIsNamed) {
         EXPECT_FAILS(hrbfnpr_model_create_csg(context.get(), &part.desc, &model, error), invalid, row.message);
         EXPECT_EQ(model, nullptr) << row.message;
     }
-    // With bounds any tree will do.
+    // With bounds any tree is accepted.
     Error error;
     Part part;
     all_space(part);
@@ -321,7 +323,7 @@ TEST(CsgModel, ATrimmedLeafIsRefused) {
     hrbfnpr_model* model = nullptr;
     EXPECT_FAILS(hrbfnpr_model_create_csg(context.get(), &desc, &model, error), invalid,
                  "csg_desc.nodes[0].model is trimmed");
-    const Model closed = fit(context, scenes::torus(200)); // looked at, and left whole
+    const Model closed = fit(context, scenes::torus(200)); // tested for an end, and left whole
     nodes.nodes[0].model = closed.get();
     create(context, nodes);
 }
@@ -370,7 +372,8 @@ TEST(CsgModel, IsDrawnWithItsContours) {
     EXPECT_LT(dark, 128 * 64);
 }
 
-// The sides of both are one function, and between them there is a gap that a step of a contour leaps over.
+// The sides of both cylinders are one function, and the gap between them is so small that a step of a contour could
+// cross it.
 TEST(CsgModel, ContoursOfCylindersOnOneAxisEndWithThem) {
     Error error;
     const Context context = make_context();
@@ -393,7 +396,7 @@ TEST(CsgModel, ContoursOfCylindersOnOneAxisEndWithThem) {
     const double eye[3] = {0.0, -10.0, 1.7};
     const double target[3] = {0.0, 0.0, 1.7};
     const double up[3] = {0.0, 0.0, 1.0};
-    constexpr int side = 256; // 25.6 pixels in a unit
+    constexpr int side = 256; // 25.6 pixels per unit
     ASSERT_OK(hrbfnpr_camera_look_at(&camera, eye, target, up, error));
     ASSERT_OK(hrbfnpr_camera_orthographic(&camera, 10.0, side, side, 1.0, 20.0, error));
     const Renderer renderer = make_renderer(context);
@@ -404,8 +407,8 @@ TEST(CsgModel, ContoursOfCylindersOnOneAxisEndWithThem) {
         return dark;
     };
     EXPECT_GT(dark_rows(44, 212), 500); // from z = 5 down to -1.6
-    EXPECT_EQ(dark_rows(0, 43), 0);     // beyond 4.9
-    EXPECT_EQ(dark_rows(214, side), 0); // and -1.5
+    EXPECT_EQ(dark_rows(0, 43), 0);     // above 4.9
+    EXPECT_EQ(dark_rows(214, side), 0); // below -1.5
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models made of a caller's function.
+// Tests models made of a caller's function.
 #include "fixture.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ Model threads_model(const Context& context, Threads& threads, std::uint32_t flag
     return Model(model);
 }
 
-// A job runner that takes a thread for each task.
+// A job runner that uses a thread for each task.
 void run_on_threads(void* /*user*/, hrbfnpr_task_fn task, void* task_context, std::int64_t count) {
     std::vector<std::thread> threads;
     for (std::int64_t i = 0; i < count; ++i) threads.emplace_back(task, task_context, i);
@@ -90,9 +90,10 @@ TEST(Custom, IsCalledOnTheEnteringThreadOnly) {
     }
 }
 
-// A model is const to callers, who may share it: a function that is not thread-safe is still called by one at a time.
+// A model is const to callers, who may share it. A function that is not thread-safe is still called by one thread at a
+// time.
 TEST(Custom, ThatIsNotThreadSafeIsCalledByOneThreadAtATime) {
-    // Of a function that is thread-safe, the first call waits for a second one, however busy the machine is.
+    // If the function is thread-safe, the first call waits for a second call, however busy the machine is.
     struct Alone {
         bool waits = false;
         std::mutex mutex;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hrbfnpr_smooth_depth_image.
+// Tests hrbfnpr_smooth_depth_image.
 #include "fixture.h"
 #include "support/depth_image.h"
 
@@ -46,7 +46,7 @@ TEST(DepthImage, WritesPointsNormalsAndWhatItFound) {
         before += std::abs(1.0 / seen.points[i + 2] - 1.0 / seen.truth[i / 3]);
         after += std::abs(1.0 / points[i + 2] - 1.0 / seen.truth[i / 3]);
     }
-    EXPECT_LT(after, 0.8 * before); // of so small an image; room tests have the numbers
+    EXPECT_LT(after, 0.8 * before); // holds for so small an image; room tests have the numbers
     EXPECT_EQ(info.seen, 64 * 48 - 8 * 6);
     EXPECT_EQ(there, info.seen - info.left_out);
     EXPECT_NEAR(info.noise, 0.0016, 0.0005);
@@ -55,7 +55,7 @@ TEST(DepthImage, WritesPointsNormalsAndWhatItFound) {
     EXPECT_GT(info.radius, 2.0);
     EXPECT_GT(info.seconds, 0.0);
 
-    // In place, and neither array is needed.
+    // Smoothing in place works, and neither output array is required.
     SeenDepths in_place = seen;
     const auto over = desc_of(in_place);
     const hrbfnpr_array_out there_too = out(in_place.points);
@@ -103,7 +103,7 @@ TEST(DepthImage, BadInputsAreNamed) {
                  HRBFNPR_STATUS_INVALID_ARGUMENT, "depth_image_desc");
 }
 
-// A number that FLOAT32 has not is an error, and nothing is written.
+// A result that FLOAT32 cannot hold is an error, and nothing is written.
 TEST(DepthImage, SaysWhatDoesNotFit) {
     Error error;
     const Context context = make_context();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A set of three layers and one of own strokes, and what is read of its drawing.
+// A set with three layers and one of own strokes, and functions that read its drawing.
 #pragma once
 
 #include "fixture.h"
@@ -55,7 +55,7 @@ inline Vertices vertices_of(const Drawing& drawing, std::uint32_t primitive) {
     return all;
 }
 
-// The strips of an array of indices, each without the restart that ends it.
+// Returns the strips of an array of indices, each without the restart that ends it.
 inline std::vector<std::vector<std::uint32_t>> strips_of(const std::vector<std::uint32_t>& index) {
     std::vector<std::vector<std::uint32_t>> strips;
     std::vector<std::uint32_t> strip;
@@ -109,7 +109,8 @@ inline std::vector<std::uint32_t> indices_of(const Drawing& drawing, std::int64_
     return indices;
 }
 
-// Three layers on a sphere, and a fourth of two own strokes: an arc along the equator and one towards the pole.
+// The set has three layers on a sphere, and a fourth of two own strokes: an arc along the equator and one towards the
+// pole.
 class DrawingTest : public testing::Test {
 protected:
     static constexpr std::int64_t own = 3;
@@ -134,7 +135,7 @@ protected:
         hrbfnpr_point_set* made_set = nullptr;
         EXPECT_OK(hrbfnpr_point_set_create(context.get(), &desc, &made_set, error));
         set.reset(made_set);
-        // Own strokes in red, wide, whatever the light is; all strokes as strokes.
+        // Own strokes are red and wide, and ignore the light. All strokes are drawn as strokes.
         layers[0].name = "arcs";
         layers[0].ink[0] = 1.0F;
         layers[0].radius = 2.0F;
@@ -147,7 +148,7 @@ protected:
     }
 
     Drawing drawn() { return draw_item(renderer, item_of(set, &style), front_camera(side)); }
-    // Where a world point is in the picture.
+    // The pixel position of a world point.
     std::array<double, 2> pixel(const double* p) {
         const hrbfnpr_camera camera = front_camera(side);
         double eye[3] = {0, 0, 0};

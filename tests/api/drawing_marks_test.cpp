@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawings by their marks, as images of every format, and of marks that have moved.
+// Tests drawings by their marks, as images of every format, and with marks that have moved.
 #include "drawing_fixture.h"
 
 namespace api_test::drawing_marks_test {
@@ -142,7 +142,7 @@ int most_different(const std::vector<std::uint8_t>& a, const std::vector<std::ui
     return most;
 }
 
-// Only one layer moves; it is where a set made there has it.
+// Only one layer moves. It is drawn like a set that was made at the new place.
 TEST_F(DrawingTest, OneLayerMovesAlone) {
     layers[1].shown = 0;
     const std::array<double, 3> shift{0.2, 0.1, 0.0};

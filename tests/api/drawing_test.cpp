@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Drawings as values: what they hold, memory, vertices.
+// Tests drawings as values: contents, memory, vertices.
 #include "drawing_fixture.h"
 
 namespace api_test::drawing_test {
 namespace {
 
 TEST_F(DrawingTest, OwnStrokesAreWhereTheyShouldBe) {
-    layers[1].shown = 0; // nothing else
+    layers[1].shown = 0; // shows nothing else
     const Drawing drawing = drawn();
     const hrbfnpr_drawing_info info = info_of(drawing);
     EXPECT_EQ(info.strokes, 2);
@@ -64,7 +64,7 @@ TEST(DrawingMemory, IsRecycledWhenNobodyHoldsIt) {
     std::int64_t before = allocator.calls;
     for (int loop = 0; loop < 10; ++loop) rasterize(frame(), 64);
     EXPECT_EQ(allocator.calls, before) << "released before the next";
-    // One is shown while the next is made.
+    // One drawing is shown while the next is made.
     Drawing shown = frame();
     for (int warm = 0; warm < 4; ++warm) shown = frame();
     before = allocator.calls;
@@ -133,13 +133,13 @@ TEST(DrawingMemory, IsLeftAloneWhileItIsHeld) {
     }
 }
 
-// However many drawings a renderer keeps to fill again, they keep the sets of the last one alone.
+// A renderer keeps several drawings to fill again, but these hold only the sets of the last drawing.
 TEST(DrawingMemory, KeepsTheSetsOfTheLastDrawingAlone) {
     const Context context = make_context(1);
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     const Renderer renderer = make_renderer(context);
-    const auto draw_three = [&](const PointSet& set) { // at a time, so that the renderer keeps three
+    const auto draw_three = [&](const PointSet& set) { // held at the same time, so that the renderer keeps three
         std::vector<Drawing> held;
         for (int i = 0; i < 3; ++i) held.push_back(draw_item(renderer, item_of(set), front_camera(64)));
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What hardly anybody gives: units of 1e-30 and 1e30, a handful of samples, cameras inside the surface or as wide as
-// the world, images of one pixel.  Each call, from a fit to a page, serves it or refuses it with a message.
+// Tests unusual inputs: units of 1e-30 and 1e30, a handful of samples, cameras inside the surface or as wide as the
+// world, images of one pixel. Each call, from a fit to a page, succeeds or is refused with a message.
 #include "fixture.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ scenes::Samples times(scenes::Samples samples, double by) {
     return samples;
 }
 
-// Succeeded, or said why not.
+// Returns whether the call succeeded; otherwise expects a message.
 bool is_served(hrbfnpr_status status, const Error& error) {
     if (status == HRBFNPR_STATUS_OK) return true;
     EXPECT_STRNE(error.record.message, "") << hrbfnpr_status_name(status);
@@ -101,7 +101,7 @@ hrbfnpr_style preset(std::uint32_t which) {
     return style;
 }
 
-// All that a style needs of one model.
+// Everything that a style needs of one model.
 struct Scene {
     Scene(const Context& from, const scenes::Samples& samples) : context(from), model(fitted(from, samples)) {
         if (model == nullptr) return;
@@ -230,12 +230,12 @@ hrbfnpr_camera looking(const double (&eye)[3], const double (&target)[3], double
     return camera;
 }
 
-// Of the torus about z, whose radii are 1 and 0.4.
+// The torus about z has the radii 1 and 0.4.
 std::vector<hrbfnpr_camera> odd_cameras() {
     return {looking({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 60.0),     // inside the tube
             looking({1.4, 0.0, 0.0}, {0.0, 0.0, 0.0}, 60.0),     // on the surface, inward
-            looking({1.4, 0.0, 0.0}, {5.0, 0.0, 0.0}, 60.0),     // and outward
-            looking({1.4, 0.0, 0.0}, {1.4, 1.0, 0.0}, 60.0),     // and along it
+            looking({1.4, 0.0, 0.0}, {5.0, 0.0, 0.0}, 60.0),     // on the surface, outward
+            looking({1.4, 0.0, 0.0}, {1.4, 1.0, 0.0}, 60.0),     // on the surface, along it
             looking({0.0, 0.0, 4.0}, {0.0, 0.0, 0.0}, 40.0),     // along the axis
             looking({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 60.0),    // in the middle of the hole
             looking({4.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 40.0),     // in a plane of symmetry
@@ -243,7 +243,7 @@ std::vector<hrbfnpr_camera> odd_cameras() {
             looking({0.0, -0.3, 2.0}, {0.0, 0.0, 0.0}, 179.0),   // wide
             looking({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 179.0),    // wide, from the inside
             looking({0.0, 0.0, 1e9}, {0.0, 0.0, 0.0}, 40.0),     // all in less than a pixel
-            looking({0.0, 0.0, 4.0}, {0.0, 0.0, 9.0}, 40.0)};    // all behind
+            looking({0.0, 0.0, 4.0}, {0.0, 0.0, 9.0}, 40.0)};    // all behind the camera
 }
 
 TEST(Edges, OddCamerasSeeAPicture) {

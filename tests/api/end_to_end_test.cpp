@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From samples to a picture, as a program of a caller does it.
+// Tests the way from samples to a picture, as a caller's program goes it.
 #include "fixture.h"
 
 namespace api_test::end_to_end_test {

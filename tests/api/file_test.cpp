@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Saving and loading over the C boundary; tests/io has the details of the format.
+// Tests saving and loading through the C boundary. tests/io tests the details of the format.
 #include "fixture.h"
 
 namespace api_test::file_test {
@@ -87,7 +87,7 @@ TEST(File, ALoadedPointSetDrawsTheSamePicture) {
 TEST(File, ASetWithoutMarksLoads) {
     Error error;
     const Context context = make_context();
-    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_HATCH, 1); // fewer than a line has
+    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_HATCH, 1); // fewer marks than a line has
     const PointSet set = generate(context, fit(context, scenes::sphere_6()), desc);
     const hrbfnpr_point_set_info info = info_of(set);
     ASSERT_EQ(info.marks, 0);
@@ -101,7 +101,7 @@ TEST(File, ASetWithoutMarksLoads) {
     EXPECT_EQ(saved(PointSet(loaded)), bytes);
 }
 
-// Marks are floats: where the model is too large for them, or its curvatures are, a set must not hold infinities.
+// Marks are floats. If the model or its curvatures are too large for floats, a set must not hold infinities.
 TEST(File, WhatIsGeneratedLoadsAtEveryScale) {
     Error error;
     const Context context = make_context();
@@ -138,7 +138,8 @@ TEST(File, StreamsCarryTheSameBytes) {
     Stream stream;
     EXPECT_OK(hrbfnpr_model_save(model.get(), Stream::write, &stream, error));
     EXPECT_EQ(stream.bytes, saved(model));
-    EXPECT_OK(hrbfnpr_point_set_save(set.get(), Stream::write, &stream, error)); // one after the other
+    EXPECT_OK(
+        hrbfnpr_point_set_save(set.get(), Stream::write, &stream, error)); // both in one stream, one after the other
     hrbfnpr_model* model_again = nullptr;
     hrbfnpr_point_set* set_again = nullptr;
     ASSERT_OK(hrbfnpr_model_load(context.get(), Stream::read, &stream, &model_again, error));
@@ -191,6 +192,5 @@ TEST(File, MemoryThatIsTooSmallIsLeftAlone) {
     EXPECT_FAILS(hrbfnpr_model_load_memory(context.get(), small.data(), -5, &loaded, error), invalid, "size is -5");
 }
 
-// Any call that loads `size` bytes.
 } // namespace
 } // namespace api_test::file_test

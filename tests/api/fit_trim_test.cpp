@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits end where their samples do without being told; closed surfaces, and samples that tell nothing, stay whole.
+// Tests that fits end where their samples end by default. Closed surfaces, and samples that tell nothing, stay whole.
 #include "support/samples.h"
 #include "trimmed.h"
 
@@ -43,7 +43,7 @@ TEST(FitTrim, GoesByAllSamplesNotByTheCentres) {
     for (std::size_t i = 2; i < stipples.size(); i += 3) EXPECT_GT(stipples[i], -1.0 * sphere_spacing);
 }
 
-// What nobody looked at ends nowhere, so what is made of it is of the same bits.
+// A closed surface is not trimmed, so its marks have the same bits as those of a fit without trimming.
 TEST(FitTrim, LeavesClosedSurfacesAsTheyAre) {
     const Context context = make_context();
     for (const scenes::Samples& closed : {scenes::trefoil(600), zone(-1.0, 1.0)}) {
@@ -55,7 +55,7 @@ TEST(FitTrim, LeavesClosedSurfacesAsTheyAre) {
     }
 }
 
-// A hole that is no mere gap between samples is one, though all others are surrounded.
+// A hole that is larger than the gaps between samples is found, though all other samples are surrounded.
 TEST(FitTrim, FindsAHoleInAClosedSurface) {
     const Context context = make_context();
     const Model model = fit(context, zone(-1.0, 0.9));
@@ -65,7 +65,8 @@ TEST(FitTrim, FindsAHoleInAClosedSurface) {
     EXPECT_NEAR(info_of(model).share, 0.05, 0.03);
 }
 
-// Between wires and cross sections all is meant, and beyond the last ones what closes the surface.
+// All of the surface between wires and between cross sections stays, and so does the part beyond the last section that
+// closes it.
 TEST(FitTrim, LeavesASurfaceThatCurvesBound) {
     const Context context = make_context();
     const Model wires = fit(context, hrbfnpr::test::torus_wires(0.08));
@@ -96,7 +97,7 @@ TEST(FitTrim, LeavesAFlatSquareOfASquare) {
     }
 }
 
-// One, two, three samples, and those on a line: what they were fitted to without an end.
+// One, two or three samples, and samples on a line, keep a surface without an end.
 TEST(FitTrim, LeavesWholeWhatItCannotTell) {
     const Context context = make_context();
     for (const int count : {1, 2, 3, 4, 9, 30}) {

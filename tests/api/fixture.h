@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the C boundary share: handles, small models, views of vectors.
+// Parts that the tests of the C boundary share: handles, small models, views of vectors.
 #pragma once
 
 #include "scenes/shapes.h"
@@ -37,7 +37,7 @@ using hrbfnpr::test::Renderer;
 using hrbfnpr::test::Settings;
 using hrbfnpr::test::Watcher;
 
-// An error record, and what a call said in it.
+// An error record with the message of the last call.
 struct Error {
     Error() { hrbfnpr_error_init(&record, sizeof record); }
     operator hrbfnpr_error*() { return &record; } // NOLINT: stands for the last argument of every call
@@ -48,7 +48,7 @@ struct Error {
 #define EXPECT_OK(call) EXPECT_EQ((call), HRBFNPR_STATUS_OK) << error.record.message
 #define ASSERT_OK(call) ASSERT_EQ((call), HRBFNPR_STATUS_OK) << error.record.message
 
-// That a call fails with a status, and says a part of a message.
+// Expects that a call fails with a status, and that the message contains a part.
 #define EXPECT_FAILS(call, wanted, part)                                                                               \
     do {                                                                                                               \
         const hrbfnpr_status got_ = (call);                                                                            \
@@ -120,7 +120,7 @@ inline Model fit(const Context& context, const scenes::Samples& samples) {
 // The layers of small_desc().
 enum : std::int64_t { stipples = 0, by_curvature = 1, by_combing = 2 };
 
-// Stipples, hatching by curvature and hatching by combing, few marks.
+// Stipples, hatching by curvature and hatching by combing, with few marks.
 inline Generation small_desc(std::uint32_t distribution = HRBFNPR_DISTRIBUTION_BLUE_NOISE) {
     Generation desc = hrbfnpr::test::three_layers(distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE ? 300 : 0);
     desc.distribution = distribution;
@@ -156,7 +156,7 @@ inline Renderer make_renderer(const Context& context) {
     return Renderer(renderer);
 }
 
-// Looks at a box of +-1.5 from the front, size x size pixels.
+// A camera that sees a box of +-1.5 from the front, in size x size pixels.
 inline hrbfnpr_camera front_camera(double size = 64.0) {
     Error error;
     auto camera = made(hrbfnpr_camera_init);
@@ -183,7 +183,7 @@ inline hrbfnpr_image image_of(std::vector<std::uint8_t>& pixels, std::int32_t si
     return image;
 }
 
-// The drawing of one item; NULL, and what is wrong, where it fails.
+// Draws one item. Returns NULL and reports the error if that fails.
 inline Drawing draw_item(const Renderer& renderer, const hrbfnpr_item& item, const hrbfnpr_camera& camera) {
     Error error;
     hrbfnpr_drawing* drawing = nullptr;
@@ -198,7 +198,7 @@ inline hrbfnpr_drawing_info info_of(const Drawing& drawing) {
     return info;
 }
 
-// size x size, RGBA.
+// The picture as size x size pixels in RGBA.
 inline std::vector<std::uint8_t> rasterize(const Drawing& drawing, std::int32_t size) {
     Error error;
     std::vector<std::uint8_t> pixels;
@@ -212,7 +212,7 @@ inline std::vector<std::uint8_t> draw(const Renderer& renderer, const PointSet& 
     return rasterize(draw_item(renderer, item_of(set), front_camera(size)), size);
 }
 
-// A vertex layout with what it points to.
+// A vertex layout together with the list that it points to.
 struct Layout : hrbfnpr_vertex_layout {
     std::vector<hrbfnpr_vertex_attribute> attribute;
 
@@ -252,7 +252,7 @@ inline std::vector<std::uint8_t> saved(const PointSet& set) {
     return bytes;
 }
 
-// The bytes of a view's elements, and its count.
+// The elements of a view as a vector.
 template <class T>
 std::vector<T> elements(const hrbfnpr_array& view) {
     EXPECT_EQ(view.scalar, scalar_of<T>());
@@ -268,10 +268,10 @@ std::vector<T> attribute(const PointSet& set, std::int64_t layer, std::uint32_t 
     return elements<T>(view);
 }
 
-// A sphere of radius 1 as a custom function, with what was seen of its calls.
+// A sphere of radius 1 as a custom function that counts its calls and releases.
 struct Sphere {
     std::atomic<int> calls{0};
-    int fail_at = 0; // the how-manieth call fails; 0 = none
+    int fail_at = 0; // the number of the call that fails, from 1 on; 0 = none
     std::atomic<int> releases{0};
 
     static std::int32_t call(void* user, std::int64_t count, const double* points, double* value, double* gradient,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers drawn as hatching: their fields, and what a drawing tells of their marks.
+// Tests layers drawn as hatching: their fields, and the results of a drawing for their marks.
 #include "drawing_fixture.h"
 
 #include <limits>
@@ -9,12 +9,12 @@ namespace {
 
 using HatchingTest = DrawingTest;
 
-// Points between marks have the id of the nearest.
+// A point between two marks has the id of the nearest mark.
 TEST_F(HatchingTest, MarkResultsAreThoseOfItsLines) {
     style.tone = HRBFNPR_TONE_NONE;
     layers[0].shape = layers[1].shape = HRBFNPR_SHAPE_HATCH;
     const Drawing drawing = drawn();
-    std::map<std::uint32_t, float> radius; // of each id that is a point's
+    std::map<std::uint32_t, float> radius; // of each id that a point has
     for (const Vertex& v : vertices_of(drawing, HRBFNPR_PRIMITIVE_POINTS).vertex) radius[v.id] = v.radius;
     for (const Vertex& v : vertices_of(drawing, HRBFNPR_PRIMITIVE_LINE_STRIPS).vertex)
         radius[v.id] = std::max(radius[v.id], v.radius);

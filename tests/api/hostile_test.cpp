@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions, boxes, budgets and densities that make no sense: refused in words, and a cancel is heard.
+// Tests functions, boxes, budgets and densities that make no sense: they are refused with a message, and a cancel
+// works.
 #include "fixture.h"
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A sphere whose gradients are this many times too long, where `spoils` says so.
+// A sphere whose gradients are `factor` times too long where `spoils` returns true.
 struct Steep {
     double factor = 1.0;
     bool (*spoils)(const double* p) = [](const double*) { return true; };
@@ -33,7 +34,7 @@ struct Steep {
     }
 };
 
-// In the box from (low, low, low) to (high, high, high).
+// A model in the box from (low, low, low) to (high, high, high).
 Model model_in_box(const Context& context, Steep& steep, double low, double high) {
     Error error;
     auto desc = made(hrbfnpr_custom_desc_init);
@@ -75,7 +76,7 @@ Generation layer_of(const KindAndGuide& what, std::int64_t budget) {
     return desc;
 }
 
-// Absolute, packed.
+// Absolute positions, packed.
 std::vector<double> places(const PointSet& set) {
     Error error;
     auto info = made(hrbfnpr_point_set_info_init);
@@ -88,7 +89,7 @@ std::vector<double> places(const PointSet& set) {
 
 bool on_the_right(const double* p) { return p[0] > 0.3; }
 
-// Steep everywhere: no seed arrives.  Steep in a part: no mark lies there, and what was dropped is counted.
+// If all gradients are spoilt, no seed arrives. If a part is spoilt, no mark lies there, and dropped seeds are counted.
 TEST(Hostile, GradientsThatAreNoneAreDegenerate) {
     const Context context = make_context(1);
     for (const double factor : {infinity, std::nan(""), 1e300}) {
@@ -128,7 +129,7 @@ TEST(Hostile, ValuesThatAreNoneToo) {
     }
 }
 
-// What a projection says of such a function.
+// A projection onto such a function reports that it is not finite.
 TEST(Hostile, ProjectionsAreNotConverged) {
     const Context context = make_context(1);
     for (const double factor : {infinity, 1e300}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers of marks through the C boundary: the caller's own, several of a kind, fields of directions, refusals.
+// Tests layers of marks through the C boundary: the caller's own, several of a kind, direction fields, refusals.
 #include "fixture.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 // Two stipples, an empty layer, and two hatching strokes, of three and of two marks.
 struct Arrays {
     std::vector<double> position{10, 0, 0, 0, 10, 0};
-    std::vector<float> normal{2, 0, 0, 0, 1, 0}; // normalised on the way
+    std::vector<float> normal{2, 0, 0, 0, 1, 0}; // the call normalises them
     std::vector<double> places{0, 0, 9, 1, 0, 9, 2, 0, 9, 0, 5, 9, 0, 6, 9};
     std::vector<float> up{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
     std::vector<std::uint32_t> first{0, 3, 5};
@@ -132,7 +132,7 @@ TEST(Layers, OfArraysAreChecked) {
     EXPECT_EQ(set, nullptr);
 }
 
-// A list of elements that are larger than the library's, or smaller, each with its own size.
+// The elements of a list are larger or smaller than the library's, and each states its own size.
 TEST(Layers, ListsHaveStrides) {
     Error error;
     const Context context = make_context();
@@ -206,7 +206,7 @@ struct Field {
     int calls = 0;
     std::int32_t result = 0;
     double spoilt = 0.0; // added to directions
-    double hole = 0.0;   // about the axis there is no direction
+    double hole = 0.0;   // radius around the axis without directions
 
     static std::int32_t call(void* user, std::int64_t count, const double* positions, const double* normals,
                              double* directions) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// References, leaks, sharing between threads, and life after a fork.
+// Tests references, leaks, sharing between threads, and use after a fork.
 #include "trimmed.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST(Lifetime, HandlesCanBeReleasedInAnyOrder) {
             if (which == 3) set.reset();
             if (which == 4) renderer.reset();
             if (which == 5) drawing.reset();
-            if (drawing != nullptr) { // whatever else is gone
+            if (drawing != nullptr) { // whatever else has been released
                 ASSERT_EQ(rasterize(drawing, 8).size(), 256U);
             }
         }
@@ -62,7 +62,7 @@ TEST(Lifetime, NothingLeaks) {
             EXPECT_GT(info_of(context).bytes_now, 0);
         };
         work();
-        // What drawings were read with is kept for the next ones.
+        // The scratch memory for reading drawings is kept for the next ones.
         const std::int64_t kept = info_of(context).bytes_now;
         EXPECT_LT(kept, 1 << 20);
         for (int again = 0; again < 3; ++again) work();
@@ -96,7 +96,7 @@ TEST(Lifetime, RetainedHandlesLive) {
         same_set = set.get();
         hrbfnpr_point_set_retain(same_set);
     }
-    EXPECT_EQ(sphere.releases, 1); // a point set needs no model
+    EXPECT_EQ(sphere.releases, 1); // a point set does not keep its model
     auto set_info = made(hrbfnpr_point_set_info_init);
     EXPECT_OK(hrbfnpr_point_set_get_info(same_set, &set_info, error));
     EXPECT_GT(set_info.marks, 0);
@@ -227,11 +227,11 @@ TEST(Log, KeepsBelowItsLevelToItself) {
 #if defined(__unix__)
 TEST(Fork, AChildGoesOnSerially) {
     const Context context = make_context(4);
-    const Model model = fit(context, scenes::torus(40)); // the threads are up
+    const Model model = fit(context, scenes::torus(40)); // the threads have started
     const auto before = saved(generate(context, model, small_desc())).size();
     const pid_t child = fork();
     if (child == 0) {
-        alarm(60); // a hang must not outlive the test
+        alarm(60); // ends the child if it hangs
         Error error;
         hrbfnpr_model* again = nullptr;
         const scenes::Samples samples = scenes::torus(40);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models with sharp edges through the C boundary.
+// Tests models with sharp edges through the C boundary.
 #include "fixture.h"
 #include "support/sharp_meshes.h"
 
@@ -72,7 +72,7 @@ struct FoundEdges {
         EXPECT_OK(hrbfnpr_mesh_edges(mesh.get(), &desc, &patches, &sides, &info, nullptr, error));
     }
 
-    // Each edge has two sides.
+    // The number of sharp edges; each edge has two sides.
     [[nodiscard]] std::int64_t sharp_edges() const {
         std::int64_t sides = 0;
         for (const std::int32_t is : sharp) sides += is;
@@ -93,7 +93,7 @@ TEST(MeshEdges, OfABoxPartItsSixFaces) {
     EXPECT_NEAR(found.info.length, 12.0, 1e-12);
     EXPECT_EQ(found.info.fading, 0.0);
     EXPECT_EQ(found.info.doubtful, 0.0);
-    // Patches part at sharp edges, and nowhere else.
+    // Patches are separated at sharp edges, and nowhere else.
     std::map<std::array<std::int32_t, 2>, std::int32_t> patch_of_side;
     for (std::size_t side = 0; side < found.corner.size(); ++side) {
         const std::int32_t from = found.corner[side], to = found.corner[side % 3 == 2 ? side - 2 : side + 1];
@@ -113,7 +113,7 @@ TEST(MeshEdges, OfABallAreNone) {
     const Mesh mesh = mesh_of(context, hrbfnpr::test::icosphere(2));
     EXPECT_EQ(FoundEdges(mesh).info.edges, 0);
     EXPECT_EQ(FoundEdges(mesh).info.patches, 1);
-    // At a small angle all edges are sharp, and all faces are patches.
+    // At a small angle all edges are sharp, and each face is a patch.
     const FoundEdges all(mesh, HRBFNPR_EDGES_SHARP, 5.0, 2.0);
     EXPECT_EQ(all.info.patches, static_cast<std::int64_t>(all.patch.size()));
     EXPECT_GT(FoundEdges(mesh, HRBFNPR_EDGES_AUTO, 5.0).info.doubtful, 0.0);
@@ -141,7 +141,7 @@ TEST(MeshEdges, AreSharpWhereTheyStandOut) {
     EXPECT_GT(info.cells, 100);
     EXPECT_EQ(info.poor_cells, 0);
     EXPECT_LT(info.centres, 400);
-    for (const double t : {0.0, 0.3, 0.9}) // on edges
+    for (const double t : {0.0, 0.3, 0.9}) // points on edges
         for (const double v : values(model, {1.0, 1.0, t, t, -1.0, 1.0, 0.5 * std::cos(t), 0.5 * std::sin(t), 1.0}))
             EXPECT_LT(std::abs(v), 2e-3);
     hrbfnpr_mesh_fit_info smooth{};
@@ -154,20 +154,20 @@ TEST(MeshEdges, AreSharpWhereTheyStandOut) {
 TEST(MeshEdges, AreAskedForByTheirAngle) {
     const Context context = make_context();
     const std::vector<hrbfnpr::test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
-    const Mesh disc = mesh_of(context, hrbfnpr::test::ringed(rings, 30, 0.5)); // whose faces meet at 12 degrees
+    const Mesh disc = mesh_of(context, hrbfnpr::test::ringed(rings, 30, 0.5)); // its faces meet at 12 degrees
     hrbfnpr_mesh_fit_info info{};
     (void)fitted(disc, HRBFNPR_EDGES_SHARP, info, 30.0);
     EXPECT_EQ(info.sheets, 3);
     (void)fitted(disc, HRBFNPR_EDGES_SHARP, info, 10.0);
     EXPECT_EQ(info.sheets, 2 + 30);
-    // At 42 degrees, and too coarse to be round.
+    // The faces meet at 42 degrees, and the mesh is too coarse to be round.
     (void)fitted(mesh_of(context, hrbfnpr::test::icosphere(0)), HRBFNPR_EDGES_SHARP, info, 45.0);
     EXPECT_EQ(info.sheets, 20);
     (void)fitted(mesh_of(context, hrbfnpr::test::icosphere(2)), HRBFNPR_EDGES_SHARP, info, 30.0);
     EXPECT_EQ(info.sheets, 1);
 }
 
-// Bit for bit: what has no edges is fitted as without them.
+// The fit of a mesh without edges is the same, bit for bit, as with edges off.
 TEST(MeshEdges, ThatAreNoneChangeNothing) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::torus(60, 24, 0.4));
@@ -205,7 +205,7 @@ TEST(MeshEdges, AreKeptInFiles) {
     hrbfnpr_array view{};
     ASSERT_OK(hrbfnpr_model_view(loaded.get(), HRBFNPR_MODEL_ATTRIBUTE_NORMAL, &view, error));
     EXPECT_GT(view.count, 1000);
-    // It is compared, also by what its samples bear out, trimmed and drawn as any other.
+    // The loaded model can be compared (also with a limit of support), trimmed and drawn like any other.
     auto desc = made(hrbfnpr_compare_desc_init);
     desc.points = 2000;
     desc.support = 3.0;
@@ -222,8 +222,8 @@ TEST(MeshEdges, AreKeptInFiles) {
     EXPECT_GT(view.count, 1000);
 }
 
-// Round solids that cross are one sheet each, and meet in creases: where one function would be off both, the surface is
-// that of the nearer one.
+// Round solids that cross get one sheet each and meet in creases. The surface is that of the union, where one function
+// would deviate from both.
 TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
     const Context context = make_context();
     const Triangles ball = hrbfnpr::test::icosphere(4);
@@ -232,7 +232,7 @@ TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
     const Model model = fitted(mesh, HRBFNPR_EDGES_AUTO, info);
     EXPECT_EQ(info.sheets, 2);
     EXPECT_EQ(info.reached, 1U);
-    // Seen along the line of their middles both balls are round, and beside the circle that they meet in, too.
+    // Both balls are round in all directions, also beside the circle in which they meet.
     const double tolerance = 2.0 * info.tolerance;
     const std::array<double, 3> middle{1.1, 0.1, 0.2};
     std::vector<double> points;
@@ -245,7 +245,7 @@ TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
             squared += (way[k] - middle[k]) * (way[k] - middle[k]);
             squared_other += other[k] * other[k];
         }
-        // What is not within the other ball is the surface, and f changes its sign there.
+        // The part of a ball that is not within the other ball is on the surface, and f changes its sign there.
         for (const double side : {-tolerance, tolerance}) {
             if (squared > 0.5)
                 for (std::size_t k = 0; k < 3; ++k) points.push_back((1.0 + side) * way[k]);
@@ -259,13 +259,13 @@ TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
         const bool inside = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < 1.0 || x * x + y * y + z * z < 0.49;
         EXPECT_EQ(f[i] < 0.0, inside) << p[0] << " " << p[1] << " " << p[2];
     }
-    // Beside each other they need no sheets.
+    // Solids that do not touch need no separate sheets.
     const Mesh apart = mesh_of(context, ball.with(ball.moved(0.7, 2.0, 0.1, 0.2)));
     fitted(apart, HRBFNPR_EDGES_AUTO, info);
     EXPECT_EQ(info.sheets, 1);
 }
 
-// Of solids that cross each has edges or none, though those of a box are few beside those of a ball of 80 faces.
+// Each of the crossing solids keeps its edges or has none, though the box has few edges beside a ball of 80 faces.
 TEST(MeshEdges, SolidsThatCrossKeepTheirEdges) {
     const Context context = make_context();
     const Triangles ball = hrbfnpr::test::icosphere(1);
@@ -282,7 +282,7 @@ TEST(MeshEdges, SolidsThatCrossKeepTheirEdges) {
     for (std::size_t i = 0; i < f.size(); ++i) EXPECT_EQ(f[i] < 0.0, i % 2 == 0) << i;
 }
 
-// Boxes that stand on each other, and a pin in a wall: there is no wall where they touch.
+// Boxes stand on each other, and a pin is in a wall: no wall remains where they touch.
 TEST(MeshEdges, SolidsThatTouchAreOne) {
     const Context context = make_context();
     const Triangles box = hrbfnpr::test::box(1.0, 1.0, 1.0, 1);
@@ -302,8 +302,8 @@ TEST(MeshEdges, SolidsThatTouchAreOne) {
     for (const double f : values(model, points)) EXPECT_LT(f, -1e-5);
 }
 
-// A box whose top has a vertex far below its bottom: nobody knows what is inside.  What the fit makes of it where the
-// mesh is not is left out.
+// The top of the box has a vertex far below the bottom, so the inside is not defined. Parts of the fit that are far
+// from the mesh are left out.
 TEST(MeshEdges, OfAMeshThatCrossesItselfEndWithIt) {
     const Context context = make_context();
     Triangles crossed = hrbfnpr::test::box(1.0, 1.0, 1.0, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes through the C boundary.
+// Tests meshes through the C boundary.
 #include "fixture.h"
 #include "support/meshes.h"
 
@@ -214,13 +214,13 @@ TEST(FitMesh, ReachesItsToleranceAndIsMeasured) {
     EXPECT_GE(compared.surface_share, 0.99);
     EXPECT_EQ(compared.genus, 1);
     EXPECT_EQ(compared.mesh_points, 2000);
-    // A model outlives its mesh, and is saved as any other.
+    // A model outlives its mesh, and is saved like any other.
     std::int64_t size = 0;
     EXPECT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
     EXPECT_GT(size, 48 * info.centres);
 }
 
-// Half of a torus: the surface ends with it, unless it shall not.
+// The mesh is half of a torus. The surface ends with it, unless trimming is off.
 TEST(FitMesh, EndsWithAnOpenMesh) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, torus(100, 40, 0.4).where([](double x, double, double) { return x > 0.0; }));
@@ -250,7 +250,7 @@ TEST(FitMesh, EndsWithAnOpenMesh) {
     }
 }
 
-// The warnings of a fit.
+// Returns the warnings of a fit.
 std::vector<std::string> warnings_of(const Triangles& parts, std::uint32_t edges, double tolerance) {
     std::vector<std::string> messages;
     auto desc = made(hrbfnpr_context_desc_init);
@@ -272,14 +272,14 @@ std::vector<std::string> warnings_of(const Triangles& parts, std::uint32_t edges
     EXPECT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, &info, nullptr, &raw, error));
     EXPECT_EQ(info.sheets > 1, edges == HRBFNPR_EDGES_SHARP);
     Model(raw).reset();
-    // The same as data.
+    // The info reports the same as the warning.
     const bool is_told = !messages.empty() && messages[0].find("mesh fit: parts ") == 0;
     EXPECT_EQ(info.touching_parts[0] + info.touching_parts[1], is_told ? 0 + 1 : -1 - 1);
     EXPECT_EQ(info.parts_may_cross != 0, is_told && messages[0].find("cross or are nearer") != std::string::npos);
     return messages;
 }
 
-// Two side by side, by what is between them; or one in the other, which is no matter where they are fitted apart.
+// Two parts side by side are judged by the gap between them. Crossing parts do not matter if they are fitted apart.
 TEST(FitMesh, WarnsOfPartsThatItMayJoin) {
     const auto says = [](const std::vector<std::string>& messages) {
         return !messages.empty() && messages[0].find("mesh fit: parts ") == 0 &&

@@ -18,8 +18,8 @@ TEST(Model, InfoDescribesTheFit) {
     Error error;
     const Context context = make_context();
     scenes::Samples samples = scenes::sphere_6();
-    samples.add({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}); // a twin
-    samples.normals[5] *= 2.0;                     // the second sample's, along z? rescaled if not zero
+    samples.add({1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}); // a duplicate of a sample
+    samples.normals[5] *= 2.0;                     // z of the second normal, which is rescaled if z is not 0
     samples.normals[0] = 3.0 * samples.normals[0];
     const Model model = fit(context, samples);
     auto info = made(hrbfnpr_model_info_init);
@@ -62,7 +62,7 @@ TEST(Model, EvaluatesAnyLayout) {
     Error error;
     const Context context = make_context();
     const Model model = fit(context, plane());
-    // Floats, every other point of four numbers, and from the last to the first.
+    // Floats: every other point of four numbers, from the last to the first.
     const std::vector<float> wide{0, 0, 1, -9, 9, 9, 9, 9, 1, 0, 2.5F, -9};
     const hrbfnpr_array strided{wide.data(), 2, 32, HRBFNPR_SCALAR_FLOAT32, 3};
     const hrbfnpr_array backward{wide.data() + 8, 2, -32, HRBFNPR_SCALAR_FLOAT32, 3};

@@ -40,7 +40,7 @@ struct Calls {
     std::vector<double> points;
 };
 
-// A callback that calls back into the library with the operation that is in use.
+// A callback that calls the library with the operation that is in use.
 struct Reentry {
     Calls* calls = nullptr;
     hrbfnpr_operation* operation = nullptr;

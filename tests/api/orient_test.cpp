@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hrbfnpr_orient, and the fit's normal_mode.
+// Tests hrbfnpr_orient, and the fit's normal_mode.
 #include "fixture.h"
 
 #include <cmath>
@@ -135,7 +135,7 @@ TEST(Orient, IsAModeOfTheFit) {
 TEST(Orient, AFitSaysThatGivenNormalsPointInward) {
     double inside = 0.0;
     const auto wrong = fitted(inward(shape()), HRBFNPR_NORMALS_GIVEN, true, &inside);
-    EXPECT_GT(inside, 0.0); // as given
+    EXPECT_GT(inside, 0.0); // the normals are used as given
     EXPECT_EQ(wrong.normals_inward, 1U);
     EXPECT_TRUE(std::isnan(wrong.normals_confidence));
     EXPECT_EQ(fitted(shape(), HRBFNPR_NORMALS_GIVEN, true, &inside).normals_inward, 0U);
@@ -156,7 +156,7 @@ TEST(Orient, AFitWithoutNormalsSaysHowToGetThem) {
                  "fit_desc.normal_mode is 6");
 }
 
-// A program built before there were modes of normals.
+// The descriptor is that of a program built before normal modes existed.
 TEST(Orient, OldDescriptorsMeanTheNormalsAsGiven) {
     Error error;
     const Context context = make_context();

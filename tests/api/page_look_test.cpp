@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages of very many lines: how often their operation's callback is called, and that each call may cancel.
+// Tests pages of very many lines: how often the operation's callback is called, and that each call may cancel.
 #include "fixture.h"
 
 #include <cmath>
@@ -31,7 +31,7 @@ struct Page : hrbfnpr_page_desc {
     std::vector<hrbfnpr_annotation> annotation;
 };
 
-// Of this thread, so that others do not count.
+// Processor time of this thread, so that other threads do not count.
 double processor_seconds() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -67,17 +67,17 @@ TEST(PageLooks, AreFrequentWithManyLines) {
         ASSERT_EQ(write(context, page, watch), HRBFNPR_STATUS_OK);
         std::printf("format %d: %lld calls, %.1f ms of processor time between two at most\n", format,
                     static_cast<long long>(watch.calls), 1e3 * watch.longest);
-        // While they are read, and written: 8 numbers each.
+        // The calls while lines are read, and while they are written, 8 numbers each.
         EXPECT_GE(watch.calls, lines / 1024 + lines * 8 / 2048);
         if (format != HRBFNPR_PAGE_FORMAT_HPGL) {
             for (const std::int64_t call : {std::int64_t{3}, watch.calls / 2, watch.calls - 2}) {
                 Watch other;
                 other.cancel_at = call;
                 EXPECT_EQ(write(context, page, other), HRBFNPR_STATUS_CANCELLED);
-                EXPECT_EQ(other.calls, call + 1); // no later one
+                EXPECT_EQ(other.calls, call + 1); // no call after the cancel
             }
         } else {
-            EXPECT_GE(watch.calls, 2 * lines / 64 + 2000LL * lines / 100000); // and while they are sorted
+            EXPECT_GE(watch.calls, 2 * lines / 64 + 2000LL * lines / 100000); // plus the calls while lines are sorted
         }
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages for plotters, through the boundary.
+// Tests pages for plotters, through the boundary.
 #include "drawing_fixture.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ struct Page : hrbfnpr_page_desc {
     hrbfnpr_page_info info = made(hrbfnpr_page_info_init);
 };
 
-// All numbers after PU and PD.
+// Returns all numbers after PU and PD.
 std::vector<double> coordinates(const std::string& hpgl) {
     std::vector<double> numbers;
     std::istringstream lines(hpgl);
@@ -87,7 +87,7 @@ TEST_F(DrawingTest, IsPlottedWithinItsFrame) {
     EXPECT_EQ(page.write(context), bytes);
 }
 
-// The number of closed subpaths of a page in SVG.
+// The number of closed subpaths in an SVG page.
 std::int64_t rings_of(const std::string& svg) {
     std::int64_t count = 0;
     for (std::size_t at = svg.find(" d=\""); at != std::string::npos; at = svg.find(" d=\"", at + 4)) {
@@ -116,9 +116,9 @@ TEST_F(DrawingTest, InPlotOrderHasTheSameStrokes) {
     EXPECT_GE(closed, 0);
     EXPECT_EQ(page.info.paths + page.info.joined - closed, before.paths);
     EXPECT_EQ(page.info.dots, before.dots);
-    EXPECT_LT(page.info.groups, before.groups); // each once, though inks of other colours lie upon them
+    EXPECT_LT(page.info.groups, before.groups); // each group once, though inks of other colours lie on top
     EXPECT_GT(page.info.travelled, 0.0);
-    // Slower with another travel speed, by that much.
+    // With half the travel speed, only the travel takes longer.
     const double seconds = page.info.seconds;
     page.travel_speed = 40.0;
     page.write(context);
@@ -140,7 +140,7 @@ TEST_F(DrawingTest, IsPlottedWithAPenForEachGroup) {
     page.pen.back().groups = nullptr;
     page.pen.back().width = 10.0;
     page.write(context);
-    EXPECT_GT(page.info.dropped_dots, narrow); // of dots that are nearer than half of a pen
+    EXPECT_GT(page.info.dropped_dots, narrow); // dots that are nearer to each other than half a pen are dropped
 }
 
 TEST(PagePlot, WritesWhatIsBesideDrawings) {
@@ -195,7 +195,7 @@ TEST(PagePlot, FillsWideLinesUnlessToldNotTo) {
         EXPECT_NEAR(page.info.drawn, 100.0, 1e-9);
         EXPECT_LT(page.info.seconds, seconds - 4.0 * 49.0 / 30.0);
     }
-    // SVG and PDF: with a pen, in plot order.
+    // SVG and PDF fill with passes only if a pen has a width and the page is in plot order.
     page.pen.push_back(made(hrbfnpr_pen_init));
     for (const std::uint32_t format : {HRBFNPR_PAGE_FORMAT_SVG, HRBFNPR_PAGE_FORMAT_PDF}) {
         page.format = format;
@@ -209,7 +209,7 @@ TEST(PagePlot, FillsWideLinesUnlessToldNotTo) {
     }
 }
 
-// Lines that cannot be joined, in so many groups.
+// Lines that cannot be joined, in `groups` groups.
 Page many_lines(const std::vector<double>& points, int lines, int groups) {
     static const char* const names[] = {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
     Page page;
@@ -249,7 +249,7 @@ TEST(PagePlot, TakesMemoryByItsLargestGroup) {
     EXPECT_LT(one, 20000 * 1800); // bytes of a line of 8 points
     EXPECT_LT(peak_of(points, 20000, 10), one / 2);
     const std::vector<double> half(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2));
-    EXPECT_GT(peak_of(half, 10000, 1), one / 3); // no faster than linear
+    EXPECT_GT(peak_of(half, 10000, 1), one / 3); // grows no faster than linearly
 }
 
 } // namespace

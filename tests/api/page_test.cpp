@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages through the C boundary: what is written, and every bad argument by name.
+// Tests pages through the C boundary: the written bytes, and an error that names every bad argument.
 #include "drawing_fixture.h"
 
 #include <functional>
@@ -62,13 +62,13 @@ TEST_F(PageTest, HasWhatTheDrawingHas) {
     EXPECT_GE(info.paths, counts.strokes);
     EXPECT_EQ(count_of(svg, "<circle"), static_cast<std::size_t>(info.dots));
     EXPECT_EQ(count_of(svg, "<path"), static_cast<std::size_t>(info.paths));
-    EXPECT_EQ(count_of(svg, "inkscape:groupmode"), static_cast<std::size_t>(info.groups) + 1); // and the paper
+    EXPECT_EQ(count_of(svg, "inkscape:groupmode"), static_cast<std::size_t>(info.groups) + 1); // plus the paper
     EXPECT_NEAR(info.width, side * 25.4 / 96.0, 1e-9);
     EXPECT_NE(svg.find("arcs"), std::string::npos);
     EXPECT_NE(svg.find(hrbfnpr_version_string()), std::string::npos);
     EXPECT_EQ(svg, written());
     desc.flags = HRBFNPR_PAGE_WITHOUT_PAPER;
-    EXPECT_EQ(count_of(written(), "<rect"), 1U); // its frame
+    EXPECT_EQ(count_of(written(), "<rect"), 1U); // the frame of the page
     desc.format = HRBFNPR_PAGE_FORMAT_PDF;
     EXPECT_EQ(written().substr(0, 5), "%PDF-");
 }
@@ -103,7 +103,7 @@ TEST_F(PageTest, HasAnnotationsPensAndPlaces) {
     desc.item_count = 0;
     const std::string alone = written();
     EXPECT_EQ(count_of(alone, "<path"), 1U);
-    EXPECT_EQ(count_of(alone, "fill=\"#ffffff\""), 1U); // white paper
+    EXPECT_EQ(count_of(alone, "fill=\"#ffffff\""), 1U); // the white paper
 }
 
 TEST_F(PageTest, RefusesWhatIsWrong) {

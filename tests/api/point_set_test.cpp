@@ -90,7 +90,7 @@ TEST(PointSet, ViewsOfAllAttributesFitTogether) {
             double tangent = 0.0;
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 const double p = static_cast<double>(position[3 * i + axis]) + info.origin[axis];
-                ASSERT_NEAR(p, static_cast<double>(normal[3 * i + axis]), 1e-4); // the unit sphere
+                ASSERT_NEAR(p, static_cast<double>(normal[3 * i + axis]), 1e-4); // on the unit sphere
                 tangent += static_cast<double>(normal[3 * i + axis] * direction[3 * i + axis]);
             }
             ASSERT_NEAR(tangent, 0.0, 1e-4);

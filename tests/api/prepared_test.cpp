@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Queries and marks of so many points that the model prepares itself for them, against the sum over all centres, which
-// queries of few points get.
+// Tests queries and marks of so many points that the model prepares itself for them. The reference is the sum over all
+// centres, which queries of few points use.
 #include "fixture.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace api_test::prepared_test {
 namespace {
 
-constexpr std::int64_t few = 20000; // of points; not worth preparing
+constexpr std::int64_t few = 20000; // number of points that is not worth preparing
 
 struct Evaluated {
     std::vector<double> value, gradient;
@@ -31,7 +31,7 @@ Evaluated evaluate(const Model& model, const std::vector<double>& points, std::i
     return result;
 }
 
-std::vector<std::string> messages; // of the log, on this thread
+std::vector<std::string> messages; // messages of the log, on this thread
 
 Context logging_context(std::int32_t threads) {
     Error error;
@@ -49,7 +49,7 @@ std::int64_t times_prepared() {
                          [](const std::string& message) { return message.find("prepared in") != std::string::npos; });
 }
 
-// About the tube's surface and beyond.
+// Points around the tube's surface, inside and outside.
 std::vector<double> places(std::int64_t count) {
     std::vector<double> points;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -80,7 +80,7 @@ TEST(Prepared, ManyPointsGetWhatFewPointsGet) {
         for (std::size_t c = 3 * i; c < 3 * i + 3; ++c)
             gradient = std::max(gradient, std::abs(many.gradient[c] - direct.gradient[c]));
     }
-    EXPECT_LT(value, 1e-9 * 4.0); // the diagonal
+    EXPECT_LT(value, 1e-9 * 4.0); // 4.0 is the diagonal
     EXPECT_LT(gradient, 1e-7);
     EXPECT_NE(many.value, evaluate(model, points, 100000).value) << "the two ways are the same";
 }

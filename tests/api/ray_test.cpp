@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays and inside tests through the boundary: values, shapes, and every bad argument by name.
+// Tests rays and inside tests through the boundary: values, shapes, and an error that names every bad argument.
 #include "fixture.h"
 
 #include <cmath>
@@ -13,7 +13,7 @@ constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Two rays at the unit sphere, room for two hits of each.
+// Two rays at the unit sphere, with room for two hits of each.
 struct Cast {
     std::vector<double> origin{-3, 0, 0.6, 0, 0, 5};
     std::vector<double> direction{2, 0, 0, 0, 1, 0};
@@ -81,7 +81,7 @@ TEST(CastRays, AllArraysAndTheDescriptorAreOptional) {
     EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &cast.origins, &cast.directions, nullptr, &hits, nullptr, error));
     EXPECT_NEAR(cast.distance[0], 1.1, 1e-8) << "the first hit is the default";
     EXPECT_EQ(cast.distance[1], infinity);
-    // No rays, no work: not even the bound's.
+    // Without rays no work is done, not even for the bound.
     sphere.calls = 0;
     const hrbfnpr_array none{};
     hits.t = {};
@@ -109,7 +109,7 @@ TEST(CastRays, SaysWhereItGaveUp) {
     EXPECT_EQ(cast.hit[0], 2U);
 }
 
-// A fit of a sphere's samples: hits lie on it, with its normal, and nearly where the sphere's are.
+// Fits a sphere's samples: hits lie on the fit, with its normal, and near the hits of the sphere.
 TEST(CastRays, OfAFit) {
     Error error;
     const Context context = make_context();
@@ -154,7 +154,7 @@ TEST(CastRays, OfAFit) {
     }
 }
 
-// More rays than a block has room for, with many hits each, are the same as few at a time.
+// Many rays with many hits each fill more than one block; the result is the same as for few rays at a time.
 TEST(CastRays, BlocksLeaveNoTrace) {
     Error error;
     const Context context = make_context();
@@ -244,7 +244,7 @@ TEST(Lipschitz, IsTheBoundThatRaysAreCastWith) {
     const Model model = custom_sphere(context, sphere);
     double bound = 0.0;
     ASSERT_OK(hrbfnpr_model_lipschitz(model.get(), &bound, nullptr, error));
-    EXPECT_NEAR(bound, 1.5 * std::sqrt(3.0) * (1.0 + 0.05 * std::sqrt(12.0)), 1e-12); // a corner's |grad f|
+    EXPECT_NEAR(bound, 1.5 * std::sqrt(3.0) * (1.0 + 0.05 * std::sqrt(12.0)), 1e-12); // |grad f| in a corner
     Cast automatic;
     Cast given;
     given.desc.lipschitz = bound;
@@ -307,7 +307,7 @@ TEST(CastRays, AFailureOfTheFunctionFailsTheCall) {
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     const std::int64_t before = info_of(context).bytes_now;
-    for (const int at : {1, 30, 56}) { // of the bound's grid, and of the rays
+    for (const int at : {1, 30, 56}) { // calls for the bound's grid, and for the rays
         Error error;
         sphere.calls = 0;
         sphere.fail_at = at;

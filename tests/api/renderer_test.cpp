@@ -125,7 +125,7 @@ TEST_F(RendererTest, DrawsSeveralItems) {
     auto info = made(hrbfnpr_drawing_info_init);
     EXPECT_OK(draw_it(nullptr, &info));
     const std::int64_t marks = info.marks;
-    // Items of a newer caller, whose struct has a tail.
+    // The items come from a newer caller, whose struct has a tail.
     struct Newer {
         hrbfnpr_item item;
         std::uint64_t tail[2];
@@ -179,7 +179,7 @@ TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
         }
     } tone;
     Generation desc = small_desc();
-    for (hrbfnpr_layer_desc& layer : desc.layer) layer.tone_smoothing = 0.0; // tone goes by NORMAL
+    for (hrbfnpr_layer_desc& layer : desc.layer) layer.tone_smoothing = 0.0; // the tone uses NORMAL
     set = generate(context, model, desc);
     auto style = made(hrbfnpr_style_init);
     style.tone = HRBFNPR_TONE_CALLBACK;
@@ -189,7 +189,7 @@ TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
     style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(tone.marks, info.front);
-    EXPECT_EQ(info.dropped_tone, 0); // dark everywhere
+    EXPECT_EQ(info.dropped_tone, 0); // all marks are dark
     tone.tau = 1.0F;
     EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(info.dropped_tone, info.front);

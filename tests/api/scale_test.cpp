@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Models of any size: the same marks and pictures at any power of two, and a clear refusal where floats end.
+// Tests models of any size: the same marks and pictures at any power of two, and a clear refusal beyond the range of
+// floats.
 #include "fixture.h"
 
 #include <cmath>
@@ -20,14 +21,14 @@ std::vector<float> times(std::vector<float> numbers, double by) {
     return numbers;
 }
 
-// k1, k2 and confidence: the first two are lengths to the power -1.
+// Divides k1 and k2, which are inverse lengths, by the scale; the confidence stays.
 std::vector<float> bent(std::vector<float> curvature, double by) {
     for (std::size_t i = 0; i < curvature.size(); ++i)
         if (i % 3 != 2) curvature[i] = static_cast<float>(static_cast<double>(curvature[i]) / by);
     return curvature;
 }
 
-// All marks of a set are those of another one, this many times as large.
+// Expects that all marks of a set are those of `unit`, scaled by `by`.
 void expect_times(const PointSet& set, const PointSet& unit, double by) {
     ASSERT_EQ(info_of(set).layers, info_of(unit).layers);
     for (std::int64_t layer = 0; layer < info_of(set).layers; ++layer) {
@@ -62,7 +63,7 @@ TEST(Scale, APowerOfTwoLeavesNoTraceInTheMarks) {
     }
 }
 
-// What is given in lengths is scaled alike, and callbacks see the caller's coordinates.
+// Lengths in descriptors are scaled alike, and callbacks get the caller's coordinates.
 std::int32_t upper_half(void* user, std::int64_t count, const double* positions, const double* /*normals*/,
                         double* density) {
     for (std::int64_t i = 0; i < count; ++i) {
@@ -171,7 +172,7 @@ TEST(Scale, ExactVisibilityToo) {
     EXPECT_LT(mean_difference(pictures[2], pictures[0]), 0.01);
 }
 
-// What a host reads of a frame: directions and normals are unit vectors, positions the marks' own.
+// For a host that reads a frame, directions and normals are unit vectors, and positions are those of the marks.
 TEST(Scale, VerticesAreFiniteAndUnit) {
     const Context context = make_context();
     Error error;
@@ -258,10 +259,10 @@ TEST(Scale, ReadyMadeMarksToo) {
                  "layers[0].position[1]");
     EXPECT_OK(from_arrays(context, {0, 0, 0, 1e-30, 0, 0, 0, 1e-30, 0}, error));
     EXPECT_OK(from_arrays(context, {0, 0, 0, 1e30, 0, 0, 0, 1e30, 0}, error));
-    EXPECT_OK(from_arrays(context, {5, 0, 0}, error));
+    EXPECT_OK(from_arrays(context, {5, 0, 0}, error)); // one point has no size, wherever it is
 }
 
-// A cloud of one point is a point, however far it lies.
+// A single seed that is too far from the model is refused.
 TEST(Scale, SeedsFarFromTheModelAreRefused) {
     const Context context = make_context();
     Error error;
@@ -288,7 +289,7 @@ struct Answers {
                         t = std::vector<double>(2);
     std::vector<std::uint8_t> status = std::vector<std::uint8_t>(2);
 
-    // Each call gives finite numbers, or says what is wrong.
+    // Expects that each call returns finite numbers or an error message.
     void ask(const Model& model, const std::vector<double>& point);
 };
 
@@ -337,7 +338,7 @@ TEST(Scale, AnswersAreFiniteOrRefused) {
     }
 }
 
-// A float that cannot hold an answer is not filled with infinity.
+// If a float cannot hold a result, the call fails and does not return infinity.
 TEST(Scale, FloatArraysThatCannotHoldAnAnswerAreRefused) {
     const Context context = make_context();
     Error error;

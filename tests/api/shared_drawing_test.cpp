@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One drawing is read on several threads at the same time.
+// Tests reading one drawing on several threads at the same time.
 #include "fixture.h"
 
 #include <thread>
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> mark_indices(const Drawing& drawing) {
     return indices;
 }
 
-// All that is read of a drawing.
+// Everything that can be read of a drawing.
 struct Seen {
     std::vector<float> vertices;
     std::vector<std::uint8_t> pixels;
@@ -42,7 +42,7 @@ struct Seen {
     bool operator==(const Seen&) const = default;
 };
 
-// A job runner whose waiting threads help with other jobs, as those of engines do: here, with calls that read the
+// A job runner whose waiting threads help with other jobs, as those of engines do. Here they make calls that read the
 // same drawing.
 struct Helper {
     const Drawing* drawing = nullptr;
@@ -61,7 +61,7 @@ struct Helper {
     }
 };
 
-// The next one is made while others are read, and released where they were read.
+// The next drawing is made while others are read, and each is released by the thread that reads it.
 TEST(SharedDrawing, IsReadWhileTheNextIsMade) {
     const Context context = make_context(1);
     const PointSet set = generate(context, fit(context, scenes::torus(60)), small_desc());

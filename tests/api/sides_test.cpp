@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that end are seen from both sides.
+// Tests that surfaces that end are seen from both sides.
 #include "drawing_fixture.h"
 #include "trimmed.h"
 
@@ -8,7 +8,7 @@ namespace {
 
 class Sides : public testing::Test {
 protected:
-    // Half a sphere whose inside looks to the camera.
+    // Half a sphere whose inside faces the camera.
     Model bowl_model() {
         scenes::Samples samples = zone(-2.0, 0.0);
         const hrbfnpr_fit_desc desc = fit_desc(samples);
@@ -19,7 +19,7 @@ protected:
         return model;
     }
 
-    // Its marks: stipples and two layers of hatching.
+    // Stipples and two layers of hatching on the bowl.
     PointSet bowl() { return generate(context, bowl_model(), small_desc()); }
 
     Drawing draw(const PointSet& set, std::uint32_t sides) {
@@ -78,7 +78,7 @@ TEST_F(Sides, BothAreLitByTheirOwnNormals) {
     for (const Vertex& v : vertices_of(draw(set, HRBFNPR_SIDES_BOTH), HRBFNPR_PRIMITIVE_POINTS).vertex)
         if (v.mark_class == HRBFNPR_CLASS_FRONT)
             (v.position[0] < 0.0F ? left_ink : right_ink) += double{v.radius} * double{v.radius};
-    // The inside looks to the light on the left.
+    // On the right the inside faces away from the light, so there is more ink.
     EXPECT_GT(right_ink, 1.4 * left_ink);
 }
 
@@ -95,8 +95,8 @@ TEST_F(Sides, BothOfASolidAreItsFront) {
     }
 }
 
-// A box whose bottom is seen at a low angle, where a layer that faces the eye alone lets through half of what is behind
-// it.
+// The bottom of the box is seen at a low angle, where a layer that faces the eye would by itself let through half of
+// the ink behind it.
 TEST_F(Sides, BothOfASolidHideItsInside) {
     auto desc = made(hrbfnpr_custom_desc_init);
     desc.function = [](void* /*user*/, std::int64_t count, const double* points, double* value, double*, double*) {
@@ -110,7 +110,7 @@ TEST_F(Sides, BothOfASolidHideItsInside) {
     std::fill_n(desc.bounds_max, 3, 1.0);
     hrbfnpr_model* raw = nullptr;
     ASSERT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &raw, error));
-    // Enough marks for a whole surface: among few, a layer has gaps beside the box's edges.
+    // There are enough marks for a whole surface: with few, a layer has gaps beside the edges of the box.
     const PointSet set = generate(context, Model(raw), hrbfnpr::test::three_layers(900));
     ASSERT_EQ(style.hidden_lines, HRBFNPR_HIDDEN_LINES_ATTENUATE);
     style.tone = HRBFNPR_TONE_NONE;
@@ -125,7 +125,7 @@ TEST_F(Sides, BothOfASolidHideItsInside) {
     EXPECT_LT(ink(HRBFNPR_SIDES_BOTH), 1.02 * front);
 }
 
-// The plain way: the same marks, posed with opposite normals.
+// The reference draws the same marks twice, once posed with opposite normals.
 TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
     const PointSet set = bowl();
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
@@ -158,7 +158,7 @@ TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
     EXPECT_EQ(both, picture(Drawing(raw)));
 }
 
-// By rays from the marks to the eye, which begin on the side that is seen.
+// Rays go from the marks to the eye, and begin on the visible side.
 TEST_F(Sides, BothAreSeenThroughAModel) {
     const Model model = bowl_model();
     const PointSet set = generate(context, model, small_desc());

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Versioned structs that a call reads or writes: short ones of older callers, long ones of newer ones, wrong ones.
+// Tests versioned structs that a call reads or writes: short ones of older callers, long ones of newer ones, invalid
+// ones.
 #include "fixture.h"
 
 namespace api_test::struct_test {
 namespace {
 
-// A struct of the future: ours with a tail.
+// A struct of a newer version: today's struct with a tail.
 template <class T>
 union Longer {
     T known;
@@ -14,7 +15,7 @@ union Longer {
     void fill(int byte) { std::memset(bytes, byte, sizeof bytes); }
 };
 
-// The rules for structs that a call reads, shown on the descriptor of a context.
+// The rules for structs that a call reads, tested with the descriptor of a context.
 class ReadStruct : public testing::Test {
 protected:
     hrbfnpr_status create() {
@@ -36,12 +37,12 @@ protected:
 };
 
 TEST_F(ReadStruct, AShortOneHasDefaultsForTheRest) {
-    // Up to and without thread_count; what follows is rubbish that must not be read.
+    // The size ends before thread_count. The rest is garbage that must not be read.
     EXPECT_EQ(hrbfnpr_context_desc_init(&desc.known, 8), HRBFNPR_STATUS_OK);
     desc.known.thread_count = -77;
     EXPECT_OK(create());
     EXPECT_GE(threads, 1);
-    // With thread_count.
+    // The size includes thread_count.
     desc.known.struct_size = 16;
     desc.known.thread_count = 3;
     desc.known.flags = 0;
@@ -96,7 +97,7 @@ TEST(WriteStruct, InfosAreFilledUpToTheirSize) {
                  "context_info is NULL");
 }
 
-// The rules for structs of results, shown on those of projections and rays: arrays in, a number out.
+// The rules for structs of results, tested with those of projections and rays, which hold arrays and a returned number.
 class ResultStruct : public testing::Test {
 protected:
     template <class T>
@@ -108,7 +109,7 @@ protected:
             return hrbfnpr_model_cast_rays(model.get(), &points, &points, nullptr, &result.known, nullptr, error);
     }
 
-    // An older caller's, up to and without `member`, which and what follows is rubbish.
+    // Makes an older caller's struct that ends before `member`. The rest is garbage.
     template <class T, class Member>
     void expect_short_one_is_kept_to(hrbfnpr_status (*init)(T*, std::uint32_t), Member T::*member) {
         Longer<T> result;

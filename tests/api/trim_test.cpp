@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that end where their samples do: what is left out, what stays, and every bad argument by name.
+// Tests surfaces that end where their samples end: the parts that are left out, the parts that stay, and an error that
+// names every bad argument.
 #include "trimmed.h"
 
 #include <algorithm>
@@ -33,15 +34,15 @@ TEST(Trim, LeavesOutWhatIsBeyondTheSamplesOfAnOpenScan) {
     EXPECT_GT(stipples.size(), std::size_t{3 * 3900});
     EXPECT_GT(lowest(stipples), -1.0 * sphere_spacing);
     EXPECT_LT(lowest(stipples), -0.2 * sphere_spacing);
-    EXPECT_LT(lowest(stipples_of(context, open)), -2.0 * sphere_spacing); // what a fit invents
+    EXPECT_LT(lowest(stipples_of(context, open)), -2.0 * sphere_spacing); // the fit continues beyond its samples
 }
 
-// Where samples are wanting in the middle, by the size of the hole.
+// The surface has a gap in its samples, which is trimmed or not by the size of the hole.
 TEST(Trim, KeepsSmallHolesClosed) {
     const Context context = make_context();
-    const Model model = fit_whole(context, zone(-1.0, 0.9)); // 0.45 from its rim to the middle
+    const Model model = fit_whole(context, zone(-1.0, 0.9)); // 0.45 from the hole's rim to its middle
     auto desc = made(hrbfnpr_trim_desc_init);
-    desc.hole = 0.2; // of 3.5
+    desc.hole = 0.2; // share of the diagonal, 3.5
     EXPECT_EQ(info_of(trimmed(model, &desc)).is_trimmed, 0U);
     desc.hole = 0.05;
     const Model open = trimmed(model, &desc);
@@ -50,12 +51,12 @@ TEST(Trim, KeepsSmallHolesClosed) {
     EXPECT_NEAR(info_of(open).share, 0.05, 0.03);
 }
 
-// The hole of 0.45 is none where spacings count as 0.2 diagonals.
+// The hole of 0.45 is not found if spacings count as at least 0.2 diagonals.
 TEST(Trim, TakesNoSpacingToBeLessThanClosest) {
     const Context context = make_context();
     const Model model = fit_whole(context, zone(-1.0, 0.9));
     auto desc = made(hrbfnpr_trim_desc_init);
-    desc.closest = 0.01; // of 3.5: less than the samples' own spacing of 0.11
+    desc.closest = 0.01; // in diagonals of 3.5: less than the samples' own spacing of 0.11
     const hrbfnpr_trim_info own = info_of(trimmed(model, &desc));
     EXPECT_EQ(own.is_trimmed, 1U);
     desc.closest = 0.2;
@@ -64,7 +65,7 @@ TEST(Trim, TakesNoSpacingToBeLessThanClosest) {
     EXPECT_GT(wide.spacing, 4.0 * own.spacing);
 }
 
-// A sphere and a tube that leaves it: no sample knows of that.
+// A sphere with a tube that leaves it; no sample is on the tube.
 int tube_function(void* /*user*/, int64_t count, const double* points, double* value, double* gradient,
                   double* /*hessian*/) {
     for (int64_t i = 0; i < count; ++i) {
@@ -112,7 +113,7 @@ TEST(Trim, EndsRaysAndLines) {
     Error error;
     const Context context = make_context();
     const Model model = trimmed(fit_whole(context, zone(0.0, 1.0)));
-    // Down through the cap and its open side, and across below it.
+    // One ray goes down through the cap and then the open side, the other across below the cap.
     const std::vector<double> origin{0.1, 0.2, 3.0, 3.0, 0.0, -0.2};
     const std::vector<double> direction{0.0, 0.0, -1.0, -1.0, 0.0, 0.0};
     const hrbfnpr_array origins = in(origin);
@@ -199,7 +200,7 @@ TEST(Trim, RefusesWhatIsNoEnd) {
         sphere_with_tube(context), [](auto&) {}, "trim_desc.points is empty");
 }
 
-// One sample is a plane without an end.
+// The fit of one sample is a plane without an end.
 TEST(Trim, SaysThatOneSampleHasNoEnd) {
     Error error;
     const Context context = make_context();

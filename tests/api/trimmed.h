@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of open surfaces, and where the stipples of models lie that end there.
+// Samples of open surfaces, and stipples of models that end where the samples end.
 #pragma once
 
 #include "fixture.h"
@@ -13,7 +13,7 @@ namespace api_test {
 inline constexpr int whole = 1000;
 inline const double sphere_spacing = std::sqrt(4.0 * 3.141592653589793 / whole);
 
-// Of the unit sphere's even ones those with low < z < high, and where x + z > 0.
+// Even samples of the unit sphere with low < z < high, and, if `tilted`, with x + z > 0.
 inline scenes::Samples zone(double low, double high, bool tilted = false) {
     scenes::Samples samples;
     for (int i = 0; i < whole; ++i) {
@@ -26,7 +26,7 @@ inline scenes::Samples zone(double low, double high, bool tilted = false) {
     return samples;
 }
 
-// A square of the plane z = 0, a hundred samples.
+// A square in the plane z = 0 with a hundred samples.
 inline scenes::Samples square() {
     scenes::Samples samples;
     for (int row = 0; row < 10; ++row)
@@ -34,7 +34,7 @@ inline scenes::Samples square() {
     return samples;
 }
 
-// The surface goes on beyond the samples.
+// A fit whose surface continues beyond the samples.
 inline Model fit_whole(const Context& context, const scenes::Samples& samples) {
     Error error;
     hrbfnpr_fit_desc desc = fit_desc(samples);
@@ -64,7 +64,7 @@ inline std::vector<float> stipples_of(const Context& context, const Model& model
     return positions;
 }
 
-// Along (1, 0, 1).
+// The smallest coordinate along (1, 0, 1).
 inline float lowest(const std::vector<float>& positions) {
     float least = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < positions.size(); i += 3)

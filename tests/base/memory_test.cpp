@@ -38,7 +38,7 @@ TEST(Memory, AlignsToCacheLines) {
 }
 
 #if defined(__linux__)
-// The flags of the mapping that an address lies in; empty where the system does not tell.
+// Returns the flags of the mapping that contains an address, or an empty string if the system does not tell them.
 std::string flags_of(const void* address) {
     std::ifstream maps("/proc/self/smaps");
     const auto place = reinterpret_cast<std::uintptr_t>(address);
@@ -132,7 +132,7 @@ TEST(Array, PushesAnElementOfItself) {
     Memory memory;
     Array<int> array(memory);
     for (int i = 0; i < 16; ++i) array.push_back(i + 1);
-    array.push_back(array[0]); // has to grow while the argument points inside
+    array.push_back(array[0]); // the array grows while the argument points into it
     EXPECT_EQ(array.back(), 1);
 }
 

@@ -98,7 +98,7 @@ TEST(Progress, WithoutAnOperationNothingHappens) {
     progress.part(0.0, 0.5).update(1.0);
 }
 
-// Where progress stands still, a look for a cancel calls the callback again after a while.
+// While progress stands still, a check for a cancel calls the callback again after a while.
 TEST(Operation, CallsBackWhereProgressStandsStill) {
     Watcher watcher;
     Operation operation;

@@ -69,7 +69,7 @@ TEST(Parallel, LooksForACancelBeforeEachTask) {
             if (begin == 20) operation.cancel();
         };
         EXPECT_THROW(parallel.for_each(1000, Progress(&operation), task), Error);
-        EXPECT_LT(after.exchange(0), threads); // a task that had looked just before
+        EXPECT_LT(after.exchange(0), threads); // a task that had checked just before
         Operation other;
         other.cancel();
         const auto chunk = [&](std::int64_t, std::int64_t) { after.fetch_add(1); };
@@ -148,7 +148,7 @@ TEST(Parallel, NamesItsBackend) {
 
 // ---- Hosts that do not do what they should -----------------------------------------------
 
-// How often it runs task i, for i in [0, count], the last of which is none.
+// Returns how often the host runs task i, for i in [0, count]; task `count` does not exist.
 using Picks = std::function<int(std::int64_t i, std::int64_t count)>;
 
 void run_picked(void* user, TaskFn task, void* context, std::int64_t count) {
@@ -200,7 +200,7 @@ TEST(ParallelOpenMp, IsSerialAfterAFork) {
     parallel.for_each(100, [&](std::int64_t) { warm.fetch_add(1); });
     const pid_t child = fork();
     if (child == 0) {
-        alarm(20); // a hang must not outlive the test
+        alarm(20); // ends the child if it hangs
         std::int64_t sum = 0;
         bool same_thread = true;
         const auto self = std::this_thread::get_id();

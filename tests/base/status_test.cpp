@@ -18,10 +18,10 @@ TEST(Status, MessagesAreCutAtACharacter) {
     EXPECT_EQ(cut("abc", 8), "abc");
     EXPECT_EQ(cut("abcdefg", 8), "abcdefg");
     EXPECT_EQ(cut("abcdefgh", 8), "abcdefg");
-    EXPECT_EQ(cut("abcdef\u00e9", 8), "abcdef");    // two bytes, one would fit
-    EXPECT_EQ(cut("abcd\u20acx", 8), "abcd\u20ac"); // three bytes that just fit
-    EXPECT_EQ(cut("abcde\u20acx", 8), "abcde");     // three bytes, two would fit
-    EXPECT_EQ(cut("abcd\U0001F600", 8), "abcd");    // four bytes, three would fit
+    EXPECT_EQ(cut("abcdef\u00e9", 8), "abcdef");    // a two-byte character with room for one byte
+    EXPECT_EQ(cut("abcd\u20acx", 8), "abcd\u20ac"); // a three-byte character that just fits
+    EXPECT_EQ(cut("abcde\u20acx", 8), "abcde");     // a three-byte character with room for two bytes
+    EXPECT_EQ(cut("abcd\U0001F600", 8), "abcd");    // a four-byte character with room for three bytes
     EXPECT_EQ(cut("\U0001F600\U0001F600", 4), "");  // not even one fits
     EXPECT_EQ(cut("abc", 1), "");
 }

@@ -32,7 +32,7 @@ void run(ThreadPool& pool, std::int64_t count, F&& f) {
         count, [](void* context, std::int64_t i) { (*static_cast<std::remove_reference_t<F>*>(context))(i); }, &f);
 }
 
-// Tasks that only end once all of them have begun: as many threads as tasks are needed.
+// Runs tasks that end only once all of them have begun, so `threads` threads are needed.
 void meet(ThreadPool& pool, std::int64_t threads) {
     std::latch all(threads);
     run(pool, threads, [&](std::int64_t) { all.arrive_and_wait(); });
@@ -63,8 +63,8 @@ TEST(ThreadPool, OfTheMostThreadsEndsAsItShould) {
     EXPECT_GT(pool.workers(), 0);
 }
 
-// A worker that has begun nothing is not waited for, whatever keeps it.
-// While a worker is at any place between two jobs: it must not await news of an end that came before it looked.
+// The pool ends whatever place between two jobs a worker is at: a worker does not wait for a notice of the end that
+// came before it looked.
 TEST(ThreadPool, EndsWhereverItsWorkersAre) {
     for (int i = 0; i < 3000; ++i) {
         ThreadPool pool(2 + i % 3);
@@ -73,6 +73,7 @@ TEST(ThreadPool, EndsWhereverItsWorkersAre) {
     }
 }
 
+// A caller does not wait for a worker that has begun none of its tasks, whatever keeps the worker.
 TEST(ThreadPool, CallersGoOnWhileAllWorkersAreKept) {
     ThreadPool pool(3);
     std::latch begun(3);
@@ -112,7 +113,7 @@ TEST(ThreadPool, CallersAwaitWhatOthersHaveBegun) {
     }
 }
 
-// More callers than the pool has room for.
+// There are more callers than the pool has room for.
 TEST(ThreadPool, ServesManyCallersAtOnce) {
     ThreadPool pool(4);
     std::atomic<std::int64_t> sum{0};
@@ -142,10 +143,10 @@ TEST(ThreadPool, RunsJobsWithinTasksOnTheTasksOwnThread) {
     });
     EXPECT_EQ(runs, 16 * 16);
     EXPECT_EQ(elsewhere, 0);
-    meet(pool, 4); // and all are there again
+    meet(pool, 4); // all workers are available again
 }
 
-// As a host may confine its process: workers have no other processor to go to.
+// A host may confine its process: the workers have no other processor to go to.
 #if defined(__linux__)
 TEST(ThreadPool, SharesOneProcessorIfThereIsNoOther) {
     cpu_set_t before, one;
@@ -161,14 +162,14 @@ TEST(ThreadPool, SharesOneProcessorIfThereIsNoOther) {
 }
 #endif
 
-// Pauses about as long as a worker's patience: none of its sleeps may miss a job.
+// The pauses are about as long as a worker waits before it sleeps: no sleep may miss a job.
 TEST(ThreadPool, WakesWorkersWheneverTheyFellAsleep) {
     ThreadPool pool(2);
     for (int round = 0; round < 3000; ++round) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::microseconds(round % 60);
         while (std::chrono::steady_clock::now() < until) {
         }
-        meet(pool, 2); // hangs if the other one sleeps on
+        meet(pool, 2); // hangs if the other thread keeps sleeping
     }
 }
 
@@ -187,7 +188,7 @@ TEST(ThreadPool, TakesNoProcessorWhileItHasNothingToDo) {
     EXPECT_LT(processor_milliseconds() - before, 100);
 }
 
-// The host's signals are for the host's threads; a fault of its own must still be seen.
+// Pool threads block the host's signals, but not the signals of faults such as SIGSEGV.
 TEST(ThreadPool, TakesNoSignals) {
     ThreadPool pool(3);
     std::atomic<int> open{0};
@@ -211,7 +212,7 @@ template <class Work>
 bool works_in_a_child(const Work& work) {
     const pid_t child = fork();
     if (child == 0) {
-        alarm(60); // a hang must not outlive the test
+        alarm(60); // ends the child if it hangs
         work();
         _exit(0);
     }
@@ -240,11 +241,11 @@ TEST(ThreadPool, OfTheParentEndsInAForkedChild) {
     }));
 }
 
-// GCC's address sanitizer holds its locks in a child that is made while another thread allocates: the next allocation
-// there, by glibc for a new thread, waits for ever.
+// GCC's address sanitizer holds its locks in a child that is forked while another thread allocates. The next allocation
+// in the child, which glibc makes for a new thread, waits for ever.
 bool may_fork_during_allocations() { return dlsym(RTLD_DEFAULT, "__asan_init") == nullptr; }
 
-// Another thread of the parent is in the middle of its jobs when the child is made.
+// The child is forked while another thread of the parent is in the middle of its jobs.
 TEST(ThreadPool, WorksInAChildThatWasForkedDuringJobs) {
     if (!may_fork_during_allocations()) GTEST_SKIP() << "the address sanitizer's own locks are not free after a fork";
     ThreadPool pool(3);

@@ -37,7 +37,7 @@ TEST(Thread, HasItsName) {
     EXPECT_EQ(name, "a name that is ");
 }
 
-// Sets the affinity of a test's thread, and gives it back in the end.
+// Sets the affinity of a test's thread, and restores it at the end.
 class Affinity {
 public:
     Affinity() { sched_getaffinity(0, sizeof before_, &before_); }
@@ -58,7 +58,7 @@ TEST(Processors, OneIsLeftForAnotherAndMayBeComeBackTo) {
     if (processor_count() < 2) GTEST_SKIP() << "one processor";
     const Affinity affinity;
     for (int time = 0; time < 20; ++time) {
-        // The system may move the thread between two calls: nearly always is enough.
+        // The system may move the thread between two calls, so the test only asks for nearly always.
         const int here = current_processor();
         ASSERT_GE(here, 0);
         leave_processor(here);

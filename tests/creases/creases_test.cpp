@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes cut at creases, and the creases of shapes whose true ones are known.
+// Tests meshes that are cut at creases, and the creases of shapes whose true creases are known.
 #include "curves/mesh_checks.h"
 #include "curves/traced.h"
 #include "features/line_set.h"
@@ -26,12 +26,12 @@ std::unique_ptr<LineSet> line_set(const implicit::Implicit& shape, double side) 
 
 struct Measured {
     double length = 0.0, closed = 0.0;
-    double off = 0.0; // the farthest place from the true creases, on the cubics
+    double off = 0.0; // the largest distance of the cubics from the true creases
     int count = 0, convex = 0;
-    double least = 360.0, most = 0.0; // angles
+    double least = 360.0, most = 0.0; // angles, in degrees
 };
 
-// distance: of a place from the nearest true crease.
+// distance() returns the distance of a point from the nearest true crease.
 Measured measure(const Creases& creases, const std::function<double(const glm::dvec3&)>& distance) {
     Measured found;
     for (std::int64_t c = 0; c < creases.count(); ++c) {
@@ -62,7 +62,7 @@ Measured measure(const Creases& creases, const std::function<double(const glm::d
     return found;
 }
 
-// Of a cube of half edge 1 from its edges.
+// The distance of a point from the edges of a cube of half edge 1.
 double off_cube(const glm::dvec3& p) {
     glm::dvec3 q = glm::abs(odd_turn() * p);
     double best = 1e9;
@@ -107,7 +107,7 @@ TEST(Creases, Cube) {
     }
 }
 
-// Aligned with the lattice.
+// The cube is aligned with the lattice.
 TEST(Creases, CubeAlongTheAxes) {
     const auto shape = sharp_cube(glm::dmat3(1.0));
     const auto lines = line_set(*shape, 0.11);
@@ -178,7 +178,7 @@ TEST(Creases, CappedCone) {
     EXPECT_LE(found.off, 1e-5);
 }
 
-// The crease along y is there at all angles; below a limit it is left out.
+// The crease along y exists at all angles, but is left out below a limit.
 TEST(Creases, AngleFades) {
     const auto shape = fading_wedge();
     const auto lines = line_set(*shape, 0.06);
@@ -194,7 +194,7 @@ TEST(Creases, AngleFades) {
     EXPECT_GT(longest, 0.8);
 }
 
-// Two boxes whose long faces lie in four planes, and overlap: one box, whichever of two equal faces is active.
+// Two overlapping boxes with four common face planes are one box, whichever of two equal faces is active.
 TEST(Creases, FacesInOnePlaneAreOne) {
     const auto box = [](double low, double high) {
         return max_of({plane({1, 0, 0}, high), plane({-1, 0, 0}, -low), plane({0, 1, 0}, 0.7), plane({0, -1, 0}, 0.7),
@@ -215,8 +215,8 @@ TEST(Creases, FacesInOnePlaneAreOne) {
     EXPECT_EQ(flat, 0.0);
 }
 
-// Five plates, thinner than the cells that the spacing asks for: where these tear them creases cut very many triangles,
-// which are no reason to leave it at that.
+// The five plates are thinner than the cells that the spacing asks for. Where these cells tear the plates, creases cut
+// very many triangles, and the mesh is made again with smaller cells.
 TEST(Creases, OfThinWallsAreFoundInSmallerCells) {
     constexpr double thickness = 0.034;
     std::vector<Sharp> plates;
@@ -243,9 +243,8 @@ TEST(Creases, OfThinWallsAreFoundInSmallerCells) {
     EXPECT_EQ(lines.mesh().missed_seeds, 0);
 }
 
-// Beyond the inner corner of a notch both sheets of an edge of its floor are 0, and so is f, but there is no edge.
-// Two sheets that differ by 1 % of a cell at most, as parts of one patch do, and a third one through both: the steps
-// between are nothing to draw.
+// Two sheets differ by at most 1 % of a cell, as parts of one patch do, and a third sheet goes through both. The steps
+// between the two are not drawn.
 TEST(Creases, AreNotInStepsOfNothing) {
     const glm::dmat3 turn = odd_turn();
     const auto lower = turned(plane({0, 0, 1}, 0.0), turn);
@@ -257,8 +256,8 @@ TEST(Creases, AreNotInStepsOfNothing) {
         EXPECT_LT(std::abs(lines->creases().point[lines->creases().first[c]].angle()), 1.0) << c;
 }
 
-// The solid below z = 0 and y = 0, whose top is of two sheets, a hundredth of a cell apart if nothing else is said:
-// between x = -0.3 and 0.3 f goes over from one to the other, and is neither.
+// The solid is below z = 0 and y = 0. Its top consists of two sheets, by default a hundredth of a cell apart: between x
+// = -0.3 and 0.3 f changes from one sheet to the other, and equals neither.
 class SeamedTop : public SharpShape {
 public:
     explicit SeamedTop(double gap = 1e-3)
@@ -300,13 +299,16 @@ TEST(Creases, GoOnThroughSeams) {
     }
 }
 
-// Half a cell apart, they meet nowhere, however small the cells: looking again and again would be for nothing.
+// The two sheets are half a cell apart and meet nowhere, so smaller cells would not help and are not tried again and
+// again.
 TEST(Creases, SheetsThatNeverMeetAreNotCutToPieces) {
     const auto near = line_set(SeamedTop(), 0.1);
     const auto apart = line_set(SeamedTop(0.05), 0.1);
     EXPECT_LT(static_cast<double>(apart->mesh().triangles()), 1.3 * static_cast<double>(near->mesh().triangles()));
 }
 
+// Beyond the inner corner of a notch, both sheets of an edge of the notch's floor are 0, and so is f, but no edge is
+// there.
 TEST(Creases, EndAtInnerCorners) {
     const double slope = std::tan(glm::radians(30.0));
     const std::vector<glm::dvec2> outline{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 0.05 + 0.9 * slope},
@@ -352,7 +354,7 @@ std::unique_ptr<LineSet> cut(const implicit::Implicit& shape, const glm::dvec3& 
     return std::make_unique<LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings);
 }
 
-// Pieces that turn by more than 20 degrees; all that are longer than those at corners stay smooth.
+// Returns the middles of the pieces that turn by more than 20 degrees, and expects them to be short, as corners are.
 std::vector<glm::dvec3> corners_of(const Curves& curves) {
     std::vector<glm::dvec3> corners;
     for (std::int64_t c = 0; c < curves.count(); ++c)
@@ -366,7 +368,7 @@ std::vector<glm::dvec3> corners_of(const Curves& curves) {
     return corners;
 }
 
-// Of a cube one polygon, of a bored one a circle or an ellipse as well.
+// The section of the cube is one polygon; the section of the bored cube also has a circle or an ellipse.
 TEST(Creases, SectionsAreClosedAndHaveCorners) {
     const std::array<double, 2> levels{-0.33, 0.17};
     for (const bool bored : {false, true})
@@ -389,7 +391,7 @@ TEST(Creases, SectionsAreClosedAndHaveCorners) {
         }
 }
 
-// The plane passes through the top, and crosses the hole's rim: the outline and the hole's part meet nowhere else.
+// The plane passes through the top and crosses the rim of the hole: the outline and the hole's part meet only there.
 TEST(Creases, SectionsThroughRimsAreClosed) {
     const auto shape = bored_cube(0.6, glm::dmat3(1.0));
     const std::array<double, 1> levels{1.05};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contours of a torus and their cusps, against those that follow from its angles.
+// Tests contours of a torus and their cusps against those computed from its angles.
 #include "curves/curve_changes.h"
 
 #include "support/contour_shapes.h"
@@ -23,13 +23,13 @@ base::Runtime& runtime() {
 
 using Places = std::vector<glm::dvec3>;
 
-// For each angle u along the ring, n . (p - c) = 0 is r + (R - out . c) cos v - c_z sin v = 0, and without a place of
-// the eye (out . d) cos v + d_z sin v = 0: two angles v, or none.
+// For each angle u along the ring, n . (p - c) = 0 is r + (R - out . c) cos v - c_z sin v = 0. For an orthographic view
+// it is (out . d) cos v + d_z sin v = 0. Both have two solutions v, or none.
 class TorusContour {
 public:
     explicit TorusContour(const Eye& eye) : eye_(eye) {}
 
-    // Closed curves.
+    // All closed curves of the contour.
     [[nodiscard]] std::vector<Places> curves() const {
         std::vector<Places> found;
         std::vector<double> ends = borders();
@@ -45,12 +45,12 @@ public:
 
 private:
     [[nodiscard]] static glm::dvec3 out(double u) { return {std::cos(u), std::sin(u), 0.0}; }
-    // Toward the place, in the plane of the angle.
+    // The line of sight to the centre of the tube, in the plane of angle u.
     [[nodiscard]] glm::dvec2 sight(double u) const {
         const glm::dvec3 v = eye_.perspective ? out(u) - eye_.place() : -eye_.back;
         return {glm::dot(v, out(u)), v.z};
     }
-    // 1 - the cosine's square: negative where there is no contour.
+    // 1 minus the square of the cosine. It is negative where no contour exists.
     [[nodiscard]] double opening(double u) const {
         const double share = (eye_.perspective ? tube : 0.0) / glm::length(sight(u));
         return 1.0 - share * share;
@@ -60,7 +60,7 @@ private:
         const double v = std::atan2(sight(u).y, sight(u).x) + side * std::acos(std::max(-1.0, share));
         return out(u) + tube * (std::cos(v) * out(u) + glm::dvec3(0.0, 0.0, std::sin(v)));
     }
-    // Where contours begin or end, ascending.
+    // The angles where contours begin or end, ascending.
     [[nodiscard]] std::vector<double> borders() const {
         std::vector<double> found;
         for (int i = 0; i < steps; ++i) {
@@ -92,8 +92,8 @@ private:
     Eye eye_;
 };
 
-// Where the image of a closed curve, on a sphere around the eye, turns back: the difference of its places along the way
-// that it came.
+// The points where the image of a closed curve, on a sphere around the eye, turns back: two consecutive steps of the
+// image point in opposite directions.
 Places turning_places(const Eye& eye, const Places& curve) {
     const std::size_t n = curve.size();
     const auto seen = [&](std::size_t i) {
@@ -112,7 +112,7 @@ double nearest(const Places& places, const glm::dvec3& p) {
     return least;
 }
 
-// To the chords.
+// The distance to the nearest chord.
 double nearest(const std::vector<Chord>& chords, const glm::dvec3& p) {
     double least = HUGE_VAL;
     for (const Chord& chord : chords) {
@@ -139,7 +139,7 @@ protected:
             EXPECT_LE(glm::length(glm::cross(v, glm::normalize(p.direction()))), 1e-5);
         }
     }
-    // Returns how many cusps there are.
+    // Returns the number of cusps.
     std::int64_t compare(const Eye& eye) {
         SCOPED_TRACE(testing::Message() << (eye.perspective ? "perspective " : "orthographic ") << eye.back.x << ' '
                                         << eye.back.y << ' ' << eye.back.z);
@@ -166,7 +166,7 @@ TEST_F(TorusCusps, AreThoseOfItsAngles) {
     EXPECT_GT(all, 60);
 }
 
-// Where the eye is in the ring's hole, or beside it.
+// The eye is in the ring's hole, or beside it.
 TEST_F(TorusCusps, FromNear) {
     for (const glm::dvec3& towards : cube_directions(0.1)) {
         const double distance = std::abs(towards.z) > 0.5 ? 0.7 : 0.4;
@@ -174,14 +174,14 @@ TEST_F(TorusCusps, FromNear) {
     }
 }
 
-// Over a part of the ring there is no contour: one curve goes forth and back over the rest.
+// A part of the ring has no contour: one curve goes forth and back over the rest.
 TEST_F(TorusCusps, EyeWithinTheTube) {
     const Eye eye = Eye::at({0.9, 0.1, 0.05}, 1.1, true);
     ASSERT_EQ(TorusContour(eye).curves().size(), 1U);
     compare(eye);
 }
 
-// Past views where two cusps come together.
+// The eye moves through views in which two cusps meet.
 TEST_F(TorusCusps, ComeInPairs) {
     std::set<std::int64_t> numbers;
     for (int i = 0; i <= 60; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Roots of f along a segment by brute force: many samples, and a search for the least |f| between them.
+// Counts roots of f along a segment by brute force: many samples, and a search for the least |f| between them.
 #pragma once
 
 #include "support/analytic.h"
@@ -18,7 +18,7 @@ struct Along {
     }
 };
 
-// The least |f| in [a, b], where f has the sign of `sign` at the ends.  By golden sections.
+// The least |f| in [a, b], where f has the sign of `sign` at the ends, by golden-section search.
 inline double least(const Along& f, double a, double b, double sign) {
     constexpr double golden = 0.6180339887498949;
     double c = b - golden * (b - a), d = a + golden * (b - a);
@@ -39,7 +39,7 @@ inline double least(const Along& f, double a, double b, double sign) {
     return std::min(fc, fd);
 }
 
-// In the open segment from 0 to 1.
+// The number of roots in the open segment from 0 to 1.
 inline int roots(const Along& f, int samples) {
     int count = 0;
     double before = f(0.0), now = f(1.0 / samples);
@@ -58,7 +58,7 @@ inline int roots(const Along& f, int samples) {
     return count;
 }
 
-// The part of a segment that is in the region; false: none.
+// Clips a segment to the region. Returns false if nothing is left.
 inline bool clip(const geometry::Bounds& region, glm::dvec3& from, glm::dvec3& to) {
     double low = 0.0, high = 1.0;
     const glm::dvec3 way = to - from;

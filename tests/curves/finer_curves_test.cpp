@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Curves made finer: exact points where that is asked for, all else as it was; and meshes that join what the surface
-// does not.
+// Tests the refinement of curves: exact points where they are requested, and no change elsewhere. Also tests meshes
+// that join parts that are separate on the surface.
 #include "curves/curve_changes.h"
 
 #include "traced.h"
@@ -30,7 +30,7 @@ protected:
         const glm::dvec4 q = view.to_window * glm::dvec4(p, 1.0);
         return glm::dvec2(q) / q.w;
     }
-    // Of the middles of pieces from their curve, pixels.
+    // The largest distance between the middle of a piece and the exact curve, in pixels.
     [[nodiscard]] double farthest(const Contours& found, const Curves& curves) const {
         base::Array<CurvePoint> middle(runtime().memory);
         for (std::int64_t c = 0; c < curves.count(); ++c)
@@ -82,7 +82,7 @@ TEST_F(FinerCurves, StayWhereNothingIsMarked) {
     EXPECT_EQ(evaluations, 0);
 }
 
-// Cassini's ovals about the x axis, apart by 2 sqrt(a^2 - c^2).
+// Cassini's ovals about the x axis with a gap of 2 sqrt(a^2 - c^2).
 struct Ovals {
     double gap;
     [[nodiscard]] test::Field operator()(const glm::dvec3& p) const {
@@ -97,7 +97,7 @@ struct Ovals {
     }
 };
 
-// A mesh that joins the two has changes of sign that no contour passes.
+// A mesh that joins the two ovals has sign changes that no contour passes.
 TEST(NearParts, HaveNoCurveBetween) {
     for (const double gap : {0.005, 0.01, 0.02}) {
         const test::AnyField surface({glm::dvec3(-1.0, -0.5, -0.5), glm::dvec3(1.0, 0.5, 0.5)}, Ovals{gap});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The mesh, the counter and contours on what a fit makes.
+// Tests the mesh, the sheet counter and contours on fitted surfaces.
 #include "base/random.h"
 #include "curves/sheet_count.h"
 #include "dense_count.h"
@@ -65,7 +65,7 @@ TEST_F(Fitted, MeshHardlyDependsOnItsSide) {
     EXPECT_GT(b.area, a.area); // chords cut corners
 }
 
-// Half of the segments end along the surface.
+// Half of the segments end at the surface and are tangent to it.
 TEST_F(Fitted, SheetsAreThoseOfTheReference) {
     constexpr std::int64_t count = 600;
     geometry::VecArray from(runtime.memory, count);
@@ -96,7 +96,7 @@ TEST_F(Fitted, SheetsAreThoseOfTheReference) {
     EXPECT_GT(sheets, 200);
 }
 
-// The Hessian jumps at each sample, where a contour may turn sharply.
+// The Hessian jumps at each sample, so a contour may turn sharply there.
 TEST_F(Fitted, ContoursAreClosedAndOnTheCurve) {
     const test_traced::Meshed meshed(runtime, hrbf, points_of(runtime, samples), 0.06);
     std::int64_t cusps = 0;

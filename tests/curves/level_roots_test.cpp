@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Zeros of g between two places of a surface, also where f hardly rises between them.
+// Tests zeros of g between two points of a surface, also where f hardly changes between them.
 #include "curves/curves.h"
 
 #include "traced.h"
@@ -12,7 +12,7 @@ using namespace test_traced;
 constexpr double wanted = 0.1;
 constexpr double bulge = 1e-3;
 
-// z^3 + slope z + bulge (1 - x^2) = 0: a strip whose middle a chord from x = -1 to 1 misses by bulge / slope.
+// The strip z^3 + slope z + bulge (1 - x^2) = 0. A chord from x = -1 to 1 misses its middle by bulge / slope.
 test::AnyField strip(double slope) {
     return {{{-2.0, -2.0, -2.0}, {2.0, 2.0, 2.0}}, [=](const glm::dvec3& p) {
                 return test::Field{p.z * p.z * p.z + slope * p.z + bulge * (1.0 - p.x * p.x),
@@ -56,7 +56,7 @@ TEST(LevelRoots, AreOnTheSurface) {
     EXPECT_NEAR(p.position.z, -bulge * (1.0 - p.position.x * p.position.x), 1e-8);
 }
 
-// A step along the gradient would lead a thousand chords away, or nowhere.
+// A step along the gradient would have a length of a thousand chords, or would be impossible.
 TEST(LevelRoots, StayBetweenThePlacesWhereTheSlopeIsLost) {
     for (const double slope : {1e-6, 0.0}) {
         const CurvePoint p = halved(slope);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chains of crossed edges: in closed and open meshes, and which way they run.
+// Tests chains of crossed edges: in closed and open meshes, and their direction.
 #include "curves/mesh_edges.h"
 
 #include "traced.h"
@@ -23,7 +23,7 @@ base::Array<double> values(const SurfaceMesh& mesh, const std::function<double(c
     return level;
 }
 
-// Edges whose ends have different signs.
+// The edges whose ends have different signs.
 std::set<std::pair<std::int32_t, std::int32_t>> crossed_edges(const SurfaceMesh& mesh,
                                                               const base::Array<double>& level) {
     std::set<std::pair<std::int32_t, std::int32_t>> edges;
@@ -88,7 +88,7 @@ TEST(MeshChains, OpenOnesRunFromBorderToBorder) {
         const glm::dvec3 b = chains.point[chains.first[c + 1] - 1].place;
         EXPECT_NEAR(std::max(a.y, b.y), meshed.mesh.region.max.y, 1e-9);
         EXPECT_NEAR(std::min(a.y, b.y), meshed.mesh.region.min.y, 1e-9);
-        // f > 0 above: what is negative lies to the left, which is between the two lines.
+        // f > 0 above the plane. The negative side, which is between the two lines, lies to the left.
         EXPECT_EQ(b.y > a.y, a.x > 0.0);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is measured of a mesh.
+// Measures of a mesh.
 #pragma once
 
 #include "curves/surface_mesh.h"
@@ -15,15 +15,15 @@ namespace hrbfnpr::curves::test_checks {
 struct Measures {
     double area = 0.0;
     double volume = 0.0;          // by the divergence theorem
-    std::int64_t euler = 0;       // V - E + F, counted by edges without the neighbours
+    std::int64_t euler = 0;       // V - E + F; edges are counted without the neighbour table
     std::int64_t border = 0;      // edges with one triangle
-    std::int64_t turned = 0;      // triangles that look away from the mean of their gradients
-    std::int64_t bad_edges = 0;   // with more than two triangles, or the same way in two
-    std::int64_t bad_across = 0;  // neighbours that do not share the edge, or are not each other's
-    std::int64_t unused = 0;      // vertices of no triangle
+    std::int64_t turned = 0;      // triangles that face away from the mean of their gradients
+    std::int64_t bad_edges = 0;   // edges with more than two triangles, or with the same direction in two triangles
+    std::int64_t bad_across = 0;  // neighbours that do not share the edge, or do not refer to each other
+    std::int64_t unused = 0;      // vertices that belong to no triangle
     double off = 0.0;             // the largest |f| / |grad f|
     double gradient_off = 0.0;    // the largest difference of a stored gradient
-    double smallest_area = 1e300; // of a triangle
+    double smallest_area = 1e300; // the smallest area of a triangle
 };
 
 inline glm::dvec3 corner(const SurfaceMesh& mesh, std::int64_t t, std::int64_t k) {

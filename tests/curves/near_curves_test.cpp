@@ -12,7 +12,7 @@
 namespace hrbfnpr::curves::near_curves_test {
 namespace {
 
-// f = z and g = the distance from the z axis less the radius: a circle, anticlockwise.
+// A point of a circle, anticlockwise: f = z, and g is the distance from the z axis minus the radius.
 CurvePoint on_circle(double radius, double angle) {
     CurvePoint p;
     const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
@@ -32,7 +32,7 @@ TEST(CubicPiece, IsTheArcOfACircle) {
     }
 }
 
-// As on the border of a surface where its support is constant.
+// This case occurs on the border of a surface where its support is constant.
 TEST(CubicPiece, FollowsTheChordWhereTheCurveHasNoDirection) {
     CurvePoint flat = on_circle(3.0, 0.0);
     flat.level_gradient = glm::dvec3(0.0);
@@ -45,7 +45,7 @@ TEST(CubicPiece, FollowsTheChordWhereTheCurveHasNoDirection) {
     EXPECT_EQ(point.at(0.5), flat.position);
 }
 
-// Two circles, one in the other.
+// Two concentric circles.
 Curves circles(base::Memory& memory) {
     constexpr int points = 40;
     Curves curves(memory);
@@ -70,7 +70,7 @@ TEST(NearCurves, PassWhereTheirNearestPlaceIsNear) {
         for (const double way : {1.0, -1.0}) {
             const glm::dvec3 along = way * glm::dvec3(-std::sin(angle), std::cos(angle), 0.0);
             const std::int64_t curve = near.passing(place, along, distance);
-            // The outer circle is nearer from the middle between both on.
+            // The outer circle is the nearer one from the middle between both.
             const std::int64_t nearer = radius < 1.15 ? 0 : 1;
             const bool is_near = way > 0.0 && std::abs(radius - (nearer == 0 ? 1.0 : 1.3)) <= distance;
             EXPECT_EQ(curve, is_near ? nearer : -1) << i;

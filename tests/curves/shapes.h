@@ -11,8 +11,6 @@ namespace hrbfnpr::curves::test_shapes {
 using test::AnyField;
 using test::Field;
 
-// Of the cubes' shapes below no vertex may be a multiple of the others' coordinates: they are at odd places on purpose.
-
 // (x/a)^2 + (y/b)^2 + (z/c)^2 - 1
 inline Field ellipsoid(const glm::dvec3& p) {
     const glm::dvec3 axes(1.0, 0.6, 0.35);
@@ -38,7 +36,7 @@ inline Field two_spheres(const glm::dvec3& p) {
     return da < db ? Field{da, a / glm::length(a), {}} : Field{db, b / glm::length(b), {}};
 }
 
-// A spherical shell with the radii 1 - thickness and 1; f is no distance.
+// A spherical shell with the radii 1 - thickness and 1. f is not a distance.
 struct Shell {
     double thickness;
     [[nodiscard]] Field operator()(const glm::dvec3& p) const {

@@ -33,12 +33,12 @@ glm::dvec3 random(std::int64_t i, std::uint32_t draw) {
 }
 
 struct Counted {
-    std::int64_t wrong = 0;     // and said to be certain
-    std::int64_t uncertain = 0; // right or wrong
+    std::int64_t wrong = 0;     // wrong, but reported as certain
+    std::int64_t uncertain = 0; // uncertain answers, right or wrong
     std::int64_t sheets = 0;
 };
 
-// All segments against a reference of many samples.
+// Compares all segments with a reference of many samples.
 Counted compare(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceMesh& mesh,
                 const Segments& segments, int samples) {
     const SheetCounter counter(runtime, mesh);
@@ -84,7 +84,7 @@ protected:
     SurfaceMesh mesh;
 };
 
-// From all around, near and far, to anywhere.
+// The segments begin near and far, in all directions, and end anywhere in the box.
 TEST_P(Sheets, AreThoseOfTheReferenceForRandomSegments) {
     Segments segments(runtime.memory);
     const geometry::Bounds& box = implicit->bounds();
@@ -99,7 +99,7 @@ TEST_P(Sheets, AreThoseOfTheReferenceForRandomSegments) {
     EXPECT_GT(counted.sheets, 500);
 }
 
-// Along the surface at their end, as the view of a contour is.
+// At their end the segments are tangent to the surface, as the lines of sight to a contour are.
 TEST_P(Sheets, AreThoseOfTheReferenceForContours) {
     Segments segments(runtime.memory);
     const double clear = 2e-3 * implicit->diagonal();
@@ -114,7 +114,8 @@ TEST_P(Sheets, AreThoseOfTheReferenceForContours) {
     EXPECT_LE(counted.uncertain, 40);
 }
 
-// That end on the surface across it, with nothing left out: whether the end is seen.
+// The segments end on the surface and cross it there, and nothing is left out at the end: this tells whether the end is
+// visible.
 TEST_P(Sheets, DoNotCountTheEndItself) {
     Segments open(runtime.memory);
     Segments clear(runtime.memory);
@@ -187,7 +188,7 @@ TEST_F(SheetCount, OfPlainSegments) {
     for (const SheetCounter::Answer& each : answer) EXPECT_TRUE(each.certain);
 }
 
-// Along an axis, where lines meet edges and corners of triangles.
+// The segments go through corners of triangles.
 TEST_F(SheetCount, ThroughCornersOfTriangles) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
@@ -213,7 +214,8 @@ TEST_F(SheetCount, NothingIsCountedWhereNothingIs) {
     EXPECT_TRUE(answer.empty());
 }
 
-// Lines that pass a sphere ever nearer: beside it none, through it two, and in between no certainty.
+// The lines pass a sphere ever more closely. A line outside meets no sheet, a line through it two, and in between the
+// answer is uncertain.
 TEST_F(SheetCount, ATouchIsNotCertain) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
@@ -244,7 +246,7 @@ TEST_F(SheetCount, NoNumberIsNotCertain) {
     EXPECT_TRUE(count(half, {0.2, 0.1, 3}, {0.2, 0.2, -3}).certain);
 }
 
-// Three roots between two of the first places, at which f has different signs; the mesh does not know of them.
+// Three roots lie between two of the first sample points, where f has different signs. The mesh does not show them.
 TEST_F(SheetCount, SeveralRootsNearEachOther) {
     const AnyField wave(cube(0.5), [](const glm::dvec3& p) {
         constexpr double root = 0.012;
@@ -258,7 +260,7 @@ TEST_F(SheetCount, SeveralRootsNearEachOther) {
     }
 }
 
-// The mesh of one function, and the values of others.
+// The mesh of one function is used with the values of others.
 TEST_F(SheetCount, TheTwoCountsHaveToAgree) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
@@ -275,7 +277,7 @@ TEST_F(SheetCount, TheTwoCountsHaveToAgree) {
     EXPECT_FALSE(count(shifted(-1e-6), {3, 0.1, 0.2}, {-3, 0.2, 0.1}).certain);
 }
 
-// A part that no seed belongs to is not looked at, but is noticed where it stands between two sheets.
+// A part without a seed is not counted, but is noticed where it lies between two sheets.
 TEST_F(SheetCount, OnlyPartsOfTheMeshCount) {
     const AnyField both(cube(1.2), two_spheres);
     make(both, {-.6, .6, 0}, 0.06);
@@ -283,7 +285,7 @@ TEST_F(SheetCount, OnlyPartsOfTheMeshCount) {
     EXPECT_EQ(count(both, {.6, -.2, 3}, {.6, -.2, -3}).sheets, 0);
 }
 
-// What a segment's answer is does not depend on the others, and all of them cost little.
+// The answer for a segment does not depend on the other segments, and all answers together need few evaluations.
 TEST_F(SheetCount, AsksForFewValues) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.05);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contours smaller than a cell of the mesh: of a bump in a plane, seen just so steeply that its far side is hidden.
+// Tests contours smaller than a mesh cell: those of a bump in a plane, at an angle that just hides the bump's far side.
 #include "curves/trace.h"
 
 #include "traced.h"
@@ -10,7 +10,7 @@ namespace {
 using namespace test_traced;
 
 constexpr double side = 0.1;
-constexpr double width = 0.35; // of the bump
+constexpr double width = 0.35; // of the bump's Gaussian
 constexpr double height = 0.3;
 const double steepest = height / width * std::exp(-0.5);
 
@@ -19,7 +19,7 @@ base::Runtime& runtime() {
     return instance;
 }
 
-// z = h exp(-r^2 / 2 s^2) around a place of the plane.
+// z = h exp(-r^2 / 2 s^2) around a point of the plane.
 test::AnyField bump(const glm::dvec2& centre) {
     return {{{-1.0, -1.0, -0.2}, {1.0, 1.0, 0.45}}, [=](const glm::dvec3& p) {
                 const glm::dvec2 q = (glm::dvec2(p) - centre) / width;
@@ -33,8 +33,9 @@ test::AnyField bump(const glm::dvec2& centre) {
             }};
 }
 
-// Along x the slope of the bump is steepest at -s, and less by 1 - (dx/s)^2 - (dy/s)^2 / 2 beside it: so steep a line
-// of sight is tangent to the surface along an ellipse with the half axis `reach` across.
+// Along x the slope of the bump is steepest at -s; beside it the slope is less by the factor 1 - (dx/s)^2 - (dy/s)^2 /
+// 2. A line of sight with the slope below is tangent to the surface along an ellipse with the half axis `reach` along
+// x.
 Eye grazing(double reach) {
     const double slope = steepest * (1.0 - reach * reach / (width * width));
     return Eye::at({1.0, 0.0, slope}, 3.0, false);
@@ -71,7 +72,7 @@ TEST_P(SmallLoops, AreFoundWhereverTheyAre) {
     EXPECT_GT(between, 0); // some loops pass between all vertices
 }
 
-// In cells.
+// The sizes are in cells.
 INSTANTIATE_TEST_SUITE_P(Sizes, SmallLoops, testing::Values(0.5, 0.25, 0.1));
 
 TEST(SmallLoop, NoneWhereTheSightIsSteeper) {

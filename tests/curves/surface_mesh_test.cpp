@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
     Shapes, Closed,
     testing::Values(
         Shape{"sphere", [] { return std::make_unique<Sphere>(); }, {{0, 0, 1}}, 0.1, 2, 4 * pi},
-        // Its poles, and more, are exactly on corners of the lattice.
+        // The poles and some other points are exactly on corners of the lattice.
         Shape{"on_corners",
               [] { return std::make_unique<SquareSphere>(1.0, 2.0); },
               {{0, 0, 1}},
@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
               0.04,
               4,
               4 * pi*(0.25 + 0.09)},
-        // Hardly thicker than a cell's diagonal.
+        // The shell is hardly thicker than a cell's diagonal.
         Shape{"shell",
               [] { return any(cube(1.1), Shell{0.09}); },
               {{0, 0, 1}, {0, .91, 0}},
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
         Shape{"linked_tori", [] { return std::make_unique<TwoTori>(); }, {{1.3, 0, 0}, {1, 0, 1.3}}, 0.05, 0, 0.0}),
     [](const testing::TestParamInfo<Shape>& shape) { return std::string(shape.param.name); });
 
-// The mesh of a sphere that is cut by its region at z = 0.3.
+// The region cuts the sphere at z = 0.3.
 TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
@@ -125,7 +125,7 @@ TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
     for (std::int64_t i = 0; i < mesh.vertices(); ++i) ASSERT_TRUE(half.region.contains(mesh.position[i]));
 }
 
-// All of the surface that its samples bear out, and little of what goes on beyond them.
+// The mesh contains all of the surface that the samples support, and little of what lies beyond.
 TEST(SurfaceMesh, EndsBeyondItsSamples) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
@@ -176,12 +176,12 @@ TEST(SurfaceMesh, ReachesOnlyPartsWithASeed) {
     EXPECT_EQ(measure(mesh, both).euler, 2);
     EXPECT_NEAR(measure(mesh, both).area, 4 * pi * 0.09, 0.01 * 4 * pi * 0.09);
     EXPECT_EQ(triangulate(runtime, both, seeds(runtime, {}), settings(both, 0.04)).triangles(), 0);
-    // Outside of the region, and far from the surface.
+    // The first seed is outside of the region, the second one far from the surface.
     EXPECT_EQ(triangulate(runtime, both, seeds(runtime, {{9, 9, 9}, {.6, -.2, .1}}), settings(both, 0.04)).triangles(),
               0);
 }
 
-// The seed's own cell has all corners on one side: the cap above it is lower than the cell.
+// All corners of the seed's own cell are on one side, because the cap above the cell is lower than the cell.
 TEST(SurfaceMesh, FindsTheSurfaceFromASeedBesideIt) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
@@ -195,7 +195,7 @@ TEST(SurfaceMesh, FindsTheSurfaceFromASeedBesideIt) {
     }
 }
 
-// The pole is in the middle of a cell's face, and a little above it: the cell has all corners outside.
+// The pole is in the middle of a cell's face and a little above it, so all corners of the cell are outside.
 TEST(SurfaceMesh, FindsTheSurfaceFromACellWithoutAChangeOfSign) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
@@ -207,7 +207,7 @@ TEST(SurfaceMesh, FindsTheSurfaceFromACellWithoutAChangeOfSign) {
     EXPECT_EQ(mesh.missed_seeds, 0);
 }
 
-// A small sphere that no corner is in.
+// The small sphere contains no corner of a cell.
 TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
     const base::Runtime runtime = with_threads(2);
     const AnyField two(cube(1.0), [](const glm::dvec3& p) {
@@ -224,7 +224,7 @@ TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
     EXPECT_EQ(triangulate(runtime, two, seed, coarse).missed_seeds, 0);
 }
 
-// It is near triangles, but they face the other way.
+// The missed seed is near triangles, but they face the other way.
 TEST(SurfaceMesh, CountsMissedSeedsBesideAnotherPart) {
     const base::Runtime runtime = with_threads(2);
     const AnyField drop(cube(1.0), [](const glm::dvec3& p) {
@@ -269,11 +269,11 @@ TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
     fine.side = 1e-4;
     EXPECT_TRUE(refused());
     EXPECT_LT(sphere.evaluations - before, 100000) << "it is found in time";
-    fine.side = 1e-9; // more cells along an axis than can be numbered
+    fine.side = 1e-9; // more cells along an axis than their numbers can hold
     EXPECT_TRUE(refused());
 }
 
-// f is no number in a ball around a pole and in a thin layer that cells hardly meet.
+// f is NaN in a ball around a pole and in a thin layer that cells hardly meet.
 TEST(SurfaceMesh, LeavesOutWhereThereIsNoNumber) {
     const base::Runtime runtime = with_threads(2);
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traced contours of surfaces whose contours are known.
+// Tests traced contours of surfaces whose contours are known.
 #include "curves/trace.h"
 
 #include "support/contour_shapes.h"
@@ -34,8 +34,8 @@ TEST(Trace, SphereHasTheCircleThatIsKnown) {
     }
 }
 
-// From the curves of a view half a degree away: they are those of this view, for fewer evaluations; a curve that is not
-// among them is found as without them.
+// Tracing that starts from the curves of a view half a degree away gives the curves of this view with fewer
+// evaluations. A curve that is missing there is found as without them.
 TEST(Trace, GoesOnFromTheViewBefore) {
     const test::Torus torus(1.0, 0.45);
     const Meshed meshed(runtime(), torus, {{1.45, 0.0, 0.0}}, 0.05);
@@ -72,7 +72,7 @@ TEST(Trace, GoesOnFromTheViewBefore) {
     }
 }
 
-// The outline runs so that the surface lies to the left of it in the image, y up.
+// In the image with y up, the surface lies to the left of the outline.
 TEST(Trace, OutlineRunsRoundItsSurface) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.08);
@@ -97,13 +97,13 @@ TEST(Trace, EllipsoidHasTheSectionThatIsKnown) {
     }
 }
 
-// Of the circle through three places.
+// The curvature of the circle through three points.
 double circle_curvature(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return 2.0 * glm::length(glm::cross(b - a, c - a)) /
            (glm::distance(a, b) * glm::distance(b, c) * glm::distance(a, c));
 }
 
-// The curvature of the cone or cylinder of sight across it, from the drawn curve alone.
+// The curvature of the cone or cylinder of sight, measured across it and from the drawn curve alone.
 double apparent_curvature(const Eye& eye, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     if (!eye.perspective) {
         const auto flat = [&](const glm::dvec3& p) { return p - glm::dot(p, eye.back) * eye.back; };
@@ -163,12 +163,12 @@ TEST(Trace, Knot) {
     expect_sound_at_all_views(meshed, 4.0);
 }
 
-// Where the surface leaves its region.
+// The contours end where the surface leaves its region.
 TEST(Trace, OpenContoursEndAtTheBorder) {
     const test::Cylinder cylinder(0.5, 1.0);
     const Meshed meshed(runtime(), cylinder, {{0.5, 0.0, 0.0}}, 0.07);
     for (const Eye& eye : test::eyes(cube_directions(0.1), 3.0)) {
-        if (std::abs(eye.back.z) > 0.95) continue; // perspective: may be seen along the axis
+        if (std::abs(eye.back.z) > 0.95) continue; // in perspective, the view may be along the axis
         const Contours found(runtime(), meshed, eye.view());
         ASSERT_EQ(found.curves.count(), 2);
         EXPECT_EQ(found.closed(), 0);
@@ -194,7 +194,7 @@ TEST(Trace, NothingIsSeenFromWithinASphere) {
         }
 }
 
-// All that is asked is an end, and no point that is none.
+// Checks only that the trace ends and that all points are finite.
 void expect_finite(const Contours& found) {
     for (const CurvePoint& p : found.curves.point) {
         EXPECT_TRUE(std::isfinite(p.position.x + p.position.y + p.position.z));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contours of a surface as tests look at them, and what holds for all of them.
+// Contours of a surface with measures for tests, and the conditions that all contours must meet.
 #pragma once
 
 #include "curves/curve_changes.h"
@@ -67,7 +67,8 @@ inline double length(const Curves& curves, std::int64_t curve) {
     return sum;
 }
 
-// The farthest of all points from f = g = 0, by a Newton step from values that are asked for again; in lengths.
+// The largest distance of the points from f = g = 0, as the length of a Newton step with values that are evaluated
+// anew.
 inline double farthest_off(const base::Runtime& runtime, const Level& level, const Curves& curves) {
     base::Array<CurvePoint> points(runtime.memory);
     for (const CurvePoint& p : curves.point) points.push_back(p);
@@ -80,7 +81,7 @@ inline double farthest_off(const base::Runtime& runtime, const Level& level, con
     return farthest;
 }
 
-// The sharpest turn between points that follow each other, radians.
+// The sharpest turn between consecutive points, in radians.
 inline double sharpest_turn(const Curves& curves) {
     double sharpest = 0.0;
     for (std::int64_t c = 0; c < curves.count(); ++c)
@@ -93,19 +94,19 @@ inline double sharpest_turn(const Curves& curves) {
     return sharpest;
 }
 
-// A chord between points, and how far along its curve it begins.
+// A chord between points, and the distance along its curve at which it begins.
 struct Chord {
     glm::dvec3 a, b;
     std::int64_t curve;
     double at, whole;
 
     [[nodiscard]] glm::dvec3 way() const noexcept { return b - a; }
-    // Of the same curve, not so far along it.
+    // Tells whether both chords are of the same curve and begin less than `distance` apart along it.
     [[nodiscard]] bool follows(const Chord& other, double distance) const noexcept {
         const double apart = std::abs(at - other.at);
         return curve == other.curve && std::min(apart, whole - apart) < distance;
     }
-    // Whether it begins so near to another one, and runs along it.
+    // Tells whether the chord begins within `distance` of another one, and is nearly parallel to it.
     [[nodiscard]] bool alike(const Chord& other, double distance) const noexcept {
         const glm::dvec3 along = other.way();
         const double share = std::clamp(glm::dot(a - other.a, along) / glm::dot(along, along), 0.0, 1.0);
@@ -129,7 +130,7 @@ inline std::vector<Chord> chords_of(const Curves& curves) {
     return chords;
 }
 
-// Chords that another one runs along within the distance, the same way or the other.
+// The number of chords that run along another chord within the distance, in the same direction or the opposite one.
 inline std::int64_t run_alike(const Curves& curves, double distance) {
     std::vector<Chord> chords = chords_of(curves);
     double reach = distance;
@@ -147,7 +148,7 @@ inline std::int64_t run_alike(const Curves& curves, double distance) {
     return count;
 }
 
-// What holds for the contours of any closed surface without samples.
+// Checks the conditions that contours of any closed surface without samples must meet.
 inline void expect_sound(const base::Runtime& runtime, const Meshed& of, const Contours& found) {
     EXPECT_EQ(found.closed(), found.curves.count());
     EXPECT_EQ(found.report.broken, 0);

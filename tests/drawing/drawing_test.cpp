@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a drawing knows of the marks that its dots and strokes come from.
+// Tests what a drawing knows about the marks that its dots and strokes come from.
 #include "drawing/drawing.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using drawing::Drawing;
 using drawing::Identity;
 using drawing::MarkSource;
 
-// A layer of that many marks at (10 number + i, 0, 0).
+// Adds a layer of `count` marks at (10 number + i, 0, 0).
 void add_layer(marks::PointSet& set, float number, int count) {
     marks::Layer& layer = set.layers.add(set.layers.memory(), marks::Kind::own);
     for (int i = 0; i < count; ++i) {
@@ -25,7 +25,7 @@ void add_layer(marks::PointSet& set, float number, int count) {
     }
 }
 
-// Items of layers of 3, 0, 4 (two strokes, crosswise), 0 marks; then of 0 and 2 marks.
+// The first item has layers of 3, 0, 4 (two strokes, crosswise) and 0 marks; the second has layers of 0 and 2 marks.
 class DrawingTest : public ::testing::Test {
 protected:
     DrawingTest() {
@@ -87,7 +87,7 @@ TEST_F(DrawingTest, IdentifiesMarksAndTheirStrokes) {
     };
     expect(1, {0, 0, 0, -1, 0});
     expect(3, {0, 0, 2, -1, 0});
-    expect(4, {0, 2, 0, 1, 1}); // strokes by their numbers: 2, then 6
+    expect(4, {0, 2, 0, 1, 1}); // strokes in the order of their numbers: 2, then 6
     expect(5, {0, 2, 1, 0, 1});
     expect(6, {0, 2, 2, 1, 0});
     expect(7, {0, 2, 3, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orders by depth, and tiles.
+// Tests the order by depth, and tiles.
 #include "base/random.h"
 #include "drawing/drawing.h"
 #include "drawing/tiles.h"
@@ -34,7 +34,7 @@ TEST(FarToNearSort, IsAStableSort) {
             base::Array<std::uint64_t> keys(memory);
             for (std::int64_t i = 0; i < count; ++i) {
                 const auto u = base::uniform4(3, static_cast<std::uint64_t>(i), base::Purpose::candidate);
-                // Few different depths, so that there are ties.
+                // There are few different depths, so that ties occur.
                 const float depth = std::floor(static_cast<float>(u[0] * 500.0 - 250.0)) * 0.25F;
                 keys.push_back(drawing::far_first_key(depth, static_cast<std::uint32_t>(i)));
             }
@@ -55,7 +55,7 @@ std::vector<Round> random_discs(std::int64_t count) {
     std::vector<Round> discs;
     for (std::int64_t i = 0; i < count; ++i) {
         const auto u = base::uniform4(5, static_cast<std::uint64_t>(i), base::Purpose::candidate);
-        const double radius = i % 50 == 0 ? 400.0 * u[2] : 20.0 * u[2]; // some over very many tiles
+        const double radius = i % 50 == 0 ? 400.0 * u[2] : 20.0 * u[2]; // some discs cover very many tiles
         discs.push_back({static_cast<float>(1200.0 * u[0] - 100.0), static_cast<float>(900.0 * u[1] - 100.0),
                          static_cast<float>(radius)});
     }
@@ -67,7 +67,7 @@ TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     const std::int32_t width = 1000;
     const std::int32_t height = 700;
     const std::vector<Round> discs = random_discs(20000);
-    // Pieces with gaps, and empty ones.
+    // The pieces have gaps between them, and some are empty.
     const std::array<drawing::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
     const auto taken = [&](std::size_t i) {
         const auto at = static_cast<std::int64_t>(i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Segments of strokes in tiles.
+// Tests the assignment of stroke segments to tiles.
 #include "base/random.h"
 #include "base/runtime.h"
 #include "drawing/drawing.h"
@@ -39,7 +39,7 @@ protected:
         p.radius = static_cast<float>(radius);
         return p;
     }
-    // Numbers of the tiles that a segment stands in.
+    // The indices of the tiles that contain a segment.
     std::vector<std::int64_t> tiles_of(std::uint32_t segment) const {
         std::vector<std::int64_t> tiles;
         for (std::int64_t tile = 0; tile < drawing.segment_tiles.tiles(); ++tile)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that end where their samples do: their meshes, borders, contours and rays.
+// Tests surfaces that end where their samples end: meshes, borders, contours and rays.
 #include "curves/mesh_checks.h"
 #include "curves/traced.h"
 #include "features/line_set.h"
@@ -72,7 +72,7 @@ TEST_F(OpenSphere, BorderIsExact) {
         const CurvePoint& b = border.point[border.next(0, k)];
         EXPECT_LT(off_surface(sphere, a.position), 1e-8);
         EXPECT_NEAR(open.domain().beyond(a.position, a.gradient), 0.0, 1e-6);
-        // Between points, too.
+        // The curve is exact between points, too.
         const glm::dvec3 middle = CubicPiece(a, b).at(0.5);
         EXPECT_LT(off_surface(sphere, middle), 1e-5);
         EXPECT_NEAR(open.domain().beyond(middle, middle), 0.0, 2e-3);
@@ -123,7 +123,8 @@ TEST_F(OpenSphere, RaysGoThroughWhatIsNotThere) {
     }
 }
 
-// Through the middle of the sphere, beside its border: there triangles do not tell where it ends.
+// The rays go through the surface beside its border, towards the middle of the sphere: the triangles do not tell there
+// where the surface ends.
 TEST_F(OpenSphere, RaysBesideTheBorder) {
     geometry::VecArray from(runtime.memory);
     geometry::VecArray to(runtime.memory);
@@ -158,7 +159,7 @@ TEST_F(OpenSphere, FacingPartsFitTogether) {
     const auto& b = inside.curves.point;
     EXPECT_LT(glm::distance(a[0].position, b[b.size() - 1].position), 1e-12);
     EXPECT_LT(glm::distance(b[0].position, a[a.size() - 1].position), 1e-12);
-    // Where the line of sight is tangent to the surface: where a contour ends.
+    // The parts meet where the line of sight is tangent to the surface, which is where a contour ends.
     const ContourLevel level(sphere, view);
     TraceReport report;
     const Curves contour = trace(runtime, level, open.lines.mesh(), {}, report);

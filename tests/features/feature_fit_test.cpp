@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feature lines of fitted surfaces: against a brute search on a mesh three times as fine, and of what has none.
+// Tests feature lines of fitted surfaces against a brute search on a dense mesh, and surfaces that have none.
 #include "features/feature_lines.h"
 
 #include "feature_shapes.h"
@@ -35,7 +35,7 @@ struct Fitted {
     implicit::HrbfShape source;
 };
 
-// The zero line of the linear g in each triangle, in pieces: no chains, no refinement, no ends.
+// Points on the zero line of the linear g in each triangle, without chains, refinement or ends.
 std::vector<glm::dvec3> zero_lines(const Subject& subject, const FeatureRequest& request, double least) {
     std::vector<glm::dvec3> found;
     std::vector<FeatureValue> value;
@@ -77,7 +77,8 @@ TEST(FittedFeatures, SuggestiveContoursAreThoseOfADenseReference) {
             request.rounds = rounds;
             const FeatureLines lines = subject.find(runtime(), request);
             const std::vector<glm::dvec3> found = along(lines, pixel);
-            // Strengths differ a little: the reference is asked for less, or for more.
+            // Strengths differ a little, so the reference uses a lower limit for the precision and a higher one for the
+            // recall.
             const double precision = Places(zero_lines(dense, request, 2.7), pixel).share(found);
             const double recall = Places(found, pixel).share(zero_lines(dense, request, 3.3));
             EXPECT_GT(lines.count(), 1);
@@ -88,7 +89,7 @@ TEST(FittedFeatures, SuggestiveContoursAreThoseOfADenseReference) {
     }
 }
 
-// How far the parabolic lines of a fitted torus are from its circles on average, in spacings.
+// The mean distance of the parabolic lines of a fitted torus from the torus's circles, in spacings.
 double off_circles(const fit_test::Cloud& cloud, double smoothing) {
     const Fitted fitted(cloud, smoothing);
     const double spacing = fitted.hrbf.data().spacing;
@@ -104,7 +105,7 @@ double off_circles(const fit_test::Cloud& cloud, double smoothing) {
     return sum / static_cast<double>(found.point.size()) / spacing;
 }
 
-// By its square: 0.3 spacings of smoothing move a line by some thousandth of a spacing.
+// The shift grows with the square of the smoothing: 0.3 spacings move a line by some thousandths of a spacing.
 TEST(FittedFeatures, SmoothingMovesLinesLittle) {
     const fit_test::Cloud cloud = fit_test::torus(1000);
     EXPECT_LT(off_circles(cloud, 0.05), 1e-3);
@@ -112,7 +113,7 @@ TEST(FittedFeatures, SmoothingMovesLinesLittle) {
     EXPECT_GT(off_circles(cloud, 1.0), 1e-2) << "or nothing was smoothed";
 }
 
-// The largest difference of what C is on four sides of a sample, a thousandth of a spacing away, over the mean |C|.
+// The largest difference of C between four points around a sample, a thousandth of a spacing away, over the mean |C|.
 double spread_at_samples(const Fitted& fitted) {
     const implicit::HrbfData& data = fitted.hrbf.data();
     surface::Projection around(runtime().memory);
@@ -130,7 +131,7 @@ double spread_at_samples(const Fitted& fitted) {
     double spread = 0.0;
     double size = 0.0;
     for (std::int64_t i = 0; i < shape.size(); ++i) {
-        // C(u, u, u) for one u in space, whatever the principal directions are.
+        // The value of C(u, u, u) for one u in space, which does not depend on the principal directions.
         const auto along = [&](const ShapePoint& s) {
             const glm::dvec2 u = glm::normalize(s.in_tangent(geometry::any_perpendicular(shape[i].normal)));
             return glm::dot(s.change(u, u), u);

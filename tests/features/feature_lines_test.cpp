@@ -32,7 +32,7 @@ Subject of(const implicit::Implicit& implicit, const glm::dvec3& seed, double si
     return {runtime(), implicit, seeds(runtime(), {seed}), side};
 }
 
-// What every answer is.
+// Checks the conditions that every result must meet.
 void expect_lines(const FeatureLines& lines) {
     ASSERT_EQ(lines.first.size(), lines.count() + 1);
     ASSERT_EQ(lines.first[0], 0);
@@ -61,7 +61,7 @@ TEST(FeatureLines, ParabolicLinesOfATorusAreItsTopAndBottom) {
         EXPECT_NEAR(std::hypot(p.x, p.y), 1.0, 1e-5);
         EXPECT_NEAR(std::abs(p.z), 0.35, 1e-8);
         EXPECT_NEAR(std::abs(lines.point[i].normal.z), 1.0, 1e-6);
-        // K = cos v / (r (R + r cos v)), whose slope there is 1 / (r^2 R).
+        // K = cos v / (r (R + r cos v)); its slope there is 1 / (r^2 R).
         EXPECT_NEAR(lines.point[i].strength, unit * unit * unit / (0.35 * 0.35), 1e-3 * lines.point[i].strength);
     }
 }
@@ -112,7 +112,7 @@ TEST(FeatureLines, RidgesOfARingWithAFlatTubeAreItsRims) {
     for (const FeaturePoint& p : lines.point) EXPECT_NEAR(p.position.z, 0.0, 1e-5);
 }
 
-// The same inside out: what was a ridge is a valley.
+// The same surface turned inside out: ridges become valleys.
 TEST(FeatureLines, ValleysAreTheRidgesOfTheOtherSide) {
     const AnyField field({glm::dvec3(-1.4, -1.4, -0.2), glm::dvec3(1.4, 1.4, 0.2)}, [](const glm::dvec3& p) {
         Field f = elliptic_torus(p, 0.4, 0.2);
@@ -156,7 +156,7 @@ TEST(FeatureLines, SectionsOfATorusAreCircles) {
     }
 }
 
-// f > 0 outside; what is below the plane lies to the left when the line is walked, the outside up.
+// f > 0 outside. For a walker along the line whose up is outside, the part below the plane is to the left.
 TEST(FeatureLines, UndirectedLinesHaveTheNegativeSideToTheirLeft) {
     const test::Sphere sphere(1.0);
     const Subject subject = of(sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -193,7 +193,7 @@ TEST(FeatureLines, IsophotesOfASphereAreCirclesAboutTheLight) {
     }
 }
 
-// B(w, w) of a torus and its slope, in angles: u around the axis, v around the tube.
+// B(w, w) on a torus and its slope, with the angles u around the axis and v around the tube.
 struct OnTorus {
     glm::dvec3 position, normal;
     double g, strength;
@@ -210,12 +210,12 @@ struct OnTorus {
         const double wv = glm::dot(view, meridian);
         const double facing = glm::dot(view, normal);
         g = parallel * wu * wu + wv * wv / 0.35;
-        // D_w of `parallel` and of the turning frame; along the meridian parallel changes by -sin v / (1 + r cos v)^2
-        // over r.
+        // The slope has a part by `parallel` and a part by the turning frame. Along the meridian `parallel` changes by
+        // -sin v / (1 + r cos v)^2 over r.
         const double change = -std::sin(v) / ((1.0 + 0.35 * std::cos(v)) * (1.0 + 0.35 * std::cos(v))) / 0.35;
         const double ring = 1.0 + 0.35 * std::cos(v);
-        const double c112 = change;                                        // of B along the meridian
-        const double mixed = (1.0 / 0.35 - parallel) * std::sin(v) / ring; // Codazzi: the same number
+        const double c112 = change;                                        // the change of B along the meridian
+        const double mixed = (1.0 / 0.35 - parallel) * std::sin(v) / ring; // the same number, by Codazzi
         EXPECT_NEAR(c112, -mixed, 1e-9);
         strength = 3.0 * c112 * wu * wu * wv - 2.0 * facing * (parallel * parallel * wu * wu + wv * wv / 0.1225);
         strength *= unit * unit / (wu * wu + wv * wv);
@@ -223,7 +223,7 @@ struct OnTorus {
     }
 };
 
-// A reference that shares nothing with the library: angles on a grid of 2400 x 1200, where g changes its sign.
+// A reference that shares no code with the library: the sign changes of g on a grid of 2400 x 1200 angles.
 std::vector<glm::dvec3> suggestive_of_torus(const glm::dvec4& eye, double unit, double least) {
     std::vector<glm::dvec3> found;
     constexpr int rows = 1200;
@@ -288,7 +288,7 @@ TEST(FeatureLines, ApparentRidgesAreMaximaOfViewDependentCurvature) {
         const double h = 2e-3;
         std::array<double, 3> q{};
         for (int k = -1; k <= 1; ++k) {
-            // The ellipsoid's own point near there: its direction scaled onto the surface.
+            // The nearby point of the ellipsoid itself: the direction scaled onto the surface.
             const Field f = ellipsoid(lines.point[i].position, axes);
             const ShapePoint here = shape_point(f.gradient, f.hessian, {});
             const FeatureValue v = feature_value(request.kind, here, lines.point[i].position, request.towards, 1.0);
@@ -301,7 +301,7 @@ TEST(FeatureLines, ApparentRidgesAreMaximaOfViewDependentCurvature) {
         maxima += q[1] > q[0] && q[1] > q[2] ? 1 : 0;
     }
     EXPECT_EQ(maxima, lines.point.size());
-    EXPECT_LE(lines.unresolved, 60); // at the contour, where q1 has a pole
+    EXPECT_LE(lines.unresolved, 60); // these are at the contour, where q1 has a pole
 }
 
 } // namespace

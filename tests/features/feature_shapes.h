@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A surface with its mesh and shape, and how far curves lie from places.
+// A surface with its mesh and shape, and a measure of the distance between curves and points.
 #pragma once
 
 #include "curves/shapes.h"
@@ -17,7 +17,7 @@ using test::AnyField;
 using test::Field;
 using test::operator+;
 
-// A ring whose tube is an ellipse: `wide` outwards and `high` upwards.  Not a distance.
+// A ring whose tube is an ellipse: `wide` outwards and `high` upwards. The value is not a distance.
 inline Field elliptic_torus(const glm::dvec3& p, double wide, double high) {
     const double rho = std::hypot(p.x, p.y);
     const glm::dvec3 out(p.x / rho, p.y / rho, 0.0);
@@ -36,7 +36,7 @@ inline Field ellipsoid(const glm::dvec3& p, const glm::dvec3& axes) {
     return {glm::dot(q, q) - 1.0, w * p, {w.x, 0.0, 0.0, w.y, 0.0, w.z}};
 }
 
-// All that find_feature_lines() wants, with `source` of its own unless one is given.
+// Holds everything that find_feature_lines() needs. It makes its own `source` unless one is given.
 struct Subject {
     Subject(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& seeds,
             double side, const implicit::ShapeSource* given = nullptr)
@@ -65,7 +65,7 @@ inline double length(const FeatureLines& lines, std::int64_t line) {
     return sum;
 }
 
-// Places, and whether there is one near; by a brute search in slabs.
+// A set of points that tells whether one of them is near a given point, by a brute search in slabs.
 class Places {
 public:
     Places(std::vector<glm::dvec3> places, double reach) : places_(std::move(places)), reach_(reach) {
@@ -78,7 +78,7 @@ public:
             if (glm::distance(*at, p) <= reach_) return true;
         return false;
     }
-    // Of `others`, how many are near one of these.
+    // Returns the share of `others` that are near one of the points.
     [[nodiscard]] double share(const std::vector<glm::dvec3>& others) const {
         if (others.empty()) return 0.0;
         std::int64_t count = 0;
@@ -91,7 +91,7 @@ private:
     double reach_;
 };
 
-// Along the polylines, a quarter of `step` apart at most, where they are at least so strong.
+// Returns points along the polylines, at most a quarter of `step` apart, where the strength is at least `least`.
 inline std::vector<glm::dvec3> along(const FeatureLines& lines, double step, double least = 0.0) {
     std::vector<glm::dvec3> result;
     for (std::int64_t line = 0; line < lines.count(); ++line) {

@@ -19,7 +19,7 @@ base::Runtime& runtime() {
     return instance;
 }
 
-// f of an ellipsoid to the power of 2 and a bit: no distance, and with third derivatives of its own.
+// The field of an ellipsoid plus a cubic term: it is not a distance, and its third derivatives are not 0.
 const AnyField& bent() {
     static const AnyField field(test::cube(1.0), [](const glm::dvec3& p) {
         const Field e = ellipsoid(p, axes);
@@ -69,7 +69,7 @@ TEST(Shape, HasTheCurvaturesOfTheSurface) {
     }
 }
 
-// C is what the curvatures change by along the surface: against differences of them.
+// C holds the derivatives of the curvatures along the surface; the test compares it with their differences.
 TEST(Shape, HasTheDerivativesOfTheCurvatures) {
     const double h = 1e-4;
     int checked = 0;
@@ -103,7 +103,7 @@ TEST(Shape, IsNothingWithoutAGradient) {
 
 glm::dvec3 to_eye(const glm::dvec4& eye, const glm::dvec3& p) { return glm::normalize(glm::dvec3(eye) - eye.w * p); }
 
-// Radial curvature is minus the derivative of n . v along w, here by differences of normals.
+// Radial curvature is minus the derivative of n . v along w. Differences of normals give it here.
 double radial(const On& here, const glm::dvec4& eye) {
     const glm::dvec3 v = to_eye(eye, here.position);
     const glm::dvec3 w = v - glm::dot(v, here.shape.normal) * here.shape.normal;
@@ -124,7 +124,7 @@ TEST_P(Eyes, SuggestiveValueIsRadialCurvature) {
     }
 }
 
-// The largest turn of the normal that a unit step in the image can give, found by trying all steps.
+// The largest turn of the normal for a unit step in the image; it is found by trying all directions.
 double view_curvature(const On& here, const glm::dvec4& eye) {
     const glm::dvec3 v = to_eye(eye, here.position);
     double largest = 0.0;
@@ -157,7 +157,7 @@ TEST_P(Eyes, ApparentRidgeValueIsTheSlopeOfViewDependentCurvature) {
     EXPECT_GT(checked, 20);
 }
 
-// At places where radial curvature vanishes, the strength is its slope.
+// Where radial curvature is 0, the strength is the slope of the radial curvature.
 TEST_P(Eyes, SuggestiveStrengthIsTheSlopeTowardsTheEye) {
     const glm::dvec4 eye = GetParam();
     const test::Torus torus;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Every field of every descriptor, one at a time, with NaN, infinities, the smallest and the largest numbers, negative
-// ones, 0, and whatever an enumeration may have next: a picture, or a failure that names the field and touches nothing.
+// Changes every field of every descriptor, one at a time, to NaN, infinities, the smallest and the largest numbers,
+// negative numbers, 0, and values past the end of an enumeration. The result is a picture, or a failure that names the
+// field and changes no output.
 #include "scene.h"
 #include "values.h"
 
@@ -23,7 +24,7 @@ bool is_about_arguments(hrbfnpr_status status) {
            status == HRBFNPR_STATUS_VERSION_MISMATCH;
 }
 
-// That numbers which are allowed, but not for this scene, may bring about.
+// Statuses that may result from values that are allowed, but do not suit this scene.
 bool may_come(hrbfnpr_status status) {
     return status == HRBFNPR_STATUS_OK || status == HRBFNPR_STATUS_OUT_OF_MEMORY ||
            status == HRBFNPR_STATUS_NOT_CONVERGED || status == HRBFNPR_STATUS_SINGULAR_SYSTEM ||
@@ -31,7 +32,8 @@ bool may_come(hrbfnpr_status status) {
            is_about_arguments(status);
 }
 
-// An older struct lacks fields, and what is missing then is named; of two that must agree either is.
+// Tells whether the message names the field. An older struct lacks fields, so the message names a missing one. If two
+// fields must agree, the message names either.
 bool names(const std::string& message, const FieldLayout& field, const Change& change) {
     if (message.find(field.name) != std::string::npos) return true;
     if (std::string_view(field.name) == "struct_size")
@@ -66,9 +68,9 @@ bool names(const std::string& message, const FieldLayout& field, const Change& c
     });
 }
 
-// NaN, and the largest value of enumerations, flags and reserved words. Nodes of solids have fields that their kind
-// does not use, NaN stands for what is not given in pictures, and seeds and arrays without elements may have any
-// numbers.
+// Tells whether a value must be refused: NaN, and the largest value of enumerations, flags and reserved words.
+// Exceptions: nodes of solids have fields that their kind does not use, NaN in pictures means that a value is not
+// given, and seeds and arrays without elements may have any numbers.
 bool has_to_be_refused(const Slot& slot, const FieldLayout& field, const Change& change) {
     const std::string_view record = slot.record, name = field.name;
     if (record == "hrbfnpr_csg_node" || record == "hrbfnpr_picture_desc" || record == "hrbfnpr_picture_source" ||
@@ -151,10 +153,10 @@ TEST_P(Fields, AnyValueGivesAPictureOrAFailureThatNamesTheField) {
     EXPECT_GT(refused, 0);
 }
 
-// As in Scene::slots().
+// The order is that of Scene::slots().
 INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::ValuesIn(places(50)), testing::PrintToStringParamName());
 
-// What a caller fills in has a place in the scene; what the library fills in has not.
+// Structs that a caller fills in are in the scene; structs that the library fills in are not.
 TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
     const std::set<std::string> results{"hrbfnpr_error",
                                         "hrbfnpr_array",

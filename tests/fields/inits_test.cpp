@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The `_init` of every versioned struct, for callers that are as old as the library, older or newer.
+// Tests the `_init` of every versioned struct, for callers that are older than the library, as old, or newer.
 #include "api/struct_fields.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 // These have no `_init`, or one with rules of its own (tests/api/version_test.cpp).
 constexpr std::nullptr_t hrbfnpr_array_init = nullptr, hrbfnpr_array_out_init = nullptr, hrbfnpr_error_init = nullptr;
 
-// A struct of the future is ours with a tail.
+// A struct of a newer version: today's struct with a tail.
 template <class T>
 union Longer {
     T known;

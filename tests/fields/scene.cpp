@@ -72,8 +72,8 @@ Scene::Scene() {
     describe_pictures();
 }
 
-// An operation that was cancelled stays so.  Where a program is run by a tool that makes it slower, the environment
-// says how many times.
+// Makes a new operation, since a cancelled operation stays cancelled. HRBFNPR_TEST_SLOWER says how many times slower a
+// tool makes the program.
 void Scene::take_time(std::chrono::milliseconds time) {
     scenes::Check check;
     const char* const slower = std::getenv("HRBFNPR_TEST_SLOWER");
@@ -182,7 +182,7 @@ void Scene::describe_marks() {
     layer_arrays_.name = "own";
     layer_arrays_.position = in(points_, 6);
     layer_arrays_.normal = in(normals_, 6);
-    tangents_ = room(18); // the next axis's
+    tangents_ = room(18); // the unit vector of the next axis
     for (std::size_t i = 0; i < 18; ++i) tangents_[i] = normals_[i % 3 == 2 ? i - 2 : i + 1];
     layer_arrays_.direction = in(tangents_, 6);
     firsts_.assign(64, 0);

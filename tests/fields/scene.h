@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small scene with one of every descriptor, each of which can be carried through to a picture by itself.
+// A small scene with one of every descriptor; each descriptor can be run through to a picture by itself.
 #pragma once
 
 #include "api/struct_fields.h"
@@ -25,7 +25,7 @@ struct Outcome {
 
 class Scene;
 
-// A descriptor, and what begins with it.
+// A descriptor, and the function that runs the calls that begin with it.
 struct Slot {
     const char* record;
     std::span<const hrbfnpr::api::FieldLayout> fields;
@@ -40,9 +40,9 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    std::vector<Slot> slots(); // of all descriptors
-    // Calls that take an operation are cancelled so long from now.
-    static constexpr std::chrono::milliseconds plenty{60'000}; // for those that have to end
+    std::vector<Slot> slots(); // one for each descriptor
+    // Cancels the calls that take an operation when `time` has passed.
+    static constexpr std::chrono::milliseconds plenty{60'000}; // for calls that must end
     void take_time(std::chrono::milliseconds time);
 
 private:
@@ -90,7 +90,7 @@ private:
     bool canaries_are_whole(std::span<const std::uint8_t> bytes) const;
     static std::int32_t progress(void* user, double value);
 
-    // Results get room for what a larger scalar or more components take, too.
+    // Results get room for a larger scalar and more components, too.
     std::vector<double> room(std::size_t numbers) const { return std::vector<double>(16 * numbers); }
 
     hrbfnpr_error error_{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What each descriptor does, through to a picture where it leads to one.
+// Runs each descriptor, through to a picture where it leads to one.
 #include "scene.h"
 #include "views.h"
 
@@ -211,7 +211,7 @@ Outcome Scene::fit_mesh() {
     return picture_of(context_.get(), model);
 }
 
-// In every format, of which the last failure counts.
+// Writes the page in every format, and returns the last failure.
 Outcome Scene::write_page() {
     Outcome result;
     const std::uint32_t given = page_desc_.format;

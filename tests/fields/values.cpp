@@ -33,7 +33,7 @@ void add_numbers(std::vector<Change>& changes, std::size_t offset, const std::st
     add(changes, offset, place, T{0});
 }
 
-// As many as any enumeration has, and one more; and each flag.
+// Tries more values than any enumeration has, and every fifth flag.
 template <class T>
 void add_integers(std::vector<Change>& changes, std::size_t offset, const std::string& place) {
     for (T value = 0; value < 20; ++value) add(changes, offset, place, value);
@@ -75,7 +75,8 @@ void add_texts(std::vector<Change>& changes, std::size_t offset, const std::stri
                            }});
 }
 
-// A stride below 0 or above the element's size would read elsewhere: only such as no array can have.
+// A stride below 0 or above the element's size would read elsewhere, so the values here are ones that no array can
+// have.
 void add_array(std::vector<Change>& changes, std::size_t offset, const std::string& place) {
     add_pointers(changes, offset + offsetof(hrbfnpr_array, data), place + ".data");
     add_chosen(changes, offset + offsetof(hrbfnpr_array, count), place + ".count", {0, 1, -1, least, most});
@@ -97,7 +98,7 @@ void add_element(std::vector<Change>& changes, const FieldLayout& field, std::st
         add_pointers(changes, offset, place);
         add_texts(changes, offset, place);
     } else if (ends_with(name, "user"))
-        return; // what the caller's own functions get
+        return; // the argument of the caller's own functions
     else if (type.find('*') != std::string_view::npos || ends_with(type, "_fn"))
         add_pointers(changes, offset, place);
     else if (type == "int64_t" && ends_with(name, "_count"))
@@ -108,7 +109,7 @@ void add_element(std::vector<Change>& changes, const FieldLayout& field, std::st
         add_numbers<double>(changes, offset, place);
     else if (type == "float")
         add_numbers<float>(changes, offset, place);
-    else if (name == "width" || name == "height") // of an image, whose pixels there must be
+    else if (name == "width" || name == "height") // of an image, whose pixels must exist
         for (const std::int32_t size : {0, 1, 2, -1, 32769, std::numeric_limits<std::int32_t>::min()})
             add(changes, offset, place, size);
     else if (type == "int32_t")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arguments of calls, in short.
+// Short ways to make the arguments of calls.
 #pragma once
 
 #include <hrbfnpr.h>
@@ -9,7 +9,7 @@
 
 namespace fields_test {
 
-// What `*out_handle` holds before a call; it is NULL after one that failed.
+// The value of `*out_handle` before a call. A call that fails sets it to NULL.
 template <class T>
 T* sentinel() {
     static char place;

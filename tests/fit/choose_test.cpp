@@ -31,7 +31,7 @@ double distance(const fit::FitResult& result, const glm::dvec3& p) {
     return std::abs(f.value) / glm::length(f.gradient);
 }
 
-// Each centre is one of the samples, with its normal, and no two are the same.
+// Checks that each centre is a sample with its normal, and that all centres differ.
 void expect_subset(const fit::FitResult& result, const Cloud& cloud) {
     std::set<std::array<double, 6>> samples;
     for (std::int64_t i = 0; i < cloud.count(); ++i) {
@@ -117,7 +117,7 @@ TEST(Choose, MaximumCentresWithoutAToleranceIsReached) {
 }
 
 TEST(Choose, TheWorstAreAddedRatherThanTheFarthest) {
-    // A bump on a plane: samples of the plane need no centre.
+    // The surface is a bump on a plane: samples of the plane need no centre.
     Cloud cloud;
     for (int i = 0; i < 6400; ++i) {
         const glm::dvec2 p(0.025 * (i % 80) - 1.0, 0.025 * (i / 80) - 1.0);
@@ -162,7 +162,7 @@ double gaussian(std::int64_t i, std::uint32_t lane) {
     return std::sqrt(-2.0 * std::log(1.0 - u[0])) * std::cos(6.283185307179586 * u[1]);
 }
 
-// A scan: noise of 0.005, normals 6 degrees off, and every 250th of these wrong altogether.
+// A simulated scan with noise of 0.005 and normals that are 6 degrees off; every 250th normal is completely wrong.
 Cloud scan(const Cloud& truth) {
     Cloud cloud;
     for (std::int64_t i = 0; i < truth.count(); ++i) {

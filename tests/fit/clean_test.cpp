@@ -43,7 +43,7 @@ constexpr int every = 37;
 
 bool planted(std::int64_t i) { return i % every == every / 2; }
 
-// A torus, some of whose samples are off it by two spacings and more, on either side.
+// A torus with some samples that are off the surface by two spacings or more, on either side.
 Cloud torus_with_outliers(int count) {
     const Cloud even = torus(count);
     const double spacing = Cleaned(even).samples.spacing;
@@ -55,7 +55,7 @@ Cloud torus_with_outliers(int count) {
     return cloud;
 }
 
-// A torus, some of whose normals point inward, singly or in pairs and threes of neighbours.
+// A torus with some normals that point inward, of single samples or of two or three neighbours.
 Cloud torus_with_flips(int count) {
     const Cloud even = torus(count);
     Cloud cloud;
@@ -137,7 +137,7 @@ TEST(Clean, FindsFlippedNormalsInGroups) {
     EXPECT_EQ(Cleaned(flipped).report.flipped_found, count);
 }
 
-// Two sheets, `gap` apart, whose normals are opposite, out of the wall between them or into the gap.
+// Two sheets, `gap` apart, with opposite normals: they point out of the wall between the sheets, or into the gap.
 Cloud sheets(double gap, double outward, std::int64_t upper_share) {
     Cloud cloud;
     for (int i = 0; i < 1600; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The energy of given normals, by the sparse factor and by conjugate gradients.
+// Tests the energy of given normals, by the sparse factor and by conjugate gradients.
 #include "shapes.h"
 
 #include "fit/fit_centres.h"
@@ -21,7 +21,7 @@ struct Made {
         rank.resize(tree.size());
         for (std::int64_t k = 0; k < order.order.size(); ++k) rank[order.order[k]] = k;
     }
-    // Of spacing 1.
+    // The points, scaled so that their spacing is 1.
     geometry::VecArray points(const fit_test::Cloud& cloud) {
         const auto samples = fit::read_samples(runtime, fit_test::view(cloud.points), fit_test::view(cloud.normals));
         geometry::VecArray position(runtime.memory);

@@ -28,7 +28,7 @@ void expect_interpolation(const Cloud& cloud, const fit::FitResult& result, cons
     }
     EXPECT_LE(value_max, 1e-8 * unit) << what;
     EXPECT_LE(gradient_max, 1e-8) << what;
-    // Reported are sums in vectors, or the residual of the system: the same up to rounding.
+    // The report holds sums in vectors, or the residual of the system, which are the same up to rounding.
     EXPECT_NEAR(result.report.value_residual_max, value_max, 1e-12 * unit) << what;
     EXPECT_NEAR(result.report.gradient_residual_max, gradient_max, 1e-12) << what;
     EXPECT_LE(result.report.value_residual_rms, 1.0001 * value_max + 1e-12 * unit) << what;
@@ -50,7 +50,7 @@ TEST(Interpolation, HoldsForAllKernelsDegreesAndCounts) {
                     const fit::FitResult result = fit::fit(runtime, input(cloud, kind, degree));
                     EXPECT_TRUE(many_enough && !singular) << what;
                     expect_interpolation(cloud, result, what);
-                    // Definite wherever theory says so.
+                    // The system is definite wherever theory says so.
                     if (kind != Kind::triharmonic || degree >= 1) {
                         EXPECT_FALSE(result.report.fallback) << what;
                     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors, cancelling and threads of the iterative solver.
+// Tests errors, cancelling and threads of the iterative solver.
 #include "base/status.h"
 #include "shapes.h"
 #include "support/runtime.h"
@@ -68,7 +68,7 @@ TEST(IterativeErrors, AsManyNeighboursAsThereMayBe) {
     expect_error(chosen, Status::invalid_argument, "preconditioner_neighbours is 49");
 }
 
-// Vectors of more than one piece.
+// The vectors have more than one chunk.
 TEST(IterativeRobustness, SameBitsForManySamples) {
     const Cloud cloud = bumpy(4500);
     fit::FitInput chosen = iterative(cloud);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The iterative solver through fit().
+// Tests the iterative solver through fit().
 #include "base/status.h"
 #include "shapes.h"
 
@@ -29,13 +29,13 @@ fit::FitInput solved_by(fit::SolverKind solver, const Cloud& cloud, Kind kind = 
     return result;
 }
 
-// In spacings: 0.9 and 3, as a caller would give them.
+// The kernel radius, 0.9 or 3 spacings, as a caller would give it.
 double radius(Kind kind, const Cloud& cloud) {
     const double spacing = fit::fit(base::Runtime(), input(cloud)).data.spacing;
     return kind == Kind::triharmonic ? 0.0 : (kind == Kind::gaussian ? 0.9 : 3.0) * spacing;
 }
 
-// f and its gradient of two fits, off and on the surface.
+// Compares f and its gradient of two fits, off and on the surface.
 void expect_same_function(const fit::FitResult& a, const fit::FitResult& b, const Cloud& cloud, double tolerance,
                           const std::string& what) {
     for (int i = 0; i < 60; ++i) {
@@ -161,7 +161,7 @@ TEST(Iterative, EndsAtTheGivenTolerance) {
     }
 }
 
-// Two parallel sheets, nearer to each other than a tenth of their samples' distance.
+// Two parallel sheets whose distance is less than a tenth of the sample spacing.
 Cloud sheets(int side) {
     Cloud cloud;
     for (int i = 0; i < side * side; ++i) {
@@ -219,7 +219,8 @@ TEST(Solver, AutomaticFallsBackToTheDirectOne) {
     EXPECT_GT(report.condition_estimate, 1e3); // of the factored matrix
 }
 
-// A box's faces with samples that crowd towards its edges: rounding ends the iterations short of their goal.
+// The faces of a box with samples that crowd towards its edges: rounding stops the iterations before they reach the
+// tolerance.
 Cloud graded_box() {
     std::vector<double> place;
     for (double gap = 0.5; place.size() < 17; gap *= 0.6) {

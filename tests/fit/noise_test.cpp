@@ -16,7 +16,7 @@ namespace {
 using namespace hrbfnpr;
 using namespace fit_test;
 
-// Standard normal, by Box and Muller.
+// A standard normal number, by Box and Muller.
 double gaussian(std::int64_t i, std::uint32_t lane) {
     const auto u = base::uniform4(7, static_cast<std::uint64_t>(i), base::Purpose::rank, lane);
     return std::sqrt(-2.0 * std::log(1.0 - u[0])) * std::cos(6.283185307179586 * u[1]);
@@ -37,14 +37,14 @@ fit::Noise measured(const Cloud& cloud) {
     return fit::measure_noise(runtime, fit::read_samples(runtime, view(cloud.points), view(cloud.normals)));
 }
 
-// The runtime outlives the result, whose memory it owns.
+// The result uses memory of the runtime, so the runtime must outlive it.
 fit::FitResult fitted(const base::Runtime& runtime, const Cloud& cloud, bool automatic) {
     fit::FitInput call = input(cloud);
     if (automatic) call.regularization_mode = fit::RegularizationMode::automatic;
     return fit::fit(runtime, call);
 }
 
-// Root mean square distance of points of the true surface.
+// The root mean square distance of points of the true surface from the fit.
 double error(const fit::FitResult& result, const Cloud& truth) {
     double sum = 0.0;
     for (std::int64_t i = 0; i < truth.count(); ++i) {
@@ -60,7 +60,7 @@ TEST(Noise, IsNotSeenInCleanSamples) {
     EXPECT_EQ(measured(bumpy(1000)).position, 0.0);
     EXPECT_EQ(measured(bumpy(4000)).position, 0.0);
     EXPECT_EQ(measured(bumpy(1000).moved(1e-5, {100, 0, 0})).position, 0.0);
-    EXPECT_EQ(measured(sphere(20)).position, 0.0); // too few to tell
+    EXPECT_EQ(measured(sphere(20)).position, 0.0); // too few samples to measure noise
     Cloud flat;
     for (int i = 0; i < 400; ++i) flat.add({i % 20, i / 20, 0.0}, {0, 0, 1});
     EXPECT_EQ(measured(flat).position, 0.0);
@@ -76,7 +76,7 @@ TEST(Noise, IsMeasured) {
     EXPECT_NEAR(measured(scaled).position, 1e-6, 0.25e-6);
 }
 
-// More noise than spacing: near pairs are those whose noise is alike.
+// The noise is larger than the spacing: samples are near each other if their noise is similar.
 TEST(Noise, IsSeenWhereItHidesTheSpacing) { EXPECT_GT(measured(noisy(sphere(3000), 0.1, 0.0)).position, 0.03); }
 
 TEST(AutomaticRegularization, BringsNoisySamplesNearerToTheTruth) {

@@ -53,7 +53,7 @@ TEST(PolynomialSpace, TakeOutIsTheOrthogonalProjection) {
         const Eigen::VectorXd before = wave(system.rows());
         Eigen::VectorXd after = before;
         space.take_out(after.data());
-        // Orthogonal to the polynomials, and off by one of them.
+        // The result is orthogonal to the polynomials, and the difference is a polynomial.
         for (Eigen::Index k = 0; k < p.cols(); ++k)
             EXPECT_LT(std::abs(p.col(k).dot(after)), 1e-12 * p.col(k).norm() * before.norm()) << degree;
         const Eigen::VectorXd taken = before - after;
@@ -79,10 +79,10 @@ TEST(PolynomialSpace, ExplainFindsThePolynomialAndLeavesNothing) {
         const Eigen::VectorXd c = wave(p.cols());
         Eigen::VectorXd values = fit_test::applied(p, c);
         const double size = values.norm();
-        Eigen::VectorXd found = Eigen::VectorXd::Constant(p.cols(), 0.25); // what is found is added
+        Eigen::VectorXd found = Eigen::VectorXd::Constant(p.cols(), 0.25); // explain() adds to this
         space.explain(values.data(), found.data());
         EXPECT_LT(values.norm(), 1e-12 * size) << degree;
-        // A coefficient matters as much as its column is large.
+        // The tolerance of a coefficient depends on the norm of its column.
         for (Eigen::Index k = 0; k < p.cols(); ++k)
             EXPECT_LT(std::abs(found[k] - 0.25 - c[k]) * p.col(k).norm(), 1e-9 * size) << degree << " " << k;
     }

@@ -43,7 +43,7 @@ Eigen::MatrixXd plain(const fit::HermiteSystem& system) {
     return a;
 }
 
-// A sample's four functionals less their Taylor expansions about the first sample.
+// A basis of functionals: the four of each sample minus their Taylor expansions about the first sample.
 Eigen::MatrixXd beside_linear(const VecArray& x) {
     Eigen::MatrixXd z = Eigen::MatrixXd::Zero(4 * x.size(), 4 * (x.size() - 1));
     for (Eigen::Index k = 1; k < x.size(); ++k) {
@@ -136,7 +136,7 @@ TEST(LocalFactors, DoNotDependOnTheirNeighboursInTheBatch) {
     }
 }
 
-// A sample that stands there twice makes a pivot 0.
+// A sample that occurs twice makes a pivot 0.
 TEST(LocalFactors, StayFiniteWhereSamplesAreDependent) {
     base::Memory memory;
     std::vector<VecArray> all = sets(memory, 6, 5);
@@ -161,7 +161,7 @@ Eigen::VectorXd wave(Eigen::Index size) {
     return x;
 }
 
-// |L L^T A w - w| / |w| for a w orthogonal to the linear polynomials if A is only definite beside them.
+// |L L^T A w - w| / |w|. If A is definite only beside the linear polynomials, w is orthogonal to these.
 double inverse_error(const base::Runtime& runtime, const VecArray& x, const fit::HermiteSystem::Options& o,
                      std::int32_t neighbours) {
     const Arranged arranged(x);
@@ -194,7 +194,7 @@ TEST(Preconditioner, IsTheInverseWhereAllOthersAreNeighbours) {
         runtime.instruction_set = set;
         for (const Kind kind : kinds)
             for (const int count : {33, 40, 49})
-                for (const double diagonal : {0.0, 0.1}) // the last sample has a factor of floats
+                for (const double diagonal : {0.0, 0.1}) // the last sample's factor consists of floats
                     EXPECT_LT(
                         inverse_error(runtime, positions(runtime.memory, count), options(kind, diagonal), count - 1),
                         1e-4)

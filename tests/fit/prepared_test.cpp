@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prepared evaluator, on what a fit makes.
+// Tests the prepared evaluator on fitted surfaces.
 #include "implicit/prepared.h"
 
 #include "base/status.h"
@@ -35,7 +35,7 @@ struct Everything {
     implicit::FieldBatch fields;
 };
 
-// Where marks are asked for, off the surface, inside, and outside of all cubes.
+// Points near the surface as for marks, off the surface, inside, and outside of all cubes.
 VecArray places(base::Memory& memory, const Cloud& cloud) {
     VecArray result(memory);
     for (std::int64_t i = 0; i < cloud.count(); ++i) {
@@ -111,7 +111,7 @@ TEST_F(PreparedTest, APointsResultDoesNotDependOnTheOthers) {
     }
 }
 
-// Where parts nearly lie in each other and cross, samples contradict each other, and weights have many digits.
+// Parts nearly coincide and cross, so samples contradict each other and the weights need many digits.
 TEST(Prepared, IsThereForPartsThatCross) {
     const base::Runtime runtime;
     Cloud crossing = bumpy(1200);
@@ -120,7 +120,7 @@ TEST(Prepared, IsThereForPartsThatCross) {
     const fit::FitResult fitted = fit::fit(runtime, input(crossing));
     const auto prepared = Prepared::make(runtime, fitted.data);
     ASSERT_NE(prepared, nullptr);
-    EXPECT_GT(prepared->error().gradient, 20e-7); // so it is what this is about
+    EXPECT_GT(prepared->error().gradient, 20e-7); // the error is large enough to make the test meaningful
     EXPECT_LT(prepared->error().value, 200e-9);
     EXPECT_LT(prepared->error().gradient, 200e-7);
 }

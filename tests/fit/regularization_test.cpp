@@ -16,8 +16,8 @@ using namespace fit_test;
 
 namespace {
 
-// The definition: the system of a linear polynomial in coordinates whose diagonal is 1, eta added to
-// the diagonal of A.  Returns f and its gradient at `at`.
+// Solves the system of the definition, with a linear polynomial, in coordinates in which the diagonal is 1, and with
+// eta added to the diagonal of A. Returns f and its gradient at `at`.
 Sampled by_definition(const Cloud& cloud, Kind kind, double radius, double eta, const glm::dvec3& at) {
     hrbfnpr::geometry::Bounds bounds;
     for (std::int64_t i = 0; i < cloud.count(); ++i) bounds.extend(cloud.point(i));

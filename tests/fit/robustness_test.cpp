@@ -38,7 +38,7 @@ TEST(Robustness, ASingularSystemSaysWhatToDo) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(60);
     fit::FitInput flat = input(cloud, Kind::gaussian, 1);
-    flat.kernel_radius = 1e6; // all rows alike
+    flat.kernel_radius = 1e6; // makes all rows alike
     try {
         static_cast<void>(fit::fit(runtime, flat));
         FAIL() << "no error";
@@ -47,7 +47,7 @@ TEST(Robustness, ASingularSystemSaysWhatToDo) {
         EXPECT_NE(std::string(error.what()).find("smaller kernel_radius"), std::string::npos) << error.what();
         EXPECT_NE(std::string(error.what()).find("regularization"), std::string::npos) << error.what();
     }
-    flat.regularization = 1e-3; // and it is solvable again
+    flat.regularization = 1e-3; // makes the system solvable again
     EXPECT_NO_THROW(static_cast<void>(fit::fit(runtime, flat)));
 }
 
@@ -56,7 +56,7 @@ TEST(Robustness, NoFitIsReturnedThatDoesNotInterpolate) {
     const Cloud cloud = bumpy(80);
     int good = 0;
     int refused = 0;
-    for (double radius = 0.4; radius < 6.0; radius *= 1.15) { // up to far beyond what double precision can do
+    for (double radius = 0.4; radius < 6.0; radius *= 1.15) { // up to far beyond double precision
         fit::FitInput wide = input(cloud, Kind::gaussian, 1);
         wide.kernel_radius = radius;
         wide.refinement_steps = 0;

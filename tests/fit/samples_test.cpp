@@ -17,7 +17,7 @@ using namespace fit_test;
 
 namespace {
 
-// The message of the error that the fit ends in; fails the test if there is none.
+// Returns the message of the error that ends the fit. The test fails if no error is thrown.
 std::string message(const fit::FitInput& bad, Status status) {
     const Runtime runtime;
     try {
@@ -48,7 +48,7 @@ TEST(Samples, CoincidentOnesThatAgreeAreMergedAndCounted) {
     EXPECT_EQ(result.report.samples, 53);
     EXPECT_EQ(result.report.merged_samples, 3);
     EXPECT_EQ(result.data.count(), 50);
-    for (std::int64_t i = 0; i < 50; ++i) { // in the order of the first of each
+    for (std::int64_t i = 0; i < 50; ++i) { // in the order of the first occurrences
         for (glm::length_t c = 0; c < 3; ++c) {
             EXPECT_NEAR(result.data.sample_position[3 * i + c], cloud.point(i)[c], 1e-10);
             EXPECT_NEAR(result.data.sample_normal[3 * i + c], cloud.normal(i)[c], i == 7 ? 0.002 : 1e-15);
@@ -87,7 +87,7 @@ TEST(Samples, NormalsAreNormalisedAndCounted) {
     const double lengths[] = {1.0, 1.0 + 5e-5, 2.0, 1e-200, 1e200, 0.5};
     for (std::int64_t i = 0; i < 20; ++i) stretched.add(cloud.point(i), lengths[i % 6] * cloud.normal(i));
     const fit::FitResult result = fit::fit(runtime, input(stretched));
-    EXPECT_EQ(result.report.rescaled_normals, 12); // not those of 1 and 1 + 5e-5: 4 + 4
+    EXPECT_EQ(result.report.rescaled_normals, 12); // the 4 + 4 normals of lengths 1 and 1 + 5e-5 are not rescaled
     for (std::int64_t i = 0; i < 20; ++i)
         EXPECT_NEAR(glm::distance(at(result.data, cloud.point(i)).gradient, cloud.normal(i)), 0.0, 1e-10);
 }
@@ -132,16 +132,16 @@ TEST(Samples, MaximumCentresCountsWhatIsLeftAfterMerging) {
 
 TEST(Samples, ADegreeThatTheyDoNotDetermineIsNamed) {
     expect_message(input(sphere(2), Kind::gaussian, 2), {"polynomial_degree 2", "2 samples", "lower it"});
-    // Off the axes, so that what vanishes does so up to rounding only.
+    // The samples are off the axes, so that terms vanish only up to rounding.
     const auto turned = [](const glm::dvec3& p) {
         const glm::dvec3 x = glm::normalize(glm::dvec3(1, 2, 3));
         const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(0, 0, 1)));
         return p.x * x + p.y * y + p.z * glm::cross(x, y);
     };
-    Cloud flat; // the square of the distance from the plane and its gradient vanish on all of them
+    Cloud flat; // the square of the distance from the plane and its gradient vanish at all samples
     for (int i = 0; i < 30; ++i) flat.add(turned({i % 6, i / 6, 0.0}), turned({0, 0, 1}));
     expect_message(input(flat, Kind::triharmonic, 2), {"polynomial_degree 2", "30 samples"});
-    Cloud axes; // the product of the three coordinates vanishes on the six of them
+    Cloud axes; // the product of the three coordinates vanishes at all six samples
     for (glm::length_t a = 0; a < 3; ++a) {
         for (const double sign : {1.0, -1.0}) {
             glm::dvec3 p(0.0);
@@ -155,7 +155,7 @@ TEST(Samples, ADegreeThatTheyDoNotDetermineIsNamed) {
 TEST(Samples, AreReadFromAnyStrideAndScalar) {
     const Runtime runtime;
     const Cloud cloud = bumpy(40);
-    std::vector<float> mixed; // x y z, 1 unused, nx ny nz
+    std::vector<float> mixed; // x y z, one unused number, nx ny nz
     for (std::int64_t i = 39; i >= 0; --i) {
         for (glm::length_t c = 0; c < 3; ++c) mixed.push_back(static_cast<float>(cloud.point(i)[c]));
         mixed.push_back(1e30F);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples as fit() takes them, and a call of it in one line.
+// Samples in the form that fit() takes, and shorthands to call it.
 #pragma once
 
 #include "fit/fit.h"
@@ -13,7 +13,7 @@
 
 namespace fit_test {
 
-// Samples, with vectors to ask for.
+// Samples with access to points and normals as vectors.
 struct Cloud : hrbfnpr::test::Samples {
     Cloud() = default;
     Cloud(hrbfnpr::test::Samples samples) : Samples(std::move(samples)) {} // NOLINT: they are the same
@@ -21,7 +21,7 @@ struct Cloud : hrbfnpr::test::Samples {
     void add(const glm::dvec3& p, const glm::dvec3& n) { Samples::add({p.x, p.y, p.z}, {n.x, n.y, n.z}); }
     [[nodiscard]] glm::dvec3 point(std::int64_t i) const { return vector(points, i); }
     [[nodiscard]] glm::dvec3 normal(std::int64_t i) const { return vector(normals, i); }
-    // Every point p becomes scale * p + shift.
+    // Maps every point p to scale * p + shift.
     [[nodiscard]] Cloud moved(double scale, const glm::dvec3& shift) const {
         Cloud result;
         for (std::int64_t i = 0; i < count(); ++i) result.add(scale * point(i) + shift, normal(i));
@@ -70,7 +70,7 @@ inline Sampled at(const hrbfnpr::implicit::HrbfData& data, const glm::dvec3& p) 
     return s;
 }
 
-// First-order distance of p from the surface f = 0.
+// The first-order distance of p from the surface f = 0.
 inline double distance(const hrbfnpr::implicit::HrbfData& data, const glm::dvec3& p) {
     const Sampled s = at(data, p);
     return s.value / glm::length(s.gradient);

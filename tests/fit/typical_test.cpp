@@ -17,7 +17,7 @@ using namespace fit_test;
 
 bool odd(std::int64_t i) { return i % 29 == 5; }
 
-// Some of whose samples lie above the others, and some of whose normals are a right angle off.
+// A torus with some samples above the surface, and some normals a right angle off.
 fit::Samples torus_with_odd_ones(const base::Runtime& runtime) {
     const Cloud even = torus(1500);
     Cloud cloud;

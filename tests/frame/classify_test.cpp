@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where marks land, and which class they are of.
+// Tests the positions of marks in the picture, and their classes.
 #include "frame/hand_made.h"
 
 #include <gmock/gmock.h>
@@ -58,13 +58,13 @@ TEST_F(Classify, PerspectiveLooksFromTheEye) {
     Style style = plain_style();
     style.silhouette_threshold = 1e-4;
     const Counts& info = draw(set, style, camera);
-    // From a distance of two radii a quarter of the sphere is seen: (1 - 1/2) / 2.
+    // From a distance of two radii a quarter of the sphere is visible: (1 - 1/2) / 2.
     EXPECT_NEAR(static_cast<double>(info.front), count * 0.25, 8.0);
 }
 
 TEST_F(Classify, AnOffAxisEyeIsTakenFromTheProjection) {
-    // A projection that contains a turn and a shift of the eye: the same picture as with the
-    // shift in the view, so the same classes.
+    // The projection contains a turn and a shift of the eye. This gives the same picture as with the shift in the view,
+    // and so the same classes.
     const marks::PointSet set = sphere(runtime.memory, 5000);
     frame::Camera camera = front_camera(100, 100);
     camera.view = frame::look_at({0.3, 0.2, 3.0}, {0.1, 0.0, 0.0}, {0.0, 1.0, 0.0});
@@ -105,10 +105,10 @@ TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
     const glm::dvec3 n(0.0, 0.0, 1.0);
     add_stipple(set, {0.0, 0.0, 0.0}, n);
     add_stipple(set, {1.0, 0.0, 0.0}, n);    // on the rim
-    add_stipple(set, {1.019, 0.0, 0.0}, n);  // its disc still reaches in: 100 pixels a unit
+    add_stipple(set, {1.019, 0.0, 0.0}, n);  // its disc still reaches in: 100 pixels per unit
     add_stipple(set, {1.5, 0.0, 0.0}, n);    // beside
     add_stipple(set, {0.0, -1.5, 0.0}, n);   // below
-    add_stipple(set, {0.0, 0.0, 9.5}, n);    // before the near plane
+    add_stipple(set, {0.0, 0.0, 9.5}, n);    // in front of the near plane
     add_stipple(set, {0.0, 0.0, -10.5}, n);  // behind the far plane
     add_stipple(set, {0.0, 0.0, 1000.0}, n); // behind the camera
     Style style = plain_style();
@@ -150,7 +150,7 @@ TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
     EXPECT_EQ(info.front, 1);
 }
 
-// The transform's inverse is applied to the ellipsoid's marks, so that the frame sees the sphere.
+// The ellipsoid's marks are made with the inverse of the transform, so that the frame sees a sphere.
 TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
     const int count = 5000;
     for (const glm::dvec3 scale : {glm::dvec3(1, 1, -1), glm::dvec3(-3, 0.5, 2), glm::dvec3(-2, -1, -0.25)}) {

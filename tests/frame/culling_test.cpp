@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clusters are passed over whole: the ink must be that of every mark looked at one by one.
+// Tests that whole clusters are skipped: the ink must equal that of marks tested one by one.
 #include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"
 #include "frame/scene/scene.h"
@@ -62,7 +62,7 @@ std::vector<View> views() {
         all.push_back({"stretched", perspective_from(6.0 * toward, target, 0.6), scaled(1.0, 2.0, 0.4) * turn(1, 2)});
         all.push_back({"stretched and mirrored", camera_from(toward, size, 2.0), scaled(0.5, -1.5, 0.8)});
         all.push_back({"scaled", perspective_from(40.0 * toward, target, 0.6), scaled(10.0, 10.0, 10.0)});
-        // A projection that contains a turn and a shift of the eye.
+        // The projection contains a turn and a shift of the eye.
         View off_axis{"off axis", perspective_from(4.0 * toward, target, 0.7)};
         off_axis.camera.projection = off_axis.camera.projection * off_axis.camera.view * turn(0.3, 0.4);
         off_axis.camera.view = glm::inverse(turn(0.3, 0.4));
@@ -73,7 +73,7 @@ std::vector<View> views() {
     return all;
 }
 
-// What a frame makes of each mark, by its id.
+// The ink that a frame makes of each mark, by its id.
 std::map<std::uint32_t, Disc> inks_of(const DrawnFrame& frame) {
     std::map<std::uint32_t, Disc> inks;
     for (const Disc& disc : frame.discs()) EXPECT_TRUE(inks.emplace(disc.id, disc).second) << disc.id;
@@ -109,8 +109,8 @@ std::vector<Style> styles() {
 
 class Culling : public ::testing::Test {
 protected:
-    // Compares with cones and, where the camera is parallel, bounds that say nothing: then no cluster can be passed
-    // over.  Returns how many marks were.
+    // Compares with a set whose cones and, for a parallel camera, bounds say nothing, so that no cluster can be
+    // skipped. Returns how many marks were skipped.
     std::int64_t expect_same_without(const View& view, const Style& style) {
         const bool parallel = view.camera.projection[2][3] == 0.0 && view.camera.projection[0][3] == 0.0;
         base::Array<marks::Cluster>& clusters = open.layers[0].clusters.cluster;
@@ -159,7 +159,7 @@ TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
     for (const View& view : views()) expect_same_without(view, style);
 }
 
-// Marks beyond the picture's border whose discs reach into it.
+// Marks are beyond the picture's border, but their discs reach into it.
 TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
     const marks::PointSet flat = clustered(runtime, plane(runtime.memory, 100));
     Style style = styles()[2];
@@ -190,11 +190,11 @@ TEST_F(Culling, EveryMarkCountsOnceWhileTonesFade) {
     }
 }
 
-// One mark after the other, in doubles.
+// The values of one mark, computed in doubles.
 struct Plain {
     double x = 0.0, y = 0.0, nu = 0.0, tau = 0.0, pixels_per_unit = 1.0;
     bool inside = false;
-    bool near_edge = false; // rounding decides whether it is inside
+    bool near_edge = false; // rounding decides whether the mark is inside
 };
 
 struct Sight {
@@ -209,7 +209,7 @@ Sight sight_of(const View& view) {
     s.to_eye = view.camera.view * view.transform;
     s.clip = view.camera.projection * s.to_eye;
     s.normal_to_eye = glm::inverseTranspose(glm::dmat3(s.to_eye));
-    // Where all lines of sight meet: what the projection takes to (0, 0, c, 0).
+    // The point where all lines of sight meet: the projection takes it to (0, 0, c, 0).
     const glm::dvec4 c = glm::inverse(view.camera.projection) * glm::dvec4(0.0, 0.0, 1.0, 0.0);
     s.parallel = std::abs(c.w) < 1e-9 * glm::length(glm::dvec3(c));
     s.centre = s.parallel ? glm::dvec3(0.0, 0.0, -1.0) : glm::dvec3(c) / c.w;
@@ -233,7 +233,7 @@ Plain plain_of(const Mark& mark, const Sight& s, const Style& style, double radi
     return p;
 }
 
-// LINEAR tone: every law is known without the clusters.
+// With LINEAR tone every law is known without the clusters.
 TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
@@ -267,7 +267,7 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
     EXPECT_GT(selected, 1000000);
 }
 
-// By coverage: an evenly lit set, whose every mark takes the share that its turn away from the eye asks for.
+// The set is evenly lit, and each mark takes the share of coverage for its turn away from the eye.
 TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
     set = clustered(runtime, torus(runtime.memory, 200));
     Style style;
@@ -279,14 +279,16 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
         const Sight sight = sight_of(view);
         const double pixels_per_unit = 0.5 * size * view.camera.projection[1][1];
         const double full = pi * (1.5 * 1.5 + 1.0 / 12.0) / std::pow(set.spacing * pixels_per_unit, 2.0);
-        // Where all marks cover less than 0.6 (in the table's steps of 1 / 64), they are shown as if they did not.
+        // If all marks cover less than 0.6 (in the table's steps of 1 / 64), they are shown as if they covered that
+        // much.
         const double enough = std::max(full, -std::log(1.0 - 38.0 / 64.0));
         const std::array items{layered_item(set, style, view.transform)};
         frame.draw(items, view.camera);
         const std::map<std::uint32_t, Disc> inks = inks_of(frame);
         for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.0);
-            // Marks at random: coverage = 1 - exp(-ink); away from white and black, where a table is coarse.
+            // Random marks have coverage = 1 - exp(-ink). The test leaves out tones near white and black, where the
+            // table is coarse.
             if (p.near_edge || p.nu > -0.25 || p.tau < 0.05) continue;
             const double shown = std::min(1.0, -std::log(p.tau) * -p.nu / enough);
             const double place = 1.0 - static_cast<double>(set.layers[0].rank[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Visibility that is asked of the surface itself.
+// Tests visibility that is computed from the surface itself.
 #include "frame/line_of_sight.h"
 #include "frame/scene/light.h"
 #include "support/analytic.h"
@@ -64,13 +64,13 @@ TEST_F(Exact, FollowsTheItemAndThePerspective) {
     const double tilt = 1.25;
     const glm::dvec3 toward(0.0, -std::sin(tilt), std::cos(tilt));
     const std::vector<float> plain = shares(style, camera_from(toward, size, half), glm::dmat4(1.0));
-    // Everything twice as large, moved and seen from there: the same picture.
+    // Everything is twice as large, moved and seen from there, which gives the same picture.
     glm::dmat4 larger(2.0);
     larger[3] = glm::dvec4(3.0, -1.0, 5.0, 1.0);
     frame::Camera camera = camera_from(toward, size, 2.0 * half);
     camera.view = camera.view * shifted({-3.0, 1.0, -5.0});
     EXPECT_EQ(shares(style, camera, larger), plain);
-    // Through a lens: what an eye within sight of the hole sees of the far side of the tube.
+    // In perspective, the eye sees the far side of the tube through the hole.
     frame::Camera near_by = camera_from(toward, size, half);
     const glm::dvec3 eye = 4.0 * toward;
     near_by.view = frame::look_at(eye, glm::dvec3(0.0), {0, 0, 1});
@@ -105,7 +105,7 @@ TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
         const float drawn = exact[static_cast<std::size_t>(i) + 1];
         if (glm::dot(mark.normal, toward) < 0.3) continue;
         if (std::abs(own_clearance(ring(), mark.position + 0.5 * pixel * mark.normal, toward)) < pixel) continue;
-        // The normals where the line goes through the surface.
+        // The law uses the normals where the line goes through the surface.
         double law = 1.0;
         double before = 1.0;
         for (double t = 0.02; t < 4.0; t += 0.001) {

@@ -17,14 +17,14 @@ namespace hrbfnpr::testing {
 
 inline constexpr double pi = std::numbers::pi;
 
-// The first layer of a kind, which is made if there is none.
+// Returns the first layer of a kind, and adds one if none exists.
 inline marks::Layer& layer_of(marks::PointSet& set, marks::Kind kind) {
     for (marks::Layer& layer : set.layers)
         if (layer.kind == kind) return layer;
     return set.layers.add(set.layers.memory(), kind);
 }
 
-// Marks of strokes: index_strokes() the layer afterwards.
+// Adds a mark of a stroke. Call index_strokes() for the layer afterwards.
 inline void add_mark(marks::Layer& layer, const glm::dvec3& position, const glm::dvec3& normal,
                      const glm::dvec3& direction, std::uint32_t stroke, std::uint32_t place) {
     const auto index = static_cast<std::uint64_t>(layer.count());
@@ -46,7 +46,7 @@ inline void add_stipple(marks::PointSet& set, const glm::dvec3& position, const 
     set.bounds.extend(position + set.origin);
 }
 
-// A stroke along x through these places.
+// Adds a stroke along x through these places.
 inline void add_stroke(marks::PointSet& set, marks::Kind kind, const std::vector<glm::dvec3>& places,
                        const glm::dvec3& normal) {
     marks::Layer& layer = layer_of(set, kind);
@@ -64,7 +64,7 @@ inline glm::dvec3 spiral_direction(std::int64_t i, std::int64_t count) {
     return {p[0], p[1], p[2]};
 }
 
-// Evenly spread stipples.
+// Evenly spaced stipples on a sphere.
 inline marks::PointSet sphere(base::Memory& memory, int count, double radius = 1.0,
                               const glm::dvec3& centre = glm::dvec3(0.0)) {
     marks::PointSet set(memory);
@@ -91,14 +91,14 @@ struct TorusPoint {
     glm::dvec3 position, normal, along, around;
 };
 
-// Major radius 1 in the plane z = 0.
+// A point of the torus with the major radius 1 in the plane z = 0.
 inline TorusPoint torus_point(double minor, double along, double around) {
     const glm::dvec3 out(std::cos(along), std::sin(along), 0.0);
     const glm::dvec3 n = std::cos(around) * out + std::sin(around) * glm::dvec3(0.0, 0.0, 1.0);
     return {out + minor * n, n, {-std::sin(along), std::cos(along), 0.0}, glm::cross(n, {-out.y, out.x, 0.0})};
 }
 
-// Stipples in rings of even spacing.
+// Stipples on a torus, in evenly spaced rings.
 inline marks::PointSet torus(base::Memory& memory, int rings, double minor = 0.45) {
     marks::PointSet set(memory);
     set.spacing = 2.0 * pi * minor / rings;
@@ -113,14 +113,14 @@ inline marks::PointSet torus(base::Memory& memory, int rings, double minor = 0.4
     return set;
 }
 
-// Strokes on the torus: set 0 the long way, set 1 around the tube.
+// Adds strokes on the torus: direction 0 runs the long way, direction 1 around the tube.
 inline void add_torus_strokes(marks::PointSet& set, marks::Kind kind, int strokes, int marks, double length,
                               double minor = 0.45) {
     marks::Layer& layer = layer_of(set, kind);
     for (int s = 0; s < strokes; ++s) {
         const auto u = base::uniform4(7, static_cast<std::uint64_t>(s), base::Purpose::candidate);
         double around = 2.0 * pi * u[1];
-        // Rejection-free area density: more strokes on the outer side.
+        // The density follows the area without rejection: there are more strokes on the outer side.
         if (u[2] > 1.0 / (1.0 + minor) * (1.0 + minor * std::cos(around)) / 1.0) around += pi;
         for (std::uint32_t d = 0; d < 2; ++d) {
             for (int m = 0; m < marks; ++m) {
@@ -129,7 +129,7 @@ inline void add_torus_strokes(marks::PointSet& set, marks::Kind kind, int stroke
                 const TorusPoint p = torus_point(minor, a, around + (d == 1 ? t / minor : 0.0));
                 add_mark(layer, p.position, p.normal, d == 0 ? p.along : p.around,
                          static_cast<std::uint32_t>(2 * s) + d, static_cast<std::uint32_t>(m));
-                // A stroke is shown whole.
+                // A stroke is shown completely.
                 layer.rank.back() = static_cast<float>(u[3]);
             }
         }
@@ -137,7 +137,7 @@ inline void add_torus_strokes(marks::PointSet& set, marks::Kind kind, int stroke
     marks::index_strokes(layer);
 }
 
-// Sees [-half, half] in x and y, from z = 10 along -z.
+// A camera that sees [-half, half] in x and y, from z = 10 along -z.
 inline frame::Camera front_camera(int width, int height, double half = 1.25) {
     frame::Camera camera;
     camera.view = frame::look_at({0.0, 0.0, 10.0}, glm::dvec3(0.0), {0.0, 1.0, 0.0});
@@ -146,7 +146,7 @@ inline frame::Camera front_camera(int width, int height, double half = 1.25) {
     return camera;
 }
 
-// All marks are ink, no disc of paper.
+// All marks are ink, and there are no discs of paper.
 inline Style plain_style() {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
@@ -154,13 +154,13 @@ inline Style plain_style() {
     return style;
 }
 
-// Frames by layers see clusters only: for sets that are complete.
+// Frames by depth layers see only clusters. Call this for complete sets.
 inline marks::PointSet clustered(const base::Runtime& runtime, marks::PointSet set) {
     marks::cluster_marks(runtime, set);
     return set;
 }
 
-// By layers, if the style says nothing else; the set must be clustered().
+// An item that is drawn by depth layers unless the style says otherwise. The set must be clustered().
 inline frame::Item layered_item(const marks::PointSet& set, const frame::Style& style,
                                 const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item;
@@ -174,7 +174,7 @@ inline frame::Item layered_item(const marks::PointSet& set, const Style& style,
     return layered_item(set, kept(style), transform);
 }
 
-// As published.
+// An item with the published visibility.
 inline frame::Item item_of(const marks::PointSet& set, const frame::Style& style,
                            const glm::dmat4& transform = glm::dmat4(1.0)) {
     frame::Item item = layered_item(set, style, transform);

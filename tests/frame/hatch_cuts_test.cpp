@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of hatching end at the edges that are drawn before them.
+// Tests that lines of hatching end at the edges that are drawn in front of them.
 #include "frame/hatching.h"
 #include "support/sharp_shapes.h"
 
@@ -9,10 +9,10 @@
 namespace hrbfnpr::testing::hatch_cuts_test {
 namespace {
 
-constexpr double pixels = 200.0; // a unit
-constexpr double half = 0.4;     // of the box, whose front is half a unit thick
+constexpr double pixels = 200.0; // per unit
+constexpr double half = 0.4;     // half side of the box, whose front is half a unit thick
 
-// A box before lines in the plane z = 0, which has nothing on it but its edges.
+// A box in front of lines in the plane z = 0. Only the edges of the box are drawn.
 class HatchCuts : public Hatch {
 protected:
     HatchCuts() {
@@ -27,7 +27,8 @@ protected:
                 const glm::dvec2 at =
                     half * (2.0 * (glm::dvec2(i, j) + 0.25 + 0.5 * glm::dvec2(u[0], u[1])) / double{side} - 1.0);
                 add_stipple(front_, {at.x, at.y, 0.25}, {0.0, 0.0, 1.0});
-                add_stipple(front_, {at.x, at.y, 0.24}, {0.0, 0.0, -1.0}); // so that it hides what is hardly behind it
+                add_stipple(front_, {at.x, at.y, 0.24},
+                            {0.0, 0.0, -1.0}); // so that it hides what is just behind the front
             }
         }
         front_.spacing = 2.0 * half / side;
@@ -35,7 +36,7 @@ protected:
         layer.radius = 0.5F;
         layer.hatch_shortest = 0.0F;
     }
-    // Lines along x, a tenth of a unit apart.
+    // Adds lines along x, a tenth of a unit apart.
     void add_lines(double apart) {
         for (int i = -9; i <= 9; ++i) add_line(set, {0.1 * i + 0.0171, -1.0, 1.0, 0}, apart);
         set_nesting(set, 0.1, 0);
@@ -63,7 +64,7 @@ protected:
         items[1].lines = lines_.get();
         frame.draw(items, front_camera(size, size, 1.25));
     }
-    // The ends that are nearer to the picture's middle than the plane's.
+    // The ends of lines inside the plane, in units from the picture's middle.
     [[nodiscard]] std::vector<glm::dvec2> inner_ends() const {
         std::vector<glm::dvec2> ends;
         for (std::int64_t s = 0; s < frame.drawing().strokes.size(); ++s) {
@@ -75,7 +76,7 @@ protected:
         }
         return ends;
     }
-    // From the square's outline, outwards.
+    // The distance from the square's outline, positive outside.
     [[nodiscard]] static double off_square(const glm::dvec2& p, double turn) {
         const glm::dvec2 own(std::cos(turn) * p.x + std::sin(turn) * p.y, std::cos(turn) * p.y - std::sin(turn) * p.x);
         const glm::dvec2 off = glm::abs(own) - half;
@@ -101,7 +102,7 @@ TEST_F(HatchCuts, LinesEndAtTheEdgesOfWhatHidesThem) {
     }
 }
 
-// Splats reach farther than the surface that they stand for.
+// Splats extend farther than the surface that they represent.
 TEST_F(HatchCuts, LinesThatPassACornerAreWhole) {
     const double turn = 0.35;
     const double corner = half * (std::cos(turn) + std::sin(turn));
@@ -113,7 +114,7 @@ TEST_F(HatchCuts, LinesThatPassACornerAreWhole) {
     EXPECT_EQ(inner_ends().size(), 0);
 }
 
-// Wide lines narrow beside an edge that they run along, and end bluntly at one that they meet.
+// Wide lines become narrower beside an edge that they run along, and end bluntly at an edge that they meet.
 TEST_F(HatchCuts, WideLinesStayBesideTheEdgesThatTheyRunAlong) {
     layer.hatch_coverage_begin = layer.hatch_coverage_end = 0.6F;
     layer.hatch_spacing = 10.0F;
@@ -128,7 +129,7 @@ TEST_F(HatchCuts, WideLinesStayBesideTheEdgesThatTheyRunAlong) {
                     const glm::dvec2 at = glm::dvec2(p.x - 250.0F, 250.0F - p.y) / pixels;
                     const auto radius = static_cast<double>(p.radius);
                     widest = std::max(widest, radius);
-                    // Beside the edges at the top and the bottom.
+                    // The place is beside the top or the bottom edge.
                     const double aside = std::abs(std::cos(turn) * at.y - std::sin(turn) * at.x) - half;
                     const double along = std::abs(std::cos(turn) * at.x + std::sin(turn) * at.y);
                     if (aside <= 0.0 || along >= half - 0.05) continue;
@@ -141,11 +142,11 @@ TEST_F(HatchCuts, WideLinesStayBesideTheEdgesThatTheyRunAlong) {
     }
 }
 
-// What is hardly behind an edge has no halo, as of contours.
+// Lines just behind an edge have no halo, as with contours.
 TEST_F(HatchCuts, HalosOpenWithTheDistanceOfWhatHides) {
     add_lines(0.02);
     double before = 0.0;
-    for (const double gap : {5.0, 6.0, 8.0, 12.0, 20.0}) { // pixels, to its front
+    for (const double gap : {5.0, 6.0, 8.0, 12.0, 20.0}) { // pixels from the plane to the front of the box
         draw_box(0.35, gap / pixels - 0.25, 3.0F);
         double sum = 0.0;
         const std::vector<glm::dvec2> ends = inner_ends();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where lines of hatching end, and how.
+// Tests where and how lines of hatching end.
 #include "frame/hatching.h"
 #include "support/sharp_shapes.h"
 
@@ -12,7 +12,7 @@ TEST_F(Hatch, ALineEndsWhereItsToneDoes) {
     cluster();
     for (const double at : {-0.31, -0.123, 0.0, 0.2345, 0.4}) {
         darkness = [=](const glm::dvec3& p) { return 0.15 + 0.6 * (at - p.x); };
-        draw(front_camera(size, size, 1.25)); // 200 pixels a unit
+        draw(front_camera(size, size, 1.25)); // 200 pixels per unit
         ASSERT_EQ(frame.drawing().strokes.size(), 3);
         for (std::int64_t s = 0; s < 3; ++s) {
             const StrokePoint& end = points_of(s).back();
@@ -22,7 +22,7 @@ TEST_F(Hatch, ALineEndsWhereItsToneDoes) {
     }
 }
 
-// Where the tone bends between one pixel and the next, whatever the number of marks.
+// The tone bends between two pixels, and the result does not depend on the number of marks.
 TEST_F(Hatch, EndsAreFoundToATenthOfAPixel) {
     double worst = 0.0;
     for (const double apart : {0.0005, 0.001, 0.002}) { // 0.1 to 0.4 pixels
@@ -36,7 +36,7 @@ TEST_F(Hatch, EndsAreFoundToATenthOfAPixel) {
                 const double d = at - p.x;
                 return 0.15 + 2.0 * d + 0.016 * (1.0 - std::cos(100.0 * d));
             };
-            draw(front_camera(size, size, 1.25)); // 200 pixels a unit
+            draw(front_camera(size, size, 1.25)); // 200 pixels per unit
             ASSERT_EQ(frame.drawing().strokes.size(), 1);
             worst = std::max(worst, std::abs(static_cast<double>(points_of(0).back().x) - 250.0 - 200.0 * at));
         }
@@ -45,7 +45,7 @@ TEST_F(Hatch, EndsAreFoundToATenthOfAPixel) {
     RecordProperty("worst", std::to_string(worst));
 }
 
-// Around the equator of a ball, seen from the side: they end just before the contour.
+// The lines go around the equator of a ball, seen from the side, and end just before the contour.
 TEST_F(Hatch, EndsAtTheContourAreFoundToATenthOfAPixel) {
     for (const int marks : {200, 1000, 5000}) {
         set = marks::PointSet(runtime.memory);
@@ -62,7 +62,7 @@ TEST_F(Hatch, EndsAtTheContourAreFoundToATenthOfAPixel) {
     }
 }
 
-// A line of a level that fades in: where it begins, and its width, are those of the law.
+// A line of a level that fades in begins where the law says, and has the law's width.
 TEST_F(Hatch, LevelsEndWhereTheLawSays) {
     constexpr double separation = 0.02;
     constexpr auto coarse = static_cast<float>(2.0 * separation * 200.0); // pixels
@@ -116,7 +116,7 @@ TEST_F(Hatch, LinesNarrowToTheirEnds) {
     EXPECT_NEAR(radius_at(points, 60.0), middle, 1e-3);
 }
 
-// The face z = 0 has an edge at x = 0.5, up to which it is dark; elsewhere lines narrow to their ends.
+// The face z = 0 is dark up to its edge at x = 0.5. Lines narrow to their ends, except at the edge.
 TEST_F(Hatch, LinesOnlyRoundOffAtCreases) {
     const test::SharpShape shape(geometry::Bounds{glm::dvec3(-1.0), glm::dvec3(1.0)},
                                  test::max_of({test::plane({0, 0, 1}, 0.0), test::plane({1, 0, 0}, 0.5)}));
@@ -131,7 +131,7 @@ TEST_F(Hatch, LinesOnlyRoundOffAtCreases) {
     style.layers = std::span(&layer, 1);
     std::array items{layered_item(set, style)};
     items[0].lines = &lines;
-    frame.draw(items, front_camera(size, size, 1.25)); // 200 pixels a unit
+    frame.draw(items, front_camera(size, size, 1.25)); // 200 pixels per unit
     ASSERT_EQ(frame.drawing().strokes.size(), 2);
     for (std::int64_t s = 0; s < 2; ++s) {
         const auto points = points_of(s);
@@ -141,7 +141,8 @@ TEST_F(Hatch, LinesOnlyRoundOffAtCreases) {
         EXPECT_EQ(points.back().radius, 0.0F);
         const double middle = radius_at(points, 200.0);
         EXPECT_NEAR(radius_at(points, end - 3.0), middle * (at_crease ? 1.0 : std::sqrt(3.0 / 7.0)), 0.05 * middle);
-        EXPECT_NEAR(radius_at(points, 153.0), middle * std::sqrt(3.0 / 7.0), 0.05 * middle); // where both begin
+        EXPECT_NEAR(radius_at(points, 153.0), middle * std::sqrt(3.0 / 7.0),
+                    0.05 * middle); // near where both lines begin
     }
 }
 
@@ -151,7 +152,7 @@ TEST_F(Hatch, ShortPiecesAreLeftOutAndGrowFromNothing) {
     cluster();
     double before = 0.0;
     bool seen = false;
-    for (double length = 4.0; length < 30.0; length += 0.25) { // pixels, 200 a unit
+    for (double length = 4.0; length < 30.0; length += 0.25) { // pixels, 200 per unit
         darkness = [=](const glm::dvec3& p) { return 0.15 + 2.0 * (0.5 * length / 200.0 - std::abs(p.x)); };
         draw(front_camera(size, size, 1.25));
         float widest = 0.0F;
@@ -198,10 +199,10 @@ TEST_P(HatchCircle, HasNoEnds) {
     EXPECT_EQ(points.front().x, points.back().x);
     EXPECT_EQ(points.front().y, points.back().y);
     for (const StrokePoint& p : points) {
-        EXPECT_NEAR(p.radius, points.front().radius, 0.01F); // no tip
+        EXPECT_NEAR(p.radius, points.front().radius, 0.01F); // the line has no tip
         EXPECT_NEAR(std::hypot(p.x - 250.0F, p.y - 250.0F), 160.0F, 0.05F) << "a curve, not its chords";
     }
-    // Dark around its first mark: one line across it.
+    // The right half is dark, with the first mark in the middle: one line passes it.
     darkness = [](const glm::dvec3& p) { return p.x > 0.0 ? 0.7 : 0.0; };
     draw(front_camera(size, size, 1.25));
     ASSERT_EQ(frame.drawing().strokes.size(), 1);
@@ -217,13 +218,13 @@ TEST_P(HatchCircle, HasTwoWhereItIsHidden) {
     cluster();
     const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 100));
     glm::dmat4 left(1.0);
-    left[3] = {-1.0, 0.0, 2.0, 1.0}; // its first mark is not behind it
+    left[3] = {-1.0, 0.0, 2.0, 1.0}; // the first mark is not behind the wall
     const drawing::Drawing& drawing = draw_behind(wall, left);
     ASSERT_EQ(drawing.strokes.size(), 1);
     EXPECT_FALSE(drawing.strokes[0].closed);
     EXPECT_EQ(points_of(0).front().radius, 0.0F);
     EXPECT_EQ(points_of(0).back().radius, 0.0F);
-    EXPECT_NEAR(points_of(0).back().length, 160.0 * pi, 18.0); // splats reach beyond the wall
+    EXPECT_NEAR(points_of(0).back().length, 160.0 * pi, 18.0); // splats extend beyond the wall
     for (const StrokePoint& p : points_of(0)) EXPECT_GT(p.x, 240.0F);
 }
 
@@ -242,8 +243,8 @@ TEST_F(Hatch, WhatIsHiddenOfAWideLineInPassingIsDrawn) {
     for (const StrokePoint& p : points_of(0)) EXPECT_EQ(p.opacity, 1.0F);
 }
 
-// As long as a halo is what is hidden where a contour runs out: there lines go on, and up to half as much more they get
-// thinner.
+// Where a contour ends, a line is hidden over the length of a halo. Lines continue across hidden parts of at most this
+// length; across parts up to half as long again they become thinner.
 TEST_F(Hatch, WhatIsHiddenForAHaloIsDrawn) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
     set.spacing = 0.02;
@@ -266,14 +267,15 @@ TEST_F(Hatch, WhatIsHiddenForAHaloIsDrawn) {
     }
 }
 
-// Between two hidden parts a line is three times as long as others at least, and narrower up to twice as much.
+// A part between two hidden ones must be at least three times as long as other parts, and is narrower up to twice that
+// length.
 TEST_F(Hatch, ShortPartsBetweenHiddenOnesAreLeftOut) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
     set.spacing = 0.02;
     layer.radius = 0.5F;
     layer.hatch_shortest = 6.0F;
     cluster();
-    marks::PointSet slotted(runtime.memory); // of half its width
+    marks::PointSet slotted(runtime.memory); // the slot has half the wall's width
     slotted.spacing = 2.0 / 60;
     for (int i = 0; i < 60; ++i)
         for (int j = 0; j < 60; ++j)
@@ -299,7 +301,8 @@ TEST_F(Hatch, ShortPartsBetweenHiddenOnesAreLeftOut) {
     EXPECT_LT(some, 0.9 * whole);
 }
 
-// Helices around the upright cylinder that fills the picture's width; each rises by so much in a length of 1 around it.
+// Adds a helix around the upright cylinder that fills the picture's width. It rises by `rise` per unit of length around
+// the cylinder.
 void add_helix(marks::PointSet& set, double rise) {
     constexpr int marks = 1200;
     marks::Layer& layer = layer_of(set, marks::Kind::own);
@@ -315,7 +318,8 @@ void add_helix(marks::PointSet& set, double rise) {
     marks::index_strokes(layer);
 }
 
-// At 30 degrees and more, seen over half a taper: closer to it all lines touch the contour.
+// Lines that cross the contour at 30 degrees or more, seen over half a taper, do not narrow. Closer to the contour all
+// lines are tangent to it.
 TEST_F(Hatch, LinesRunOutUnderAContourThatTheyCross) {
     style.tone = frame::Tone::none;
     for (const auto& [rise, crosses] : {std::pair{0.0, true}, {0.15, true}, {0.7, false}, {0.9, false}}) {
@@ -342,7 +346,7 @@ TEST_F(Hatch, LinesRunOutUnderAContourThatTheyCross) {
     }
 }
 
-// Most of one does.
+// The arc is most of a circle.
 TEST_F(Hatch, AnArcHasTwoEnds) {
     add_circle(set, 0.8, 0.0, {0, 0, 1}, 40, false);
     marks::Layer& arc = layer_of(set, marks::Kind::own);
@@ -370,7 +374,7 @@ TEST_F(Hatch, ASphereHidesWhatIsBehindIt) {
     for (const frame::HiddenLines hidden : {frame::HiddenLines::hide, frame::HiddenLines::attenuate}) {
         style.hidden_lines = blank_style.hidden_lines = hidden;
         blank_style.halo_width = style.halo_width = 0.0F;
-        blank_style.attenuation_front = blank_style.attenuation_back = 0.1; // some is seen through the ball
+        blank_style.attenuation_front = blank_style.attenuation_back = 0.1; // something is visible through the ball
         const std::array items{layered_item(set, style), layered_item(ball, blank_style)};
         frame.draw(items, front_camera(size, size, 1.25));
         const drawing::Drawing& drawing = frame.drawing();
@@ -402,7 +406,7 @@ TEST_F(Hatch, ASphereHidesWhatIsBehindIt) {
     }
 }
 
-// Its points stand elsewhere where it begins elsewhere, and its width may change from one mark to the next.
+// The points of a line depend on where it begins, and the width may change from one mark to the next.
 TEST_F(Hatch, WidthsDoNotDependOnWhereALineBegins) {
     for (const double y : {-0.1, 0.0, 0.1}) add_line(set, {y, -1.0, 1.0, 0}, 0.01); // 2 pixels
     set_nesting(set, 0.1, 0);

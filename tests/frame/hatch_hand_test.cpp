@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of hatching as an unsteady hand draws them.
+// Tests lines of hatching that look drawn by an unsteady hand.
 #include "frame/hatching.h"
 
 namespace hrbfnpr::testing::hatch_hand_test {
@@ -14,7 +14,7 @@ protected:
         set_nesting(set, apart, 0);
         cluster();
     }
-    // As far right as each line goes, dark to the left of the middle.
+    // The right end of each line, where the left half is dark.
     std::vector<float> ends(double zoom = 1.25) {
         darkness = [](const glm::dvec3& p) { return 0.15 - p.x; };
         draw(front_camera(size, size, zoom));
@@ -72,7 +72,7 @@ TEST_F(HatchByHand, LinesRunPastTheirTone) {
     EXPECT_EQ(ends(), longer);
 }
 
-// In another picture the same lines are the longer ones, and none jumps.
+// From picture to picture the longer lines are the same ones, and no length jumps.
 TEST_F(HatchByHand, LengthsChangeLittleFromFrameToFrame) {
     layer.hatch_overshoot = 30.0F;
     layer.hatch_wobble = 2.0F;
@@ -87,7 +87,9 @@ TEST_F(HatchByHand, LengthsChangeLittleFromFrameToFrame) {
 
 TEST_F(HatchByHand, NoLineRunsOutOfItsSurface) {
     layer.hatch_overshoot = 30.0F;
-    darkness = [](const glm::dvec3& p) { return p.x < 0.97 ? 0.8 : 0.0; }; // 6 pixels before its end
+    darkness = [](const glm::dvec3& p) {
+        return p.x < 0.97 ? 0.8 : 0.0;
+    }; // up to 6 pixels before the end of the surface
     draw(front_camera(size, size, 1.25));
     ASSERT_EQ(frame.drawing().strokes.size(), 9);
     for (std::int64_t s = 0; s < 9; ++s)

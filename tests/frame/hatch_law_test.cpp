@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a tone covers.
+// Tests the coverage of tones.
 #include "frame/hatch_law_reference.h"
 
 #include <gtest/gtest.h>

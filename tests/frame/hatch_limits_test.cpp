@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Marks that surely are not drawn are not looked at, and nothing changes by that.
+// Tests that marks that are certainly not drawn are skipped, and that this changes no result.
 #include "frame/hatch/loops.h"
 #include "frame/hatching.h"
 #include "support/instruction_sets.h"
@@ -8,8 +8,7 @@
 namespace hrbfnpr::testing::hatch_limits_test {
 namespace {
 
-// Lines that wind up round a ball, or closed ones around it, of nested levels.  Limits are not asked for where marks
-// are in disorder.
+// Nested lines that wind up round a ball, or closed ones around it. If the marks are not in order, limits are not used.
 marks::PointSet wound_ball(base::Memory& memory, bool in_order, bool tone_normals, bool closed) {
     constexpr int lines = 60;
     constexpr int count = 301;
@@ -17,7 +16,7 @@ marks::PointSet wound_ball(base::Memory& memory, bool in_order, bool tone_normal
     marks::Layer& layer = layer_of(set, marks::Kind::own);
     for (int line = 0; line < lines; ++line) {
         for (int k = 0; k < count; ++k) {
-            const int i = in_order ? k : (2 * k) % count; // each once
+            const int i = in_order ? k : (2 * k) % count; // each mark once
             const double around = 0.1 * line + (closed ? 2.0 * pi * i / count : 5.0 * i / (count - 1));
             const double height = -0.9 + 1.8 * (line + (closed ? 0.0 : 0.6 * i / (count - 1))) / lines;
             const double flat = std::sqrt(1.0 - height * height);
@@ -91,7 +90,7 @@ TEST_P(HatchLimitsOfLines, ChangeNothingThatIsDrawn) {
 INSTANTIATE_TEST_SUITE_P(OpenAndClosed, HatchLimitsOfLines, ::testing::Bool());
 
 TEST(HatchLoops, KnowWhichMarksMayBeDrawn) {
-    constexpr std::int64_t count = 29; // no whole number of vectors
+    constexpr std::int64_t count = 29; // not a multiple of the vector width
     std::vector<float> normals;
     std::vector<float> tone_normals;
     for (int i = 0; i < 3 * int{count}; ++i) {

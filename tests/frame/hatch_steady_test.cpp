@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What is drawn of a line of hatching changes little where its margins do: no width pops.
+// Tests that a drawn line of hatching changes little when its margins change little: no width pops.
 #include "frame/hatching.h"
 
 namespace hrbfnpr::testing::hatch_steady_test {
 namespace {
 
-// Of the level that fades in, up to where it is full.
+// Checks the levels that fade in, up to where they are full.
 TEST(HatchLaw, ALevelThatFadesInGoesOverIntoAFullOne) {
     LayerStyle style;
     for (const float gap : {0.5F, 0.7F, 1.0F, 1.5F}) {
@@ -30,7 +30,7 @@ TEST(HatchLaw, ALevelThatFadesInGoesOverIntoAFullOne) {
 
 class SteadyHatch : public Hatch {
 protected:
-    // Half the widest place of a line between two pixels of the picture's width.
+    // The largest half width of a line between two x in the picture, in pixels.
     [[nodiscard]] double widest(double from, double to) const {
         double most = 0.0;
         for (const StrokePoint& p : frame.drawing().points)
@@ -38,8 +38,8 @@ protected:
                 most = std::max(most, static_cast<double>(p.radius));
         return most;
     }
-    // A line along x of the second of two levels, 200 pixels a unit, and a style with the darkness at which it is so
-    // many half pens from being drawn.
+    // Adds a line along x of the second of two levels, at 200 pixels per unit, with a style for which darkness_of()
+    // gives the darkness at a margin of the level.
     void add_fading_line() {
         add_line(set, {0.0, -1.0, 1.0, 1}, 0.0025);
         set_nesting(set, separation, 1);
@@ -63,7 +63,7 @@ protected:
     static constexpr double separation = 0.02;
 };
 
-// The core is as long as the shortest parts; beside it the line hardly begins to be drawn, or hardly does not.
+// The core is as long as the shortest parts. Beside it the line is just drawn, or just not drawn.
 TEST_F(SteadyHatch, AShortPartIsNoLongerWhereAHairlineJoinsIt) {
     add_fading_line();
     std::vector<double> found;
@@ -80,7 +80,7 @@ TEST_F(SteadyHatch, AShortPartIsNoLongerWhereAHairlineJoinsIt) {
     EXPECT_GT(found[1], 0.0);
 }
 
-// One that is thin all along is drawn as soon as there is room for it.
+// A line that is thin all along is drawn as soon as there is room for it.
 TEST_F(SteadyHatch, ALongHairlineIsDrawn) {
     add_fading_line();
     for (const float margin : {0.01F, 0.05F, 0.2F}) {
@@ -91,9 +91,8 @@ TEST_F(SteadyHatch, ALongHairlineIsDrawn) {
     }
 }
 
-// Two parts become one: in the middle their line gets thinner little by little, wherever its points stand. The tone
-// falls by 0.2 a pixel, so that a gap brings points to where the line is thinnest, between two samples: that is most of
-// a step.
+// Two parts become one: between them the line becomes thinner little by little, wherever its points are. The tone falls
+// by 0.2 per pixel, so a gap puts points where the line is thinnest, between two samples. This causes most of a step.
 TEST_F(SteadyHatch, AGapOpensLittleByLittle) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.001); // a fifth of a pixel
     set_nesting(set, 0.02, 0);
@@ -115,7 +114,7 @@ TEST_F(SteadyHatch, AGapOpensLittleByLittle) {
     }
 }
 
-// A gap that hardly opens at the mark that a closed line begins with opens like any other.
+// A small gap at the first mark of a closed line opens like any other gap.
 TEST_F(SteadyHatch, AClosedLineBeginsInItsWidestGap) {
     add_circle(set, 0.8, 0.0, {0, 0, 1}, 400);
     set_nesting(set, 0.03, 0);
@@ -129,7 +128,7 @@ TEST_F(SteadyHatch, AClosedLineBeginsInItsWidestGap) {
     EXPECT_NEAR(points_of(0).back().length, 160.0 * pi, 15.0);
 }
 
-// However wide a line is, what lies so near to its end has the same width.
+// Lines of all widths have the same width at the same small distance from their ends.
 TEST_F(SteadyHatch, TipsOfAllWidthsBeginAlike) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
     set_nesting(set, 0.02, 0);

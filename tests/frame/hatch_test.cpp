@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hatching: nested lines whose width makes the tone.
+// Tests hatching: nested lines whose width makes the tone.
 #include "frame/hatching.h"
 #include "support/instruction_sets.h"
 
@@ -22,7 +22,7 @@ TEST_F(Hatch, CoversWhatTheToneAsksForAtAnyZoom) {
     RecordProperty("worst_error", std::to_string(worst));
 }
 
-// The lines' own distances count, not the separation that they were to have: everywhere, and in parts of a surface.
+// The real distances of the lines count, not their intended separation: on the whole surface, and in parts of it.
 TEST_F(Hatch, CoversWhatTheToneAsksForWhereLinesLieNearerOrFartherApart) {
     for (const double stretch : {0.7, 1.0, 1.4}) {
         set = nested_plane(runtime.memory);
@@ -34,9 +34,9 @@ TEST_F(Hatch, CoversWhatTheToneAsksForWhereLinesLieNearerOrFartherApart) {
         }
         cluster();
         darkness = [](const glm::dvec3&) { return 0.5; };
-        draw(front_camera(size, size, 1.25)); // 200 pixels a unit
+        draw(front_camera(size, size, 1.25)); // 200 pixels per unit
         for (const double side : {-1.0, 1.0}) {
-            // Five periods of the coarsest lines, from between two lines on.
+            // The rectangle has five periods of the coarsest lines, and begins between two lines.
             const double period = 200.0 * (side < 0.0 ? 1.0 : stretch) * step;
             const double middle = -side * (30.0 + 0.5) * period;
             EXPECT_NEAR(ink(100.0, 20.0 * period, 0.5 * size, middle), coverage(layer, 0.5), 0.004)
@@ -60,17 +60,18 @@ TEST_F(Hatch, CoversWhatTheToneAsksForAtASlant) {
                                                 : frame::orthographic(2.4, size, size, 1.0, 20.0, camera.depth);
                 camera.viewport = {0.0, 0.0, size, size};
                 draw(camera);
-                // The rectangle cuts periods, so it tells less.
+                // The rectangle cuts periods, so the tolerance is larger.
                 EXPECT_NEAR(ink(80.0, 80.0), coverage(layer, 0.5), 0.03) << turn << " " << tilt << " " << perspective;
             }
         }
     }
 }
 
-// Of the finest level up to the middle, of the coarsest from there on, where alone there is room for it.
+// The line is of the finest level up to the middle, and of the coarsest from there on, where alone there is room for
+// it.
 TEST_F(Hatch, ALineChangesItsLevel) {
     set = nested_plane(runtime.memory);
-    constexpr std::uint32_t first = 101 * 201; // of the line beside the middle one
+    constexpr std::uint32_t first = 101 * 201; // first mark of the line beside the middle one
     ASSERT_EQ(set.layers[0].level[first], finest);
     for (std::uint32_t i = 100; i <= 200; ++i) set.layers[0].level[first + i] = 0;
     cluster();
@@ -85,6 +86,7 @@ TEST_F(Hatch, ALineChangesItsLevel) {
     EXPECT_GE(seen, 20);
 }
 
+// No level appears suddenly, neither as ink nor as lines that are wide at once.
 TEST_F(Hatch, ZoomingChangesNothingAtOnce) {
     set = nested_plane(runtime.memory);
     cluster();
@@ -93,7 +95,7 @@ TEST_F(Hatch, ZoomingChangesNothingAtOnce) {
     for (double half = 1.3; half > 0.3; half *= 0.99) {
         draw(front_camera(size, size, half));
         EXPECT_NEAR(plane_ink(half), coverage(layer, 0.45), 0.01) << half;
-        std::vector<double> widths(finest + 1, 0.0); // of each level in the picture's middle
+        std::vector<double> widths(finest + 1, 0.0); // widths of each level in the picture's middle
         for (const StrokePoint& p : frame.drawing().points) {
             if (std::abs(p.x - 0.5F * size) > 40.0F || std::abs(p.y - 0.5F * size) > 150.0F) continue;
             const std::uint8_t level = set.layers[0].level[p.id - 1];
@@ -111,7 +113,7 @@ TEST_F(Hatch, ThereIsALeastWhiteAndALeastPen) {
     layer.hatch_coverage_end = 1.0F;
     for (const double half : {0.5, 0.8, 1.25}) {
         draw(front_camera(size, size, half));
-        std::vector<std::pair<float, float>> lines; // in the middle: place and half width
+        std::vector<std::pair<float, float>> lines; // place and half width of each line in the middle
         for (std::int64_t s = 0; s < frame.drawing().strokes.size(); ++s) {
             const auto points = points_of(s);
             const StrokePoint& p = points[points.size() / 2];
@@ -121,7 +123,7 @@ TEST_F(Hatch, ThereIsALeastWhiteAndALeastPen) {
         ASSERT_GT(lines.size(), 20U);
         for (std::size_t i = 1; i < lines.size(); ++i) {
             const float white = lines[i].first - lines[i].second - lines[i - 1].first - lines[i - 1].second;
-            EXPECT_GT(white, 0.5F * layer.hatch_white - 0.01F) << half; // while a level fades in
+            EXPECT_GT(white, 0.5F * layer.hatch_white - 0.01F) << half; // half the white, while a level fades in
         }
     }
     layer.hatch_pen = 3.0F;
@@ -204,7 +206,7 @@ TEST_F(Hatch, AFillLightMakesLinesThinnerWhereTheSurfaceIsTurnedAwayFromTheLight
     }
 }
 
-// All normals for tone of a set, turned by an angle about the x axis.
+// Sets all normals for tone of a layer, turned by an angle about the x axis.
 void tilt_tone_normals(marks::Layer& marks, double angle) {
     for (std::int64_t i = 0; i < marks.count(); ++i)
         for (const double x : {0.0, std::sin(angle), std::cos(angle)})
@@ -216,10 +218,10 @@ TEST_F(Hatch, ToneGoesByTheNormalsForTone) {
     tilt_tone_normals(set.layers[0], 1.0);
     cluster();
     style.tone = frame::Tone::light;
-    style.light = {0.0, 0.0, 1.0}; // on the normals themselves
+    style.light = {0.0, 0.0, 1.0}; // along the normals themselves
     draw(front_camera(size, size, 1.25));
     EXPECT_NEAR(plane_ink(1.25), coverage(layer, 1.0 - std::cos(1.0)), 0.01);
-    // In full light there are none.
+    // In full light there are no strokes.
     style.light = {0.0, std::sin(1.0), std::cos(1.0)};
     draw(front_camera(size, size, 1.25));
     EXPECT_EQ(frame.drawing().strokes.size(), 0);
@@ -233,7 +235,7 @@ TEST_F(Hatch, ToneGoesByTheNormalsForTone) {
     EXPECT_NEAR(plane_ink(1.25), coverage(layer, 0.5), 0.01);
 }
 
-// Marks that stay where they are, but for a quarter turn about their normals.
+// Marks stay at their places, but turn by a quarter about their normals.
 TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
     set = nested_plane(runtime.memory);
     tilt_tone_normals(set.layers[0], 1.0);
@@ -241,12 +243,12 @@ TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
     const marks::Layer& marks = set.layers[0];
     std::vector<float> direction;
     for (std::int64_t i = 0; i < marks.count(); ++i)
-        for (const float x : {0.0F, 1.0F, 0.0F}) direction.push_back(x); // before along x
+        for (const float x : {0.0F, 1.0F, 0.0F}) direction.push_back(x); // before, they were along x
     const auto view = [&](const float* data) {
         return base::InView{reinterpret_cast<const std::byte*>(data), marks.count(), 12, base::Scalar::float32, 3};
     };
     style.tone = frame::Tone::light;
-    style.light = {-std::sin(1.0), 0.0, std::cos(1.0)}; // where they point when turned
+    style.light = {-std::sin(1.0), 0.0, std::cos(1.0)}; // the direction of the turned normals for tone
     style.layers = std::span(&layer, 1);
     frame::Pose pose;
     pose.position = view(marks.position.data());
@@ -264,7 +266,7 @@ TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
     }
 }
 
-// What is not known to be passed over is looked at, and found not to be drawn.
+// Pieces that cannot be skipped are processed, and turn out not to be drawn.
 class HatchPieces : public Hatch, public ::testing::WithParamInterface<bool> {
 protected:
     // Normals for tone lean to one side, out of the cones of the normals.
@@ -341,7 +343,7 @@ TEST_F(Hatch, CountsAndLayersSayWhatIsDrawn) {
         std::int64_t stroke = drawing.identify(points_of(s).front().id).stroke;
         for (const StrokePoint& p : points_of(s)) EXPECT_EQ(drawing.identify(p.id).stroke, stroke);
     }
-    // As published there are dots.
+    // The published visibility draws dots.
     style.tone = frame::Tone::none;
     style.layers = std::span(&layer, 1);
     const std::array items{item_of(set, style)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points of hatching in tiles.
+// Tests points of hatching in tiles.
 #include "base/random.h"
 #include "frame/hatch/points.h"
 
@@ -10,7 +10,7 @@
 namespace hrbfnpr::testing::hatch_tiles_test {
 namespace {
 
-// Ways that wander over the picture, and out of it.
+// Adds points that wander over the picture, and out of it.
 void add_points(drawing::Drawing& drawing, frame::HatchPoints::Batch& batch, std::uint64_t seed) {
     batch.first_dot = drawing.dots.size();
     float x = 150.0F;
@@ -20,7 +20,7 @@ void add_points(drawing::Drawing& drawing, frame::HatchPoints::Batch& batch, std
         drawing::Dot dot{};
         dot.x = x += static_cast<float>(40.0 * (u[0] - 0.5));
         dot.y = y += static_cast<float>(40.0 * (u[1] - 0.5));
-        if (i % 500 == 0) dot.x = x = 10.0F + 64.0F * static_cast<float>(i / 500); // on a tile's side
+        if (i % 500 == 0) dot.x = x = 10.0F + 64.0F * static_cast<float>(i / 500); // on the side of a tile
         drawing.dots.push_back(dot);
         batch.samples.sample.push_back({});
     }
@@ -32,10 +32,10 @@ TEST(HatchTiles, HoldEachPointInTheTileThatItIsNearestTo) {
     drawing.first_pixel = {10, -20};
     drawing.dot_tiles.build(runtime.parallel, 300, 200, {}, [](std::int64_t, auto&) { return false; });
     frame::HatchTiles tiles(runtime);
-    for (const std::int64_t count : {0, 3, 2}) { // fewer than before, too
+    for (const std::int64_t count : {0, 3, 2}) { // also fewer than before
         base::List<frame::HatchPoints::Batch> batches(runtime.memory);
         drawing.dots.clear();
-        drawing.dots.push_back({}); // none of hatching
+        drawing.dots.push_back({}); // a dot that is not of hatching
         for (std::int64_t i = 0; i < count; ++i)
             add_points(drawing, batches.add(runtime.memory), static_cast<std::uint64_t>(i));
         tiles.build({batches.begin(), static_cast<std::size_t>(count)}, drawing);

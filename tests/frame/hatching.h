@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hand-made lines of hatching, and how much ink is drawn of them.
+// Hand-made lines of hatching, and measures of the ink that is drawn.
 #pragma once
 
 #include "frame/hand_made.h"
@@ -19,10 +19,10 @@ using frame::LayerStyle;
 
 inline constexpr int size = 500;
 inline constexpr int finest = 3;
-inline constexpr double step = 0.01;                     // of the finest lines
-inline constexpr double coarsest = step * (1 << finest); // of those of level 0
+inline constexpr double step = 0.01;                     // distance of the finest lines
+inline constexpr double coarsest = step * (1 << finest); // distance of the lines of level 0
 
-// Tones by place.
+// The darkness at a place.
 using Darkness = std::function<double(const glm::dvec3&)>;
 inline std::int32_t give_tones(void* user, std::int64_t count, const float* positions, const float*, float* tau) {
     const auto& darkness = *static_cast<const Darkness*>(user);
@@ -45,7 +45,7 @@ struct Line {
     std::uint8_t level;
 };
 
-// Lines along x in the plane z = 0, facing +z, with marks as far apart as the finest lines.
+// Adds a line along x in the plane z = 0, facing +z; by default its marks are as far apart as the finest lines.
 inline void add_line(marks::PointSet& set, const Line& line, double apart = step) {
     std::vector<glm::dvec3> places;
     const int count = static_cast<int>(std::lround((line.to - line.from) / apart)) + 1;
@@ -62,7 +62,7 @@ inline void set_nesting(marks::PointSet& set, double separation, int levels) {
     set.spacing = step;
 }
 
-// Over [-1, 1] in x and y.
+// Nested lines over [-1, 1] in x and y.
 inline marks::PointSet nested_plane(base::Memory& memory) {
     marks::PointSet set(memory);
     marks::Layer& layer = layer_of(set, marks::Kind::own);
@@ -97,7 +97,7 @@ protected:
         frame.draw(items, camera);
         return frame.drawing();
     }
-    // Behind something blank, which hides it and has no halo itself.
+    // Draws the set behind a blank set, which hides it and has no halo itself.
     const drawing::Drawing& draw_behind(const marks::PointSet& blank, const glm::dmat4& transform, double halo = 0.0) {
         frame::LayerStyle unseen;
         unseen.share = 0.0F;
@@ -118,7 +118,8 @@ protected:
         return frame.drawing().points.span().subspan(static_cast<std::size_t>(s.first),
                                                      static_cast<std::size_t>(s.count));
     }
-    // Ink of the strokes for the area of a rectangle around the picture's middle, pixels; overlaps are counted twice.
+    // The ink of the strokes per area of a rectangle around the picture's middle, in pixels. Overlaps are counted
+    // twice.
     [[nodiscard]] double ink(double half_width, double half_height, double middle = 0.5 * size,
                              double lower = 0.0) const {
         double sum = 0.0;
@@ -128,7 +129,8 @@ protected:
                 const StrokePoint& a = points[i - 1];
                 const StrokePoint& b = points[i];
                 const double whole = static_cast<double>(std::hypot(b.x - a.x, b.y - a.y));
-                const int parts = 8 + static_cast<int>(4.0 * whole); // so that the rectangle cuts them
+                const int parts =
+                    8 + static_cast<int>(4.0 * whole); // short parts, so that the rectangle cuts them precisely
                 const double length = whole / parts;
                 for (int k = 0; k < parts; ++k) {
                     const float t = (static_cast<float>(k) + 0.5F) / static_cast<float>(parts);
@@ -141,7 +143,7 @@ protected:
         }
         return sum / (4.0 * half_width * half_height);
     }
-    // The same on the plane: whole periods of the coarsest lines, from between two lines on.
+    // The same on the plane: the rectangle has whole periods of the coarsest lines, and begins between two lines.
     [[nodiscard]] double plane_ink(double half) const {
         const double pixels = 0.5 * size / half;
         const double periods = std::floor(std::min(0.9, 0.9 * half) / coarsest);
@@ -173,8 +175,7 @@ protected:
     return 0.0;
 }
 
-// No level pops in, neither as ink nor as lines that are wide at once.
-// A circle around z.  whole: its last mark is its first one again.
+// Adds a circle around z. If `whole`, its last mark is its first one again.
 inline void add_circle(marks::PointSet& set, double radius, double z, const glm::dvec3& normal, int marks,
                        bool whole = true) {
     marks::Layer& layer = layer_of(set, marks::Kind::own);
@@ -190,7 +191,7 @@ inline void add_circle(marks::PointSet& set, double radius, double z, const glm:
     marks::index_strokes(layer);
 }
 
-// Circles of latitude around z on the unit sphere, nested.
+// Adds nested circles of latitude around z on the unit sphere.
 inline void add_latitudes(marks::PointSet& set) {
     constexpr int lines = 160;
     for (int i = 1; i < lines; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sets of any number of layers, each in the first style that is for its kind and name.
+// Tests sets of any number of layers; each layer uses the first style for its kind and name.
 #include "frame/line_of_sight.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ using frame::LayerStyle;
 using marks::Kind;
 using ::testing::ElementsAre;
 
-// One mark facing the eye, in a layer of its own.
+// Adds one mark that faces the eye, in a layer of its own.
 marks::Layer& add_named(marks::PointSet& set, Kind kind, const char* name, double z) {
     marks::Layer& layer = set.layers.add(set.layers.memory(), kind);
     layer.name = {};
@@ -47,7 +47,7 @@ protected:
         const std::array items{published ? item_of(set, style) : layered_item(set, style)};
         frame.draw(items, front_camera(100, 100));
     }
-    // Of each mark, far to near.
+    // The radius of each mark, far to near.
     [[nodiscard]] std::vector<float> radii() const {
         std::vector<float> found;
         for (const Disc& disc : frame.discs()) found.push_back(disc.radius);
@@ -76,7 +76,8 @@ TEST_F(LayerStyles, WithoutAnyAllLayersAreDrawnByDefault) {
         draw({}, published);
         EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 1, 1, 1));
         EXPECT_EQ(frame.info().marks, 7);
-        const std::int64_t each = published ? 2 : 1; // a layer of the front, and as published one of contours
+        const std::int64_t each =
+            published ? 2 : 1; // a layer of front marks, and with the published visibility one of contours
         ASSERT_EQ(frame.drawing().layers.size(), 7 * each);
         for (std::int64_t l = 0; l < 7 * each; ++l) {
             const drawing::Layer& layer = frame.drawing().layers[l];
@@ -148,7 +149,7 @@ TEST_F(LayerStyles, EveryLayerOfAKindHasItsOwnDirections) {
     EXPECT_THAT(ids, ::testing::UnorderedElementsAre(3U, 6U, 7U, 8U));
 }
 
-// The layer that splats are of.
+// The layers whose marks made the splats.
 std::vector<std::int32_t> splat_layers(const drawing::Drawing& drawing) {
     std::vector<std::int32_t> found;
     for (const drawing::Piece& piece : drawing.splat_pieces) {
@@ -168,7 +169,7 @@ std::vector<std::int32_t> splat_layers(const drawing::Drawing& drawing) {
 
 class SplatLayer : public ::testing::Test {
 protected:
-    // Layer 0: own strokes in great number; 1: few stipples; 2: own marks without strokes, a few more.
+    // Layer 0: very many own strokes; 1: few stipples; 2: own marks without strokes, a few more.
     explicit SplatLayer(bool own_marks = true) {
         marks::Layer& lines = set.layers.add(runtime.memory, Kind::own);
         for (std::uint32_t i = 0; i < 40000; ++i) {
@@ -211,7 +212,7 @@ protected:
 
 TEST_F(SplatLayer, IsNeverOfOwnStrokesUnlessTheyAreAlone) {
     EXPECT_THAT(with({}), ElementsAre(1)) << "stipples, though there are a few more own marks";
-    // Own marks are of the same kind as own strokes here; all used but the stipples.
+    // Own marks have the same kind as own strokes here. All layers are used except the stipples.
     EXPECT_THAT(with(std::array{unused(Kind::stipples)}), ElementsAre(2));
     set.layers[2].rank.clear();
     set.layers[2].position.clear();
@@ -234,7 +235,7 @@ TEST_F(SplatLayer, IsWhatIsUsedEvenIfItIsNotInked) {
     EXPECT_THAT(with(std::array{contours_only}), ElementsAre(1));
 }
 
-// Dots of one layer, in the order of their ids.
+// The dots of one layer, in the order of their ids.
 std::vector<drawing::Dot> dots_of(const drawing::Drawing& drawing, std::int32_t layer) {
     std::vector<drawing::Dot> dots;
     for (const drawing::Piece& piece : drawing.dot_pieces)
@@ -246,7 +247,7 @@ std::vector<drawing::Dot> dots_of(const drawing::Drawing& drawing, std::int32_t 
     return dots;
 }
 
-// A caller who adds a line gets a line: the tone of the other layers stays.
+// A line that a caller adds does not change the tone of the other layers.
 TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
     const base::Runtime runtime;
     const auto draw = [&](bool line, DrawnFrame& frame) {
@@ -255,7 +256,7 @@ TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
             marks::Layer& layer = set.layers.add(runtime.memory, Kind::own);
             for (std::uint32_t i = 0; i < 3000; ++i) {
                 const double angle = 2.0 * pi * i / 3000.0;
-                const glm::dvec3 n(std::cos(angle), std::sin(angle), 0.0); // all of it on the contour
+                const glm::dvec3 n(std::cos(angle), std::sin(angle), 0.0); // all marks are on the contour
                 add_mark(layer, n, n, {-n.y, n.x, 0.0}, 0, i);
             }
             marks::index_strokes(layer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What layers of surface hide and dim, against lines of sight through known solids.
+// Tests what layers of surface hide and dim, against lines of sight through known solids.
 #include "frame/line_of_sight.h"
 #include "frame/scene/light.h"
 
@@ -23,8 +23,8 @@ protected:
         draw(items, camera);
         return seen_share(frame, set.layers[0].count());
     }
-    // Marks of the unit sphere are seen whole. Within a pixel of the contour, where a surface runs into the depth by
-    // many pixels in one, this share of them may be lost.
+    // Expects that marks of the unit sphere are fully visible. Within a pixel of the contour, where the depth of a
+    // surface changes by many pixels in one pixel, the share `most_lost` may be lost.
     template <class Toward>
     void expect_whole(double most_lost, const Toward& toward) {
         const drawing::Drawing& drawing = frame.drawing();
@@ -75,7 +75,7 @@ TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
     }
 }
 
-// With 100 marks on 400 pixels, discs of layers stand out of their own surface by more than the gap that is left to it.
+// With 100 marks on 400 pixels, discs of layers stand out of their own surface by more than the gap in front of it.
 TEST_F(LayersTest, ASparseSphereNeverDimsItsOwnFront) {
     for (const int count : {100, 300}) {
         const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
@@ -88,7 +88,7 @@ TEST_F(LayersTest, ASparseSphereNeverDimsItsOwnFront) {
     }
 }
 
-// A halo goes out from the contour, beside which its own front lies.
+// A halo extends from the contour, and the sphere's own front is beside the contour.
 TEST_F(LayersTest, AHaloLeavesItsOwnFrontAlone) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
     Style style = all_front(HiddenLines::hide);
@@ -114,7 +114,7 @@ TEST_F(LayersTest, APlaneNeverDimsItselfAtAnyTilt) {
     }
 }
 
-// Which marks of a torus a line of sight finds hidden, and whether the frame agrees.
+// Counts the marks of a torus that a line of sight finds hidden or visible, and those for which the frame disagrees.
 struct Agreement {
     int hidden = 0, seen = 0;             // by the line of sight, away from contours
     int lost = 0, dimmed = 0, leaked = 0; // seen but not drawn, or not wholly; hidden but drawn
@@ -125,7 +125,7 @@ Agreement agreement(const marks::PointSet& set, const Solid& solid, const std::v
     Agreement result;
     for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
         const Mark mark = mark_of(set, i);
-        if (glm::dot(mark.normal, toward) < 0.2) continue; // the back, and the contour's own
+        if (glm::dot(mark.normal, toward) < 0.2) continue; // the back, and marks at the contour
         const double clear = own_clearance(solid, mark.position, toward);
         const float drawn = share[static_cast<std::size_t>(i) + 1];
         if (clear > band) {
@@ -150,14 +150,14 @@ TEST_F(LayersTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
             for (const double half : {1.6, 0.8}) {
                 const double pixel = 2.0 * half / 500.0;
                 const Style style = all_front(HiddenLines::hide);
-                // Marks stand for a layer up to a spacing beyond the last of them.
+                // Marks represent a layer up to a spacing beyond the last mark.
                 const double band = (2.0 + 2.0) * pixel + set.spacing;
                 const std::vector<float> share = seen(set, style, camera_from(toward, 500, half));
                 Agreement found = agreement(set, ring(), share, unit, band);
-                if (half < 1.5) { // not all of it is inside the picture
+                if (half < 1.5) { // not all of the torus is inside the picture
                     found.lost = 0;
                 }
-                // Splats of marks at random leave gaps, and reach a little too far: one in ten thousand.
+                // Splats of random marks leave gaps, and extend a little too far: one mark in ten thousand.
                 EXPECT_LE(found.lost, 3) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.dimmed, 0) << rings << " " << tilt << " " << half << " of " << found.seen;
                 EXPECT_EQ(found.leaked, 0) << rings << " " << tilt << " " << half << " of " << found.hidden;
@@ -173,8 +173,8 @@ TEST_F(LayersTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
 }
 
 TEST_F(LayersTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
-    // All marks whose fate is not sure above: within a band of 2 px and the halo they may go either way, but beyond
-    // it they may not.
+    // Includes all marks that are uncertain in the test above. Within a band of 2 px and the halo either result is
+    // allowed, but not beyond it.
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 300));
     const double pixel = 3.2 / 600.0;
     std::int64_t wrong = 0;
@@ -205,7 +205,7 @@ TEST_F(LayersTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
         for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Mark mark = mark_of(set, i);
             if (!(glm::dot(mark.normal, toward) > 0.0 && glm::dot(mark.normal, toward) < 0.3)) continue;
-            // Its own fold, seen from a little outside of it.
+            // The line of sight starts a little outside of the mark's own fold.
             const glm::dvec3 start = mark.position + 2.0 * pixel * mark.normal;
             if (!(clearance(ring(), start + 0.05 * toward, toward) < -6.0 * pixel)) continue;
             ++hidden;
@@ -251,7 +251,7 @@ TEST_F(LayersTest, ABallInFrontDimsByTheLawsOfBothItsLayers) {
     }
 }
 
-// The share of the ink of a plane at z = 0 that is seen through planes in front of it.
+// A plane in front of the plane z = 0, which lets a share of its ink through.
 struct Front {
     double z;
     bool faces_away;
@@ -269,10 +269,10 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
         std::vector<Front> layers;
         float clear;
     };
-    // 100 pixels a unit.
+    // 100 pixels per unit.
     const Case cases[] = {{{}, 1.0F},
                           {{{0.6, false}}, front},
-                          {{{0.05, false}}, front}, // layers of two items need but a small gap
+                          {{{0.05, false}}, front}, // layers of two items only need a small gap
                           {{{0.6, true}}, back},
                           {{{0.05, true}}, back}, // and so do two sides
                           {{{0.6, true}, {1.2, false}}, back * front},
@@ -281,7 +281,7 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
                           {{{0.6, false}, {1.2, false}}, front * front},
                           {{{0.6, true}, {1.2, true}}, back * back},
                           {{{0.6, true}, {1.2, false}, {1.8, true}, {2.4, false}}, back * front * back * front},
-                          {{{-0.6, false}, {-1.2, true}}, 1.0F}}; // behind it
+                          {{{-0.6, false}, {-1.2, true}}, 1.0F}}; // behind the plane
     for (const Case& c : cases) {
         std::vector<frame::Item> items{layered_item(set, style)};
         Style blank = style;
@@ -318,7 +318,7 @@ TEST_F(LayersTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     const std::int64_t all = drawn_of_small(HiddenLines::show, {0.2, 0.0, -2.0});
     EXPECT_EQ(frame.info().dropped_hidden, 0);
     EXPECT_EQ(frame.info().splats, 0);
-    EXPECT_NEAR(static_cast<double>(all), 1500.0, 5.0); // half of them
+    EXPECT_NEAR(static_cast<double>(all), 1500.0, 5.0); // half of the marks
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, -2.0}), 0);
     EXPECT_EQ(frame.info().dropped_hidden, all);
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, 2.0}), all);
@@ -332,7 +332,8 @@ TEST_F(LayersTest, AHaloIsAsWideAsAskedAtAnyZoom) {
             for (const float halo : {0.0F, 3.0F, 7.0F}) {
                 Style style = all_front(hidden);
                 style.halo_width = halo;
-                if (halo == 0.0F && hidden != HiddenLines::hide) continue; // clear where it turns away, by the law
+                if (halo == 0.0F && hidden != HiddenLines::hide)
+                    continue; // by its law, a layer lets everything through where it turns away
                 const std::array items{layered_item(wall, style, shifted({0.0, 0.0, -2.0})), layered_item(disc, style)};
                 draw(items, front_camera(600, 600, half));
                 const double rim = 0.5 * 300.0 / half;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Creases of items as strokes.
+// Tests creases of items as strokes.
 #include "frame/hand_made.h"
 #include "support/runtime.h"
 #include "support/sharp_shapes.h"
@@ -43,7 +43,8 @@ protected:
         const glm::dvec4 clip = camera_.projection * camera_.view * glm::dvec4(place, 1.0);
         return {0.5 * size * (1.0 + clip.x / clip.w), 0.5 * size * (1.0 - clip.y / clip.w)};
     }
-    // All strokes are on the outline of that face of the cube, x = 1 of its own, and all of it is drawn.
+    // Expects that all strokes are on the outline of the cube's face x = 1 (in its own coordinates), and that all of it
+    // is drawn.
     void expect_face_alone(const glm::dmat3& to_world) {
         std::array<glm::dvec2, 4> corner;
         for (std::size_t k = 0; k < 4; ++k)
@@ -68,7 +69,7 @@ protected:
         const double share = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
         return glm::distance(p, a + share * (b - a));
     }
-    // Counts which fiftieths of the line from a to b the piece up to point i passes.
+    // Counts which fiftieths of the line from a to b are passed by the piece that ends at point i.
     static void put(std::span<const StrokePoint> points, std::size_t i, const glm::dvec2& a, const glm::dvec2& b,
                     std::array<int, 50>& drawn, double off = 0.1) {
         if (i == 0) return;
@@ -127,7 +128,7 @@ private:
     frame::Camera camera_;
 };
 
-// Six edges of a cube bound it, three are inside; no line narrows where it meets others.
+// Six edges bound the cube in the image, three are inside. No line narrows where it meets others.
 TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
     const auto cube = test::sharp_cube(glm::dmat3(1.0));
     look_at(*cube, {-0.8, 1.0, -0.6});
@@ -143,7 +144,7 @@ TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
             EXPECT_EQ(p.opacity, 1.0F);
         }
     EXPECT_EQ(frame.drawing().line_counts.broken + frame.drawing().line_counts.contradictions, 0);
-    // Each end of one is an end of two others.
+    // Each end of a line is at the end of another line.
     std::vector<glm::vec2> ends;
     for (const Stroke& stroke : frame.drawing().strokes)
         for (const StrokePoint& p : {points_of(stroke).front(), points_of(stroke).back()}) ends.emplace_back(p.x, p.y);
@@ -153,7 +154,7 @@ TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
                   2);
 }
 
-// The four sides of a cube that is looked at along an axis are seen edge-on.
+// The camera looks along an axis, so four faces of the cube are seen edge-on.
 TEST_F(LineCreases, OfFacesSeenEdgeOnAreDrawn) {
     for (const glm::dmat3& turn : {glm::dmat3(1.0), test::odd_turn()}) {
         const auto cube = test::sharp_cube(turn);
@@ -167,7 +168,7 @@ TEST_F(LineCreases, OfFacesSeenEdgeOnAreDrawn) {
         draw();
         expect_face_alone(to_world);
         EXPECT_EQ(frame.drawing().strokes.size(), 4);
-        // In perspective with the eye in the plane of the upper one.
+        // In perspective the eye is in the plane of the upper face.
         camera.view = frame::look_at(to_world * glm::dvec3(8.0, 0.3, 1.0), to_world * glm::dvec3(0.0, 0.3, 1.0), up);
         camera.projection = frame::perspective(0.6, size, size, 1.0, 20.0, {});
         look_through(*cube, camera);
@@ -208,7 +209,7 @@ TEST_F(LineCreases, ByTheWayOfBending) {
     EXPECT_NEAR(convex + concave, all, 1e-3F * all);
 }
 
-// From 30 degrees, where it is there in full, to 15.
+// The crease fades from 30 degrees, where it is opaque, to 15.
 TEST_F(LineCreases, FadesWithItsAngle) {
     const auto wedge = test::fading_wedge();
     look_at(*wedge, {0.1, 0.2, -1.0});
@@ -225,7 +226,8 @@ TEST_F(LineCreases, FadesWithItsAngle) {
     EXPECT_EQ(most, 1.0F);
 }
 
-// Of a part of the contour what is sharp enough, and no stroke that would not be seen: a plotter draws any.
+// Where a crease is part of the contour, only sharp enough parts have strokes. Invisible parts have none, since a
+// plotter draws every stroke.
 TEST_F(LineCreases, WeakPartsOfTheContourHaveNoStrokes) {
     const auto wedge = test::fading_wedge();
     look_at(*wedge, {-1.0, 0.0, -0.24});
@@ -248,7 +250,7 @@ TEST_F(LineCreases, WeakPartsOfTheContourHaveNoStrokes) {
     EXPECT_TRUE(strokes_of(LineKind::crease).empty());
 }
 
-// Where it is sharper than 27 degrees it is a part of the contour; from there it goes on, to 15.
+// The crease is part of the contour where it is sharper than 27 degrees. From there it continues to 15 degrees.
 TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
     const auto wedge = test::fading_wedge();
     look_at(*wedge, {-1.0, 0.0, -0.24});
@@ -263,8 +265,9 @@ TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
     EXPECT_GT(fading, 15.0F);
 }
 
-// There the contour ends: with its whole width where the crease that goes on is drawn, and with a taper, as at a cusp,
-// where it is too weak and the sheet's own contour turns back, hidden behind it.  From the other side that one goes on.
+// The contour ends there. If the continuing crease is drawn, the contour keeps its whole width. If the crease is too
+// weak and the sheet's own contour turns back, hidden behind it, the contour has a taper, as at a cusp. From the other
+// side the sheet's contour continues.
 TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
     const auto wedge = test::fading_wedge();
     struct Case {
@@ -276,7 +279,7 @@ TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
         styles[0].taper = 10.0F;
         draw();
         const glm::dvec2 end = window_of({0.0, -1.0 - std::log(2.0 * slope) / 3.0, 0.0});
-        float radius = -1.0F; // of the end there
+        float radius = -1.0F; // radius of the end there
         float whole = 0.0F;
         for (const Stroke& stroke : strokes_of(LineKind::contour)) {
             const std::span<const StrokePoint> points = points_of(stroke);
@@ -291,8 +294,8 @@ TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
     }
 }
 
-// A top that is seen nearly edge-on, and bent to and fro by a fifth of a pixel: that hides parts of its far edge, and
-// the contours of what hides them are short, narrow to both their ends and draw nothing of the outline.
+// The top is seen nearly edge-on, and is wavy by a fifth of a pixel, which hides parts of its far edge. The contours of
+// the waves are short and narrow at both ends, and draw nothing of the outline.
 TEST_F(LineCreases, OfAFaceThatIsNotQuiteFlatAreWhole) {
     const auto top = [](const glm::dvec3& p) {
         const double at = 60.0 * p.x + 30.0 * p.y;
@@ -342,7 +345,7 @@ TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
     EXPECT_FALSE(has_layer(LineKind::crease));
 }
 
-// The second drawing begins with the contours of the first, sheet by sheet.
+// The second drawing starts from the contours of the first, sheet by sheet.
 TEST_F(LineCreases, FrameAfterFrame) {
     const auto cone = test::capped_cone();
     for (int i = 0; i < 6; ++i) {

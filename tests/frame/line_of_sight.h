@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a line of sight meets, found by marching along it.
+// Tells what a line of sight meets, by marching along it.
 #pragma once
 
 #include "frame/hand_made.h"
@@ -10,19 +10,19 @@
 
 namespace hrbfnpr::testing {
 
-// Signed distance to a closed surface.
+// The signed distance to a closed surface.
 using Solid = std::function<double(const glm::dvec3&)>;
 
 inline Solid ball(double radius, const glm::dvec3& centre = glm::dvec3(0.0)) {
     return [=](const glm::dvec3& p) { return glm::length(p - centre) - radius; };
 }
-// As torus().
+// The solid of torus().
 inline Solid ring(double minor = 0.45) {
     return [=](const glm::dvec3& p) { return std::hypot(std::hypot(p.x, p.y) - 1.0, p.z) - minor; };
 }
 
-// How near the line from p towards the eye comes to a solid: < 0 if it passes through it.  About what it is on the
-// screen from the solid's contour, too.
+// The least distance of the line from p towards the eye from a solid: < 0 if the line passes through it. It is about
+// equal to the distance on the screen from the solid's contour.
 inline double clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec3& toward, double reach = 20.0) {
     double least = std::numeric_limits<double>::infinity();
     for (double t = 0.0; t < reach;) {
@@ -33,7 +33,8 @@ inline double clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec
     return least;
 }
 
-// The same for a point of the solid's own surface: once the line, having left it, comes near to it again.
+// The same for a point of the solid's own surface: it counts from where the line, having left the surface, comes near
+// to it again.
 inline double own_clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec3& toward, double reach = 20.0) {
     double least = std::numeric_limits<double>::infinity();
     double before = 0.0;
@@ -61,14 +62,14 @@ inline Mark mark_of(const marks::PointSet& set, std::int64_t i, std::int64_t lay
     return mark;
 }
 
-// What is seen of each mark's ink, by its id; < 0: it is not drawn.
+// The visible share of each mark's ink, by its id; < 0: not drawn.
 inline std::vector<float> seen_share(const DrawnFrame& frame, std::int64_t marks) {
     std::vector<float> share(static_cast<std::size_t>(marks) + 1, -1.0F);
     for (const Disc& disc : frame.discs()) share[disc.id] = disc.color.w;
     return share;
 }
 
-// All front marks, nothing but hidden surfaces decides.
+// All front marks are ink; only hidden surfaces decide which are shown.
 inline Style all_front(frame::HiddenLines hidden_lines) {
     Style style;
     style.hidden_lines = hidden_lines;
@@ -79,7 +80,7 @@ inline Style all_front(frame::HiddenLines hidden_lines) {
     return style;
 }
 
-// An orthographic camera far away in this direction from the origin.
+// An orthographic camera far away from the origin in this direction.
 inline frame::Camera camera_from(const glm::dvec3& toward, int pixels, double half) {
     frame::Camera camera = front_camera(pixels, pixels, half);
     const glm::dvec3 up = std::abs(toward.z) < 0.9 * glm::length(toward) ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);

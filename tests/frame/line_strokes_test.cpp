@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of items as strokes: of spheres, whose outlines are circles, and of tori, which hide themselves.
+// Tests lines of items as strokes: of spheres, whose outlines are circles, and of tori, which hide themselves.
 #include "frame/hand_made.h"
 #include "support/analytic.h"
 #include "support/runtime.h"
@@ -18,9 +18,9 @@ using drawing::StrokePoint;
 using frame::HiddenParts;
 using frame::LineStyle;
 
-constexpr int size = 500; // 200 pixels a unit
+constexpr int size = 500; // 200 pixels per unit
 
-// Marks tell where the surface is, and none is drawn.
+// Marks define the surface, but none is drawn.
 const std::array<frame::LayerStyle, 1> blank{[] {
     frame::LayerStyle style;
     style.share = 0.0F;
@@ -61,7 +61,7 @@ protected:
         return frame.drawing().points.span().subspan(static_cast<std::size_t>(stroke.first),
                                                      static_cast<std::size_t>(stroke.count));
     }
-    // Along its points.
+    // The length along the points.
     [[nodiscard]] double length_of(const Stroke& stroke) const {
         double sum = 0.0;
         const auto points = points_of(stroke);
@@ -70,7 +70,7 @@ protected:
                               static_cast<double>(points[i + 1].y - points[i].y));
         return sum;
     }
-    // Strokes of an item.
+    // The strokes of an item.
     [[nodiscard]] std::vector<Stroke> strokes_of(std::int32_t item) const {
         std::vector<Stroke> found;
         for (const Stroke& stroke : frame.drawing().strokes)
@@ -87,7 +87,7 @@ protected:
     std::array<LineStyle, 1> style{};
     DrawnFrame frame{runtime};
     float halo = 0.0F;       // pixels
-    double stretched = 1e-3; // how far lengths may be off, as shares
+    double stretched = 1e-3; // largest error of lengths, as a share
 
 private:
     void expect_sound() {
@@ -135,7 +135,7 @@ TEST_F(LineStrokes, TheOutlineOfASphereIsOneClosedStroke) {
     EXPECT_EQ(drawing.line_counts.cusps + drawing.line_counts.crossings + drawing.line_counts.broken, 0);
 }
 
-// In perspective: the cone of sight.
+// In perspective the contour is where the cone of sight touches the sphere.
 TEST_F(LineStrokes, CircumferenceInPerspective) {
     for (const glm::dvec3& from : {glm::dvec3(3.0, 0.0, 0.0), {1.0, -2.0, 2.0}, {-2.0, 1.5, 1.66}}) {
         frame::Camera camera;
@@ -150,7 +150,7 @@ TEST_F(LineStrokes, CircumferenceInPerspective) {
     }
 }
 
-// Marks draw none, whether there are lines or not.
+// Marks draw no contours, with and without lines.
 TEST_F(LineStrokes, AloneDrawContours) {
     frame::Item item = item_of(nullptr);
     draw(std::array{item});
@@ -163,7 +163,7 @@ TEST_F(LineStrokes, AloneDrawContours) {
     draw(std::array{item});
     EXPECT_EQ(frame.discs().size(), 0U);
     EXPECT_EQ(frame.drawing().strokes.size(), 1);
-    item.style.lines = {}; // no style for them: all is as without
+    item.style.lines = {}; // without a style for lines none is drawn
     draw(std::array{item});
     EXPECT_EQ(frame.discs().size(), 0U);
     EXPECT_EQ(frame.drawing().strokes.size(), 0);
@@ -197,10 +197,10 @@ TEST_F(LineStrokes, ItemsWithoutLinesAreAsTheyWere) {
     EXPECT_EQ(strokes_of(1).size(), 1U);
 }
 
-// Two circles of 100 and 80 pixels, the smaller behind and half hidden.
+// Two circles of 100 and 80 pixels; the smaller one is behind and half hidden.
 class HiddenPart : public LineStrokes {
 protected:
-    // Whether a place is in the nearer circle.
+    // Tells whether a place is in the nearer circle.
     [[nodiscard]] static bool covered(const StrokePoint& p, double slack = 0.0) {
         return std::hypot(static_cast<double>(p.x) - 250.0, static_cast<double>(p.y) - 250.0) < 100.0 + slack;
     }
@@ -212,7 +212,7 @@ protected:
         EXPECT_EQ(strokes_of(0).size(), 1U);
         return strokes_of(1);
     }
-    // Of the arc inside of the other circle, pixels: centres 100 apart.
+    // The length of the arc inside of the other circle, in pixels; the centres are 100 apart.
     const double arc = 2.0 * 80.0 * std::acos((100.0 * 100.0 + 80.0 * 80.0 - 100.0 * 100.0) / (2.0 * 100.0 * 80.0));
     const double whole = 2.0 * pi * 80.0;
 };
@@ -224,11 +224,11 @@ TEST_F(HiddenPart, IsNotDrawn) {
     EXPECT_NEAR(length_of(strokes[0]), whole - arc, 0.2);
     for (const StrokePoint& p : points_of(strokes[0])) {
         EXPECT_FALSE(covered(p, -0.1));
-        EXPECT_EQ(p.radius, 0.5F * style[0].width); // it is no free end where it is hidden
+        EXPECT_EQ(p.radius, 0.5F * style[0].width); // a hidden part does not make a free end
     }
 }
 
-// On both sides, by the halo, half of either line's width: they cross at more than 30 degrees.
+// On both sides the gap is the halo plus half of either line's width, as the lines cross at more than 30 degrees.
 TEST_F(HiddenPart, HasGapsBesideIt) {
     halo = 3.0F;
     const std::vector<Stroke> strokes = far_strokes(HiddenParts::none);
@@ -282,7 +282,7 @@ TEST_F(HiddenPart, IsDashed) {
     }
 }
 
-// A part behind two layers is fainter by their number.
+// A part behind n layers has the opacity to the power of n.
 TEST_F(LineStrokes, LayersMultiply) {
     style[0].hidden = HiddenParts::attenuated;
     style[0].hidden_opacity = 0.5F;
@@ -298,15 +298,14 @@ TEST_F(LineStrokes, LayersMultiply) {
     }
 }
 
-// Of a ball and a ring, as one goes round them.
-// Of a circle of the radius 0.5 a larger one in front of it, of 0.6, leaves an arc: a dot, if it is shorter than half
-// the line's width.
+// A circle of radius 0.5 is behind a larger one of radius 0.6, which leaves an arc. The arc would be a dot if it is
+// shorter than half the line's width, so it is not drawn.
 TEST_F(LineStrokes, WhatIsSeenIsNoDot) {
     style[0].width = 8.0F;
     style[0].hidden = HiddenParts::none;
     const auto strokes = [&](double pixels) {
         const double cosine = std::cos(0.5 * pixels / (0.5 * 200.0));
-        double d = 0.1; // between the middles: 0.6^2 = 0.5^2 + d^2 + d cosine
+        double d = 0.1; // distance of the middles: 0.6^2 = 0.5^2 + d^2 + d cosine
         for (int i = 0; i < 20; ++i) d -= (0.25 + d * d + d * cosine - 0.36) / (2.0 * d + cosine);
         const std::array items{item_of(&ball_lines, moved({d, 0.0, -2.0}, 0.5)), item_of(&ball_lines, moved({}, 0.6))};
         draw(items);
@@ -317,6 +316,7 @@ TEST_F(LineStrokes, WhatIsSeenIsNoDot) {
     EXPECT_NEAR(length_of(strokes_of(0)[0]), 6.0, 0.3);
 }
 
+// The camera goes round a ball and a ring.
 TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
     std::vector<frame::Item> items{item_of(&ball_lines), item_of(&ring_lines)};
     items[0].transform[3] = {0.0, 0.0, 3.0, 1.0};
@@ -345,7 +345,7 @@ TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
         EXPECT_EQ(numbers(0), ball_number);
         EXPECT_EQ(numbers(1), ring_numbers);
     }
-    // Another line set is another line; and what went away comes back with a new number.
+    // Another line set is another line. Lines that were gone come back with new numbers.
     items.pop_back();
     seen_from(0.0);
     EXPECT_EQ(numbers(0), ball_number);
@@ -355,8 +355,8 @@ TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
     for (const std::uint32_t number : numbers(1)) EXPECT_GT(number, ring_numbers.back());
 }
 
-// On a way round a ring, with a jump in it: as another renderer that has drawn nothing yet; and twice from one place
-// the same bits.
+// The camera goes round a ring, with a jump. The result equals that of a new renderer, and two drawings from one place
+// have the same bits.
 TEST_F(LineStrokes, GoOnFromTheLastFrame) {
     style[0].hidden = HiddenParts::attenuated;
     const std::array items{item_of(&ring_lines)};
@@ -388,7 +388,7 @@ TEST_F(LineStrokes, GoOnFromTheLastFrame) {
     }
 }
 
-// A torus seen from the side: its inner contour ends at cusps, in a point.
+// The inner contour of a torus that is seen from the side ends at cusps, in a point.
 class TaperedAtCusps : public LineStrokes {
 protected:
     void look() {
@@ -451,7 +451,7 @@ TEST_F(TaperedAtCusps, NotAtAll) {
     for (const StrokePoint& p : frame.drawing().points) EXPECT_EQ(p.radius, 2.0F);
 }
 
-// From within the torus and beside it, and of mirrored items; dashes beyond the window are not made.
+// The camera is inside the torus or beside it, and items may be mirrored. Dashes beyond the window are not made.
 TEST_F(LineStrokes, AnyCameraGivesNumbers) {
     style[0].hidden = HiddenParts::dashed;
     stretched = 0.25; // a piece beside the eye is not drawn evenly
@@ -470,7 +470,7 @@ TEST_F(LineStrokes, AnyCameraGivesNumbers) {
     }
 }
 
-// Of a mirrored item the same strokes, mirrored.
+// A mirrored item has the same strokes, mirrored.
 TEST_F(LineStrokes, MirroredItems) {
     frame::Camera camera = front_camera(size, size, 1.6);
     camera.view = frame::look_at({0.0, -8.5, 5.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of the width of lines, and an unsteady hand: on spheres, where all is known.
+// Tests the laws of line widths, and the wobble of lines: on spheres, where all is known.
 #include "frame/hand_made.h"
 #include "support/analytic.h"
 #include "support/runtime.h"
@@ -48,12 +48,12 @@ protected:
         item.lines = lines;
         return item;
     }
-    // 200 pixels a unit in a picture of 500.
+    // Draws 200 pixels per unit in a picture of 500.
     std::vector<StrokePoint> draw(const std::vector<frame::Item>& items, int size = 500) {
         frame.draw(items, front_camera(size, size));
         return {frame.drawing().points.begin(), frame.drawing().points.end()};
     }
-    // Half the widths of an item's lines, the least and the largest.
+    // The least and the largest half width of an item's lines.
     [[nodiscard]] std::array<float, 2> radii_of(std::int32_t item) const {
         std::array<float, 2> range{1e9F, 0.0F};
         for (const Stroke& stroke : frame.drawing().strokes) {
@@ -89,7 +89,7 @@ TEST_F(LineWidths, AreEvenWithoutLaws) {
     expect_radius(0, 2.0, 0.0);
 }
 
-// The nearest contour, the farthest, and one a quarter of the way.
+// The three contours are the nearest, the farthest, and one at a quarter of the depth range.
 TEST_F(LineWidths, ByDepth) {
     style[0].far_factor = 0.25F;
     draw({item_of(&ball_lines, moved({-0.7, 0.0, 2.0}, 0.2)), item_of(&ball_lines, moved({0.0, 0.0, 1.0}, 0.2)),
@@ -107,7 +107,7 @@ TEST_F(LineWidths, ByLight) {
     light = {3.0, 4.0, 0.0};
     for (const frame::LightSpace space : {frame::LightSpace::camera, frame::LightSpace::world}) {
         frame::Item item = item_of(&ball_lines);
-        item.style.light_space = space; // the camera looks straight on
+        item.style.light_space = space; // the camera looks along -z, so both spaces agree
         for (const StrokePoint& p : draw({item})) {
             const double lit =
                 (0.6 * (static_cast<double>(p.x) - 250.0) - 0.8 * (static_cast<double>(p.y) - 250.0)) / 200.0;
@@ -119,7 +119,7 @@ TEST_F(LineWidths, ByLight) {
     EXPECT_NEAR(range[1], 2.0, 0.02);
 }
 
-// Of a sphere 1 / its radius, whatever its size and transform.
+// The radial curvature of a sphere is 1 / its radius, for any size and transform.
 TEST_F(LineWidths, ByRadialCurvature) {
     style[0].curvature_factor = 0.5F;
     style[0].curvature_radius = 1.0F;
@@ -133,7 +133,7 @@ TEST_F(LineWidths, ByRadialCurvature) {
     expect_radius(0, 2.0);
 }
 
-// A parallel of a torus: across it the tube bends.
+// On a parallel of a torus the curvature across the line is that of the tube.
 TEST_F(LineWidths, ByCurvatureAcrossALine) {
     const test::Torus torus(1.0, 0.25);
     curves::LineRequest request;
@@ -151,7 +151,7 @@ TEST_F(LineWidths, ByCurvatureAcrossALine) {
     expect_radius(0, 2.0 * (1.0 + (1.0 - 1.0 / (0.5 * curvature))), 0.01);
 }
 
-// Over a larger one behind it a ball's contour is an inner one; beside it they are outlines.
+// In front of a larger ball a ball's contour is an inner one; beside it both are outlines.
 TEST_F(LineWidths, OfTheOutline) {
     style[0].outline_factor = 2.0F;
     draw({item_of(&ball_lines, moved({0.0, 0.0, 3.0}, 0.3)), item_of(&ball_lines)});
@@ -162,7 +162,7 @@ TEST_F(LineWidths, OfTheOutline) {
     expect_radius(1, 4.0);
 }
 
-// Half over it: from one to the other over six widths beyond where they cross.
+// The ball is half in front of the larger one. The width changes over six widths beyond the crossing.
 TEST_F(LineWidths, ChangeSmoothlyFromTheOutline) {
     style[0].outline_factor = 2.0F;
     draw({item_of(&ball_lines, moved({0.6, 0.0, 3.0}, 0.4)), item_of(&ball_lines, moved({-0.1, 0.0, 0.0}, 0.6))});
@@ -188,7 +188,7 @@ TEST_F(LineWidths, ChangeSmoothlyFromTheOutline) {
     expect_radius(1, 4.0);
 }
 
-// From within a torus and beside it, with all laws: lines that pass beside the eye are as long as numbers go.
+// The camera is inside a torus and beside it, with all laws. Lines that pass beside the eye are extremely long.
 TEST_F(LineWidths, FromAnyCamera) {
     const test::Torus torus(1.0, 0.4);
     const curves::LineSet lines(runtime, torus, std::make_unique<implicit::DifferencedShape>(torus), with_sections({}));
@@ -217,7 +217,7 @@ TEST_F(LineWidths, FromAnyCamera) {
 
 class WobblingLines : public LineWidths {
 protected:
-    // In widths, by the angle round the circle, in degrees.
+    // The deviation in line widths, by the angle round the circle in degrees.
     std::vector<double> strays(int size) {
         style[0].width = 0.008F * static_cast<float>(size);
         const std::vector<StrokePoint> points = draw({item_of(&ball_lines)}, size);
@@ -276,7 +276,7 @@ TEST_F(WobblingLines, VaryInWidth) {
     EXPECT_GT(range[1] - range[0], 0.4F);
 }
 
-// What is shown and what is dashed of one line lie on one wobbling curve.
+// The shown and the dashed parts of one line are on one wobbling curve.
 TEST_F(WobblingLines, HiddenPartsGoOn) {
     style[0].wobble = 1.0F;
     const std::vector<frame::Item> items{item_of(&ball_lines, moved({0.5, 0.0, 3.0}, 0.4)), item_of(&ball_lines)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order of painting.
+// Tests the order of painting.
 #include "frame/hand_made.h"
 
 #include <gtest/gtest.h>
@@ -7,12 +7,12 @@
 namespace hrbfnpr::testing::order_test {
 namespace {
 
-// Slow and plain: the painting order by comparing eye depths.
+// The test checks the painting order by comparing eye depths, slowly and plainly.
 TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
     base::Runtime runtime;
     marks::PointSet set(runtime.memory);
     set.spacing = 0.04;
-    // A mark every 0.01 of depth, facing the eye; 100 pixels a unit.
+    // A mark every 0.01 of depth faces the eye; 100 pixels per unit.
     for (int i = 0; i < 100; ++i) add_stipple(set, {0.0, 0.0, 0.01 * i}, {0.0, 0.0, 1.0});
     Style style;
     style.tone = frame::Tone::none;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Marks that have moved since their set was made.
+// Tests marks that have moved since their set was made.
 #include "frame/line_of_sight.h"
 #include "support/runtime.h"
 
@@ -19,7 +19,7 @@ using ::testing::HasSubstr;
 
 constexpr int size = 400;
 
-// Where the marks of a layer are, with room to write them elsewhere.
+// The places of a layer's marks, with room to write them elsewhere.
 struct Places {
     std::vector<double> position, normal, direction;
 
@@ -58,7 +58,7 @@ protected:
             if (!disc.is_paper) by_id.emplace(disc.id, disc);
         return by_id;
     }
-    // Stipples and strokes, so that there are two layers.
+    // The set has stipples and strokes, so there are two layers.
     marks::PointSet ring() {
         marks::PointSet made = torus(runtime.memory, 90);
         add_torus_strokes(made, marks::Kind::hatch, 200, 15, 0.3);
@@ -73,7 +73,7 @@ constexpr Visibility both[] = {Visibility::depth_layers, Visibility::published};
 
 frame::Camera oblique() { return camera_from({0.2, -0.9, 0.6}, size, 1.7); }
 
-// Normals along an axis are unit as they are, so nothing is rounded.
+// Normals along an axis are already unit vectors, so nothing is rounded.
 TEST_F(Posed, AtTheSamePlacesMarksAreTheSameDots) {
     for (const glm::dvec3 origin : {glm::dvec3(0.0), glm::dvec3(0.25, -0.5, 1.0)}) {
         marks::PointSet flat = plane(runtime.memory, 120);
@@ -135,7 +135,7 @@ TEST_F(Posed, ARigidMotionIsThatOfTheItem) {
             item.poses = poses;
             draw(item, visibility, oblique());
             const std::map<std::uint32_t, Disc> found = inks();
-            // Rounding decides on a few.
+            // Rounding decides about a few marks.
             EXPECT_NEAR(static_cast<double>(found.size()), static_cast<double>(expected.size()),
                         0.01 * static_cast<double>(expected.size()));
             std::size_t missing = 0;
@@ -175,7 +175,7 @@ TEST_F(Posed, WithoutDirectionsTheyStayAsInTheSet) {
     EXPECT_NEAR(frame.drawing().source(3).normal.x, std::sin(0.4F), 1e-6F);
 }
 
-// A layer that is posed for one drawing is where it was for the next.
+// A pose holds for one drawing; in the next the layer is at its old place.
 TEST_F(Posed, LastsForOneDrawing) {
     const marks::PointSet set = ring();
     const Places stipples(set, 0, turned(0.7, {0.3, -0.2, 0.4}));
@@ -193,7 +193,7 @@ TEST_F(Posed, LastsForOneDrawing) {
     EXPECT_EQ(glm::vec2(frame.discs()[0].x, frame.discs()[0].y), glm::vec2(first.x, first.y));
 }
 
-// Far from where they were, marks are still inside of what is looked at.
+// Marks that are far from their old places are still inside of the view.
 TEST_F(Posed, MarksMayBeFarFromTheirSet) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 60));
     const glm::dmat4 away = turned(0.0, {500.0, 0.0, 0.0});
@@ -232,7 +232,7 @@ TEST_F(Posed, AllocatesNothingOnceWarm) {
     EXPECT_EQ(counter.calls, warm);
 }
 
-// Each of many items is what it is alone: none of what is kept for one moves when others follow.
+// Each of many items is drawn as it is alone: data that is kept for one item does not move when others follow.
 class ManyItems : public Posed {
 protected:
     static constexpr int many = 11;
@@ -255,7 +255,7 @@ protected:
     }
 
     marks::PointSet set = clustered(runtime, plane(runtime.memory, 30));
-    // Beside each other, and none in front of another.
+    // Places the items beside each other, none in front of another.
     [[nodiscard]] static glm::dmat4 place(int i) { return turned(0.0, {2.5 * (i - many / 2), 0.0, 0.0}); }
     [[nodiscard]] static frame::Camera wide(bool from_behind) {
         return camera_from({0.0, 0.0, from_behind ? -1.0 : 1.0}, size, 40.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds together along a line: the measure that closes short gaps and leaves out short parts.
+// Tests which parts of a line are held together: the measure that closes short gaps and leaves out short parts.
 #include "frame/hatch/presence.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using frame::held_length;
 using frame::HeldLength;
 using frame::SampledLine;
 
-// Samples one apart.
+// The samples are one unit apart.
 struct Line {
     explicit Line(std::vector<float> given, bool ring = false) : presence(std::move(given)), closed(ring) {
         for (std::size_t i = 0; i < presence.size(); ++i) length.push_back(static_cast<float>(i));
@@ -46,7 +46,8 @@ TEST(HeldLength, EndsAtTheMostAndAtTheLinesEnd) {
     EXPECT_EQ(line.held(0, 1).stopped_at, -1);
 }
 
-// A part that is half there holds a strong one half, but is held whole by it: a soft end belongs to its part.
+// A part with the presence 0.5 counts half for a full part, but the full part counts fully for it: a soft end belongs
+// to its part.
 TEST(HeldLength, CountsALesserPresenceLessAndAGreaterOneOnce) {
     const Line line({0.5F, 0.5F, 1, 1, 1});
     EXPECT_FLOAT_EQ(line.held(4, -1).length, 2.0F + 0.75F + 0.5F);
@@ -61,7 +62,7 @@ TEST(HeldLength, GoesAroundARingOnce) {
     EXPECT_FLOAT_EQ(gap.held(1, -1).length, 2.25F);
 }
 
-// The presence in the middle of a line goes from 1 to 0: its held length never jumps.
+// The presence in the middle of a line goes from 1 to 0, and the held length never jumps.
 TEST(HeldLength, ChangesLittleWhereThePresenceDoes) {
     float before = -1.0F;
     for (int k = 0; k <= 1000; ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which marks become ink: tone, depth, zoom, share, sets and callbacks.
+// Tests which marks become ink: tone, depth, zoom, share, sets and callbacks.
 #include "frame/hand_made.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ using ::testing::HasSubstr;
 
 constexpr int side = 150;
 
-// A plane facing the camera: one tone for all of its marks.
+// A plane that faces the camera, so all of its marks have one tone.
 class Shade : public ::testing::Test {
 protected:
     const Counts& draw(const Style& style) { return draw(style, front_camera(300, 300)); }
@@ -64,7 +64,8 @@ TEST_F(Shade, LightIsInCameraOrWorldSpace) {
     style.tone = Tone::light;
     style.light = {0.0, 0.6, 0.8};
     frame::Camera camera = front_camera(300, 300);
-    // From the side and rolled by a quarter turn; the plane's normal is then (0.6, 0, 0.8) for the eye.
+    // The camera looks from the side and is rolled by a quarter turn; the plane's normal is then (0.6, 0, 0.8) for the
+    // eye.
     camera.view = frame::look_at({0.0, -6.0, 8.0}, glm::dvec3(0.0), {1.0, 0.0, 0.0});
     style.light_space = frame::LightSpace::world;
     draw(style, camera);
@@ -80,7 +81,7 @@ TEST_F(Shade, ShareThinsFrontMarksOnly) {
     const Counts& info = draw(style);
     EXPECT_NEAR(shown_share(), 0.3, doubt(0.3));
     EXPECT_EQ(info.dropped_tone, info.front - info.shown);
-    // A plane seen edge-on is all silhouette, and stays.
+    // A plane that is seen edge-on is all silhouette, and all of it is drawn.
     frame::Camera camera = front_camera(300, 300);
     camera.view = frame::look_at({0.0, -10.0, 0.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});
     draw(style, camera);
@@ -95,7 +96,7 @@ TEST_F(Shade, DepthAttenuationThinsFrontAndSilhouetteMarks) {
         Style style = plain_style();
         style.tone_rule = rule;
         style.depth_min = 5.0;
-        style.depth_max = 20.0; // at 10, their geometric mean, a half is left
+        style.depth_max = 20.0; // at 10, their geometric mean, half of the marks remain
         const Counts& info = draw(style);
         EXPECT_NEAR(shown_share(), 0.5, doubt(0.5));
         EXPECT_EQ(info.dropped_depth, info.front - info.shown);
@@ -131,7 +132,7 @@ TEST_F(Shade, ZoomThinsFrontMarksAndScalesRadii) {
     for (const ToneRule rule : {ToneRule::share, ToneRule::published}) {
         Style style = plain_style();
         style.tone_rule = rule;
-        style.zoom_reference = 240.0; // the camera shows 300 pixels on 2.5 units: 120
+        style.zoom_reference = 240.0; // the camera shows 2.5 units on 300 pixels: 120
         style.zoom_exponent = 2.0;
         style.kind[0].radius = 3.0F;
         style.kind[0].radius_zoom = 1.0F;
@@ -249,7 +250,7 @@ std::int32_t tone_function(void* user, std::int64_t count, const float* position
     checker.marks += count;
     checker.most = std::max(checker.most, count);
     for (std::int64_t i = 0; i < count; ++i) {
-        // The world's left half is light; everything faces +z.
+        // The world's left half is light; all normals are +z.
         tau[i] = positions[3 * i] < 0.0F ? 1.5F : checker.tau;
         EXPECT_EQ(normals[3 * i + 2], 1.0F);
     }
@@ -310,7 +311,7 @@ TEST_F(Shade, ACallbackThatFailsOrGivesNaNFailsTheFrame) {
     checker.result = 0;
     checker.tau = std::numeric_limits<float>::quiet_NaN();
     expect_failure("NaN");
-    checker.tau = 0.0F; // and the frame recovers
+    checker.tau = 0.0F; // the renderer works again
     EXPECT_EQ(draw(style).shown, side * side / 2);
 }
 

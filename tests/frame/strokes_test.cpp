@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From marks along strokes to lines.
+// Tests how marks along strokes become lines.
 #include "frame/hand_made.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ using drawing::Stroke;
 using drawing::StrokePoint;
 using frame::LayerStyle;
 
-constexpr int size = 500; // 200 pixels a unit
+constexpr int size = 500; // 200 pixels per unit
 
 LayerStyle as_strokes(marks::Kind kind, float radius = 1.5F) {
     LayerStyle style;
@@ -25,7 +25,7 @@ LayerStyle as_strokes(marks::Kind kind, float radius = 1.5F) {
     return style;
 }
 
-// All marks of a kind in one style, the others as they come; contours of none.
+// Hatching is drawn as strokes, other layers are blank and have no contours.
 const std::array<LayerStyle, 2> layers{as_strokes(marks::Kind::hatch), [] {
                                            LayerStyle blank;
                                            blank.share = 0.0F;
@@ -43,7 +43,7 @@ frame::Style style_of(frame::HiddenLines hidden_lines) {
     return style;
 }
 
-// Marks from (from, y, z) along x, `step` apart.
+// Adds marks from (from, y, z) along x, `step` apart.
 void add_line(marks::PointSet& set, double from, double step, int count, double y = 0.0, double z = 0.0) {
     std::vector<glm::dvec3> places;
     for (int i = 0; i < count; ++i) places.emplace_back(from + step * i, y, z);
@@ -55,7 +55,7 @@ protected:
     const drawing::Drawing& draw(frame::HiddenLines hidden_lines = frame::HiddenLines::show, bool wall = false) {
         set = clustered(runtime, std::move(set));
         std::vector<frame::Item> items{layered_item(set, style_of(hidden_lines))};
-        // Blank, [-0.3, 0.3] in x and y, in front.
+        // A blank wall in front, [-0.3, 0.3] in x and y.
         glm::dmat4 smaller(0.3);
         smaller[3] = {0.0, 0.0, 2.0, 1.0};
         if (wall) items.push_back(layered_item(hidden_by, style_of(hidden_lines), smaller));
@@ -102,7 +102,7 @@ TEST_F(Strokes, AStraightStrokeIsOneLineThroughAllItsMarks) {
     }
 }
 
-// Where the marks stand in the layer does not matter.
+// The order of the marks in the layer does not matter.
 TEST_F(Strokes, MarksStandInTheOrderOfTheStroke) {
     marks::Layer& layer = layer_of(set, marks::Kind::hatch);
     for (std::uint32_t i = 0; i < 40; ++i) {
@@ -203,14 +203,14 @@ TEST_F(Strokes, AreDotsWhereTheStyleSaysNothingElse) {
     frame.draw(items, front_camera(size, size));
     EXPECT_TRUE(frame.drawing().strokes.empty());
     EXPECT_EQ(frame.drawing().dot_count, 21);
-    // And again after lines were drawn.
+    // The same holds again after lines were drawn.
     (void)draw();
     frame.draw(items, front_camera(size, size));
     EXPECT_TRUE(frame.drawing().strokes.empty());
     EXPECT_EQ(frame.discs().size(), 21U);
 }
 
-// Segments are binned where they are, and none joins two strokes.
+// Segments are in the tiles that they touch, and none joins two strokes.
 TEST_F(Strokes, SegmentsAreInTheTilesThatTheyTouch) {
     add_line(set, -1.0, 0.1, 21, 0.5);
     add_line(set, -1.0, 0.1, 21, -0.5);

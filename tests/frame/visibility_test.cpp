@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What hides what, and the discs of paper.
+// Tests which surfaces hide others, and the discs of paper.
 #include "frame/hand_made.h"
 #include "frame/scene/light.h"
 
@@ -63,7 +63,7 @@ TEST_F(Visibility, ASphereKeepsItsFrontAndItsContour) {
                 ++near_silhouette;
         }
         EXPECT_EQ(front, info.front);
-        // The nearer half of the contour's band is what the picture shows.
+        // The picture shows the nearer half of the contour's band.
         EXPECT_GT(static_cast<double>(near_silhouette), 0.49 * static_cast<double>(info.silhouette)) << count;
     }
 }
@@ -75,7 +75,7 @@ TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
     draw(items, front_camera(500, 500));
     for (const Disc& disc : frame.discs()) EXPECT_LE(disc.id, 20000U);
     EXPECT_GE(frame.info().dropped_hidden, 3000 * 0.6 - 3);
-    // In front of it, all of its near side is shown, and SHOW shows the hidden ones.
+    // In front of the larger sphere all of the near side is shown. With SHOW the hidden marks are shown, too.
     items[1].transform = moved({0.2, 0.0, 2.0});
     std::int64_t small_front = 0;
     draw(items, front_camera(500, 500));
@@ -89,7 +89,7 @@ TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
 
 TEST_F(Visibility, TheInsideOfAnOpenLayerHidesToo) {
     const marks::PointSet set = plane(runtime.memory, 60);
-    glm::dmat4 turned(1.0); // shows its back
+    glm::dmat4 turned(1.0); // turns its back to the camera
     turned[0][0] = -1.0;
     turned[2][2] = -1.0;
     const std::array items{item_of(set, hiding_style(), turned), item_of(set, hiding_style(), moved({0.0, 0.0, -1.0}))};
@@ -185,13 +185,13 @@ TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
         add_mark(layer_of(set, marks::Kind::hatch), n, n, geometry::any_perpendicular(n), 0, 0);
     }
     marks::index_strokes(set.layers[1]);
-    set.spacing = std::sqrt(4.0 * pi / 3000.0); // of the largest layer
+    set.spacing = std::sqrt(4.0 * pi / 3000.0); // spacing of the largest layer
     Style style;
     const auto paper_discs = [&] {
         const std::array items{item_of(set, style)};
         return draw(items, front_camera(500, 500)).splats;
     };
-    // Stipples are a quarter of the strokes' marks at least: they paint.
+    // There are at least a quarter as many stipples as marks of strokes, so the stipples paint.
     EXPECT_NEAR(static_cast<double>(paper_discs()), 800.0, 4.0);
     float radius = 0.0F;
     for (const Disc& disc : frame.discs()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays as callers may have them: floats or doubles, packed or apart, aligned or not, turned round.
+// Arrays in the forms that callers may have: floats or doubles, packed or with gaps, unaligned, forward or reversed.
 #pragma once
 
 #include "fuzz.h"
@@ -11,12 +11,12 @@
 
 namespace fuzz {
 
-// Numbers that a descriptor can refer to, for as long as this lives.
+// Numbers that a descriptor can refer to while this object exists.
 class Array {
 public:
     Array(std::span<const double> numbers, std::uint32_t components, Input& input)
         : Array(numbers, components, input.below(8)) {}
-    // form: bits for floats, gaps and the order.
+    // `form` has bits for floats, gaps and the reverse order.
     Array(std::span<const double> numbers, std::uint32_t components, std::size_t form = 0) {
         const auto count = static_cast<std::int64_t>(numbers.size() / components);
         const bool is_float = (form & 1U) != 0;
@@ -51,7 +51,7 @@ private:
     Bytes bytes_;
 };
 
-// Room for a result: filled with a pattern, so that it shows whether anything was written.
+// Memory for a result. It is filled with a pattern, which shows whether anything was written.
 class Room {
 public:
     Room(std::int64_t count, std::uint32_t components, std::uint32_t scalar)
@@ -63,7 +63,7 @@ public:
     [[nodiscard]] bool is_untouched() const {
         return std::all_of(bytes_.begin(), bytes_.end(), [](std::uint8_t byte) { return byte == pattern; });
     }
-    // As doubles or as numbers of another type, for the scalar that it has.
+    // Returns the contents as numbers of type T, which must match the scalar.
     template <class T>
     [[nodiscard]] std::vector<T> numbers() const {
         std::vector<T> numbers(bytes_.size() / sizeof(T));

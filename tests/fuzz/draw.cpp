@@ -10,7 +10,7 @@ namespace {
 
 constexpr int side = 32; // of the picture, in pixels
 
-// The set's own box fills the picture; where that has no size, the box of a unit ball does.
+// The set's box fills the picture. If the box has no size, that of a unit ball is used.
 hrbfnpr_camera camera_for(const hrbfnpr_point_set* set) {
     hrbfnpr_point_set_info info;
     hrbfnpr_point_set_info_init(&info, sizeof info);
@@ -47,7 +47,7 @@ void rasterize(const hrbfnpr_drawing* drawing) {
     for (const float distance : depth) require(std::isfinite(distance), "the depth of a picture is finite");
 }
 
-// The vertices of a drawing: position, normal, direction and radius.
+// Writes the vertices of a drawing: position, normal, direction and radius.
 void write_vertices(const hrbfnpr_drawing* drawing, std::uint32_t primitive) {
     constexpr std::size_t floats = 10;
     const std::array<std::uint32_t, 4> which = {HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_VERTEX_ATTRIBUTE_NORMAL,
@@ -84,7 +84,7 @@ void write_vertices(const hrbfnpr_drawing* drawing, std::uint32_t primitive) {
         require(i < bound || i == static_cast<std::uint32_t>(HRBFNPR_INDEX_RESTART), "an index is one of a vertex");
 }
 
-// The numbers of the marks that are drawn.
+// Writes the indices of the marks that are drawn.
 void write_mark_indices(const hrbfnpr_drawing* drawing, const hrbfnpr_point_set* set, std::uint32_t primitive) {
     hrbfnpr_point_set_info info;
     hrbfnpr_point_set_info_init(&info, sizeof info);

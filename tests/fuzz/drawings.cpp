@@ -92,7 +92,7 @@ void rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_camera& camera, Inp
 
 namespace {
 
-// One of everything that a vertex can carry, or of what the input says.
+// One of each attribute that a vertex can have, some left out and one changed as the input says.
 std::vector<hrbfnpr_vertex_attribute> some_attributes(Input& input) {
     static constexpr std::uint32_t floats[] = {3, 3, 1, 4, 3, 3, 1, 1, 1, 1, 1, 1, 1, 1};
     std::vector<hrbfnpr_vertex_attribute> attributes;
@@ -116,7 +116,7 @@ std::vector<hrbfnpr_vertex_attribute> some_attributes(Input& input) {
 void require_finite_vertices(const std::vector<float>& vertices, std::size_t stride,
                              std::span<const hrbfnpr_vertex_attribute> attributes) {
     const auto is_cut = [](const auto& attribute) { return attribute.struct_size < sizeof attribute; };
-    if (std::any_of(attributes.begin(), attributes.end(), is_cut)) return; // its offset, not given, is that of another
+    if (std::any_of(attributes.begin(), attributes.end(), is_cut)) return; // without an offset it overlaps another one
     for (const hrbfnpr_vertex_attribute& attribute : attributes) {
         if (attribute.scalar != HRBFNPR_SCALAR_FLOAT32) continue;
         for (std::size_t at = attribute.offset / 4; at < vertices.size(); at += stride)

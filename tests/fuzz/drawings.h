@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What can be done with any drawing, and what holds for each.
+// Everything that can be done with any drawing, and the conditions that each drawing must meet.
 #pragma once
 
 #include "fuzz.h"
@@ -12,15 +12,15 @@
 namespace fuzz {
 
 void require_sound_drawing(const hrbfnpr_drawing* drawing);
-// As an image of any format, about as large as the camera's viewport, with depth, ids and classes.
+// Rasterizes to an image of any format, about as large as the camera's viewport, with depth, ids and classes.
 void rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_camera& camera, Input& input);
 void write_vertices(const hrbfnpr_drawing* drawing, Input& input);
-// How marks are drawn, their indices, and which one an id stands for.
+// Asks how marks are drawn, for their indices, and which mark an id identifies.
 void ask_for_marks(const hrbfnpr_drawing* drawing, Input& input);
-// A page of one drawing in any format.
+// Writes a page of one drawing in any format.
 void write_page(const hrbfnpr_drawing* drawing, Input& input);
 
-// A page as bytes: what a writer got, and how many bytes it takes until it fails.
+// A page as bytes, with the number of bytes after which the writer fails.
 struct Written {
     std::string bytes;
     std::size_t fails_at = std::numeric_limits<std::size_t>::max();
@@ -28,7 +28,7 @@ struct Written {
     static std::int32_t write(void* user, const void* data, std::uint64_t size);
 };
 
-// What a reader of the format relies on.
+// Checks the properties of a page on which a reader of the format relies.
 void require_sound_page(std::string_view page, const hrbfnpr_page_desc& desc);
 
 } // namespace fuzz

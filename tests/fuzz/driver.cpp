@@ -3,11 +3,10 @@
 //
 //   fuzz_model FILE_OR_FOLDER...     runs each file, once, in the order of their names
 //   fuzz_model --seconds N [--seed S] [--keep FILE] FILE_OR_FOLDER...
-//                                    ... and then, for N seconds, random changes of them, and random bytes
+//                                    also runs random changes of them and random bytes for N seconds
 //
-// The status is 1 if a path is missing or no input was executed.  A broken contract aborts, and the
-// last line that was printed names the input; one that was made up is written to FILE, as is one that takes
-// more than 20 seconds of processor time.
+// The status is 1 if a path is missing or no input was executed. A broken contract aborts, and the last printed line
+// names the input. A generated input is written to FILE, as is one that takes more than 20 seconds of processor time.
 #include "fuzz.h"
 #include "random.h"
 
@@ -24,7 +23,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
-// A fuzzer of files has one of its own, which calls the driver's.
+// The fuzzers of files define their own mutator, which calls the driver's.
 extern "C" __attribute__((weak)) std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                                      std::size_t max_size, unsigned seed);
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
@@ -41,14 +40,14 @@ struct Options {
     std::vector<fs::path> paths;
 };
 
-// Of the one input that is run, for the handler of signals.
+// The input that is being run, for the signal handler.
 struct Current {
     const Bytes* bytes = nullptr;
     std::string keep;
 };
 Current current;
 
-fuzz::Random* changes = nullptr; // what LLVMFuzzerMutate draws from
+fuzz::Random* changes = nullptr; // the source of random numbers for LLVMFuzzerMutate
 
 void keep_input(int signal) {
     const int file = open(current.keep.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
@@ -58,7 +57,7 @@ void keep_input(int signal) {
     std::raise(signal);
 }
 
-// Dot files are not inputs: .gitattributes.
+// Dot files such as .gitattributes are not inputs.
 void collect(const fs::path& path, std::vector<fs::path>& inputs) {
     if (!fs::is_directory(path)) {
         inputs.push_back(path);
@@ -82,7 +81,7 @@ std::vector<Bytes> run_files(const std::string& name, std::vector<fs::path> inpu
     return read;
 }
 
-// Some bytes of zeros, ones and noise.
+// Returns some bytes of zeros, ones and noise.
 Bytes random_bytes(fuzz::Random& random) {
     Bytes bytes(random.below(400));
     const std::size_t zeros = random.below(4);
@@ -161,7 +160,7 @@ int run(const std::string& name, const Options& options) {
 
 } // namespace
 
-// A byte changed, put in or left out; a few of them doubled.
+// Changes, inserts or removes a byte, or removes or doubles a few bytes.
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size) {
     fuzz::Random& random = *changes;
     const std::size_t at = random.below(size + 1);

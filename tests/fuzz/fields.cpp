@@ -12,12 +12,12 @@ namespace {
 
 struct Field {
     std::string name;
-    std::string type; // of an element
+    std::string type; // type of an element
     std::size_t offset;
-    std::size_t count; // elements
+    std::size_t count; // number of elements
 };
 
-// What follows "KEY": in a JSON object of the library's, from `at` on; a string's quotes are left out.
+// Returns the text that follows "KEY": in a JSON object of the library, from `at` on, without the quotes of a string.
 std::string value_of(std::string_view text, std::string_view key, std::size_t at) {
     const std::size_t from = text.find(key, at) + key.size();
     const bool quoted = text[from] == '"';
@@ -29,7 +29,7 @@ bool ends_with(std::string_view name, std::string_view end) {
     return name.size() >= end.size() && name.substr(name.size() - end.size()) == end;
 }
 
-// What may be changed: no address, number or stride of a list.
+// Addresses, counts and strides of lists must not be changed.
 bool is_changeable(const Field& field) {
     static constexpr std::string_view types[] = {"uint32_t",   "int32_t", "uint64_t",      "int64_t",
                                                  "float",      "double",  "hrbfnpr_array", "hrbfnpr_array_out",
@@ -57,7 +57,7 @@ std::vector<Field> read_fields(const char* name) {
 }
 
 const std::vector<Field>& fields_of(const char* name) {
-    static std::mutex mutex; // references stay good as more become known
+    static std::mutex mutex; // references stay valid when entries are added
     static std::map<std::string, std::vector<Field>, std::less<>> known;
     const std::lock_guard lock(mutex);
     const auto found = known.find(name);
@@ -89,7 +89,7 @@ void change_in_place(void* at, Change change) {
     std::memcpy(at, &now, sizeof now);
 }
 
-// Nothing is ever read behind the array: what has more components is refused, doubles may be taken for floats.
+// Never makes the library read past the array: more components are refused, and doubles may be read as floats.
 template <class Array>
 Array smaller_array(Array array, Input& input) {
     switch (input.below(9)) {
@@ -107,7 +107,7 @@ Array smaller_array(Array array, Input& input) {
     return array;
 }
 
-// An older caller's, one that no _init has seen, one that ends within a field.
+// Returns the size of an older struct, of one without _init, or of one that ends within a field.
 std::uint32_t shorter_struct(std::uint32_t size, Input& input) {
     const std::uint32_t sizes[] = {0, 4, 7, 8, 16, size / 2, size / 2 / 8 * 8, size - 8, size - 4, 1U << 30U};
     const std::uint32_t chosen = input.one_of(sizes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes to the fields of any descriptor, by the layout that the library gives of it: a new field is fuzzed as soon as
-// there is one.
+// Changes the fields of any descriptor, by the layout that the library reports for it, so that new fields are fuzzed at
+// once.
 #pragma once
 
 #include "input.h"
@@ -11,11 +11,11 @@
 
 namespace fuzz {
 
-// Makes some fields odd: none, one or a few.  Numbers of an element of a list, strides and addresses stay as they are,
-// as do the fields in `kept`; an array may lose elements, its type or its address, but never gets larger.
+// Makes no field, one or a few fields odd. The number of elements of a list, strides, addresses and the fields in
+// `kept` stay as they are. An array may lose elements, its type or its address, but never gets larger.
 void change_fields(Input& input, const char* name, void* desc, std::initializer_list<std::string_view> kept = {});
 
-// A descriptor with its defaults, then changed.
+// Returns a descriptor with its defaults, then changed.
 template <class T, class Init>
 T changed(Input& input, const char* name, Init init, std::initializer_list<std::string_view> kept = {}) {
     T desc;
@@ -24,7 +24,7 @@ T changed(Input& input, const char* name, Init init, std::initializer_list<std::
     return desc;
 }
 
-// Words for names, groups, titles: of many lengths, some no UTF-8, some that files must escape; or NULL.
+// Words for names, groups and titles: of many lengths, some not valid UTF-8, some that files must escape; or NULL.
 const char* odd_words(Input& input);
 
 } // namespace fuzz

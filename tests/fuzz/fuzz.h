@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the fuzzers share.  Most changes break a checksum, and nothing behind it would ever be
-// reached: so both are made right before the file is loaded.
+// Parts that the fuzzers share. Most changes break a checksum, and the code after the check would never be reached, so
+// both checksums are corrected before the file is loaded.
 #pragma once
 
 #include "io/crc32.h"
@@ -24,7 +24,7 @@ namespace fuzz {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// Whatever breaks the library's contract ends the fuzzer, and so the input is kept.
+// A violation of the library's contract aborts the fuzzer, so that the input is kept.
 inline void require(bool kept, const char* contract) {
     if (kept) return;
     std::fprintf(stderr, "broken contract: %s\n", contract);
@@ -40,7 +40,7 @@ inline std::uint32_t checksum(std::span<const std::uint8_t> bytes) {
 inline Bytes signed_file(const std::uint8_t* data, std::size_t size) {
     using namespace hrbfnpr::io;
     Bytes file;
-    file.reserve(size + 1); // an empty file has an address, too: NULL would be another error
+    file.reserve(size + 1); // gives an empty file an address, too: NULL would be another error
     file.assign(data, data + size);
     const std::span<std::uint8_t> bytes(file);
     if (size >= header_size) store(&file[header_size - 4], checksum(bytes.first(header_size - 4)));
@@ -48,16 +48,16 @@ inline Bytes signed_file(const std::uint8_t* data, std::size_t size) {
     return file;
 }
 
-// A number that decides what is tried with a file.  Not of its last bytes: with a checksum behind it, every
-// payload has the same one.
+// A number that decides what is tried with a file. It leaves out the last bytes: the checksum of a payload with its own
+// checksum at the end is always the same.
 inline std::uint32_t choice_of(const Bytes& file) { return checksum(std::span(file).first(file.size() - 4)); }
 
-// A call's outcome, with its message where it is not one of those that the contract allows.
+// A call's outcome. If the contract does not allow the outcome, the message is printed and the fuzzer aborts.
 class Call {
 public:
     explicit Call(const char* name) : name_(name) { hrbfnpr_error_init(&error_, sizeof error_); }
     [[nodiscard]] hrbfnpr_error* error() { return &error_; }
-    // Whether it succeeded.
+    // Returns whether the call succeeded.
     bool expect(hrbfnpr_status status, std::initializer_list<hrbfnpr_status> failures = {}) {
         if (status == HRBFNPR_STATUS_OK) {
             require(error_.status == HRBFNPR_STATUS_OK && error_.message[0] == 0, "success leaves the error as it was");
@@ -105,7 +105,7 @@ public:
 
     hrbfnpr_context* handle = nullptr;
     bool loading = false;
-    std::atomic<std::int64_t> until_refusal = -1; // allocations that are still granted; negative: no end
+    std::atomic<std::int64_t> until_refusal = -1; // number of allocations that still succeed; negative: all succeed
 
 private:
     void* allocate(std::uint64_t bytes, std::uint64_t alignment) {
@@ -125,10 +125,10 @@ private:
         return left == 0;
     }
 
-    std::atomic<std::uint64_t> bytes_ = 0; // given out
+    std::atomic<std::uint64_t> bytes_ = 0; // bytes in use
 };
 
-// Model or point set: NULL if the file is refused, which it must be with one of two errors.
+// Loads a model or a point set. Returns NULL if the file is refused, which must be with one of two errors.
 template <class Handle, class Load>
 Handle* load(Context& context, const Bytes& file, Load function) {
     Call call("load_memory");
@@ -155,7 +155,7 @@ Bytes save(const Handle* handle, Save function) {
 
 void require_same_set(Context& context, const hrbfnpr_point_set* set);
 void require_sound_marks(const hrbfnpr_point_set* set);
-// In one of a few ways: a style, a visibility, a shape.
+// Draws the set in one of a few ways: `choice` selects a style, a visibility and a shape.
 void draw(Context& context, const hrbfnpr_point_set* set, std::uint32_t choice);
 
 } // namespace fuzz

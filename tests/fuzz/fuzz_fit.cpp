@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits a few points by any descriptor, orients them, trims what was fitted, smooths depths; uses what comes of it.
+// Fits a few points with any descriptor, orients them, trims the fit, smooths depths, and uses the results.
 #include "arrays.h"
 #include "fields.h"
 #include "limits.h"
@@ -15,7 +15,7 @@ constexpr std::initializer_list<hrbfnpr_status> failures = {
     HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_OUT_OF_MEMORY,      HRBFNPR_STATUS_SINGULAR_SYSTEM,
     HRBFNPR_STATUS_NOT_CONVERGED,    HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_CANCELLED};
 
-// Values and gradients at the centres and the corners of the bounds.
+// Checks values and gradients at the centres and at the corners of the bounds.
 void require_finite_field(const hrbfnpr_model* model, const hrbfnpr_model_info& info) {
     Call see("model_view");
     hrbfnpr_array centres;
@@ -127,7 +127,7 @@ void orient(Context& context, const Samples& samples, Input& input) {
     require(info.turned >= 0 && info.made >= 0 && info.turned + info.made <= points.view.count, "normals are counted");
 }
 
-// What a depth camera sees, with odd numbers in it.
+// Smooths the depths that a depth camera sees, with odd numbers among them.
 void smooth_depths(Context& context, Input& input) {
     const auto side = [&] { return static_cast<std::int32_t>(8 + input.below(16)); };
     const std::int32_t columns = side();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Draws marks and lines for any cameras, styles, items and poses; uses what was drawn.
+// Draws marks and lines with any cameras, styles, items and poses, and uses the drawings.
 #include "arrays.h"
 #include "drawings.h"
 #include "fields.h"
@@ -90,7 +90,7 @@ private:
     float number = 0.5F;
 };
 
-// Moves the marks of one layer to a ball, or nearly.
+// Moves the marks of one layer to a ball, sometimes with one odd number.
 struct Pose {
     Pose(const hrbfnpr_point_set* set, Input& input) : numbers(numbers_of(set, input)), array(numbers, 3, input) {
         hrbfnpr_layer_pose_init(&pose, sizeof pose);
@@ -144,7 +144,7 @@ hrbfnpr_item some_item(const hrbfnpr_point_set* set, const Style& style, const P
     return item;
 }
 
-// One, a few, or so many that what is kept for each grows on the way.
+// Returns one item, a few, or enough to make the renderer's lists grow on the way.
 std::size_t count_of_items(Input& input) {
     if (!input.once_in(4)) return 1;
     const std::size_t count = input.below(16);
@@ -196,7 +196,8 @@ void use(const hrbfnpr_drawing* drawing, const hrbfnpr_camera& camera, Input& in
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Input input(data, size);
-    Input ending(size > 0 ? data + size - 1 : data, size > 0 ? 1 : 0); // of the first drawing, by the last byte
+    Input ending(size > 0 ? data + size - 1 : data,
+                 size > 0 ? 1 : 0); // the end of the first drawing depends on the last byte
     const Style style(input);
     const std::size_t count = count_of_items(input);
     const hrbfnpr_point_set* const set = scene_set(input.below(set_count));
@@ -210,7 +211,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     create.expect(hrbfnpr_renderer_create(scene_context().handle, &renderer, create.error()));
     hrbfnpr_drawing* const first = draw(renderer, items, camera, input, ending);
     use(first, camera, input);
-    if (input.once_in(3)) { // lines begin with those of the first drawing
+    if (input.once_in(3)) { // the lines start from those of the first drawing
         camera.view[12] += input.between(-0.1, 0.1);
         camera.view[0] *= input.between(0.99, 1.01);
         hrbfnpr_drawing* const second = draw(renderer, items, camera, input, ending);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Marks and line sets by any descriptors, of a few fitted models and of awkward functions; rays and curvatures, too.
+// Makes marks and line sets with any descriptors, of a few fitted models and of awkward functions; also rays and
+// curvatures.
 #include "arrays.h"
 #include "fields.h"
 #include "limits.h"
@@ -15,7 +16,7 @@ constexpr std::initializer_list<hrbfnpr_status> failures = {
     HRBFNPR_STATUS_INVALID_ARGUMENT,   HRBFNPR_STATUS_OUT_OF_MEMORY, HRBFNPR_STATUS_NOT_CONVERGED,
     HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_CANCELLED,     HRBFNPR_STATUS_CALLBACK};
 
-// What the callbacks of layers answer.
+// The values that the callbacks of layers return.
 struct Answers {
     double number = 0.5;
     std::int32_t status = 0;
@@ -53,7 +54,7 @@ hrbfnpr_layer_desc some_layer(Answers& answers, Input& input) {
     return layer;
 }
 
-// A list of layers and what they refer to.
+// A list of layers, and everything that they refer to.
 struct Marks {
     explicit Marks(Input& input) : seeds(std::span(places), 3, input) {
         answers.number = input.once_in(4) ? odd_float(0.5, input.unit(), input) : input.unit();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes meshes of any triangles; samples them, compares models with them, fits models to them.
+// Makes meshes of any triangles, samples them, compares models with them, and fits models to them.
 #include "arrays.h"
 #include "fields.h"
 #include "limits.h"
@@ -16,7 +16,8 @@ constexpr std::initializer_list<hrbfnpr_status> failures = {
     HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_OUT_OF_MEMORY,      HRBFNPR_STATUS_SINGULAR_SYSTEM,
     HRBFNPR_STATUS_NOT_CONVERGED,    HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_CANCELLED};
 
-// A grid of triangles that closes to a torus, a tube or nothing; a few faces then point anywhere.
+// A grid of triangles that closes to a torus, closes to a tube or stays open; a few corners of faces then point
+// anywhere.
 struct Triangles {
     std::vector<double> places;
     std::vector<std::int64_t> corners;
@@ -151,7 +152,7 @@ void fit(Context& context, const hrbfnpr_mesh* mesh, Input& input) {
     hrbfnpr_model_release(model);
 }
 
-// The views agree with the counts.
+// Checks that the views agree with the counts.
 void require_sound_mesh(const hrbfnpr_mesh* mesh) {
     hrbfnpr_mesh_info info;
     hrbfnpr_mesh_info_init(&info, sizeof info);
@@ -232,7 +233,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     sample(context, mesh, input);
     if (input.once_in(3)) compare(context, mesh, input);
     if (input.once_in(4)) fit(context, mesh, input);
-    find_edges(context, mesh, input); // last, so that committed inputs mean what they meant
+    find_edges(context, mesh, input); // last, so that committed inputs keep their meaning
     hrbfnpr_mesh_release(mesh);
     return 0;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads a model, and uses what loads: every query, a few rays, a few marks, which are drawn, lines, a trim.
+// Loads a model and uses it: every query, a few rays, a few marks, which are drawn, lines, a trim.
 #include "fuzz.h"
 #include "limits.h"
 
@@ -40,13 +40,13 @@ hrbfnpr_model_info info_of(const hrbfnpr_model* model) {
     return info;
 }
 
-// One outside, the middle and two corners of the bounds, and one of the samples.
+// A point outside, the middle and two corners of the bounds, and one sample.
 Vectors points_of(const hrbfnpr_model* model, const hrbfnpr_model_info& info) {
     Vectors points{};
     Call call("model_view");
     hrbfnpr_array samples;
     call.expect(hrbfnpr_model_view(model, HRBFNPR_MODEL_ATTRIBUTE_POSITION, &samples, call.error()));
-    // Of a model of sheets: places all over the surface; of a tree: none.
+    // A model of sheets has places all over the surface here; a tree has none.
     require((samples.count >= 1) == (info.centres >= 1), "the centres, or places of the surface, can be seen");
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double size = info.bounds_max[axis] - info.bounds_min[axis];
@@ -119,7 +119,7 @@ void curvature(const hrbfnpr_model* model, const Vectors& points) {
         if (std::isfinite(k1[i]) && std::isfinite(k2[i])) require(k1[i] >= k2[i], "k1 is the larger curvature");
 }
 
-// From the points towards their middle, and beyond.
+// Casts rays from the points towards their middle and beyond.
 void cast(const hrbfnpr_model* model, const Vectors& points) {
     Vectors directions{};
     for (std::size_t i = 0; i < directions.size(); ++i) directions[i] = points[3 + i % 3] - points[i];
@@ -200,7 +200,7 @@ constexpr std::initializer_list<hrbfnpr_status> failures = {HRBFNPR_STATUS_INVAL
                                                             HRBFNPR_STATUS_NOT_CONVERGED, HRBFNPR_STATUS_OUT_OF_MEMORY,
                                                             HRBFNPR_STATUS_CANCELLED};
 
-// Lines of the whole surface or of one that ends with its samples.
+// Makes lines of the whole surface, or of a surface that ends with its samples.
 void make_lines(Context& context, const hrbfnpr_model* model, std::uint32_t choice) {
     hrbfnpr_line_set_desc desc;
     hrbfnpr_line_set_desc_init(&desc, sizeof desc);
@@ -253,7 +253,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     curvature(model, points);
     cast(model, points);
     contain(model, points);
-    // Marks take many times as long as all the rest, those of BLUE_NOISE above all.
+    // Marks take many times as long as everything else, and BLUE_NOISE takes longest.
     if (const std::uint32_t choice = choice_of(file); info.centres <= 16 && choice % 16 == 0)
         generate(context, model, choice / 16);
     else if (info.centres <= 16 && choice % 64 == 1)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes pages of a few drawings by any descriptors, pens and annotations, and reads what was written.
+// Writes pages of a few drawings with any descriptors, pens and annotations, and checks the pages.
 #include "arrays.h"
 #include "drawings.h"
 #include "fields.h"
@@ -21,7 +21,8 @@ constexpr std::initializer_list<hrbfnpr_status> failures = {HRBFNPR_STATUS_INVAL
 
 constexpr std::size_t drawing_count = 6;
 
-// With marks as dots and hatching, with lines and hidden ones, as published, without anything.
+// Makes drawings with marks as dots and as hatching, with lines and hidden lines, with the published visibility, and
+// with a single mark.
 const hrbfnpr_drawing* make_drawing(std::size_t which) {
     static constexpr std::uint32_t presets[drawing_count] = {HRBFNPR_PRESET_CONTOUR_AND_STIPPLE,
                                                              HRBFNPR_PRESET_CROSS_HATCH,
@@ -62,7 +63,7 @@ const hrbfnpr_drawing* drawing_of(std::size_t which) {
     return made(which, make_drawing);
 }
 
-// A page and all that it refers to.
+// A page descriptor and everything that it refers to.
 struct Page {
     explicit Page(Input& input) {
         for (std::size_t i = 0; i < std::size(places); ++i) places[i] = 20.0 * input.unit();
@@ -74,7 +75,7 @@ struct Page {
         hrbfnpr_page_desc_init(&desc, sizeof desc);
         desc.format = static_cast<std::uint32_t>(input.below(4));
         desc.flags = static_cast<std::uint32_t>(input.below(8));
-        // Plotters know no outlines.
+        // Plotters do not support outlines.
         desc.widths = static_cast<std::uint32_t>(desc.format >= HRBFNPR_PAGE_FORMAT_HPGL ? 1 : input.below(2));
         desc.dots = static_cast<std::uint32_t>(input.below(3));
         desc.items = items.data();
@@ -134,7 +135,7 @@ void require_sound_info(const hrbfnpr_page_info& info, const Written& page) {
     require(info.bytes == static_cast<std::int64_t>(page.bytes.size()), "the bytes of a page are counted");
     const double lengths[] = {info.width, info.height, info.drawn, info.travelled};
     for (const double length : lengths) require(std::isfinite(length) && length >= 0.0, "a page tells lengths");
-    require(info.seconds >= 0.0, "a page tells a time"); // without an end at the least speeds
+    require(info.seconds >= 0.0, "a page tells a time"); // infinite at the lowest speeds
     require(info.paths >= 0 && info.segments >= 0 && info.dropped_paths >= 0, "paths are counted");
 }
 

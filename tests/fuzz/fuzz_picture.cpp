@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes pictures of any points and triangles by any descriptors and changes; draws them, reads them, and writes them.
+// Makes pictures of any points and triangles with any descriptors and changes; draws, reads and writes them.
 #include "arrays.h"
 #include "fields.h"
 #include "limits.h"
@@ -55,7 +55,7 @@ std::int32_t swallow(void* /*user*/, const void* /*data*/, std::uint64_t /*size*
 void on_event(void* user, const hrbfnpr_picture_event* event) {
     require(event->fraction >= 0.0 && event->fraction <= 1.0, "a fraction is from 0 to 1");
     require(event->note == nullptr || event->note->text[0] != 0, "a note has a text");
-    if (user != nullptr) ++*static_cast<int*>(user); // a short descriptor has no room for it
+    if (user != nullptr) ++*static_cast<int*>(user); // NULL if the descriptor is too short to hold it
 }
 
 void require_sound(hrbfnpr_picture* picture) {

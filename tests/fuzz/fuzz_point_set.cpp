@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loads a point set, and uses what loads: drawn, written as vertices, saved and loaded again.
+// Loads a point set and uses it: drawn, written as vertices, saved and loaded again.
 #include "fuzz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Decisions from the bytes of an input.  Beyond its end all bytes are 0, which stands for what is ordinary: a short
+// Decisions from the bytes of an input. Beyond its end all bytes are 0, which selects the ordinary choice: a short
 // input is a call with defaults.
 #pragma once
 
@@ -22,13 +22,13 @@ public:
     }
     [[nodiscard]] bool is_empty() const { return left_ == 0; }
 
-    // 0 .. count - 1; 0 of no bytes.
+    // A number from 0 to count - 1; 0 if no bytes are left.
     std::size_t below(std::size_t count) {
         std::size_t number = byte();
         for (std::size_t reach = 256; reach < count; reach *= 256) number = number * 256 + byte();
         return number % count;
     }
-    // True once in so many times; never without bytes.
+    // True once in `times` calls; never if no bytes are left.
     bool once_in(std::size_t times) { return below(times) == times - 1; }
 
     std::uint64_t next() {
@@ -36,7 +36,7 @@ public:
         for (int i = 0; i < 8; ++i) bits = bits << 8U | byte();
         return bits;
     }
-    // 0 .. 1.
+    // A number from 0 to 1.
     double unit() { return static_cast<double>(below(65536)) / 65535.0; }
     double between(double low, double high) { return low + (high - low) * unit(); }
 

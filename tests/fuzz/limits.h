@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What keeps a call short, whatever its descriptors ask for: an operation that ends it, memory that does.
+// Limits that keep a call short, whatever its descriptors ask for: an operation that cancels it, and limited memory.
 #pragma once
 
 #include "fuzz.h"
@@ -9,7 +9,8 @@
 
 namespace fuzz {
 
-// Half of the calls run to their end, if that comes soon; the others end at a progress that the input names.
+// Half of the calls run to their end, but are cancelled after a second of processor time. The others are cancelled
+// after a number of progress reports that the input selects.
 class Operation {
 public:
     Operation(Context& context, Input& input) {
@@ -27,7 +28,7 @@ public:
     Operation& operator=(const Operation&) = delete;
     ~Operation() { hrbfnpr_operation_release(handle); }
 
-    // For a call's result.
+    // Checks the result of a call: only a cancelled call may return CANCELLED.
     void check(hrbfnpr_status status) const {
         require(status != HRBFNPR_STATUS_CANCELLED || cancelled_, "nothing is cancelled that nobody cancels");
     }
@@ -55,7 +56,7 @@ private:
     std::clock_t begin_ = std::clock();
 };
 
-// One in eight inputs runs out of memory somewhere; for as long as this lives.
+// For one in eight inputs an allocation fails while this object exists.
 class ShortMemory {
 public:
     ShortMemory(Context& context, Input& input) : context_(context) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What holds for every point set, wherever it comes from.
+// Conditions that every point set must meet, whatever its source.
 #include "fuzz.h"
 
 #include <cmath>
@@ -25,7 +25,7 @@ std::span<const float> floats(const hrbfnpr_point_set* set, std::int64_t layer, 
     return elements<float>(set, layer, attribute);
 }
 
-// Each stroke has its part of an order of all marks.
+// The strokes divide an order of all marks into consecutive parts.
 void require_sound_strokes(const hrbfnpr_point_set* set, std::int64_t layer, const hrbfnpr_layer_info& info) {
     const auto first = elements<std::uint32_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST);
     const auto order = elements<std::uint32_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER);

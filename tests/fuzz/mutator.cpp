@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How libFuzzer changes a file: half of the time one number of a section becomes an odd one, which
-// arbitrary bytes seldom hit; else libFuzzer has its way.  The length of the payload mostly follows.
+// A libFuzzer mutator for files. Half of the time it makes one number of a section odd, since arbitrary bytes seldom
+// do; otherwise libFuzzer mutates the file. Mostly the length of the payload is then corrected.
 #include "fuzz.h"
 #include "odd.h"
 #include "random.h"
@@ -15,7 +15,7 @@ using namespace hrbfnpr::io;
 using fuzz::Random;
 
 struct Section {
-    std::size_t begin; // of its elements
+    std::size_t begin; // begin of its elements
     std::size_t count;
     ElementType type;
 };

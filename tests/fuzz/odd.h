@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers that arbitrary bytes seldom hit, and that code seldom expects.  A source has below(n), a number in 0 .. n -
-// 1, and next(), 64 bits.
+// Numbers that arbitrary bytes seldom contain, and that code seldom expects. A source has below(n), a number in 0 .. n
+// - 1, and next(), 64 bits.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Readers of the four page formats: as little of each as shows that what was written is one.
+// Readers of the four page formats. Each reads just enough to show that a page has the format.
 #include "drawings.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 namespace fuzz {
 namespace {
 
-// Characters of a text, one after the other.
+// Reads the characters of a text one after the other.
 class Text {
 public:
     explicit Text(std::string_view left) : left_(left) {}
@@ -32,7 +32,7 @@ public:
         left_.remove_prefix(count);
         return found;
     }
-    // A decimal number without an exponent.
+    // Skips a decimal number without an exponent, and returns whether one was found.
     bool number() {
         if (!left_.empty() && left_.front() == '-') left_.remove_prefix(1);
         const std::size_t whole = while_in("0123456789").size();
@@ -46,7 +46,7 @@ private:
 
 constexpr std::string_view spaces = " \t\r\n";
 
-// Of UTF-8: what XML 1.0 allows.
+// Checks that the text is UTF-8 with only the characters that XML 1.0 allows.
 void require_characters(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto lead = static_cast<unsigned char>(text[i]);
@@ -100,7 +100,7 @@ void require_attribute(std::string_view name, std::string_view value) {
         require(value.find_first_not_of("0123456789.- ,m") == std::string_view::npos, "a length is a number");
 }
 
-// The rest of a tag.  Whether it is an element without content.
+// Reads the rest of a tag. Returns whether the element has no content.
 bool read_attributes(Text& text) {
     for (;;) {
         const bool apart = !text.while_in(spaces).empty();
@@ -113,7 +113,7 @@ bool read_attributes(Text& text) {
     }
 }
 
-// A tag whose '<' has been read.
+// Reads a tag whose '<' has been read.
 void read_tag(Text& text, std::vector<std::string>& open) {
     if (text.skip("!--")) {
         require(text.until("--", "a comment ends").find("--") == std::string_view::npos && text.skip(">"),
@@ -149,7 +149,7 @@ void require_svg(std::string_view page) {
     require(text.is_empty(), "nothing follows the root");
 }
 
-// The last lines say where the table of objects stands, and it stands there.
+// The last lines state the offset of the table of objects, and the table must be there.
 void require_pdf(std::string_view page) {
     require(page.substr(0, 5) == "%PDF-", "PDF says that it is");
     const std::size_t at = page.rfind("startxref");
@@ -165,7 +165,7 @@ void require_pdf(std::string_view page) {
             "the table of objects stands where PDF says");
 }
 
-// Pairs of whole numbers.
+// Reads pairs of numbers.
 void read_pairs(Text& text) {
     for (bool more = true; more; more = text.skip(",")) {
         require(text.number() && text.skip(",") && text.number(), "places are pairs of numbers");
@@ -190,7 +190,7 @@ void require_hpgl(std::string_view page) {
     }
 }
 
-// Words: a letter and a number each; comments in parentheses, which do not nest.
+// A line consists of words, a letter and a number each, and of comments in parentheses, which do not nest.
 void require_gcode_line(std::string_view line) {
     Text text(line);
     while (!text.is_empty()) {
@@ -204,7 +204,7 @@ void require_gcode_line(std::string_view line) {
 }
 
 void require_gcode(std::string_view page, const hrbfnpr_page_desc& desc) {
-    if (desc.pen_up != nullptr || desc.pen_down != nullptr) return; // lines of the caller's
+    if (desc.pen_up != nullptr || desc.pen_down != nullptr) return; // the lines are the caller's
     Text text(page);
     while (!text.is_empty()) require_gcode_line(text.until("\n", "a line ends"));
 }

@@ -26,7 +26,7 @@ void add_torus(Samples& samples, int count) {
     }
 }
 
-// Waves over a square.
+// Adds waves over a square.
 void add_sheet(Samples& samples, int count) {
     const int side = std::max(1, static_cast<int>(std::sqrt(count)));
     for (int i = 0; i < count; ++i) {

@@ -23,7 +23,7 @@ enum class Surface { sphere, torus, sheet, two_spheres, nested_spheres, box, lin
 
 Samples samples_of(Surface surface, int count);
 
-// Of a surface that the input names, moved, scaled, with noise and single odd numbers.
+// Samples of a surface that the input selects: moved, scaled, with noise and some odd numbers.
 Samples some_samples(Input& input, int most);
 
 } // namespace fuzz

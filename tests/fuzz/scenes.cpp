@@ -61,7 +61,7 @@ const hrbfnpr_point_set* generate(std::size_t model, std::uint32_t distribution,
     return set;
 }
 
-// Two strokes of three marks, or a single mark.
+// Makes two strokes of three marks, or a single mark.
 const hrbfnpr_point_set* own_marks(bool strokes) {
     const double places[] = {-1, 0, 0, 0, 0.1, 0, 1, 0, 0, -1, 0, 1, 0, 0.1, 1, 1, 0, 1};
     const double normals[] = {0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0};

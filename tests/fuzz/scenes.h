@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Models, marks and line sets that are made once, for harnesses that begin with one, on any thread.
+// Models, marks and line sets that are made once and used by harnesses on any thread.
 #pragma once
 
 #include "fuzz.h"
@@ -9,10 +9,10 @@
 
 namespace fuzz {
 
-// The context of these.  It is never released, nor are they.
+// The context of all scenes. Neither the context nor the scenes are ever released.
 Context& scene_context();
 
-// What make(which) gave the first time.
+// Calls make(which) once, and returns this result every time.
 template <std::size_t count, class T>
 class Once {
 public:
@@ -31,18 +31,19 @@ constexpr std::size_t model_count = 5;
 const hrbfnpr_model* scene_model(std::size_t which);
 
 constexpr std::size_t set_count = 5;
-// A few hundred marks: stipples and hatching; two layers of hatching; as published; a few of the caller's; one.
+// A few hundred marks: stipples and hatching; two layers of hatching; marks of the published method; a few marks of the
+// caller's; one mark.
 const hrbfnpr_point_set* scene_set(std::size_t which);
 
 constexpr std::size_t line_set_count = 3;
-// Of the torus with lines of all kinds, of the sheet with its border, of two spheres.
+// Line sets of the torus with lines of all kinds, of the sheet with its border, and of two spheres.
 const hrbfnpr_line_set* scene_lines(std::size_t which);
 
-// A caller's function, often an awkward one, which fails after so many points.
+// A caller's function, often an awkward one, which fails after a number of points.
 class Custom {
 public:
     explicit Custom(Input& input);
-    // NULL where it is refused.
+    // Returns NULL if the function is refused.
     hrbfnpr_model* create(Context& context, Input& input);
 
 private:
@@ -54,11 +55,11 @@ private:
 
     Shape shape_;
     double scale_;
-    double size_; // of the surface, in units of the bounds
+    double size_; // size of the surface, in units of the bounds
     std::int64_t left_;
 };
 
-// A tree of a few nodes, some of which are scene models; NULL where it is refused.
+// Makes a tree of a few nodes, some of which are scene models. Returns NULL if the tree is refused.
 hrbfnpr_model* create_csg(Context& context, Input& input);
 
 } // namespace fuzz

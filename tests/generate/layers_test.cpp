@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Layers that share the tones.
+// Tests layers that share the tones.
 #include "support/point_sets.h"
 
 #include <array>
@@ -35,7 +35,7 @@ TEST(Layers, AppearOneAfterTheOther) {
     }
 }
 
-// 5 directions, each with as many tones.
+// The layers have 5 directions, and all directions get equally many tones.
 TEST(Layers, ShareTheTonesAndTheBudget) {
     Settings settings;
     settings.distribution = Distribution::published;
@@ -52,7 +52,7 @@ TEST(Layers, ShareTheTonesAndTheBudget) {
     EXPECT_DOUBLE_EQ(settings.layers[1].part[1].begin, 0.4);
     EXPECT_DOUBLE_EQ(settings.layers[2].part[1].end, 1.0);
     EXPECT_STREQ(settings.layers[2].name.data(), "hatch");
-    // Those that say their part themselves keep it, and their place in the turn.
+    // A layer that sets its part itself keeps it, and still takes its turn.
     Settings own;
     own.distribution = Distribution::published;
     for (const Kind kind : {Kind::stipples, Kind::hatch}) of(own, kind);
@@ -64,7 +64,7 @@ TEST(Layers, ShareTheTonesAndTheBudget) {
     EXPECT_EQ(own.layers[1].budget, 40000);
 }
 
-// Lines of hatching run in one direction, which has all of the layer's tones.
+// Lines of hatching run in one direction, and this direction gets all tones of the layer.
 TEST(Layers, OfHatchingHaveOnePartOfTheTones) {
     Settings settings;
     settings.layers.resize(4);
@@ -79,7 +79,7 @@ TEST(Layers, OfHatchingHaveOnePartOfTheTones) {
     }
 }
 
-// Over how long a way normals for the tone are averaged depends on what shows it.
+// The length over which normals are averaged for the tone depends on the kind of the layer.
 TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
     Settings settings = blue({Kind::stipples, Kind::hatch}, 100);
     EXPECT_EQ(completed(settings).layers[0].tone_smoothing, 0.0);
@@ -90,7 +90,7 @@ TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
         EXPECT_EQ(layer.tone_smoothing, 0.0);
 }
 
-// Each is spread by its own density, and neither knows of the other.
+// Each layer is distributed by its own density, and independently of the other.
 TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
     const Sphere sphere;
     Settings settings = blue({Kind::stipples}, 3000);
@@ -111,7 +111,7 @@ TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
     EXPECT_STREQ(two.layers[1].name.data(), "north");
     ASSERT_EQ(two.layers[1].count(), 2000);
     for (std::int64_t i = 0; i < 2000; ++i) ASSERT_GT(position(two, two.layers[1], i).z, -1e-6);
-    // With the same settings they are still not the same marks.
+    // With the same settings the marks still differ.
     settings.layers[1] = settings.layers[0];
     for (const Distribution distribution : {Distribution::blue_noise, Distribution::published}) {
         settings.distribution = distribution;
@@ -124,7 +124,7 @@ TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
     }
 }
 
-// Each has the lines that it has alone.
+// Each layer has the same lines as it has alone.
 TEST(Layers, OfHatchingMayDifferInAllTheySay) {
     const Torus torus;
     Settings settings = blue({principal}, 6000);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Seeds, memory, and callbacks that fail.
+// Tests seeds, memory, and callbacks that fail.
 #include "support/point_sets.h"
 
 #include <atomic>
@@ -38,7 +38,7 @@ TEST(Memory, BytesAreThoseOfTheArrays) {
     EXPECT_GT(set.bytes(), 9000 * (3 * 12 + 4 + 1 + 8));
 }
 
-// A function that fails ends the call with its own error.
+// If a callback fails, the call ends with the callback's own error.
 TEST(Callbacks, AFailureEndsTheCall) {
     const base::Runtime threads = test::with_threads(3);
     for (const generate::Settings& settings : {small_published(), small_blue()}) {

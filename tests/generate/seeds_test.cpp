@@ -26,7 +26,7 @@ TEST(Seeds, BoxDropsAndCountsWhatStraysOrSticks) {
     generate::Settings settings = recursion({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::box;
     settings.seeds.box_jitter = 0.0;
-    settings.seeds.box_resolution = 9; // odd: a cell in the centre
+    settings.seeds.box_resolution = 9; // odd, so one cell is in the centre
     const PointSet set = make(Sphere(), settings);
     const double cell = 2.0 / 9.0;
     std::int64_t strayed = 0;
@@ -62,7 +62,7 @@ TEST(Seeds, JitterMovesByUpToAlphaCells) {
     }
 }
 
-// A small surface in a large box: nearly all cells are too far away.
+// A small surface in a large box: nearly all cells are too far from it.
 TEST(Seeds, ASurfaceSmallerThanTheBoxKeepsTheCellsNearIt) {
     generate::Settings settings = recursion({Kind::stipples}, 2);
     settings.seeds.source = SeedSource::box;
@@ -109,7 +109,7 @@ TEST(Seeds, AutoTakesWellSpreadSamplesOnly) {
     EXPECT_EQ(make(Sphere(), settings).seed_source, SeedSource::box) << "there are none";
     const std::vector<double> even = spiral_seeds(200);
     EXPECT_EQ(make(Sphere(), settings, {even, 0.2}).seed_source, SeedSource::samples);
-    // The same, with every other one moved next to its predecessor.
+    // The same points, but every other point is moved next to its predecessor.
     std::vector<double> pairs = even;
     for (std::size_t i = 3; i + 5 < pairs.size(); i += 9)
         for (std::size_t k = 0; k < 3; ++k) pairs[i + k] = pairs[i + k - 3] + (k == 2 ? 0.0 : 1e-3);

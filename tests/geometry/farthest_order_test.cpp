@@ -24,7 +24,7 @@ VecArray scattered(int count) {
     return points;
 }
 
-// Full of equal distances, and each point there twice.
+// A lattice with many equal distances, in which each point occurs twice.
 VecArray lattice(int side) {
     VecArray points(memory());
     for (int twice = 0; twice < 2; ++twice)

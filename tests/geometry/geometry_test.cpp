@@ -150,7 +150,7 @@ TEST(TangentFrame, IsOrthonormalForEveryNormal) {
     }
 }
 
-// Stark: n crossed with the axis of its smallest component, so that u has no part along that axis.
+// Stark's construction: n crossed with the axis of its smallest component, so u has no part along that axis.
 TEST(TangentFrame, CombingLeavesOutTheSmallestComponent) {
     EXPECT_EQ(combing_frame(glm::normalize(glm::dvec3(0.1, 0.7, -0.6))).u.x, 0.0);
     EXPECT_EQ(combing_frame(glm::normalize(glm::dvec3(0.7, -0.1, -0.6))).u.y, 0.0);

@@ -18,7 +18,7 @@ base::Memory& memory() {
     return instance;
 }
 
-// A lattice, full of ties, with each seventh point at one place.
+// A lattice with many ties, in which each seventh point is at the same place.
 VecArray lattice(int count) {
     VecArray points(memory());
     for (int i = 0; i < count; ++i)

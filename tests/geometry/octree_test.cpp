@@ -30,7 +30,7 @@ VecArray surface(int count) {
     return points;
 }
 
-// Half of them in a cluster of a thousandth, beside a corner; and nine that coincide.
+// Half of the points are in a cluster of size 0.001 beside a corner, and nine coincide.
 VecArray uneven(int count) {
     VecArray points(memory());
     for (int i = 0; i < count; ++i)

@@ -17,7 +17,7 @@ base::Memory& memory() {
     return instance;
 }
 
-// Two sizes of clusters.
+// Clusters of two sizes.
 VecArray scattered(int count) {
     VecArray points(memory());
     for (int i = 0; i < count; ++i) {
@@ -27,7 +27,7 @@ VecArray scattered(int count) {
     return points;
 }
 
-// Full of equal distances, and each point there twice.
+// A lattice with many equal distances, in which each point occurs twice.
 VecArray lattice(int side) {
     VecArray points(memory());
     for (int twice = 0; twice < 2; ++twice)
@@ -37,7 +37,7 @@ VecArray lattice(int side) {
 
 double squared_distance(const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b); }
 
-// What nearest() promises: by distance, then by place.
+// Computes the result that nearest() promises: ordered by distance, then by place.
 template <class Accept>
 Places brute_force(const PointTree& tree, const glm::dvec3& p, std::int64_t count, Accept&& accept) {
     Places places;
@@ -50,7 +50,7 @@ Places brute_force(const PointTree& tree, const glm::dvec3& p, std::int64_t coun
     return places;
 }
 
-// The nearest of those whose rank is below `limit`.
+// The nearest of the points whose rank is below `limit`.
 Places nearest(const PointTree& tree, const Places& rank, std::int64_t limit, const glm::dvec3& p, std::int64_t count) {
     const auto rank_at = [&](std::int64_t at) { return rank[static_cast<std::size_t>(at)]; };
     const base::Array<std::int64_t> smallest = tree.smallest_of_nodes(rank_at);
@@ -96,7 +96,7 @@ TEST(PointTreeNearest, OfNothingIsNothing) {
     EXPECT_EQ(found, -1);
 }
 
-// The points that a search without node `refused` is not shown.
+// Returns the points that a search does not visit if it refuses node `refused`.
 Places points_of(const PointTree& tree, std::int64_t refused) {
     std::vector<bool> shown(static_cast<std::size_t>(tree.size()));
     std::int64_t found = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bezier curves through points: near to all of the line, few of them, with its corners and its ends.
+// Tests Bezier curves through points: they are near to all of the line, few, and keep its corners and ends.
 #include "geometry/polylines.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ double to_line(const dvec2& p, const std::vector<dvec2>& line) {
     return least;
 }
 
-// Both ways: the curves' farthest place from the line, and the line's from the curves.
+// The larger of the two one-sided distances: curves to line, and line to curves.
 double apart(const std::vector<dvec2>& line, const dvec2& start, std::span<const Cubic> cubics) {
     std::vector<dvec2> fine{start};
     dvec2 from = start;
@@ -82,8 +82,8 @@ TEST_F(CurveFitTest, KeepsWhatLiesBetweenFarPoints) {
     EXPECT_LE(apart(line, line.front(), fit.fit(line, 0.05, false)), 0.08);
 }
 
-// So far apart that no integer holds the number of pieces: as many as there may be, each with its own curve, as the
-// tolerance is below what rounding leaves.
+// The points are so far apart that the number of pieces exceeds any integer. The fit uses the largest number that is
+// allowed, each piece with its own curve, as the tolerance is below the rounding errors.
 TEST_F(CurveFitTest, TakesPointsAnyDistanceApart) {
     std::vector<dvec2> line{{0, 0}, {50, 0}, {90, 25}, {91, 26}, {92, 28}, {93, 31}, {60, 80}};
     for (dvec2& p : line) p *= std::ldexp(1.0, 120);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The nearest place of a straight line's part.
+// Tests the nearest point of a segment.
 #include "geometry/segment.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Units of length, and whole numbers of what may be none.
+// Tests units of length, and the conversion to integers of numbers that may be NaN.
 #include "geometry/unit.h"
 
 #include "geometry/cell_grid.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Hatching of surfaces with creases: lines end there, and none steps over.
+// Tests hatching of surfaces with creases: lines end at creases, and none steps over.
 #include "generate/generate.h"
 #include "support/runtime.h"
 #include "support/sharp_shapes.h"
@@ -21,12 +21,12 @@ base::Runtime& runtime() {
 struct Found {
     int marks = 0, strokes = 0;
     int off = 0;           // marks that are not on the surface
-    int askew = 0;         // whose normal or direction is not that of its sheet
-    int over = 0;          // steps from one sheet to another, but for those onto a crease
-    int turned = 0;        // first and last marks with the normal of another sheet than their neighbour
-    double farthest = 0.0; // step, in mean steps
+    int askew = 0;         // marks whose normal or direction is not that of their sheet
+    int over = 0;          // steps from one sheet to another, except onto a crease
+    int turned = 0;        // first and last marks whose normal is of another sheet than their neighbour's
+    double farthest = 0.0; // the longest step, in mean steps
     int shy = 0;           // ends that are nearer to a crease than half a step, and not on it
-    int at_crease = 0;     // ends on one
+    int at_crease = 0;     // ends on a crease
 };
 
 Found look_at(const SharpShape& shape) {
@@ -51,7 +51,7 @@ Found look_at(const SharpShape& shape) {
             const Field field = shape.at(p);
             const glm::dvec3 normal = at(layer.normal, i);
             found.off += std::abs(field.value) > 1e-5 ? 1 : 0;
-            double best = -1.0; // beside a crease either sheet's
+            double best = -1.0; // beside a crease the normal may be that of either sheet
             for (std::int32_t sheet = 0; sheet < shape.count(); ++sheet) {
                 const Field own = shape.sheet_at(sheet, p);
                 if (std::abs(own.value) < 1e-5) best = std::max(best, glm::dot(glm::normalize(own.gradient), normal));
@@ -77,7 +77,7 @@ Found look_at(const SharpShape& shape) {
         for (const std::int64_t k : {layer.stroke_first[s], layer.stroke_first[s + 1] - 1}) {
             const std::int64_t i = layer.mark_of(k);
             const glm::dvec3 p = set.origin + at(layer.position, i);
-            double nearest = 1e9; // of the sheets that face another way
+            double nearest = 1e9; // distance from the sheets that face another way
             for (std::int32_t sheet = 0; sheet < shape.count(); ++sheet)
                 if (const Field own = shape.sheet_at(sheet, p); glm::dot(own.gradient, at(layer.normal, i)) < 0.9)
                     nearest = std::min(nearest, std::abs(own.value));
@@ -96,7 +96,7 @@ void expect_clean(const SharpShape& shape, const char* name) {
     EXPECT_EQ(found.over, 0);
     EXPECT_EQ(found.turned, 0);
     EXPECT_LE(found.farthest, 2.0);
-    // Lines end on creases, but for few of those that hardly meet them.
+    // Lines end on creases, except for a few that barely meet a crease.
     EXPECT_LE(found.shy, 2 * found.strokes / 16);
     EXPECT_GE(found.at_crease, found.strokes);
 }

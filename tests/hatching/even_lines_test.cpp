@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines between others: where they are moved to, and how they turn.
+// Tests lines between others: where they are moved to, and how they turn.
 #include "hatching/lines.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace hrbfnpr::hatching::even_lines_test {
 namespace {
 
-// In the plane z = 0, along x, and rising.
+// Adds a line in the plane z = 0 along x that rises by `slope`.
 void add_line(Lines& lines, double y, double from, double to, std::uint8_t level = 0, double slope = 0.0) {
     for (double x = from; x <= to; x += 0.4) {
         lines.position.push_back({x, y + slope * x, 0.0});
@@ -21,7 +21,7 @@ void add_line(Lines& lines, double y, double from, double to, std::uint8_t level
     lines.closed.push_back(0);
 }
 
-// Of a line's points between two x.
+// The largest deviation in y of a line's points with x in [from, to].
 double farthest_from(const Lines& lines, std::int64_t line, double y, double from, double to) {
     double most = 0.0;
     for (std::int64_t i = lines.first[line]; i < lines.first[line + 1]; ++i)
@@ -39,7 +39,7 @@ TEST(EvenLines, MoveToTheMiddleWithTheirLevels) {
     const Lines even = even_out(runtime, lines, 1.0);
     ASSERT_EQ(even.count(), 3);
     EXPECT_LT(farthest_from(even, 1, 1.0, 0.0, 40.0), 0.05);
-    // A line with a neighbour on one side only stays.
+    // A line with a neighbour on one side only does not move.
     EXPECT_EQ(farthest_from(even, 0, 0.0, 0.0, 40.0), 0.0);
     for (std::int64_t l = 0; l < 3; ++l)
         for (std::int64_t i = even.first[l]; i < even.first[l + 1]; ++i)
@@ -49,7 +49,7 @@ TEST(EvenLines, MoveToTheMiddleWithTheirLevels) {
 TEST(EvenLines, StayInTheMiddleOfAFan) {
     const base::Runtime runtime;
     Lines lines(runtime.memory);
-    // From 1 to 2 apart.
+    // The two lines are 1 apart at one end and 2 at the other.
     add_line(lines, 0.5, 0.0, 60.0, 0, 1.0 / 120.0);
     add_line(lines, -0.5, 0.0, 60.0, 0, -1.0 / 120.0);
     add_line(lines, 0.3, 3.0, 60.0, 1);
@@ -58,7 +58,7 @@ TEST(EvenLines, StayInTheMiddleOfAFan) {
     EXPECT_LT(farthest_from(even, 2, 0.0, 0.0, 60.0), 0.12);
 }
 
-// Along x, from there on by so many radians to the left over two separations, and on.
+// Adds a line along x that turns to the left by `turn` radians over two separations, and then goes straight on.
 void add_turning_line(Lines& lines, double turn) {
     constexpr double step = 0.1;
     glm::dvec2 p(0.0);
@@ -73,7 +73,7 @@ void add_turning_line(Lines& lines, double turn) {
     lines.closed.push_back(0);
 }
 
-// The most that a line turns by in two separations.
+// The largest angle that a line turns by in two separations.
 double most_turn_of(const Lines& lines) {
     const std::int64_t count = lines.position.size();
     double most = 0.0;
@@ -98,9 +98,9 @@ TEST(EvenLines, TurnSlowlyButWhereTheFieldTurns) {
     };
     constexpr double degree = 0.0174533;
     for (const double kink : {35.0, 50.0, 65.0}) EXPECT_LT(most_turn_of(turned(kink * degree)), 30.0 * degree) << kink;
-    // Round a singular point.
+    // The line goes round a singular point.
     EXPECT_GT(most_turn_of(turned(150.0 * degree)), 90.0 * degree);
-    // What does not turn much stays where it is.
+    // A line that does not turn much stays where it is.
     Lines lines(runtime.memory);
     add_turning_line(lines, 15.0 * degree);
     const Lines even = even_out(runtime, lines, 1.0);

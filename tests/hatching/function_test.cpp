@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines along the caller's directions.
+// Tests lines along the caller's directions.
 #include "support/caller_directions.h"
 #include "support/point_sets.h"
 
@@ -15,7 +15,7 @@ generate::Settings along(Caller& caller, std::int64_t budget) {
     return settings;
 }
 
-// Lines are evened out where a field spreads, and so are a few degrees off what they follow.
+// Lines are evened out where a field spreads, so they deviate from it by a few degrees.
 template <class Where>
 void expect_follows(const PointSet& set, Where where) {
     const Layer& marks = set.layers[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lines follow: on shapes where that is known.
+// Tests what lines follow, on shapes where that is known.
 #include "geometry/tangent_frame.h"
 #include "support/line_spacing.h"
 
@@ -22,7 +22,7 @@ generate::Settings guided(Guide guide, double separation = 0.05) {
 
 FieldSettings& field(generate::Settings& settings) { return of(settings, Kind::hatch).hatching.field; }
 
-// Degrees between lines and what `wanted` says of place and normal, where that is longer than `least`: the mean.
+// The mean angle, in degrees, between lines and wanted(position, normal), where that vector is longer than `least`.
 template <class Wanted>
 double mean_angle(const PointSet& set, double least, Wanted&& wanted) {
     const Layer& marks = of(set, Kind::hatch);
@@ -63,7 +63,7 @@ TEST(Guides, LightIsFollowedAlongItsTangentPart) {
     EXPECT_LT(mean_angle(make(Cylinder(0.5), settings), 0.5, along), 3.0);
 }
 
-// On a cylinder they are straight, on a ball circles around the view.
+// The lines are straight on a cylinder, and circles around the view on a ball.
 TEST(Guides, SilhouetteIsConjugateToTheView) {
     const glm::dvec3 view = glm::normalize(glm::dvec3(1.0, 0.0, 0.3));
     generate::Settings settings = guided(Guide::silhouette);
@@ -83,7 +83,7 @@ TEST(Guides, CombingIsStarksFirstDirectionAwayFromItsBorders) {
     EXPECT_LT(mean_angle(make(Sphere(), guided(Guide::combing)), 0.9, combed), 5.0);
 }
 
-// Of weight 0 a guide is curvature's alone; in between it is between.
+// With weight 0 lines follow curvature alone; larger weights move them towards the guide.
 TEST(Guides, AreBlendedWithCurvature) {
     const Torus torus;
     const PointSet plain = make(torus, guided(Guide::curvature));
@@ -103,7 +103,7 @@ TEST(Guides, AreBlendedWithCurvature) {
     }
 }
 
-// A face that is flat but for the tolerance of its fit has lines by the axis, which are straight.
+// On a face that is flat up to the tolerance of its fit the axis gives the lines, which are straight.
 TEST(Guides, CurvatureSaysNothingOfWhatIsNearlyFlat) {
     const auto sure = [](double curvature) {
         return std::abs(curvature_line(0.5 * curvature, 0.5 * curvature, 10.0)); // the diagonal is 10

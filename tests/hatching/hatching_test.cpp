@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Evenly spaced, nested lines: distances, levels, directions, ends.
+// Tests evenly spaced, nested lines: distances, levels, directions, ends.
 #include "support/line_spacing.h"
 #include "support/sharp_shapes.h"
 
@@ -22,15 +22,15 @@ generate::Settings hatched(double separation, double angle = 0.0) {
 
 const Layer& hatch_of(const PointSet& set) { return of(set, Kind::hatch); }
 
-// Of marks of these levels; a line that winds round is its own neighbour.
+// The spacing of marks up to level `levels`. A line that winds round is its own neighbour.
 Spacing spacing_of(const PointSet& set, int levels, double unit) {
     const Layer& marks = hatch_of(set);
     const SpacingSettings settings{unit, 0.24 * marks.report.step, 12};
     return test::spacing_of(marks, settings, [&](std::int64_t i) { return marks.level[i] <= levels; });
 }
 
-// Of all lines, and of those that are left with a level less, and with two: where a field spreads they have fewer
-// places to begin new lines.
+// Checks the spacing of all lines, and of the lines that remain with one and two levels less: where the field spreads,
+// these have fewer places to begin new lines.
 void expect_even(const PointSet& set, double most_variation, double most_alone) {
     const LayerReport& report = hatch_of(set).report;
     ASSERT_GE(report.levels, 2);
@@ -43,7 +43,7 @@ void expect_even(const PointSet& set, double most_variation, double most_alone) 
     }
 }
 
-// Each level has as many lines as all before it.
+// Each level has as many lines as all levels before it together.
 void expect_nested(const PointSet& set) {
     const Layer& marks = hatch_of(set);
     std::vector<double> count(static_cast<std::size_t>(marks.report.levels) + 1);
@@ -61,7 +61,7 @@ void expect_nested(const PointSet& set) {
     EXPECT_LE(static_cast<double>(changes), 0.02 * static_cast<double>(marks.count()));
 }
 
-// Marks are a step apart, lie on the surface, and lines do not turn sharply.
+// Marks are a step apart and lie on the surface, and lines do not turn sharply.
 void expect_flowing(const PointSet& set, const Analytic& surface, double step) {
     const Layer& marks = hatch_of(set);
     expect_sound(set, surface);
@@ -82,7 +82,7 @@ TEST(Hatching, IsEvenAndNestedOnATorus) {
     expect_nested(set);
     expect_flowing(set, torus, 0.012);
     const Layer& marks = hatch_of(set);
-    // Waves without forks of their own in each level have 0.124.
+    // Without forks of their own in each level, the waves have 0.124.
     EXPECT_LE(spacing_of(set, static_cast<int>(marks.report.levels), marks.report.step).variation, 0.115);
     EXPECT_EQ(marks.report.step, 0.03);
     EXPECT_NEAR(static_cast<double>(marks.count()), torus.area() / (0.03 * 0.012),
@@ -94,7 +94,7 @@ TEST(Hatching, IsEvenOnASphereWhereTheAxisAloneSays) {
     const PointSet set = make(sphere, hatched(0.03));
     expect_even(set, 0.13, 0.05);
     expect_flowing(set, sphere, 0.012);
-    // Around the axis: at right angles to it.
+    // The lines run around the axis, at right angles to it.
     const Layer& marks = hatch_of(set);
     double sum = 0.0;
     double count = 0.0;
@@ -106,7 +106,7 @@ TEST(Hatching, IsEvenOnASphereWhereTheAxisAloneSays) {
     EXPECT_LT(sum / count, 0.05);
 }
 
-// The tube bends most around itself.
+// The mean angle between lines and rings around the tube, the direction of the largest curvature, in degrees.
 double mean_angle_to_rings(const PointSet& set) {
     const Layer& marks = hatch_of(set);
     double sum = 0.0;
@@ -123,7 +123,7 @@ double mean_angle_to_rings(const PointSet& set) {
 TEST(Hatching, FollowsTheLargerCurvatureTurnedByTheAngle) {
     const Torus torus;
     EXPECT_NEAR(mean_angle_to_rings(make(torus, hatched(0.04))), 0.0, 2.0);
-    // From ring towards along is clockwise: n x along = ring.
+    // The turn from ring to along is clockwise: n x along = ring.
     EXPECT_NEAR(mean_angle_to_rings(make(torus, hatched(0.04, 30.0 * std::numbers::pi / 180.0))), -30.0, 3.0);
 }
 
@@ -146,7 +146,7 @@ TEST(Hatching, FollowsAFunction) {
     }
 }
 
-// Lines of a plane are straight, and nothing on the other side of a thin sheet changes its lines.
+// Lines of a plane are straight, and the other side of a thin sheet does not change the lines.
 TEST(Hatching, IsStraightOnAPlane) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
     const PointSet set = make(plane, hatched(0.03));
@@ -159,7 +159,7 @@ TEST(Hatching, IsStraightOnAPlane) {
     expect_even(both, 0.13, 0.1);
 }
 
-// Flat, but for rounding errors of its curvature.
+// A plane with rounding errors in its curvature.
 FieldFunction fitted_plane(const glm::dvec3& n) {
     return [n](const glm::dvec3& p) {
         const double k = 1e-9 * std::sin(7.0 * (p.x + p.y + p.z));
@@ -168,7 +168,7 @@ FieldFunction fitted_plane(const glm::dvec3& n) {
     };
 }
 
-// The two sides across the axis have nothing that says more.
+// On the two sides across the axis nothing else sets a direction.
 TEST(Hatching, IsStraightOnEachSideOfACube) {
     std::vector<Sharp> sides;
     for (int axis = 0; axis < 3; ++axis)
@@ -184,7 +184,8 @@ TEST(Hatching, IsStraightOnEachSideOfACube) {
     for (std::int64_t i = 0; i < marks.count(); ++i) {
         const glm::dvec3 p = vec(marks.position, i);
         const glm::dvec3 q = glm::abs(p);
-        if (q.x + q.y + q.z - std::max({q.x, q.y, q.z}) - std::min({q.x, q.y, q.z}) > 0.97) continue; // at an edge
+        if (q.x + q.y + q.z - std::max({q.x, q.y, q.z}) - std::min({q.x, q.y, q.z}) > 0.97)
+            continue; // a mark at an edge
         const int axis = q.x > q.y && q.x > q.z ? 0 : q.y > q.z ? 1 : 2;
         glm::dvec3& along = first[static_cast<std::size_t>(2 * axis + (p[axis] > 0.0 ? 1 : 0))];
         if (along == glm::dvec3(0.0)) along = vec(marks.direction, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of crests, found one triangle after the other, become whole ones.
+// Tests that pieces of crest lines, found one triangle after the other, are joined.
 #include "hatching/lines.h"
 
 #include "base/runtime.h"
@@ -15,7 +15,7 @@ namespace {
 using hatching::Lines;
 using Polyline = std::vector<glm::dvec3>;
 
-// Straight in the plane z = 0, a point every tenth.
+// A straight line in the plane z = 0 with ten points per unit of length.
 Polyline line(double x0, double y0, double x1, double y1) {
     const int count = std::max(1, static_cast<int>(std::lround(10.0 * std::hypot(x1 - x0, y1 - y0))));
     Polyline points;
@@ -26,7 +26,7 @@ Polyline line(double x0, double y0, double x1, double y1) {
 
 class Join : public ::testing::Test {
 protected:
-    // Over gaps of up to 2.
+    // Joins lines over gaps of up to 2.
     Lines join(const std::vector<Polyline>& lines) {
         Lines all(runtime.memory);
         for (const Polyline& points : lines) {
@@ -40,7 +40,7 @@ protected:
         }
         return hatching::join_ends(all, 2.0, base::Progress());
     }
-    // How far a line goes back along x, at most.
+    // The largest backward step of a line along x.
     static double back(const Lines& lines) {
         double most = 0.0;
         for (std::int64_t i = 1; i < lines.position.size(); ++i) {
@@ -60,7 +60,7 @@ TEST_F(Join, LinesThatFaceEachOtherOverAGap) {
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.0, 0.8, 3.0)}).count(), 2) << "a corner";
 }
 
-// The way across a gap that is hardly one may have any direction.
+// If the ends touch, the way across the gap may have any direction.
 TEST_F(Join, LinesWhoseEndsTouch) {
     for (int k = 0; k < 12; ++k) {
         const double x = 0.1 * std::cos(0.5236 * k);
@@ -69,14 +69,14 @@ TEST_F(Join, LinesWhoseEndsTouch) {
         ASSERT_EQ(lines.count(), 1) << x << ' ' << y;
         EXPECT_LT(back(lines), 1e-9) << x << ' ' << y;
     }
-    // Bends, but no corner and no fork.
+    // A bend is joined, but not a corner and not a fork.
     EXPECT_EQ(join({line(-3, 0, 0, 0), line(0.02, 0.02, 3, 1.5)}).count(), 1);
     EXPECT_EQ(join({line(-3, 0, 0, 0), line(0.02, 0.02, 3, 6)}).count(), 2);
     EXPECT_EQ(join({line(-3, 0, 0, 0), line(-3, 0.2, 0, 0.2)}).count(), 2);
     EXPECT_EQ(join({line(-3, 0, 0, 0), line(-3, 0.2, 0, 0.2), line(0.05, 0.05, 3, 0.0)}).count(), 2);
 }
 
-// Of points near its end a line does not know where it goes.
+// The last points of a line may be ragged, so they do not tell its direction.
 TEST_F(Join, AnEndMayBeRagged) {
     Polyline ragged = line(-3, 0, 0, 0);
     for (const double y : {0.03, 0.07, 0.12}) ragged.emplace_back(0.02, y, 0.0);

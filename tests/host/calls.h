@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every kind of call that does with a small stack, as tests/api/stages lists them.
+// Every kind of call that can run on a small stack, as tests/api/stages lists them.
 #pragma once
 
 #include "host/session.h"
@@ -9,7 +9,7 @@
 
 namespace host_test {
 
-// Fits, normals and pictures need a larger stack, and pictures are made by the other calls.
+// Fits, normals and pictures need a larger stack; the other calls make the parts of a picture.
 inline bool needs_a_large_stack(const std::string& name) {
     return name.rfind("fit", 0) == 0 || name.rfind("mesh.fit", 0) == 0 || name.rfind("picture", 0) == 0 ||
            name == "orient";
@@ -33,7 +33,7 @@ public:
         return bytes;
     }
 
-    // Runs all of them and returns what they compute.
+    // Runs all calls and returns what they compute.
     [[nodiscard]] Bytes everything() const {
         Bytes bytes;
         for (const api_test::Stage& stage : all_) api_test::append(bytes, run(stage));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Processes that fork after they used the library: children go on with what they have, and with new contexts.
+// Tests processes that fork after they used the library: children go on with old objects, and with new contexts.
 #include "host/session.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace host_test::fork_test {
 namespace {
 
-// Runs `work` in a child, which must return 0 in time: a hang must not outlive the test.
+// Runs `work` in a child, which must return 0. An alarm ends a child that hangs.
 template <class Work>
 int in_a_child(const Work& work) {
     const pid_t child = fork();
@@ -30,11 +30,11 @@ int in_a_child(const Work& work) {
 }
 
 TEST(Fork, ChildrenDoTheSameWork) {
-    const Scene scene(make_context(0)); // the threads are up
+    const Scene scene(make_context(0)); // the threads have started
     const auto work = [&](const Context& context) {
         const Model model = fit(context);
         Bytes bytes = draw(context, generate(context, model), model.get());
-        const Bytes old = draw(context, scene.marks, scene.model.get()); // the parent's
+        const Bytes old = draw(context, scene.marks, scene.model.get()); // drawn from the parent's marks
         bytes.insert(bytes.end(), old.begin(), old.end());
         return bytes;
     };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A host in a country that writes 0,5: neither is its locale changed, nor does it change a byte.
+// Tests a host whose locale writes 0,5: the library does not change the locale, and the locale changes no byte.
 #include "host/calls.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 const char* const german = "de_DE.UTF-8";
 
-// Makes the locale in a folder of its own, since few machines have it.
+// Makes the locale in a temporary folder, since few machines have it.
 class CommaLocale : public testing::Test {
 protected:
     void SetUp() override {
@@ -26,7 +26,7 @@ protected:
         folder_ = name;
         const std::string command =
             "localedef -i de_DE -f UTF-8 --no-archive " + (folder_ / german).string() + " >/dev/null 2>&1";
-        static_cast<void>(std::system(command.c_str())); // whether it worked is seen next
+        static_cast<void>(std::system(command.c_str())); // newlocale() below tells whether it worked
         setenv("LOCPATH", folder_.c_str(), 1);
         german_ = newlocale(LC_ALL_MASK, german, nullptr);
         if (german_ == nullptr) GTEST_SKIP() << "cannot make de_DE.UTF-8 here (Debian: locales)";
@@ -46,7 +46,7 @@ protected:
     locale_t german_ = nullptr;
 };
 
-// Messages with numbers in them, of the log and of errors.
+// Log and error messages with numbers in them.
 std::string messages() {
     std::string all;
     auto desc = made(hrbfnpr_context_desc_init);
@@ -59,7 +59,7 @@ std::string messages() {
     auto short_of = fit_desc(samples);
     short_of.tolerance = 0.00125;
     short_of.maximum_centres = 40;
-    const Model model = fit(context, short_of); // ends short of the tolerance, which it warns of
+    const Model model = fit(context, short_of); // does not reach the tolerance, and warns
     auto bad = made(hrbfnpr_generate_desc_init);
     bad.box_jitter = 0.75;
     hrbfnpr_point_set* none = nullptr;

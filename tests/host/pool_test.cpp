@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library's own threads: when they are there, what they are called, and what happens where the system gives none.
+// Tests the library's own threads: when they exist, their names, and what happens if the system refuses threads.
 #include "host/calls.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void
 
 } // namespace
 
-// Stands before the C library's, for the whole program and the library.
+// Replaces the C library's pthread_create for the whole program and the library.
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*work)(void*),
                               void* user) noexcept {
     if (refuses) {
@@ -46,7 +46,7 @@ std::set<std::string> threads_of_the_library() {
     return names;
 }
 
-// The same, once there are as many as wanted or ten seconds are over: a thread gives itself its name.
+// Waits for `wanted` threads, at most ten seconds, because a new thread sets its name itself.
 std::set<std::string> threads_of_the_library(std::size_t wanted) {
     for (int wait = 0; wait < 10000 && threads_of_the_library().size() != wanted; ++wait)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -68,7 +68,7 @@ TEST(Pool, LivesFromTheFirstNeedToTheLastReference) {
     const Names three = {"hrbfnpr-1", "hrbfnpr-2", "hrbfnpr-3"};
     EXPECT_EQ(threads_of_the_library(3), three);
     context.reset();
-    EXPECT_EQ(threads_of_the_library(), three); // the model's
+    EXPECT_EQ(threads_of_the_library(), three); // the model keeps the threads
     model.reset();
     EXPECT_EQ(threads_of_the_library(), Names{});
 }

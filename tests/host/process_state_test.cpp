@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What belongs to the host's process and comes back as it was: signals, floating-point state, streams.
+// Tests that the state of the host's process is unchanged afterwards: signals, floating-point state, streams.
 #include "host/calls.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ struct Signals {
         for (int number = 1; number < NSIG; ++number) {
             struct sigaction action;
             std::memset(&action, 0, sizeof action);
-            sigaction(number, nullptr, &action); // fails for the two that the C library keeps to itself
+            sigaction(number, nullptr, &action); // fails for the two signals that the C library reserves
             handler.push_back({reinterpret_cast<void*>(action.sa_sigaction), action.sa_flags});
         }
         sigset_t set;
@@ -70,7 +70,7 @@ struct Words {
     bool operator==(const Words&) const = default;
 };
 
-// The sticky flags, too: what this test computes itself raises none.
+// The sticky flags stay unchanged, too: the test's own computations raise none.
 TEST(ProcessState, FloatingPointStateIsTheHosts) {
     const scenes::Samples samples = scenes::torus(192);
     const hrbfnpr_fit_desc desc = fit_desc(samples);
@@ -97,7 +97,7 @@ TEST(ProcessState, FloatingPointStateIsTheHosts) {
 }
 #endif
 
-// What is written to a file descriptor while it lives.
+// Captures what is written to a file descriptor during the object's lifetime.
 class Captured {
 public:
     explicit Captured(int descriptor) : descriptor_(descriptor), file_(std::tmpfile()) {
@@ -132,7 +132,7 @@ private:
     std::FILE* file_;
 };
 
-// Calls that fail, and ones that warn.
+// Makes calls that fail, and calls that warn.
 void go_wrong(const Context& context) {
     auto error = made(hrbfnpr_error_init);
     scenes::Samples samples = scenes::torus(60);

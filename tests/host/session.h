@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a host does with the library, so that tests can do it in unusual places.
+// A host's session with the library, so that tests can run it in unusual places.
 #pragma once
 
 #include "scenes/shapes.h"
@@ -22,12 +22,12 @@ using hrbfnpr::test::Renderer;
 using hrbfnpr::test::three_layers;
 using Bytes = std::vector<std::uint8_t>;
 
-// These throw, in words, what went wrong.
+// These throw a message that says what went wrong.
 Context make_context(const hrbfnpr_context_desc& desc);
 Context make_context(std::int32_t threads);
 hrbfnpr_fit_desc fit_desc(const scenes::Samples& samples);
 Model fit(const Context& context, const hrbfnpr_fit_desc& desc);
-Model fit(const Context& context, int samples = 192); // of a torus
+Model fit(const Context& context, int samples = 192); // a fit of a torus
 PointSet generate(const Context& context, const Model& model, Generation desc);
 PointSet generate(const Context& context, const Model& model); // 1000 marks of each kind
 Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_model* rays = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads with small stacks, as job systems have: every call but fit does with 64 KiB, and fit with 512 KiB.
+// Tests threads with small stacks, as job systems have: 64 KiB is enough for every call but fit, which needs 512 KiB.
 #include "host/calls.h"
 #include "host/small_stack.h"
 
@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::size_t KiB = 1024;
 constexpr std::size_t small = 64 * KiB;
-constexpr std::size_t fit_needs = 512 * KiB; // what hrbfnpr.h says
+constexpr std::size_t fit_needs = 512 * KiB; // the size that hrbfnpr.h states
 constexpr std::size_t large = 4096 * KiB;
-constexpr std::size_t reserve = 12 * KiB; // for the host's own frames and a signal's
+constexpr std::size_t reserve = 12 * KiB; // for the host's own frames and a signal handler's
 
-// Measures first: running over the end would tell nothing but that.
+// Measures first, since an overflow would tell nothing but that it happened.
 void expect_enough(std::size_t stack, const char* what, const std::function<void()>& work) {
     const std::size_t used = run_on_a_stack_of(large, work);
     std::printf("%-28s %6.1f KiB\n", what, static_cast<double>(used) / static_cast<double>(KiB));
@@ -24,7 +24,7 @@ void expect_enough(std::size_t stack, const char* what, const std::function<void
     run_on_a_stack_of(stack, work);
 }
 
-class SmallStacks : public testing::TestWithParam<std::int32_t> {}; // the context's threads, 0 = all
+class SmallStacks : public testing::TestWithParam<std::int32_t> {}; // parameter: the context's threads, 0 = all
 
 TEST_P(SmallStacks, DoForEverythingButFit) {
     const Calls calls(make_context(GetParam()));
@@ -40,7 +40,8 @@ std::int64_t bytes_in_use(const Context& context) {
 
 TEST_P(SmallStacks, DoForAModelThatPreparesItself) {
     static constexpr int centres = 1500;
-    static constexpr std::int64_t count = 400'000; // with Hessians enough that it pays: see _evaluate
+    static constexpr std::int64_t count =
+        400'000; // with Hessians, enough points to make preparation pay: see _evaluate
     const Context context = make_context(GetParam());
     const scenes::Samples torus = scenes::torus(centres);
     auto desc = fit_desc(torus);
@@ -66,7 +67,7 @@ TEST_P(SmallStacks, DoForAModelThatPreparesItself) {
     }
 }
 
-// What a fit may go through: solvers, kernels, cleaning, choosing, regularization.
+// The variants of a fit: solvers, kernels, cleaning, choice of centres, regularization.
 std::vector<std::pair<const char*, hrbfnpr_fit_desc>> fits(const scenes::Samples& samples) {
     const hrbfnpr_fit_desc plain = fit_desc(samples);
     std::vector<std::pair<const char*, hrbfnpr_fit_desc>> all;
@@ -103,14 +104,14 @@ TEST_P(SmallStacks, AreSaidForFit) {
     const Context context = make_context(GetParam());
     const scenes::Samples samples = scenes::torus(600);
     for (const auto& [name, desc] : fits(samples)) expect_enough(fit_needs, name, [&] { fit(context, desc); });
-    const scenes::Samples many = scenes::torus(5000); // the iterations multiply by far fields
+    const scenes::Samples many = scenes::torus(5000); // enough samples for iterations that multiply by far fields
     expect_enough(fit_needs, "iterative, far fields", [&] { fit(context, fit_desc(many)); });
 }
 
 INSTANTIATE_TEST_SUITE_P(Context, SmallStacks, testing::Values(1, 0),
                          [](const auto& threads) { return threads.param == 1 ? "OneThread" : "AllThreads"; });
 
-// A host's job runner: all tasks of a call on a thread with a stack of `user` bytes.
+// A host's job runner that runs all tasks of a call on one thread with a stack of `*user` bytes.
 void run_on_workers(void* user, hrbfnpr_task_fn task, void* task_context, std::int64_t count) {
     run_on_a_stack_of(*static_cast<const std::size_t*>(user), [=] {
         for (std::int64_t i = 0; i < count; ++i) task(task_context, i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A host's threads: each with a context, all with one model, and one that draws while another fits.
+// Tests a host's threads: each with a context, all with one model, and one that draws while another fits.
 #include "host/session.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace host_test::threads_test {
 namespace {
 
-// Runs `work` on so many threads at a time; fails with what the first one says that throws.
+// Runs `work` on `count` threads at a time, and fails with the first message that is thrown.
 void on_threads(int count, const std::function<void(int)>& work) {
     std::vector<std::thread> threads;
     std::mutex mutex;
@@ -32,7 +32,7 @@ void on_threads(int count, const std::function<void(int)>& work) {
     EXPECT_EQ(message, "");
 }
 
-// A bit of everything that takes time.
+// Runs some of each kind of call that takes time.
 Bytes session(const Context& context, const Model& model) {
     const PointSet marks = generate(context, model);
     Bytes bytes = draw(context, marks);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The standard library inside takes small, fixed amounts of memory from operator new; when that
-// fails, the call fails cleanly, too, and gives the same result when it is made again.
+// The standard library inside the library takes small, fixed amounts of memory from operator new. If that fails, the
+// call fails cleanly, too, and gives the same result when it is made again.
 #include "allocation/retry.h"
 #include "stages/stages.h"
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-// Counts while armed; the k-th call is refused, and later ones if all_later.
+// Requests are counted while `armed`. Request `refuse_at` is refused, and with `all_later` each later one.
 std::atomic<bool> armed{false};
 std::atomic<bool> all_later{false};
 std::atomic<std::int64_t> new_calls{0};
@@ -30,7 +30,7 @@ void* allocate(std::size_t size) {
 
 } // namespace
 
-// Replaces the whole program's, the library's among them.
+// These replace the operators of the whole program, including the library.
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
 void operator delete(void* memory) noexcept { std::free(memory); }
@@ -55,7 +55,7 @@ protected:
     void end() override { armed = false; }
 };
 
-// Stages whose memory is the caller's alone ask for none here.
+// Stages that only use the caller's memory make no request here.
 TEST(OperatorNew, EveryRefusalOfASmallRun) {
     Allocator allocator;
     std::int64_t refused = 0;
@@ -64,7 +64,7 @@ TEST(OperatorNew, EveryRefusalOfASmallRun) {
         Stages stages(context);
         NewRefusal refusal;
         for (const Stage& stage : stages.all()) {
-            if (!stage.renew) { // what it makes once for all later calls
+            if (!stage.renew) { // the objects that it makes once for all later calls
                 Bytes bytes;
                 Error error;
                 Attempt undisturbed;
@@ -80,7 +80,7 @@ TEST(OperatorNew, EveryRefusalOfASmallRun) {
     EXPECT_GT(refused, 100);
 }
 
-// A context that starts threads, and what it is made of.
+// Tests a context that starts threads, and then the build info.
 TEST(OperatorNew, AContextIsMadeOrNot) {
     NewRefusal refusal;
     std::int64_t calls = 1;

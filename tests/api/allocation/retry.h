@@ -6,17 +6,18 @@
 
 namespace api_test {
 
-// Refuses one call for memory, and with `all_later` each one after it, in what it is put around.
+// Refuses one request for memory within the calls that it wraps, and with `all_later` each later one, too.
 class Refusal : public Attempt {
 public:
-    std::int64_t at = 0; // the how-manieth; 0 = none
+    std::int64_t at = 0; // number of the refused request, from 1 on; 0 = none
     bool all_later = false;
 
-    [[nodiscard]] virtual std::int64_t calls() const = 0; // for memory, since restart()
+    [[nodiscard]] virtual std::int64_t calls() const = 0; // requests for memory since restart()
     virtual void restart() = 0;
 };
 
-// Which of `count` calls are refused: every one if `every`, else the first and last ones and some between.
+// Returns the numbers of the refused requests, of `count`: all if `at_most` allows it, otherwise the first, the last
+// and some between.
 [[nodiscard]] inline std::vector<std::int64_t> moments(std::int64_t count, std::int64_t at_most) {
     std::vector<std::int64_t> some;
     const std::int64_t step = 1 + count / at_most;
@@ -25,9 +26,9 @@ public:
     return some;
 }
 
-// Each of the moments: OUT_OF_MEMORY, and then, with the same objects, what comes out of an undisturbed run.  Of more
-// than 32 moments this is looked at after every fourth: before it the next refusals come.  But objects that are made
-// anew for each moment are looked at each time.  Returns how many calls were refused.
+// Expects OUT_OF_MEMORY for each refused request, and then, with the same objects, the result of an undisturbed run. If
+// more than 32 requests are refused and objects are not made anew, the result is only checked after every fourth.
+// Returns how many requests were refused.
 inline std::int64_t refuse_and_retry(const Stage& stage, Refusal& refusal, std::int64_t at_most) {
     const auto run = [&](Bytes& bytes, std::int64_t at) {
         Error error;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The caller's allocator refuses a call: the library's call fails cleanly, keeps nothing, and when it is made again
-// with the same objects it gives, bit for bit, what it gives undisturbed.
+// Tests that a call of the library fails cleanly when the caller's allocator refuses memory: it keeps no memory, and
+// called again with the same objects it gives the same bits as without a refusal.
 #include "allocation/retry.h"
 #include "stages/stages.h"
 
@@ -33,7 +33,7 @@ private:
     std::int64_t before_ = 0, calls_ = 0;
 };
 
-// The stages side by side, for the sake of time; the last one is for those of no other group.
+// The groups of stages are separate tests, to run at the same time. The last group has the stages of no other group.
 constexpr std::array<const char*, 7> groups{"fit", "orient", "mesh", "marks", "lines", "frame", ""};
 
 std::string group_of(const Stage& stage) {
@@ -42,7 +42,7 @@ std::string group_of(const Stage& stage) {
     return "";
 }
 
-// Every stage of a group; none leaves memory behind that the same stage, undisturbed, does not.
+// Tests every stage of a group. A refused stage leaves no more memory behind than the same stage undisturbed.
 void refuse_in_every_stage(const std::string& group, const StageSizes& sizes, std::int32_t threads,
                            std::int64_t at_most) {
     Allocator allocator;
@@ -76,7 +76,8 @@ void refuse_in_every_stage(const std::string& group, const StageSizes& sizes, st
 class Retry : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Stages, Retry, testing::ValuesIn(groups));
 
-// Of marks, whose hundreds of refusals a stage are much alike and a run each, 120 of each stage.
+// Each stage of marks has hundreds of similar refusals, each with a run of its own, so only about 120 of each are
+// tested.
 TEST_P(Retry, EveryRefusalOfASmallRun) {
     refuse_in_every_stage(GetParam(), {}, 1, std::string(GetParam()) == "marks" ? 120 : 100000);
 }
@@ -94,7 +95,7 @@ TEST_P(Retry, SomeRefusalsOfALargerRun) {
     refuse_in_every_stage(GetParam(), sizes, 1, 6);
 }
 
-// Both are made before all stages.
+// The context and the operation are made before all stages.
 TEST(Allocation, AContextAndAnOperationAreMadeOrNot) {
     for (std::int64_t k = 1;; ++k) {
         Error error;

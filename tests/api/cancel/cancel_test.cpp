@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every call that takes an operation, cancelled by its callback and from another thread: it says so, keeps nothing,
-// and with the same objects gives afterwards, bit for bit, what it gives undisturbed.
+// Tests that every call that takes an operation can be cancelled by its callback and from another thread: it reports
+// this, keeps no memory, and called again with the same objects gives the same bits as without a cancel.
 #include "stages/stages.h"
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace api_test::cancel_test {
 namespace {
 
-// Begun from many of its tests on a busy machine, a callback is also called when time has passed: what a moment is,
-// is told by the progress, which does not depend on time in a context of one thread.
+// The callback is also called when time has passed, which happens on a busy machine. So moments are told apart by the
+// progress, which does not depend on time in a context of one thread.
 std::vector<double> moments(const std::vector<double>& values) {
     std::vector<double> different(values);
     different.erase(std::unique(different.begin(), different.end()), different.end());
@@ -54,7 +54,7 @@ TEST(Cancel, ByTheCallbackAtEveryStage) {
         const Operation first = make_operation(context);
         hrbfnpr_operation_set_callback(first.get(), Watcher::call, &counted, nullptr);
         ASSERT_OK(run(stage, first.get(), wanted, error)) << stage.name;
-        if (counted.values.empty()) continue; // what takes no operation
+        if (counted.values.empty()) continue; // the call takes no operation
         ++with_operation;
         EXPECT_EQ(counted.values.back(), 1.0) << stage.name;
         EXPECT_TRUE(std::is_sorted(counted.values.begin(), counted.values.end())) << stage.name;
@@ -70,7 +70,7 @@ TEST(Cancel, ByTheCallbackAtEveryStage) {
             EXPECT_EQ(std::count_if(watcher.values.begin(), watcher.values.end(),
                                     [&](double value) { return value >= moment; }),
                       1)
-                << stage.name; // nothing more is heard of it
+                << stage.name; // the callback is not called again
         }
         Bytes again;
         EXPECT_OK(run(stage, nullptr, again, error));
@@ -81,7 +81,7 @@ TEST(Cancel, ByTheCallbackAtEveryStage) {
     EXPECT_EQ(with_operation, 65);
 }
 
-// One operation serves all calls, one after the other; cancelled, it ends each of them before it begins.
+// One operation serves all calls, one after the other. Once it is cancelled, it ends each call before the call begins.
 TEST(Cancel, HoldsForEveryLaterCall) {
     const Context context = make_context(3);
     Stages stages(context);
@@ -106,14 +106,14 @@ TEST(Cancel, HoldsForEveryLaterCall) {
         Bytes bytes;
         renew(stage);
         const hrbfnpr_status status = run(stage, operation.get(), bytes, error);
-        if (status == HRBFNPR_STATUS_OK) continue; // what takes no operation
+        if (status == HRBFNPR_STATUS_OK) continue; // the call takes no operation
         EXPECT_FAILS(status, HRBFNPR_STATUS_CANCELLED, "cancelled before the call");
         ++cancelled;
     }
     EXPECT_EQ(cancelled, 65);
 }
 
-// At moments spread over the call's time.
+// The cancels come at moments spread over the call's time.
 TEST(Cancel, FromAnotherThreadAtAnyTime) {
     const Context context = make_context(3);
     Stages stages(context, scene());
@@ -145,7 +145,8 @@ TEST(Cancel, FromAnotherThreadAtAnyTime) {
     EXPECT_GT(cancelled, 20);
 }
 
-// A callback that draws, as a preview does: the frame is no part of the call, and no cancel of the call's ends it.
+// The callback makes a call of its own, as a preview does: that call is not part of the outer call, and the outer
+// call's cancel does not end it.
 TEST(Cancel, CallsFromWithinACallbackAreOnTheirOwn) {
     struct Preview {
         const Context& context;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames that are cancelled: there is no drawing, and renderer and earlier drawings are as if nothing had been asked.
+// Tests cancelled frames: no drawing is made, and renderer and earlier drawings stay as if the call had not been made.
 #include "stages/stage.h"
 #include "support/handles.h"
 
@@ -52,7 +52,7 @@ struct Scene {
         return status;
     }
 
-    // Pixels, and the points of the lines to their last digits.
+    // The pixels, and the exact points of the lines.
     std::vector<std::uint8_t> bytes_of(const Drawing& drawing) const {
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(4 * side * side));
         auto image = made(hrbfnpr_image_init);
@@ -84,7 +84,7 @@ struct Scene {
 };
 
 TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
-    constexpr double little = 0.005; // contours would begin with those of the last frame
+    constexpr double little = 0.005; // small, so contours start from those of the last frame
     Scene scene(1);
     Error error;
     Drawing first, none, again;
@@ -103,13 +103,13 @@ TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
         watcher.cancel_at = moment;
         hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, nullptr);
         EXPECT_FAILS(scene.draw(little, operation.get(), none, error), HRBFNPR_STATUS_CANCELLED, "cancelled");
-        EXPECT_TRUE(scene.bytes_of(first) == wanted) << moment; // what is held is not touched
+        EXPECT_TRUE(scene.bytes_of(first) == wanted) << moment; // a drawing that is held is not changed
         ASSERT_OK(scene.draw(0.0, nullptr, again, error));
         EXPECT_TRUE(scene.bytes_of(again) == wanted) << moment;
     }
 }
 
-// A call without an operation is watched by none that was there before.
+// An operation of an earlier call does not watch a later call without an operation.
 TEST(FrameCancel, AnOperationServesItsOwnCallAlone) {
     Scene scene(2);
     Error error;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Results of a fixed scene that every platform must reproduce, bit for bit: with the instruction set BASELINE they are
-// made of additions, products, quotients and square roots, which IEEE 754 defines, in an order that the code defines.
-// No function of the C library takes part, and no sum whose order Eigen chooses (docs/reliability.md names the stages
-// that are not here, and why).  HRBFNPR_WRITE_HASHES=FILE writes them anew.
+// Hashes of results of a fixed scene that every platform must reproduce bit for bit. With the instruction set BASELINE
+// the results are made of additions, products, quotients and square roots, which IEEE 754 defines, in an order that the
+// code defines. They use no function of the C library and no sum whose order Eigen chooses (docs/reliability.md names
+// the stages that are not here, and why). HRBFNPR_WRITE_HASHES=FILE writes the hashes anew.
 #include "stages/stage.h"
 
 #include <cinttypes>
@@ -25,7 +25,7 @@ Bytes file_of(const char* path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Multiples of 2^-20 in [-scale, scale], the same everywhere.
+// Multiples of 2^-20 in [-scale, scale], the same on all platforms.
 std::vector<double> random_numbers(int count, double scale) {
     std::vector<double> numbers;
     std::uint64_t state = 1;
@@ -134,7 +134,7 @@ private:
         append(bytes, distance);
         return bytes;
     }
-    // An octahedron with a dent: welded, turned, its faces and their numbers.
+    // A dented octahedron, welded and turned: vertices, triangles and given faces.
     Bytes meshed() {
         const std::vector<double> vertices{1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0.25, 0, -0.5, 1, 0, 0};
         const std::vector<std::int32_t> corners{0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 6, 4, 2, 0, 5, 2, 1, 5, 3, 1, 5, 0, 3, 5};
@@ -154,7 +154,7 @@ private:
         }
         return bytes;
     }
-    // With directions and ranks that the library makes.
+    // A point set with directions and ranks that the library computes.
     Bytes own() {
         const std::vector<std::uint32_t> first{0, 100, 250, 500};
         auto arrays = made(hrbfnpr_layer_arrays_init);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every stage gives the same bits by any number of threads and from any thread backend, and nearly the same numbers on
-// every instruction set.
+// Tests that every stage gives the same bits with any number of threads and any thread backend, and nearly the same
+// numbers with every instruction set.
 #include "stages/stages.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace api_test::stages_test {
 namespace {
 
-// Of a scene that is large enough for its loops to have many tasks.
+// The scene is large enough that its loops have many tasks.
 StageSizes scene() {
     StageSizes sizes;
     sizes.samples = 300;
@@ -45,13 +45,13 @@ void expect_same(const Results& one, const Results& other, const std::string& wh
     for (const auto& [name, bytes] : one) EXPECT_TRUE(other.at(name) == bytes) << name << " " << what;
 }
 
-// By one thread.
+// The results of one thread.
 const Results& serial() {
     static const auto& once = *new Results(results_of(make_context(1), scene()));
     return once;
 }
 
-// The host's: on two threads, the last task first.
+// A host's job runner that uses two threads and begins with the last task.
 void run_backwards(void* user, hrbfnpr_task_fn task, void* task_context, std::int64_t count) {
     static_cast<std::atomic<std::int64_t>*>(user)->fetch_add(count);
     std::thread odd([=] {
@@ -92,7 +92,7 @@ TEST(DeterminismOfBackends, TheSameBitsByAHostsJobs) {
 
 // ---- Instruction sets --------------------------------------------------------------------------
 
-// The largest difference of numbers; infinite where there are not as many, or one is no number in one only.
+// The largest difference of numbers. It is infinite if the sizes differ, or if a number is NaN in only one of the two.
 template <class T>
 double farthest(const Bytes& one, const Bytes& other) {
     if (one.size() != other.size()) return HUGE_VAL;
@@ -108,8 +108,8 @@ double farthest(const Bytes& one, const Bytes& other) {
     return most;
 }
 
-// The model is 2.6 across.  Curvatures and Hessians are second derivatives of it, and hits of grazing rays the most
-// sensitive of all.
+// The model is 2.6 across. Curvatures and Hessians are second derivatives, and hits of grazing rays are the most
+// sensitive results.
 TEST(DeterminismOfInstructionSets, NearlyTheSameNumbers) {
     const std::map<std::string, double> tolerances{{"evaluate", 1e-9},   {"project", 1e-10},      {"curvature", 1e-8},
                                                    {"contains", 0.0},    {"cast_rays", 1e-9},     {"lipschitz", 1e-10},
@@ -134,7 +134,7 @@ TEST(DeterminismOfInstructionSets, NearlyTheSameNumbers) {
     }
 }
 
-// Pictures are the same to the bit if their marks are, in one colour and in several.
+// Pictures are the same to the bit if their marks are, with one colour and with several.
 TEST(DeterminismOfInstructionSets, TheSamePicturesOfTheSameMarks) {
     constexpr std::int32_t side = 300;
     Error error;

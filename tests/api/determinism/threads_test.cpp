@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A job runner that leaves tasks out, and any floating-point state of the caller.
+// Tests a job runner that leaves tasks out, and any floating-point state of the caller.
 #include "stages/stages.h"
 
 #if defined(__SSE2__)
@@ -9,7 +9,7 @@
 namespace api_test::threads_test {
 namespace {
 
-// What the tasks would have made is missing, so the call fails, and says how much.
+// The results of the missing tasks do not exist, so the call fails and says how many tasks ran.
 TEST(RunTasks, ThatLeaveTasksOutFailTheCall) {
     Error error;
     auto desc = made(hrbfnpr_context_desc_init);
@@ -27,7 +27,7 @@ TEST(RunTasks, ThatLeaveTasksOutFailTheCall) {
 }
 
 #if defined(__SSE2__)
-// Rounds up, flushes to zero and takes subnormals for zero around each call.
+// Rounds up, flushes to zero and takes subnormals for zero during each call.
 class Strangely : public Attempt {
 protected:
     void begin() override {
@@ -38,7 +38,7 @@ protected:
     void end() override {
         const unsigned after = _mm_getcsr();
         _mm_setcsr(before_);
-        // The sticky exception flags may be the test's own.
+        // The sticky exception flags may be set by the test itself.
         EXPECT_EQ(after & ~0x3FU, strange_ & ~0x3FU);
     }
 
@@ -50,7 +50,7 @@ TEST(FloatingPoint, TheCallersStateChangesNothingAndIsPreserved) {
     const Context context = make_context(2);
     Stages stages(context);
     for (const Stage& stage : stages.all()) {
-        if (stage.name.rfind("picture", 0) == 0) continue; // pictures are made by the other calls
+        if (stage.name.rfind("picture", 0) == 0) continue; // pictures consist of the other calls
         Error error;
         Attempt normally;
         Strangely strangely;

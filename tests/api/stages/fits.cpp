@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits, normals, trimming, meshes and queries.
+// Stages of fits, normals, trimming, meshes and queries.
 #include "stages/stages.h"
 
 #include <cmath>
@@ -98,7 +98,7 @@ void Stages::add_fits(std::vector<Stage>& stages) {
     direct.solver = HRBFNPR_SOLVER_DIRECT;
     add_fit(stages, "fit.direct", direct);
     auto linear = direct;
-    linear.polynomial_degree = -1; // a pivoted LU
+    linear.polynomial_degree = -1; // uses a pivoted LU
     add_fit(stages, "fit.pivoted", linear);
     auto gaussian = direct;
     gaussian.kernel = HRBFNPR_KERNEL_GAUSSIAN;
@@ -121,7 +121,7 @@ void Stages::add_fits(std::vector<Stage>& stages) {
     noisy.flipped_normals = HRBFNPR_REPAIR_REORIENT;
     noisy.tolerance = 0.05;
     add_fit(stages, "fit.noise", noisy);
-    auto none = desc; // a few: finding normals asks for memory thousands of times
+    auto none = desc; // few points, since finding normals asks for memory thousands of times
     none.points = in(cloud_.points);
     none.normal_mode = HRBFNPR_NORMALS_NONE;
     none.normals = {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frames, what is read of drawings, pages.
+// Stages of frames, of functions that read drawings, and of pages.
 #include "stages/stages.h"
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace api_test {
 namespace {
 
-// Room that is there before the call, so that a test's own memory is not asked for within it.
+// The memory is allocated before the call, so that no request within the call is the test's own.
 struct Text {
     std::vector<char> room = std::vector<char>(std::size_t{4} << 20);
     std::size_t used = 0;
@@ -108,7 +108,7 @@ void Stages::add_frames(std::vector<Stage>& stages) {
     });
 }
 
-// Strokes and contours, hidden ones dashed.
+// Strokes and contours whose hidden parts are dashed.
 const hrbfnpr_drawing* Stages::drawing() {
     if (drawing_) return drawing_.get();
     auto layer = made(hrbfnpr_layer_style_init);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Queries, marks, line sets and files.
+// Stages of queries, marks, line sets and files.
 #include "stages/stages.h"
 #include "support/csg_nodes.h"
 

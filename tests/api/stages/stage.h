@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every kind of call that works, as a list: each gives all that it made, as bytes.
+// A list of every kind of call that succeeds; each stage returns all that it makes as bytes.
 #pragma once
 
 #include "fixture.h"
@@ -13,7 +13,7 @@ namespace api_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// What a test does around each call into the library, and around nothing else: it refuses memory, say.
+// Wraps each call into the library, and nothing else. A test overrides begin() and end(), for example to refuse memory.
 class Attempt {
 public:
     Attempt() = default;
@@ -38,12 +38,12 @@ protected:
 
 struct Stage {
     std::string name;
-    // Calls with the same objects each time; appends what came out where all went well.  Handles of a call that
-    // failed are NULL, or the stage says so.
+    // Makes its calls with the same objects each time, and appends the results of calls that succeed. The handle of a
+    // failed call must be NULL; otherwise the stage reports an error.
     std::function<hrbfnpr_status(Attempt&, Bytes&, hrbfnpr_error*)> call;
-    // Makes anew those of the objects that calls leave something in, such as a renderer; may be empty.
+    // Makes the objects anew in which calls leave data, such as a renderer. May be empty.
     std::function<void()> renew;
-    // Of a stage that takes long and asks for memory thousands of times, some of the calls are refused.
+    // Limits how many calls are refused in a stage that takes long and asks for memory thousands of times.
     std::int64_t most_refusals = 1 << 30;
 };
 
@@ -53,19 +53,19 @@ Stage& add(std::vector<Stage>& stages, const std::string& name, Call call, std::
     return stages.back();
 }
 
-// How much there is to do.
+// The amount of work.
 struct StageSizes {
     int samples = 40;       // of a fit
-    int dense_samples = 50; // to choose from
-    int half_samples = 80;  // of a sphere, of which half is there
-    int cloud = 9;          // without normals
+    int dense_samples = 50; // from which centres are chosen
+    int half_samples = 80;  // of a sphere, of which one half has samples
+    int cloud = 9;          // points without normals
     std::int64_t marks = 60;
-    std::int64_t places = 100; // of queries
+    std::int64_t places = 100; // points of queries
     std::int32_t pixels = 24;
     int mesh_around = 12;
 };
 
-// ---- What came out, as bytes.  Reports carry seconds; nothing of them is taken. ----------------
+// ---- Results as bytes. Reports contain seconds, so they are left out. --------------------------
 
 template <class T>
 void append(Bytes& bytes, const std::vector<T>& values) {

@@ -19,7 +19,7 @@ public:
     Stages(const Stages&) = delete;
     Stages& operator=(const Stages&) = delete;
 
-    // From samples to pages, every kind of call.
+    // Returns every kind of call, from samples to pages.
     [[nodiscard]] std::vector<Stage> all();
 
 private:
@@ -40,8 +40,8 @@ private:
     void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
                    std::uint32_t sides = HRBFNPR_SIDES_FRONT);
     void add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags);
-    // A picture of one source: it is made, drawn, and read as an image.  `picture` refers to arrays that live as long
-    // as the stages.
+    // Adds stages that make, draw and read (as an image) a picture of one source. `picture` refers to arrays that live
+    // as long as the stages.
     void add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
                      std::uint32_t preset);
     [[nodiscard]] hrbfnpr_picture_desc picture_desc() const;

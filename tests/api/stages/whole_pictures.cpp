@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures: from sources to drawings in one call, and what comes out of them.
+// Stages of pictures: from sources to drawings in one call, and the outputs.
 #include "stages/stages.h"
 
 #include <array>
@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t most_refusals = 8; // of stages that ask for memory thousands of times
 
-// Room that is there before the call, so that a test's own memory is not asked for within it.
+// The memory is allocated before the call, so that no request within the call is the test's own.
 struct Sink {
     std::vector<char> room = std::vector<char>(std::size_t{4} << 20);
     std::size_t used = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cameras: matrices, depth conventions, the fit to a box, and bad arguments.
+// Tests cameras: matrices, depth conventions, the fit to a box, and bad arguments.
 #include "frame/hand_made.h"
 
 #include <gmock/gmock.h>
@@ -76,7 +76,7 @@ TEST(Orthographic, MapsTheSlabToClipSpaceWithPlanesOfEitherSign) {
     }
 }
 
-// The box's image, from its corners: half extents around the picture's centre.
+// The half extents of the box's image around the picture's centre, from its corners.
 glm::dvec2 image_reach(const Camera& camera, const geometry::Bounds& box) {
     glm::dvec2 most(0.0);
     for (unsigned i = 0; i < 8; ++i) {
@@ -128,7 +128,7 @@ TEST(FitBounds, ShowsFlatThinAndPointBoxes) {
     }
 }
 
-// Points fill the picture in one direction and lie in its middle in both.
+// The points fill the picture in one direction, and are centred in both.
 TEST(FitPoints, FillThePictureAndLieInItsMiddle) {
     const std::array<float, 12> points = {0.0F, 0.0F, 0.0F, 3.0F, 0.5F, 0.0F, 1.0F, 2.0F, -1.0F, 0.2F, 0.3F, 4.0F};
     const base::InView view{reinterpret_cast<const std::byte*>(points.data()), 4, 12, base::Scalar::float32, 3};

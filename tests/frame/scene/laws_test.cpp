@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Each law against its formula.
+// Tests each law against its formula.
 #include "frame/scene/light.h"
 #include "frame/scene/scene.h"
 #include "support/instruction_sets.h"
@@ -22,7 +22,7 @@ TEST(FrontAlpha, IsTheSquare) {
 }
 
 TEST(BackAlpha, IsTheLogarithm) {
-    // 0.2 (ln(nu - 0.05) + 5), by hand.
+    // 0.2 (ln(nu - 0.05) + 5), computed by hand.
     EXPECT_NEAR(back_alpha(1.0F, 1.0F), 0.98974134F, 1e-6);
     EXPECT_NEAR(back_alpha(0.5F, 1.0F), 0.84029846F, 1e-6);
     EXPECT_NEAR(back_alpha(0.2F, 1.0F), 0.62057601F, 1e-6);
@@ -34,7 +34,7 @@ TEST(BackAlpha, IsTheLogarithm) {
 }
 
 TEST(DiscOpacity, MakesALayerAsOpaqueAsAsked) {
-    EXPECT_EQ(disc_opacity(0.3F, 0.0F, 7.0F), 0.3F); // as published
+    EXPECT_EQ(disc_opacity(0.3F, 0.0F, 7.0F), 0.3F); // the published law
     EXPECT_EQ(disc_opacity(1.0F, 8.0F, 7.0F), 1.0F);
     EXPECT_EQ(disc_opacity(0.0F, 8.0F, 7.0F), 0.0F);
     for (const float alpha : {0.04F, 0.3F, 0.9F}) {
@@ -49,7 +49,7 @@ TEST(ExpectedOverlap, IsDiscAreaOverTheAreaOfAMark) {
     EXPECT_NEAR(expected_overlap(3.0F, 2.0F, -1.0F), 7.0686F, 1e-3);
     EXPECT_NEAR(expected_overlap(3.0F, 2.0F, 0.5F), 14.137F, 1e-3); // foreshortened
     EXPECT_EQ(expected_overlap(0.1F, 2.0F, 1.0F), 1.0F);
-    EXPECT_EQ(expected_overlap(3.0F, 0.0F, 1.0F), 1.0F); // unknown
+    EXPECT_EQ(expected_overlap(3.0F, 0.0F, 1.0F), 1.0F); // spacing unknown
 }
 
 TEST(Light, GivesTheSameBitsAloneAndOnVectors) {
@@ -126,7 +126,7 @@ TEST(DepthTone, FallsWithTheLogarithmFromNearToFar) {
     EXPECT_FLOAT_EQ(depth_tone(3.0, 2.0, 8.0), static_cast<float>(1.0 - std::log(1.5) / std::log(4.0)));
     EXPECT_EQ(depth_tone(8.0, 2.0, 8.0), 0.0F);
     EXPECT_EQ(depth_tone(100.0, 2.0, 8.0), 0.0F);
-    EXPECT_EQ(depth_tone(-3.0, 2.0, 8.0), 1.0F); // an orthographic camera may stand anywhere
+    EXPECT_EQ(depth_tone(-3.0, 2.0, 8.0), 1.0F); // an orthographic camera may be anywhere
 }
 
 TEST(ZoomScale, IsThePowerOfTheZoomBelowTheReference) {
@@ -170,12 +170,12 @@ struct PenTest : ::testing::Test {
 
 TEST_F(PenTest, FollowsTheZoom) {
     layer.radius = 2.0F;
-    EXPECT_EQ(pen.front_ink(10.0F), 2.0F); // no reference: the zoom is 1
+    EXPECT_EQ(pen.front_ink(10.0F), 2.0F); // without a reference the zoom is 1
     layer.radius_zoom = 1.0F;
     EXPECT_EQ(pen.front_ink(10.0F), 2.0F);
     pen.zoom_at_one = 1.0F / 40.0F;
     EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 0.5F);
-    EXPECT_FLOAT_EQ(pen.front_ink(80.0F), 4.0F); // beyond the reference as well
+    EXPECT_FLOAT_EQ(pen.front_ink(80.0F), 4.0F); // also beyond the reference
     layer.radius_zoom = 0.5F;
     EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 1.0F);
 }
@@ -194,7 +194,7 @@ TEST_F(PenTest, ScalesTheAreaOfBackPaper) {
 TEST_F(PenTest, CoversBySpacingWithNoGaps) {
     EXPECT_FLOAT_EQ(pen.front_splat(100.0F), scene_tuning.splat_spacings * 10.0F);
     EXPECT_FLOAT_EQ(pen.back_splat(100.0F), scene_tuning.splat_spacings * 10.0F + 2.0F);
-    EXPECT_EQ(pen.front_splat(1.0F), 1.0F); // a pixel at least
+    EXPECT_EQ(pen.front_splat(1.0F), 1.0F); // at least a pixel
     EXPECT_EQ(pen.front_splat(1e9F), 1000.0F);
 }
 
@@ -205,7 +205,7 @@ TEST(PaperPush, GrowsWithTheTilt) {
     EXPECT_FLOAT_EQ(back_push(5.0F, 10.0F), 0.5F);
 }
 
-// The disc around each place of a sphere lies behind every place within its radius in the picture.
+// The disc around each place of a sphere is behind every place within its radius in the picture.
 TEST(PaperPush, PutsADiscBehindAllOfItsSphere) {
     for (const double radius : {0.003, 0.01, 0.05, 0.2, 0.5}) {
         for (double nu = 0.05; nu <= 1.0; nu += 0.01) {
@@ -218,7 +218,7 @@ TEST(PaperPush, PutsADiscBehindAllOfItsSphere) {
     }
 }
 
-// A mark that is shown stays while the zoom grows, or the tone darkens, or the depth comes nearer.
+// A mark that is shown stays while the zoom grows, the tone darkens or the depth decreases.
 TEST(FrontVerdict, ZoomingInOnlyAddsMarks) {
     for (float u = 0.005F; u < 1.0F; u += 0.01F)
         for (const float tau : {0.0F, 0.3F, 0.8F}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The boundary hands every field of a style to the frame: what it hands over is turned back into the public struct, and
-// must be what it was made from.
+// Tests that the boundary passes every field of a style to the frame: the frame's style is turned back into the public
+// struct, and must equal the original.
 #include "api/struct_fields.h"
 #include "api/style_fields.h"
 #include "support/named_style.h"
@@ -62,7 +62,7 @@ TEST(StyleFields, OfNamedStylesReachTheFrame) {
     }
 }
 
-// Sets every number of a struct to one that is allowed and differs from its default.
+// Sets every number of a struct to an allowed number that differs from its default.
 template <class Given>
 Given with_other_values(Given given, Fields fields) {
     for (const FieldLayout& field : fields) {
@@ -93,7 +93,7 @@ TEST(StyleFields, OfAnyStyleReachTheFrame) {
     line.name = "seam";
     line.kind = HRBFNPR_LINE_KIND_ISOPHOTE;
     line.levels = {levels, std::size(levels), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
-    line.wobble_length = 55.0F; // 1 at least
+    line.wobble_length = 55.0F; // at least 1
     hrbfnpr_style given = with_other_values(api::default_style(), api::fields_of_hrbfnpr_style);
     double touched = 0.0;
     given.tone_user = &touched;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The named styles.
+// Tests the named styles.
 #include "support/named_style.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using testing::preset_count;
 
 constexpr Kind kinds[] = {Kind::stipples, Kind::hatch, Kind::own};
 
-// How a style draws the layers of a kind that have no name.
+// The style of layers of a kind that have no name.
 LayerStyle of(const NamedStyle& named, Kind kind) {
     base::Memory memory;
     return named.style.of(marks::Layer(memory, kind));
@@ -40,7 +40,7 @@ TEST(Presets, AreValidStyles) {
     }
 }
 
-// Every layer of hatching that a style asks for is drawn as lines, by the element that has its name.
+// Every layer of hatching that a style asks for is drawn as lines, by the layer style with its name.
 TEST(Presets, DrawTheirHatching) {
     std::size_t sets = 0;
     for (std::uint32_t i = 0; i < preset_count; ++i) {
