@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* hrbfnpr as a class of scripts for Godot 3: samples or a mesh in, each frame as pixels and as parts of a mesh out.
+/* A script class for Godot 3 that draws samples or a mesh, and returns each frame as pixels and as parts of a mesh.
  *
  *   draw(points: PoolVector3Array, normals: PoolVector3Array, VIEW...) -> bool
  *   draw_mesh(vertices: PoolVector3Array, indices: PoolIntArray, VIEW...) -> bool
- *       make a picture and draw its first frame.  Without normals (an empty array) the library finds them; vertices and
- *       indices are those of Mesh.surface_get_arrays.
+ *       make a picture and draw its first frame. If normals is empty, the library finds them; vertices and indices are
+ *       those of Mesh.surface_get_arrays.
  *   restyle(VIEW...) -> bool                          the same surface in another style or size, and its first frame
  *   look(direction: Vector3, zoom: float) -> bool     draws a frame of the picture from another side
- *   notes() -> Array of String                        what the library chose, repaired or left out for the picture
- *   eye() -> Vector3                                  where the frame is seen from
- *   frustum() -> Vector3                              what is seen at distance 1: offset to the right, upwards, height
+ *   notes() -> Array of String                        the library's choices, repairs and omissions
+ *   eye() -> Vector3                                  the position of the eye
+ *   frustum() -> Vector3                              the view at distance 1: offset to the right, upwards, height
  *   pixels() -> PoolByteArray                         the frame, RGBA8
  *   points() -> Array                                 the dots of the frame for ArrayMesh.add_surface_from_arrays, far
  *                                                     to near: position, colour, and in UV.x the radius in pixels
  *   strokes() -> Array                                its strokes and lines as triangles, far to near: position,
  *                                                     colour, in UV.x how far along the stroke, in pixels, and indices
  *
- * VIEW is style: String (a name as hrbfnpr_preset_name has it), direction: Vector3 (into the scene), up: Vector3,
- * width: int, height: int.  For a vector of zeros the library chooses one; it also chooses the pen, the marks, the
- * lines and all else that hrbfnpr_picture_create does.
+ * VIEW is style: String (a name from hrbfnpr_preset_name), direction: Vector3 (into the scene), up: Vector3,
+ * width: int, height: int. If a vector is zero, the library chooses it. It also chooses the pen, the marks, the lines
+ * and everything else, as in hrbfnpr_picture_create.
  *
  * A call that fails prints the library's message as an error of the engine, and returns false or null. */
 #include "gdnative_few.h"
@@ -33,11 +33,11 @@ typedef struct drawing {
     hrbfnpr_context* context;
     hrbfnpr_picture* picture;
     hrbfnpr_drawing* frame;
-    hrbfnpr_camera camera; /* that the frame was drawn by */
+    hrbfnpr_camera camera; /* camera of the frame */
     hrbfnpr_error error;
 } drawing;
 
-/* ---- values of the engine's ---- */
+/* ---- Values of the engine ---- */
 
 static gd_variant nil(void) {
     gd_variant result;
@@ -75,7 +75,7 @@ static gd_variant from_vector(const double* value) {
     return result;
 }
 
-/* A pool of `count` elements to write to.  Its memory is `*data` until pool_written. */
+/* Makes a pool of `count` elements to write to. Its memory is `*data` until pool_written(). */
 static void* pool_new(const gd_pool_kind* kind, int64_t count, gd_pool* pool, void** data) {
     GD_CALL(core, kind->create, void (*)(gd_pool*))(pool);
     GD_CALL(core, kind->resize, void (*)(gd_pool*, int))(pool, (int)count);
@@ -92,7 +92,7 @@ static gd_variant pool_written(const gd_pool_kind* kind, gd_pool* pool, void* ac
     return result;
 }
 
-/* ---- calls of the library ---- */
+/* ---- Calls of the library ---- */
 
 static bool succeeded(const drawing* self, hrbfnpr_status status, const char* method) {
     if (status == HRBFNPR_STATUS_OK) return true;
@@ -101,7 +101,7 @@ static bool succeeded(const drawing* self, hrbfnpr_status status, const char* me
     return false;
 }
 
-/* A pool of the engine's as an array of the library's, three components to an element, until pool_end. */
+/* An engine's pool as a library's array with three components per element. It is valid until pool_end(). */
 typedef struct pool_reader {
     const gd_pool_kind* kind;
     gd_pool pool;
@@ -126,7 +126,7 @@ static void pool_end(pool_reader* reader) {
     GD_CALL(core, reader->kind->destroy, void (*)(gd_pool*))(&reader->pool);
 }
 
-/* Draws the picture by a camera, or as it was planned where that is NULL.  After a failure the last frame stays. */
+/* Draws the picture with a camera, or with the planned one if that is NULL. After a failure the last frame stays. */
 static hrbfnpr_status draw_frame(drawing* self, const hrbfnpr_camera* camera) {
     hrbfnpr_drawing* frame;
     const hrbfnpr_status status = hrbfnpr_picture_draw(self->picture, camera, NULL, &frame, &self->error);
@@ -138,7 +138,7 @@ static hrbfnpr_status draw_frame(drawing* self, const hrbfnpr_camera* camera) {
     return status;
 }
 
-/* Makes a picture of the source, or restyles the last one where that is NULL.  VIEW is described at the top. */
+/* Makes a picture of the source, or restyles the last picture if that is NULL. VIEW is described at the top. */
 static hrbfnpr_status make_picture(drawing* self, const hrbfnpr_picture_source* source, gd_variant** view) {
     hrbfnpr_picture_desc desc;
     hrbfnpr_picture* picture;
@@ -175,7 +175,7 @@ static gd_variant draw(drawing* self, gd_variant** arguments) {
     return boolean(succeeded(self, status, "draw"));
 }
 
-/* The engine's faces are clockwise where they are seen from outside, the library's counterclockwise. */
+/* Seen from outside, the engine's faces are clockwise and the library's counter-clockwise. */
 static int32_t* turned_faces(const hrbfnpr_array* faces) {
     const int32_t* from = faces->data;
     int32_t* turned = malloc((size_t)(3 * faces->count + 1) * sizeof *turned);
@@ -276,7 +276,7 @@ static gd_variant pixels(drawing* self, gd_variant** arguments) {
     return nil();
 }
 
-/* One attribute of all vertices as an array of the engine's; nil after a failure. */
+/* Returns one attribute of all vertices as an engine's array; nil after a failure. */
 static gd_variant attribute(drawing* self, uint32_t primitive, const gd_pool_kind* kind, int64_t count, uint32_t which,
                             int64_t stride) {
     hrbfnpr_vertex_attribute part;
@@ -301,15 +301,15 @@ static gd_variant attribute(drawing* self, uint32_t primitive, const gd_pool_kin
     return nil();
 }
 
-/* Strips of vertices as triangles: their vertices' numbers, three of each. */
+/* Turns strips into triangles, each with three vertex numbers. */
 static gd_variant triangles_of(const uint32_t* strips, int64_t count) {
     gd_pool pool;
     void* data;
     int64_t triangles = 0;
-    for (int pass = 0; pass < 2; ++pass) { /* the second one writes */
+    for (int pass = 0; pass < 2; ++pass) { /* the first pass counts, the second one writes */
         void* access = pass == 0 ? NULL : pool_new(&GD_INTS, 3 * triangles, &pool, &data);
         int32_t* to = pass == 0 ? NULL : data;
-        int64_t length = 0; /* of the strip so far */
+        int64_t length = 0; /* vertices of the present strip */
         triangles = 0;
         for (int64_t i = 0; i < count; ++i) {
             length = strips[i] == (uint32_t)HRBFNPR_INDEX_RESTART ? 0 : length + 1;
@@ -322,12 +322,12 @@ static gd_variant triangles_of(const uint32_t* strips, int64_t count) {
     return nil();
 }
 
-/* The indices of all strokes' triangles; nil after a failure. */
+/* Returns the indices of all strokes' triangles; nil after a failure. */
 static gd_variant indices(drawing* self, int64_t vertices, int64_t count) {
     hrbfnpr_vertex_attribute part;
     hrbfnpr_vertex_layout layout;
     hrbfnpr_vertex_attribute_init(&part, sizeof part);
-    part.attribute = HRBFNPR_VERTEX_ATTRIBUTE_RADIUS; /* a layout has one at least */
+    part.attribute = HRBFNPR_VERTEX_ATTRIBUTE_RADIUS; /* a layout needs at least one attribute */
     hrbfnpr_vertex_layout_init(&layout, sizeof layout);
     layout.primitive = HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS;
     layout.attributes = &part;
@@ -343,7 +343,7 @@ static gd_variant indices(drawing* self, int64_t vertices, int64_t count) {
     return result;
 }
 
-/* Arrays for ArrayMesh; in UV.x what `in_uv` says. */
+/* Returns arrays for ArrayMesh. UV.x has the attribute `in_uv`. */
 static gd_variant mesh(drawing* self, uint32_t primitive, uint32_t in_uv) {
     enum { ARRAY_VERTEX = 0, ARRAY_COLOR = 3, ARRAY_TEX_UV = 4, ARRAY_INDEX = 8, ARRAY_MAX = 9 }; /* of ArrayMesh */
     int64_t count, index_count;
@@ -379,11 +379,11 @@ static gd_variant strokes(drawing* self, gd_variant** arguments) {
     return mesh(self, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS, HRBFNPR_VERTEX_ATTRIBUTE_LENGTH);
 }
 
-/* ---- the class ---- */
+/* ---- The class ---- */
 
 typedef struct method {
     const char* name;
-    int count; /* of arguments */
+    int count; /* number of arguments */
     gd_variant (*call)(drawing* self, gd_variant** arguments);
 } method;
 

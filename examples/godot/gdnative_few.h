@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The few things of Godot 3's GDNative interface (core 1.0, NativeScript 1.0: frozen since Godot 3.0) that drawing.c
- * needs, declared by hand: no header of the engine is needed to build it.
+/* The declarations of Godot 3's GDNative interface that drawing.c needs (core 1.0, NativeScript 1.0: frozen since
+ * Godot 3.0). They are written by hand, so that no header of the engine is needed.
  *
- * An interface is a header and a table of functions, whose order the engine's gdnative_api.json gives.  Numbers below
- * are places in that table. */
+ * An interface is a struct with a table of functions in the order of the engine's gdnative_api.json. The numbers below
+ * are indices into that table. */
 #ifndef GDNATIVE_FEW_H
 #define GDNATIVE_FEW_H
 
@@ -16,7 +16,7 @@
 #define GD_EXPORT __attribute__((visibility("default")))
 #endif
 
-/* Values of the engine's: only their sizes on 64-bit systems count here. */
+/* Values of the engine. Only their sizes on 64-bit systems matter here. */
 typedef struct gd_variant {
     uint64_t data[3];
 } gd_variant;
@@ -32,7 +32,7 @@ typedef struct gd_string {
 typedef struct gd_char_string {
     uint64_t data;
 } gd_char_string;
-typedef struct gd_vector3 { /* three floats; as bytes, because that is how the engine returns it from functions */
+typedef struct gd_vector3 { /* three floats, as bytes because the engine's functions return them so */
     unsigned char bytes[12];
 } gd_vector3;
 typedef void gd_object;
@@ -61,7 +61,7 @@ typedef struct gd_core {
 
 enum { GD_EXTENSION_NATIVESCRIPT = 1 };
 
-/* What godot_gdnative_init gets. */
+/* The argument of godot_gdnative_init(). */
 typedef struct gd_init_options {
     bool in_editor;
     uint64_t core_hash, editor_hash, no_hash;
@@ -89,7 +89,7 @@ typedef struct gd_method {
     void (*free_data)(void* data);
 } gd_method;
 
-/* Calls function NUMBER of an interface as one of the given type. */
+/* Gets function NUMBER of an interface as a pointer of the given type. */
 #define GD_CALL(interface, number, type) ((type)(interface)->functions[number])
 
 enum { /* NativeScript */
@@ -105,7 +105,7 @@ enum { /* core: arrays */
        GD_ARRAY_DESTROY = 361
 };
 
-/* core: pools come in kinds with the same functions, each at places of its own */
+/* core: each kind of pool has the same functions, at its own indices */
 typedef struct gd_pool_kind {
     int create, resize, size, read, write, destroy, read_data, read_end, write_data, write_end, to_variant,
         from_variant;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A host with a job system of its own, which runs hrbfnpr's work: the library starts no thread.
+// A host whose own job system runs hrbfnpr's work. The library starts no thread.
 //
 //     jobs PICTURE.pam [SAMPLES.xyzn]
 //
-// PICTURE gets the drawing, a PAM file (a short header and raw RGBA rows).
+// The drawing is written to PICTURE, a PAM file (a short header and raw RGBA rows).
 #include "pool.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void check(hrbfnpr_status status) {
     if (status != HRBFNPR_STATUS_OK) throw std::runtime_error(error.message);
 }
 
-// Calls hrbfnpr_..._create and the like, and owns what they make.
+// Calls a hrbfnpr_..._create function and owns the handle that it makes.
 template <class Handle, class Release, class Call>
 auto make(Release release, Call&& call) {
     Handle* handle = nullptr;
@@ -36,7 +36,7 @@ auto make(Release release, Call&& call) {
     return std::unique_ptr<Handle, Release>(handle, release);
 }
 
-// A descriptor with every default in place.
+// Returns a descriptor with every default in place.
 template <class Struct, class Init>
 Struct defaults(Init init) {
     Struct result;
@@ -44,21 +44,21 @@ Struct defaults(Init init) {
     return result;
 }
 
-// The one thing that a job system has to provide.
+// This function is all that a job system has to provide.
 void run_tasks(void* user, hrbfnpr_task_fn task, void* task_context, std::int64_t task_count) {
     static_cast<Pool*>(user)->run(task, task_context, task_count);
 }
 
 auto make_context(Pool& pool) {
     auto desc = defaults<hrbfnpr_context_desc>(hrbfnpr_context_desc_init);
-    desc.thread_count = pool_threads + 1; // this one works, too
+    desc.thread_count = pool_threads + 1; // the calling thread works, too
     desc.run_tasks = run_tasks;
     desc.run_tasks_user = &pool;
     return make<hrbfnpr_context>(hrbfnpr_context_release,
                                  [&](auto out) { return hrbfnpr_context_create(&desc, out, &error); });
 }
 
-// Six numbers a sample: point and normal.
+// Each sample is six numbers: point and normal.
 std::vector<std::array<double, 6>> read_samples(const std::string& path) {
     std::ifstream file(path);
     std::vector<std::array<double, 6>> samples;
@@ -110,7 +110,7 @@ void write_picture(const std::string& path, const std::vector<unsigned char>& pi
     if (!file) throw std::runtime_error("cannot write " + path);
 }
 
-// Of this process, as Linux counts them; 0 elsewhere.
+// Returns the number of threads of this process, as Linux counts them; 0 on other systems.
 std::ptrdiff_t thread_count() {
     std::error_code none;
     const std::filesystem::directory_iterator tasks("/proc/self/task", none);

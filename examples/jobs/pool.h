@@ -29,8 +29,8 @@ public:
         for (std::thread& thread : threads_) thread.join();
     }
 
-    // Calls task(context, i) for 0 <= i < count, and returns when all have ended.  The caller works, too, so that a
-    // task may call this again without waiting for a thread that waits for it.
+    // Calls task(context, i) for 0 <= i < count, and returns when all calls have ended. The caller works, too, so a
+    // task may call run() again without a deadlock.
     void run(Task task, void* context, std::int64_t count) {
         if (count <= 0) return;
         Batch batch{task, context, count};
@@ -41,7 +41,7 @@ public:
         ended_.wait(lock, [&] { return batch.ended == batch.count; });
     }
 
-    // How many tasks each thread has run; threads that are none of the pool's share number 0.
+    // Returns how many tasks each thread has run. All threads outside the pool share number 0.
     std::vector<std::int64_t> tasks_run() const {
         const std::lock_guard<std::mutex> lock(mutex_);
         return tasks_;
@@ -56,7 +56,7 @@ private:
         std::int64_t ended = 0;
     };
 
-    // Takes a batch's next task and runs it, without the lock; a batch whose last task is taken is no longer open.
+    // Takes a batch's next task and runs it without the lock. Removes the batch from open_ when its last task is taken.
     void run_next(Batch& batch, std::unique_lock<std::mutex>& lock) {
         const std::int64_t index = batch.next++;
         if (batch.next == batch.count) open_.erase(std::find(open_.begin(), open_.end(), &batch));
@@ -79,9 +79,9 @@ private:
 
     inline static thread_local std::size_t own_number = 0;
 
-    mutable std::mutex mutex_; // of everything below but threads_
+    mutable std::mutex mutex_; // guards all members below except threads_
     std::condition_variable wake_, ended_;
-    std::vector<Batch*> open_; // those with tasks that no one has taken
+    std::vector<Batch*> open_; // batches that have tasks left to take
     std::vector<std::int64_t> tasks_;
     bool stops_ = false;
     std::vector<std::thread> threads_;

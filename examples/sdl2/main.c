@@ -3,9 +3,9 @@
  *
  *     sdl2 [--strokes] [--screenshot FILE] [SAMPLES.xyzn]
  *
- * SAMPLES has a line `x y z nx ny nz` for each sample.  A worker thread makes a picture of them; Escape cancels that.
+ * SAMPLES has a line `x y z nx ny nz` for each sample. A worker thread makes a picture of them; Escape cancels it.
  * Then: drag to turn, wheel to zoom, space for a turntable, Tab for the next style, Escape to end.
- * S, or --strokes from the start: the strokes alone, as triangles with the texture of a brush, in place of the image.
+ * S switches from the image to the strokes alone, as triangles with the texture of a brush. --strokes starts with them.
  * --screenshot writes the first picture to FILE, *.bmp or raw RGBA rows, and ends. */
 #include <SDL.h>
 #include <hrbfnpr.h>
@@ -15,17 +15,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VALUES = 6, /* of a sample */ BRUSH_LENGTH = 1024, BRUSH_WIDTH = 16 /* pixels */ };
+enum { VALUES = 6, /* numbers of a sample */ BRUSH_LENGTH = 1024, BRUSH_WIDTH = 16 /* pixels */ };
 
-/* Half of the brush's width to where its ink is half as strong: what is drawn of a stroke as wide as it should be. */
+/* The share of the brush's width where its ink has at least half strength. Strokes are widened by 1 / SOLID. */
 static const float SOLID = 0.75f;
 
-/* What the worker makes.  Main leaves it alone while the worker is busy, but for the operation. */
+/* The worker's data. While the worker is busy, the main thread uses only the operation. */
 typedef struct Drawing {
     double* samples;
     int64_t count;
     uint32_t preset;
-    int width, height; /* of the window, when the worker was started */
+    int width, height; /* size of the window when the worker started */
     hrbfnpr_context* context;
     hrbfnpr_operation* operation;
     hrbfnpr_picture* picture;
@@ -35,7 +35,7 @@ typedef struct Drawing {
     SDL_atomic_t is_done;
 } Drawing;
 
-/* From where it is looked at: the direction into the scene is (sin turn, cos turn, -height). */
+/* The viewer's position: the direction into the scene is (sin turn, cos turn, -height). */
 typedef struct View {
     double turn, height, zoom;
     SDL_bool turntable;
@@ -47,7 +47,7 @@ typedef struct App {
     SDL_Texture* texture;
     int width, height;
     Drawing drawing;
-    SDL_Thread* worker; /* NULL: there is a drawing to show */
+    SDL_Thread* worker; /* NULL: the drawing is ready */
     View view;
     SDL_Texture* brush;
     SDL_bool shows_strokes, is_stale, quits;
@@ -83,8 +83,8 @@ static void read_samples(const char* path, Drawing* drawing) {
     fclose(file);
 }
 
-/* The long call, on the worker thread: a picture of the samples, and then the same surface in other styles and sizes.
- * The library chooses the pen, the marks and the lines. */
+/* The long call, on the worker thread. It makes a picture of the samples, and later restyles it for other styles and
+ * sizes. The library chooses the pen, the marks and the lines. */
 static hrbfnpr_status make_picture(Drawing* d) {
     const int64_t stride = VALUES * (int64_t)sizeof(double);
     const double direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
@@ -137,7 +137,7 @@ static void end_work(App* app) {
     app->is_stale = SDL_TRUE;
 }
 
-/* What the user does. */
+/* ---- Input ---- */
 
 static void press_key(App* app, SDL_Keycode key) {
     if (key == SDLK_ESCAPE) app->quits = SDL_TRUE;
@@ -161,7 +161,7 @@ static void handle(App* app, const SDL_Event* event) {
     }
 }
 
-/* What the user sees. */
+/* ---- Output ---- */
 
 static void show_progress(App* app) {
     const double progress = hrbfnpr_operation_progress(app->drawing.operation);
@@ -203,7 +203,7 @@ static double distance_of_centre(const App* app, const hrbfnpr_camera* camera) {
     return -z;
 }
 
-/* The model fills the picture as it is first seen, and keeps its size when it is turned. */
+/* The model fills the picture in the first view, and keeps its size when it is turned. */
 static hrbfnpr_camera camera_of(App* app) {
     const hrbfnpr_camera first = camera_from(app, 0, 1);
     hrbfnpr_camera camera = camera_from(app, app->view.turn, app->view.height);
@@ -213,7 +213,7 @@ static hrbfnpr_camera camera_of(App* app) {
     return camera;
 }
 
-/* Straight into the texture's memory, whose rows may be longer than the picture's. */
+/* Draws directly into the texture's memory, whose rows may be longer than the picture's. */
 static void draw_image(App* app, const hrbfnpr_drawing* drawing) {
     Drawing* const d = &app->drawing;
     hrbfnpr_image image;
@@ -229,7 +229,7 @@ static void draw_image(App* app, const hrbfnpr_drawing* drawing) {
     SDL_RenderCopy(app->screen, app->texture, NULL, NULL);
 }
 
-/* White, with the brush's ink as its alpha: soft edges, and some dry hairs, whose gaps run along the stroke. */
+/* The brush is white, with its ink as alpha: soft edges, and some dry hairs that leave gaps along the stroke. */
 static SDL_Texture* new_brush(SDL_Renderer* screen) {
     static Uint8 pixels[BRUSH_WIDTH][BRUSH_LENGTH][4];
     for (int y = 0; y < BRUSH_WIDTH; ++y) {
@@ -249,7 +249,7 @@ static SDL_Texture* new_brush(SDL_Renderer* screen) {
     return brush;
 }
 
-/* A vertex as the library writes it. */
+/* The vertex format that the library writes. */
 typedef struct StrokeVertex {
     float x, y, depth, length;
     SDL_Color color;
@@ -282,12 +282,12 @@ static void write_strips(App* app, const hrbfnpr_drawing* drawing, StrokeVertex*
           error);
 }
 
-/* The left and the right vertex of a stroke's point, moved apart by what the brush's soft edges take.  SDL fills pixels
- * whose centres a triangle holds: a finer line would be broken, and is as wide as two pixels but paler. */
+/* Moves the left and the right vertex of a stroke's point apart, to make up for the brush's soft edges. SDL fills
+ * pixels whose centres are in a triangle, so thin lines would be broken. They are two pixels wide, but paler. */
 static void widen(SDL_Vertex* left, SDL_Vertex* right) {
     const float x = 0.5f * (right->position.x - left->position.x), y = 0.5f * (right->position.y - left->position.y);
     const float half = hypotf(x, y), wanted = half / SOLID;
-    const float more = half > 0 ? fmaxf(wanted, 1) / half - 1 : 0; /* 0: the tip of a pointed end */
+    const float more = half > 0 ? fmaxf(wanted, 1) / half - 1 : 0; /* half is 0 at the tip of a pointed end */
     left->position.x -= more * x;
     left->position.y -= more * y;
     right->position.x += more * x;
@@ -295,13 +295,13 @@ static void widen(SDL_Vertex* left, SDL_Vertex* right) {
     left->color.a = right->color.a = (Uint8)((float)left->color.a * fminf(wanted, 1));
 }
 
-/* SDL's textures do not repeat, so that the brush is as long as any stroke is likely to be. */
+/* SDL's textures do not repeat, so the brush is longer than most strokes. */
 static SDL_Vertex vertex_of(const StrokeVertex* v, float side) {
     return (SDL_Vertex){{v->x, v->y}, v->color, {fminf(v->length / BRUSH_LENGTH, 1), side}};
 }
 
-/* Left and right alternate along a strip.  SDL has lists of triangles only: each index after the first two of a strip
- * makes one. */
+/* Left and right vertices alternate along a strip. SDL draws only lists of triangles, so each index after the first two
+ * of a strip makes one triangle. */
 static void paint_strips(App* app, const StrokeVertex* from, SDL_Vertex* vertices, int64_t vertex_count,
                          const uint32_t* strips, int* triangles, int64_t index_count) {
     int count = 0;
@@ -364,7 +364,7 @@ static void save_screen(App* app, const char* path) {
     check_sdl(SDL_RenderReadPixels(app->screen, NULL, surface->format->format, surface->pixels, surface->pitch) == 0);
     if (length > 4 && strcmp(path + length - 4, ".bmp") == 0) {
         check_sdl(SDL_SaveBMP(surface, path) == 0);
-    } else { /* rows of 32-bit pixels are packed */
+    } else { /* rows of 32-bit pixels have no padding */
         const size_t rows = (size_t)app->height;
         FILE* const file = fopen(path, "wb");
         if (file == NULL || fwrite(surface->pixels, (size_t)surface->pitch, rows, file) != rows || fclose(file) != 0)
@@ -386,7 +386,7 @@ static void run(App* app, const char* screenshot) {
         if (app->view.turntable) app->view.turn += 0.01;
         fit_texture(app);
         if (app->worker == NULL && (app->width != app->drawing.width || app->height != app->drawing.height))
-            start_work(app); /* another size wants other marks */
+            start_work(app); /* another size needs other marks */
         if (app->worker != NULL)
             show_progress(app);
         else

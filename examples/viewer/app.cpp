@@ -124,7 +124,7 @@ void App::save(const std::string& path) {
 void App::record(const std::string& pattern, int frames, Size size) {
     try {
         if (frames < 1 || frames > 10000) throw Failure("a turntable has 1 to 10000 frames");
-        numbered(pattern, 0); // or a Failure now
+        numbered(pattern, 0); // throws the Failure for a bad pattern now
         write([=](const Export& what, Work& work) { write_turntable(what, pattern, frames, work); }, size,
               "wrote " + std::to_string(frames) + " frames");
     } catch (const Failure& failure) {
@@ -161,7 +161,7 @@ void App::start_job() {
     const Size size = canvas_;
     const auto made = std::make_shared<Scene>();
     if (load_) {
-        if (!settings_are_new_) { // what is of the model before
+        if (!settings_are_new_) { // drops the settings of the previous model
             choices.settings = without(context_, choices.settings, "camera");
             choices.forget("marks.initial_step");
         }
@@ -173,7 +173,7 @@ void App::start_job() {
             [made, size, with, open = std::move(load_)](Work& work) { *made = scene_of(open(work), with, size, work); },
             [this, made, with](Work&) { take(std::move(*made), with); });
         load_ = nullptr;
-        if (patches_shown_) wants_restyle_ = true; // which makes them
+        if (patches_shown_) wants_restyle_ = true; // the restyled scene has the squares
     } else if (!writes_.empty()) {
         const auto [job, done] = writes_.front();
         writes_.pop_front();
@@ -193,7 +193,7 @@ void App::update() {
         worker_.poll();
     } catch (const std::exception& failure) {
         fail(failure);
-        if (is_restyling_) { // what cannot be drawn is taken back
+        if (is_restyling_) { // choices that cannot be drawn are taken back
             choices = drawn_by_;
             sheet_is_old_ = true;
         }
@@ -257,7 +257,7 @@ View* App::movable() {
 void App::moved() {
     enclose(*view_, scene_->centre(), 0.5 * scene_->diagonal());
     is_stale_ = true;
-    if (!choices.dabs.empty()) restyle_soon(); // a light that turns with the camera is part of what is painted
+    if (!choices.dabs.empty()) restyle_soon(); // a light that turns with the camera changes the painted tones
 }
 
 void App::orbit_by(double dx, double dy) {
@@ -280,10 +280,10 @@ void App::zoom_by(double steps) {
     const double factor = std::pow(1.1, steps), far = length(view->eye - view->target) / scene_->diagonal();
     const bool is_flat = view->vertical_angle == 0;
     const double size = (is_flat ? view->view_height / scene_->diagonal() : far) / factor;
-    if ((size < 0.005 && factor > 1) || (size > 200 && factor < 1)) return; // farther there is nothing to see
+    if ((size < 0.005 && factor > 1) || (size > 200 && factor < 1)) return; // outside this range nothing can be seen
     zoom(*view, factor);
     moved();
-    restyle_soon(); // other sizes need other numbers of marks
+    restyle_soon(); // the number of marks depends on their size
 }
 
 void App::reset_view() {
@@ -347,7 +347,7 @@ void App::paint_at(double x, double y) {
     auto dab = defaults<hrbfnpr_dab>(hrbfnpr_dab_init);
     dab.radius = static_cast<double>(brush.radius) * units_per_pixel(frame_.camera, place);
     dab.strength = static_cast<double>(brush.strength);
-    // Dabs a third of the brush apart make an even stroke.
+    // Dabs a third of the brush radius apart make an even stroke.
     if (has_last_dab_ && length(place - last_dab_) < 0.35 * dab.radius) return;
     const Vec way = place - last_dab_;
     const bool has_way = has_last_dab_;
@@ -356,7 +356,7 @@ void App::paint_at(double x, double y) {
     std::copy(place.begin(), place.end(), dab.position);
     std::copy(normal.begin(), normal.end(), dab.normal);
     if (brush.kind == Brush::comb) {
-        if (!has_way) return; // one place has no direction
+        if (!has_way) return; // the first dab of a stroke has no direction
         const Vec direction = unit(way - dot(way, normal) * normal);
         dab.map = HRBFNPR_DAB_DIRECTION;
         std::copy(direction.begin(), direction.end(), dab.direction);
@@ -366,7 +366,7 @@ void App::paint_at(double x, double y) {
         dab.value = brush.kind == Brush::lighten || brush.kind == Brush::more ? 1 : 0;
     }
     choices.dabs.push_back(dab);
-    if (dab.map == HRBFNPR_DAB_TONE) restyle(); // others need other marks: when the stroke is done
+    if (dab.map == HRBFNPR_DAB_TONE) restyle(); // other maps change the marks, so they wait for end_stroke()
 }
 
 void App::end_stroke() {

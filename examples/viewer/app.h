@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the window shows, and what can be done with it.  Panels, mouse and scripts all go through here.
+// The state of the window and the commands that change it. Panels, mouse and scripts all go through here.
 #pragma once
 
 #include "export.h"
@@ -22,31 +22,31 @@ class App {
 public:
     App();
 
-    // ---- Commands.  Long work goes to the worker; a Failure becomes the message.
+    // ---- Commands. Long work goes to the worker. The message shows a Failure.
     void load(const std::string& path);
     void load_formula(const std::string& name);
     void load_bunny();
     void use_style(const std::string& name);
     void load_settings(const std::string& path);
-    void save(const std::string& path); // by its ending, export.h
+    void save(const std::string& path); // the format depends on the ending, see export.h
     void record(const std::string& pattern, int frames, Size size);
     void cancel();
     void reset_view();
     void set_distribution(const char* name);
     void show_patches(bool shown);
     void set_step(double step); // rho_0; 0 = the library's
-    // A field of the sheet, of a fit or of lines has another value: hrbfnpr_change.
+    // Sets a field of the sheet, of a fit or of lines to another value: hrbfnpr_change.
     void change(const std::string& field, const std::string& value);
-    // Marks as the style and the picture need them.
+    // Forgets all settings of the marks but their distribution, so that the library chooses them.
     void forget_marks();
-    // Something of `choices` has changed.
+    // Call this after `choices` has changed.
     void restyle();
 
     // ---- The mouse on the picture, in its pixels.
     void orbit_by(double dx, double dy);
     void pan_by(double dx, double dy);
     void zoom_by(double steps);
-    View* movable(); // nullptr: there is nothing to look at yet
+    View* movable(); // nullptr: there is no model yet
     void moved();
     void begin_stroke();
     void paint_at(double x, double y);
@@ -55,25 +55,25 @@ public:
     void clear_paint();
     void aim_light(const Vec& in_camera);
     Vec light_in_camera() const;
-    // Where a pixel's ray meets the surface; false if it does not.
+    // Finds where a pixel's ray meets the surface; false if it does not.
     bool hit(double x, double y, Vec& place, Vec& normal) const;
 
-    // ---- Once for each frame of the window.
+    // ---- Called once for each frame of the window.
     void update();
     void set_canvas(Size size);
     // True if the pixels are new.
     bool draw();
-    // Shows the panels what the picture has; not while one of them is being used.
+    // Updates the panels from the picture, unless one of them is being used.
     void refresh_sheet();
 
-    // ---- What there is.
+    // ---- State
     Choices choices;
-    Sheet sheet; // what panels show and change
+    Sheet sheet; // the values that panels show and change
     hrbfnpr_fit_desc fit;
     hrbfnpr_mesh_fit_desc mesh_fit;
     BrushSettings brush;
-    std::string message; // of the last thing that failed; empty: none
-    std::string said;    // of the last thing that was done
+    std::string message; // why the last command failed; empty: it did not
+    std::string said;    // what the last successful command did
 
     bool is_busy() const {
         return worker_.is_busy() || wants_restyle_ || restyle_at_ || load_ != nullptr || !writes_.empty();
@@ -88,35 +88,37 @@ public:
     bool patches_shown() const { return patches_shown_; }
     double bytes() const;
 
-    double window_milliseconds = 0; // of the last whole frame of the window, the library's part included
+    double window_milliseconds = 0; // time for the last whole frame of the window, with the library's part
 
 private:
     using Clock = std::chrono::steady_clock;
     void start_loading(std::function<Source(Work&)> open);
     void start_job();
-    // The choices for the next picture of the window: a preview first, if there are marks to wait for.
+    // Returns the choices for the window's next picture: a preview first, unless the settings choose the marks.
     Choices next_choices();
     void write(std::function<void(const Export&, Work&)> job, Size size, const std::string& done);
     void take(Scene&& scene, const Choices& made_by);
     void restyle_soon() { restyle_at_ = Clock::now() + std::chrono::milliseconds(250); }
     void fail(const std::exception& failure) { message = failure.what(); }
-    View current_view() const; // there is a scene
+    View current_view() const; // call it only if there is a scene
 
     Context context_;
-    Progress progress_; // before the pictures that tell it
+    Progress progress_; // declared before the pictures that report to it
     Worker worker_;
     std::shared_ptr<const Scene> scene_;
-    Choices drawn_by_;                  // of the scene: those that the library could follow
-    std::function<Source(Work&)> load_; // to be started
-    std::deque<std::pair<std::function<void(Work&)>, std::string>> writes_; // jobs, and what is said when they are done
+    Choices drawn_by_;                  // the last choices that the library could draw: those of the scene
+    std::function<Source(Work&)> load_; // the load that starts next
+    std::deque<std::pair<std::function<void(Work&)>, std::string>>
+        writes_; // jobs, and the text for `said` when they are done
     bool wants_restyle_ = false, wants_preview_ = false, is_writing_ = false, is_restyling_ = false, is_stale_ = false,
          patches_shown_ = false, sheet_is_old_ = false;
-    std::optional<Clock::time_point> restyle_at_; // after what goes on for a while, such as turning a wheel
-    bool settings_are_new_ = false;               // read, and not used for a model yet: their camera counts
-    std::optional<View> view_;                    // as the mouse has left it; else as the library plans
+    std::optional<Clock::time_point>
+        restyle_at_;                // the time to restyle after an action in steps, such as turning a wheel
+    bool settings_are_new_ = false; // settings were read and no model uses them yet, so their camera is kept
+    std::optional<View> view_;      // the view that the mouse has made; empty: the library plans it
     Frame frame_;
     Size canvas_{640, 480};
-    std::vector<std::size_t> strokes_; // numbers of dabs before each
+    std::vector<std::size_t> strokes_; // the number of dabs before each stroke
     Vec last_dab_{};
     bool has_last_dab_ = false;
 };

@@ -48,7 +48,7 @@ void take_over(View& view) {
     view.eye = -1.0 * (m[12] * right + m[13] * up + m[14] * back);
     const double away = std::max(dot(view.eye - view.target, back), 1e-3 * distance);
     view.target = view.eye - away * back;
-    if (std::abs(dot(view.up, right)) > 1e-6) view.up = up; // the picture is rolled, and stays so
+    if (std::abs(dot(view.up, right)) > 1e-6) view.up = up; // a picture that is rolled stays rolled
     const auto& p = *view.projection;
     const bool flat = p[15] != 0;
     view.vertical_angle = flat ? 0 : 2 * std::atan(1 / std::abs(p[5]));
@@ -65,7 +65,7 @@ hrbfnpr_camera camera_of(const View& view, Size size) {
         std::copy(view.projection->begin(), view.projection->end(), camera.projection);
         camera.viewport[2] = width;
         camera.viewport[3] = height;
-        // The picture as it was, as large as fits in: exactly itself at its own size.
+        // The whole former picture is fitted into the new size. At its own size nothing changes.
         const Size given = view.given_size;
         if (given.width > 0 && (given.width != size.width || given.height != size.height)) {
             const double scale = std::min(width / given.width, height / given.height);
@@ -98,7 +98,7 @@ void enclose(View& view, const Vec& centre, double radius) {
 
 void orbit(View& view, double across, double upward) {
     take_over(view);
-    constexpr double pole = 0.02; // radians that the eye stays away from straight above and below
+    constexpr double pole = 0.02; // least angle in radians between the view direction and the vertical
     const Vec up = unit(view.up);
     Vec away = turned(view.eye - view.target, up, across);
     const double above = std::asin(std::clamp(dot(unit(away), up), -1.0, 1.0));

@@ -17,7 +17,7 @@ void copy_numbers(const Json& from, double* to) {
     for (std::size_t k = 0; k < 3; ++k) to[k] = from.at(k);
 }
 
-// The library has checked the file.
+// The library has checked the file before.
 hrbfnpr_dab dab_of(const Json& json) {
     auto dab = defaults<hrbfnpr_dab>(hrbfnpr_dab_init);
     const std::string map = json.at("map");
@@ -42,7 +42,7 @@ SettingsHandle load(const Context& context, const std::string& text) {
 
 Settings settings_of_text(const Context& context, const std::string& text) {
     Settings settings;
-    settings.handle = load(context, text); // a Failure where the text is wrong
+    settings.handle = load(context, text); // throws a Failure if the text is wrong
     Json json = Json::parse(text);
     if (json.contains("size")) settings.size = {json["size"].at(0), json["size"].at(1)};
     if (json.contains("paint"))

@@ -14,13 +14,13 @@ bool ends_with(const std::string& path, const std::string& ending) {
 }
 
 int page_format(const std::string& path) {
-    static const char* const endings[] = {".svg", ".pdf", ".hpgl", ".gcode"}; // as HRBFNPR_PAGE_FORMAT_...
+    static const char* const endings[] = {".svg", ".pdf", ".hpgl", ".gcode"}; // in the order of HRBFNPR_PAGE_FORMAT_...
     for (int format = 0; format < 4; ++format)
         if (ends_with(path, endings[format])) return format;
     return -1;
 }
 
-// camera: null is the planned one.
+// camera: null means the planned one.
 Drawing drawn(const Picture& picture, const hrbfnpr_camera* camera) {
     return make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto** out, auto* error) {
         return hrbfnpr_picture_draw(picture.get(), camera, nullptr, out, error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that the library writes, into files: written whole, or not at all.
+// Writes the library's results to files. A file is written whole, or not at all.
 #pragma once
 
 #include "scene.h"
@@ -8,23 +8,24 @@ namespace viewer {
 
 void write_png(const std::string& path, const std::vector<std::uint8_t>& rgba, Size size);
 
-// What is written: the scene's surfaces by these choices, in this size.
+// The data for a file: the scene's surfaces, drawn with these choices and in this size.
 struct Export {
     Scene scene;
     Choices choices;
-    std::optional<View> view; // else as the library plans it
+    std::optional<View> view; // empty: the view that the library plans
     Size size;
 };
 
-// By the ending of the name: .png, .svg, .pdf, .hpgl, .gcode a picture; .hrbf the model; .hrbm the marks; .json
-// settings.
+// The ending of the name decides: .png, .svg, .pdf, .hpgl and .gcode write a picture, .hrbf the model, .hrbm the marks,
+// .json the settings.
 void write_export(const Export& what, const std::string& path, Work& work);
-// A turn of so many pictures.
+// Writes one turn of the camera in `frames` pictures.
 void write_turntable(const Export& what, const std::string& pattern, int frames, Work& work);
 
-// Throws where an ending is none of these.
+// Throws if the ending is none of these.
 void check_ending(const std::string& path);
-// "frame.png" or "frame-%03d.png" and a number: "frame-007.png".  A Failure if the pattern is none.
+// Inserts a number into a pattern "frame.png" or "frame-%03d.png": "frame-007.png". Throws a Failure if the pattern is
+// wrong.
 std::string numbered(const std::string& pattern, int number);
 
 } // namespace viewer

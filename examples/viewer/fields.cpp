@@ -21,7 +21,7 @@ struct Choice {
     std::vector<std::string> words;
 };
 
-// As HRBFNPR_... of the header, in lower case.
+// The words are those of HRBFNPR_... in the header, in lower case.
 const std::map<std::string, std::vector<Choice>>& choices() {
     static const std::map<std::string, std::vector<Choice>> all = {
         {"hrbfnpr_style",
@@ -70,7 +70,7 @@ bool is_plain(const std::string& type) {
     return plain.count(type) != 0;
 }
 
-bool is_ours(const std::string& name) { // not how the struct is passed on
+bool is_ours(const std::string& name) { // false for the fields that only describe the struct's layout
     static const std::set<std::string> not_settings = {"struct_size",  "flags",      "layer_count",
                                                        "layer_stride", "line_count", "line_stride"};
     return not_settings.count(name) == 0 && name.rfind("reserved", 0) != 0;
@@ -121,7 +121,7 @@ std::string element_text(const Field& field, const void* values, std::size_t i) 
     return place < field.choices.size() ? field.choices[place] : shortest(number);
 }
 
-// Words that no file of settings has: marks of the caller's own, and lines that each frame finds anew.
+// False for words that a settings file may not have: the caller's own marks, and lines that each frame finds anew.
 bool is_in_files(const std::string& c_name, const std::string& word) {
     if (c_name == "hrbfnpr_layer_desc") return word != "own";
     return c_name != "hrbfnpr_line_desc" || (word != "apparent_ridge" && word != "isophote");

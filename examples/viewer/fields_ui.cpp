@@ -47,7 +47,7 @@ bool edit(const Field& field, void* values, const char* label) {
     if (field.type == "int32_t") return edit_number<std::int32_t>(ImGuiDataType_S32, value, count, label, nullptr);
     if (field.type == "int64_t") return edit_number<std::int64_t>(ImGuiDataType_S64, value, count, label, nullptr);
     if (field.type == "uint64_t") return edit_number<std::uint64_t>(ImGuiDataType_U64, value, count, label, nullptr);
-    if (field.type == "const char*") return false; // a name is not for editing
+    if (field.type == "const char*") return false; // names are not edited
     if (is_switch(field)) {
         bool on = *static_cast<std::uint32_t*>(value) != 0;
         const bool changed = ImGui::Checkbox(label, &on);
@@ -57,7 +57,7 @@ bool edit(const Field& field, void* values, const char* label) {
     return edit_number<std::uint32_t>(ImGuiDataType_U32, value, count, label, nullptr);
 }
 
-// "tone_exponent" as people write it.
+// Writes "tone_exponent" as "tone exponent".
 std::string in_words(const std::string& name) {
     std::string words = name;
     std::replace(words.begin(), words.end(), '_', ' ');

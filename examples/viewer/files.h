@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files and texts, and how the library reads and writes them.
+// Files and texts, and the callbacks by which the library reads and writes them.
 #pragma once
 
 #include "handles.h"
@@ -8,7 +8,7 @@
 
 namespace viewer {
 
-// A file that has its name only once it is whole.
+// A file that gets its name only when it is complete.
 class Target {
 public:
     explicit Target(const std::string& path);
@@ -25,7 +25,7 @@ private:
 
 std::string read_file(const std::string& path);
 
-// hrbfnpr_write_fn with a std::FILE, and with a std::string.
+// These are hrbfnpr_write_fn callbacks for a std::FILE and for a std::string.
 std::int32_t write_to_file(void* file, const void* data, std::uint64_t size);
 std::int32_t write_to_text(void* text, const void* data, std::uint64_t size);
 
@@ -33,7 +33,7 @@ struct TextSource {
     const std::string& text;
     std::size_t done;
 };
-// hrbfnpr_read_fn with a TextSource.
+// A hrbfnpr_read_fn callback for a TextSource.
 std::int64_t read_from_text(void* source, void* data, std::uint64_t size);
 
 } // namespace viewer

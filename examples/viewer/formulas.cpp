@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces to begin with: solids put together from primitives, a function of our own, samples of formulas.
+// The built-in surfaces: solids made of primitives, a function of our own, and samples of formulas.
 #include "scene.h"
 
 namespace viewer {
@@ -15,7 +15,7 @@ hrbfnpr_csg_node node(std::uint32_t kind, std::int64_t parent) {
     return result;
 }
 
-// The axes of a node's own coordinates as columns, and where its origin is.
+// Sets the axes of a node's own coordinates, as columns, and their origin.
 void place(hrbfnpr_csg_node& node, const Vec& x, const Vec& y, const Vec& z, const Vec& origin) {
     const Vec columns[] = {x, y, z, origin};
     for (std::size_t c = 0; c < 4; ++c)
@@ -60,7 +60,7 @@ std::vector<hrbfnpr_csg_node> drilled_cube() {
     return nodes;
 }
 
-// x^4 - 5 x^2 + y^4 - 5 y^2 + z^4 - 5 z^2 + 11.8, for gradients of about 1 divided by 12.
+// x^4 - 5 x^2 + y^4 - 5 y^2 + z^4 - 5 z^2 + 11.8. The division by 12 makes the gradients about 1 long.
 std::int32_t tangle(void*, std::int64_t count, const double* points, double* value, double* gradient, double* hessian) {
     constexpr double scale = 12;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -109,7 +109,7 @@ double heart_value(const Vec& p) {
     return s * s * s - x * x * y * y * y - 0.1125 * z * z * y * y * y;
 }
 
-// (x^2 + y^2 + 9/4 z^2 - 1)^3 = x^2 y^3 + 9/80 z^2 y^3 [Taubin 1994]: each ray from the origin meets it once.
+// (x^2 + y^2 + 9/4 z^2 - 1)^3 = x^2 y^3 + 9/80 z^2 y^3 [Taubin 1994]. Each ray from the origin meets it once.
 Shape heart() {
     constexpr int count = 900;
     Shape shape;

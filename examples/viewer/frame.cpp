@@ -37,7 +37,7 @@ void rasterize(Frame& frame) {
 void draw_frame(Frame& frame, const Scene& scene, const hrbfnpr_camera& camera) {
     frame.size = {static_cast<int>(camera.viewport[2]), static_cast<int>(camera.viewport[3])};
     frame.camera = camera;
-    frame.drawing.reset(); // its memory serves the next one
+    frame.drawing.reset(); // the next drawing reuses its memory
     const Stopwatch drawing;
     frame.drawing = make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto** out, auto* error) {
         return hrbfnpr_picture_draw(scene.picture.get(), &camera, nullptr, out, error);

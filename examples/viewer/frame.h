@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture from the camera of the window, as pixels.
+// A picture from the window's camera, as pixels.
 #pragma once
 
 #include "scene.h"
@@ -13,9 +13,9 @@ struct Frame {
     Size size;
     std::vector<std::uint8_t> pixels; // RGBA, rows from the top
     bool wants_depth = false;
-    std::vector<float> depth;       // 0 near .. 1 far, if it is wanted
-    double draw_milliseconds = 0;   // that the library took for the drawing
-    double raster_milliseconds = 0; // that it took for the pixels
+    std::vector<float> depth;       // 0 near .. 1 far; filled on request
+    double draw_milliseconds = 0;   // the library's time for the drawing
+    double raster_milliseconds = 0; // the library's time for the pixels
 };
 
 void draw_frame(Frame& frame, const Scene& scene, const hrbfnpr_camera& camera);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The library's handles as shared pointers, its failures as exceptions, its descriptors with every default.
+// The library's handles as shared pointers, its failures as exceptions, and its descriptors with every default.
 #pragma once
 
 #include <hrbfnpr.h>
@@ -36,7 +36,7 @@ struct Failure : std::runtime_error {
     hrbfnpr_status status;
 };
 
-// The last argument of a call, and what becomes of its result.
+// The error argument of a call. check() turns a failed status into an exception.
 class Error {
 public:
     Error() { hrbfnpr_error_init(&error_, sizeof error_); }
@@ -49,14 +49,14 @@ private:
     hrbfnpr_error error_;
 };
 
-// call(&error) makes a call that returns a status.
+// Runs call(&error), which returns a status, and throws if it failed.
 template <class Call>
 void checked(Call&& call) {
     Error error;
     error.check(call(static_cast<hrbfnpr_error*>(error)));
 }
 
-// call(&handle, &error) makes one.
+// Runs call(&handle, &error) and owns the handle that it makes.
 template <class Handle, class Release, class Call>
 std::shared_ptr<Handle> make(Release release, Call&& call) {
     Handle* handle = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// hrbfnpr-view: a model in a window, drawn in pen and ink.  README.md beside this file says how it is used.
+// hrbfnpr-view: a model in a window, drawn in pen and ink. README.md beside this file says how to use it.
 #include "fields.h"
 #include "script.h"
 
@@ -77,7 +77,7 @@ void run(const Options& options) {
     Ui ui;
     Script script;
     set_up(app, script, options);
-    if (!app.message.empty()) throw Failure(app.message); // settings that cannot be read
+    if (!app.message.empty()) throw Failure(app.message); // the settings cannot be read
     const bool scripted = !script.is_done();
     for (int quiet = 0; window.take_events(app, scripted || app.is_busy() || quiet < 3); ++quiet) {
         if (app.is_busy() || SDL_HasEvents(SDL_FIRSTEVENT, SDL_LASTEVENT) != 0) quiet = 0;

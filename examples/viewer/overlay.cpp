@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What lies over the picture: Figure 5's squares, the light's handle, the brush; and what the mouse does there.
+// The overlay of the picture: Figure 5's squares, the light's handle and the brush, and how they react to the mouse.
 #include "ui.h"
 
 #include <algorithm>
@@ -25,9 +25,9 @@ bool is_over_canvas(const Ui& ui) {
            io.MousePos.y >= ui.canvas_min.y && io.MousePos.y < ui.canvas_max.y;
 }
 
-// Whether the surface that is drawn is no nearer at a pixel than a place, but for some percent of the model.
+// Tells whether a place is visible: the drawn surface is in front of it by at most `slack` at its pixel.
 bool is_seen(const Frame& frame, const Vec& window, double slack) {
-    if (frame.depth.empty()) return true; // it is not known in this frame
+    if (frame.depth.empty()) return true; // this frame has no depth
     const int x = static_cast<int>(window[0]), y = static_cast<int>(window[1]);
     if (x < 0 || y < 0 || x >= frame.size.width || y >= frame.size.height) return false;
     const double depth =
@@ -35,7 +35,7 @@ bool is_seen(const Frame& frame, const Vec& window, double slack) {
                                         static_cast<std::size_t>(x)]);
     const double* const p = frame.camera.projection;
     const double clip = 2 * depth - 1;
-    // The distance before the eye that has this depth.
+    // The distance in front of the eye at this depth.
     const double distance = p[15] != 0 ? (p[14] - clip) / p[10] : p[14] / (clip + p[10]);
     return window[2] <= distance + slack;
 }
@@ -83,7 +83,7 @@ void light_handle(App& app, Ui& ui) {
     const ImVec2 at(centre.x + handle_radius * static_cast<float>(light[0]),
                     centre.y - handle_radius * static_cast<float>(light[1]));
     list->AddLine(centre, at, IM_COL32(150, 150, 150, 255), 1.5F);
-    const bool behind = light[2] < 0; // hollow: it comes from behind the model
+    const bool behind = light[2] < 0; // drawn hollow: the light comes from behind the model
     list->AddCircleFilled(at, 7, behind ? IM_COL32(255, 255, 255, 255) : IM_COL32(245, 175, 20, 255), 24);
     list->AddCircle(at, 7, IM_COL32(120, 80, 0, 255), 24, 1.5F);
 }
@@ -96,7 +96,7 @@ void mouse_on_canvas(App& app, Ui& ui) {
     const bool brushes = app.brush.kind != Brush::off;
     const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
     if (!is_down) ui.holds = false;
-    if (over && !ui.holds && is_down) { // a drag begins here, and goes on wherever the mouse is
+    if (over && !ui.holds && is_down) { // a drag begins here and goes on wherever the mouse moves
         ui.holds = true;
         ui.aims = ImGui::IsMouseDown(0) && app.scene() != nullptr &&
                   is_inside(io.MousePos, handle_centre(ui), handle_radius + 8);

@@ -58,7 +58,7 @@ void camera_panel(App& app) {
     if (ImGui::SliderFloat("angle of view", &degrees, 0, 90, degrees > 0 ? "%.0f degrees" : "orthographic")) {
         const double distance = length(view.eye - view.target), old = view.vertical_angle;
         const double height = old > 0 ? 2 * distance * std::tan(old / 2) : view.view_height;
-        const double angle = degrees < 1 ? 0 : degrees / 57.29577951308232; // the model keeps its size
+        const double angle = degrees < 1 ? 0 : degrees / 57.29577951308232; // with any angle the model keeps its size
         view.view_height = height;
         if (angle > 0)
             view.eye = view.target + (height / (2 * std::tan(angle / 2)) / distance) * (view.eye - view.target);

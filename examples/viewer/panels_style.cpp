@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the drawing looks like: style, lines, marks, light.
+// Panels for the look of the drawing: style, lines, marks, light.
 #include "fields.h"
 #include "ui.h"
 
@@ -15,7 +15,7 @@ const char* const layer_name = "hrbfnpr_layer_style";
 const char* const line_name = "hrbfnpr_line_style";
 const char* const mark_layer_name = "hrbfnpr_layer_desc";
 
-// The word for a kind, as paths of changes have it.
+// Returns the word for a kind that paths of changes use.
 std::string kind_word(const char* c_name, std::uint32_t kind) {
     const Field& field = field_of(c_name, "kind");
     const std::size_t place = kind - field.first_choice;
@@ -28,7 +28,7 @@ std::string layer_label(std::uint32_t kind) {
                                               : kind_word(layer_name, kind);
 }
 
-// Whether there are marks that it is for.
+// Tells whether the picture has marks that the style is for.
 bool is_drawn(const App& app, const hrbfnpr_layer_style& style) {
     const auto& layers = app.sheet.mark_layers;
     return layers.empty() || std::any_of(layers.begin(), layers.end(), [&](const auto& layer) {
@@ -56,7 +56,7 @@ void edit_layer(App& app, hrbfnpr_layer_style& layer) {
         edit_range(edited, "coverage", "hatch_coverage_begin", "hatch_coverage_end", 0.01F);
         slide(edited, "hatch_wobble", "wobble", 0, 8);
     } else {
-        slide(edited, "radius", "radius", 0.2, 6, Counts::when_let_go); // other sizes need other numbers of marks
+        slide(edited, "radius", "radius", 0.2, 6, Counts::when_let_go); // the number of marks depends on their size
     }
     edit_field(edited, "ink");
     if (ImGui::TreeNode("all fields")) {
@@ -65,7 +65,7 @@ void edit_layer(App& app, hrbfnpr_layer_style& layer) {
     }
 }
 
-// Sets of hatching, such as "hatch-2", have names, and are changed together.
+// Edits all sets of hatching together. A set, such as "hatch-2", has a name.
 void edit_sets(App& app) {
     auto& layers = app.sheet.layers;
     const auto set = std::find_if(layers.begin(), layers.end(), [](const auto& layer) {
@@ -88,7 +88,7 @@ void choose_style(App& app) {
     ImGui::EndCombo();
 }
 
-// A slider of a choice whose 0 means that the library chooses.
+// A slider for a choice. At 0 the library chooses.
 bool slide_choice(const char* label, double& choice, double high, const char* unset) {
     const double low = 0;
     ImGui::SliderScalar(label, ImGuiDataType_Double, &choice, &low, &high, choice > 0 ? "%.2f pixels" : unset);
@@ -127,12 +127,12 @@ void style_panel(App& app) {
 
 namespace {
 
-// Own lines are not for choosing, and creases only where there are any.
+// The caller's own lines cannot be chosen, and creases only if the model has any.
 bool is_choice(std::uint32_t kind, bool has_edges) {
     return kind != HRBFNPR_LINE_KIND_OWN && (kind != HRBFNPR_LINE_KIND_CREASE || has_edges);
 }
 
-// Kinds of lines with commas between, as hrbfnpr_picture_desc.lines has them.
+// Lists kinds of lines with commas between them, as in hrbfnpr_picture_desc.lines.
 std::string listed_kinds(const std::vector<hrbfnpr_line_style>& lines, bool has_edges) {
     std::string kinds;
     for (const hrbfnpr_line_style& line : lines) {
@@ -196,7 +196,7 @@ void lines_panel(App& app) {
 
 namespace {
 
-// Figure 5: the squares are shown for any step at once; marks follow when the mouse lets go.
+// Figure 5: the squares follow the slider at once; the marks follow when the mouse lets go.
 void choose_step(App& app, Ui& ui) {
     bool shown = app.patches_shown();
     if (ImGui::Checkbox("squares of side 2 rho_0", &shown)) app.show_patches(shown);
@@ -209,7 +209,7 @@ void choose_step(App& app, Ui& ui) {
     if (is_given && ImGui::Button("Take the estimate")) app.set_step(0);
 }
 
-// All layers of a kind.
+// Edits all layers of a kind.
 void edit_mark_layers(App& app, hrbfnpr_layer_desc& layer, bool published) {
     const Edited edited{app, mark_layer_name, "marks." + kind_word(mark_layer_name, layer.kind), &layer};
     if (published) return slide(edited, "levels", "steps", 0, 7, Counts::when_let_go);

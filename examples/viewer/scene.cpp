@@ -37,7 +37,7 @@ hrbfnpr_picture_source described(const Source& source) {
     if (!source.shape.triangles.empty())
         result.triangles = {source.shape.triangles.data(), static_cast<std::int64_t>(source.shape.triangles.size()), 0,
                             HRBFNPR_SCALAR_INT32, 3};
-    if (source.shape.format == "STL") { // up is z in workshops
+    if (source.shape.format == "STL") { // STL files of workshops have z up
         result.up[2] = 1;
         result.up_by = "STL files";
     }
@@ -69,10 +69,10 @@ Sheet sheet_of(const Picture& picture) {
     return sheet;
 }
 
-// Whether a note is about a picture, and not about its surfaces.
+// Tells whether a note is about a picture and not about its surfaces.
 bool is_of_picture(std::uint32_t code) { return code >= HRBFNPR_NOTE_MARKS_LIMITED && code <= HRBFNPR_NOTE_BLANK; }
 
-// Adds what a picture tells of itself.
+// Copies into the scene what the library reports about the picture.
 void look_at(Scene& scene) {
     hrbfnpr_picture* const picture = scene.picture.get();
     scene.info = defaults<hrbfnpr_picture_info>(hrbfnpr_picture_info_init);
@@ -172,8 +172,8 @@ Scene scene_of(const Source& source, const Choices& choices, Size size, Work& wo
 Picture restyled_picture(const Picture& picture, const Choices& choices, Size size, const View* view, Work& work) {
     const bool is_other_size = size.width != choices.drawn.width || size.height != choices.drawn.height;
     if (!choices.has_lengths() || !is_other_size) return restyled_at_once(picture, choices, size, view, work);
-    // Lengths were chosen for a picture of another size: that picture's settings, drawn with a pen that is as much
-    // wider, look the same.
+    // The lengths were chosen for a picture of another size. The settings of that picture look the same here if the pen
+    // is scaled with the size.
     const Size drawn = choices.drawn;
     const Picture before = restyled_at_once(picture, choices, drawn, view, work);
     Choices scaled;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a file or a formula to a picture, and from that to pictures of other choices: what the worker does.
+// Makes a picture from a file or a formula, and new pictures of it from other choices. The worker runs this.
 #pragma once
 
 #include "choices.h"
@@ -8,26 +8,26 @@
 
 namespace viewer {
 
-// What is drawn: a shape, a model or saved marks.
+// The model to draw: a shape, a model or saved marks.
 struct Source {
     std::string name;
     Shape shape;
     Model model;                    // may be null
     PointSet marks;                 // may be null
-    Vec up{};                       // 0: the library finds out
-    bool has_right_normals = false; // they are a formula's
+    Vec up{};                       // 0: the library finds it
+    bool has_right_normals = false; // true if a formula gives them
 };
 
-// Names of models made by formulas; the last ones are fitted to samples of a formula.
+// Returns the names of models made by formulas. The last ones are fitted to samples of a formula.
 const std::vector<std::string>& formulas();
 Source source_of_formula(const std::string& name, Work& work);
-// A mesh, points, a saved model or saved marks.
+// Loads a mesh, points, a saved model or saved marks.
 Source source_of_file(const std::string& path, Work& work);
 
 // The squares of side 2 rho_0 on the surface, as in Figure 5.
 struct Patches {
     std::vector<std::array<Vec, 4>> corners; // counter-clockwise from outside, for the estimate
-    double estimate = 0;                     // of rho_0 by the library; 0: there are none
+    double estimate = 0;                     // the library's estimate of rho_0; 0: it has none
 };
 
 // The style and the marks of a picture, copied so that panels can change them.
@@ -44,31 +44,31 @@ struct Timing {
     double milliseconds;
 };
 
-// A picture and what is known of it.
+// A picture and the data about it.
 struct Scene {
     std::string name;
     Picture picture;
     hrbfnpr_picture_info info{};
     std::vector<hrbfnpr_picture_part> parts;
-    std::vector<double> lipschitz; // of each part's model, for rays
+    std::vector<double> lipschitz; // one for each part's model, for rays
     Sheet sheet;                   // its names and levels live as long as the picture
-    hrbfnpr_camera camera{};       // as planned
+    hrbfnpr_camera camera{};       // the planned one
     Size size;
     Patches patches;
     std::vector<Timing> timings;
-    std::vector<std::string> surface_notes, notes; // what was told of the surfaces, and of the picture
+    std::vector<std::string> surface_notes, notes; // the library's notes about the surfaces, and about the picture
 
     Vec centre() const;
     double diagonal() const;
     bool has_model() const { return !parts.empty() && parts.front().model != nullptr; }
-    bool has_edges() const;                         // for lines of the kind CREASE
-    std::vector<hrbfnpr_layer_info> layers() const; // of its marks
+    bool has_edges() const;                         // true if lines of the kind CREASE can be drawn
+    std::vector<hrbfnpr_layer_info> layers() const; // layers of the picture's marks
 };
 
 Scene scene_of(const Source& source, const Choices& choices, Size size, Work& work);
-// The same surfaces by other choices.  view: null is what the library plans.
+// Draws the same surfaces with other choices. view: null means the one that the library plans.
 Scene restyled(const Scene& scene, const Choices& choices, Size size, const View* view, bool wants_patches, Work& work);
-// The picture alone.
+// Makes only the picture.
 Picture restyled_picture(const Picture& picture, const Choices& choices, Size size, const View* view, Work& work);
 
 std::string settings_of(const Picture& picture);

@@ -10,7 +10,7 @@ namespace viewer {
 
 namespace {
 
-// Words of a line; quotes keep blanks together.
+// Splits a line into words. Quotes keep blanks inside a word.
 std::vector<std::string> split(const std::string& line) {
     std::vector<std::string> words;
     std::istringstream stream(line);
@@ -66,10 +66,10 @@ bool Script::step(App& app, Ui& ui, Window& window) {
     }
     const std::string& next = commands_.front();
     const bool looks_on = next.rfind("wait", 0) == 0 || next == "cancel";
-    if (app.is_writing() && !looks_on) return true; // what is written is what there is now
+    if (app.is_writing() && !looks_on) return true; // the next command waits until the file is written
     const bool may_fail = next == "wait" || next.rfind("expect", 0) == 0 || next.rfind("shot", 0) == 0;
     if (!app.message.empty() && !may_fail) throw Failure("before `" + commands_.front() + "`: " + app.message);
-    // A command that has to wait comes again in the next frame.
+    // A command that has to wait runs again in the next frame.
     if (run(split(commands_.front()), app, ui, window)) commands_.pop_front();
     return true;
 }
@@ -96,7 +96,7 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
     if (words.empty()) return true;
     const std::string& name = words[0];
     const std::string text = rest_of(words);
-    if (name == "wait") { // for three frames in which nothing is under way
+    if (name == "wait") { // waits for three frames without work under way
         idle_frames_ = app.is_busy() ? 0 : idle_frames_ + 1;
         if (idle_frames_ < 3) return false;
         idle_frames_ = 0;
@@ -162,7 +162,7 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
     return true;
 }
 
-// An orbit of so many frames, timed: each frame adds what the one before took.
+// Orbits for `turning_` frames and times them: each call adds the time of the frame before.
 void Script::measure_turn(App& app) {
     if (turned_ > 0) {
         window_sum_ += app.window_milliseconds;

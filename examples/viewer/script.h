@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Commands in place of a user, for tests and pictures: examples/viewer/README.md lists them.
+// Runs commands in place of a user, for tests and pictures. examples/viewer/README.md lists them.
 #pragma once
 
 #include "window.h"
@@ -13,7 +13,7 @@ public:
     void add(const std::string& line) { commands_.push_back(line); }
     void add_file(const std::string& path);
 
-    // Once before each frame: what is due.  False at the end.
+    // Called before each frame: runs the commands that are due. Returns false at the end.
     bool step(App& app, Ui& ui, Window& window);
     bool is_done() const { return commands_.empty() && mouse_.empty(); }
 
@@ -24,7 +24,7 @@ private:
     void measure_turn(App& app);
 
     std::deque<std::string> commands_;
-    std::deque<ScriptedMouse> mouse_; // one a frame, as a hand would
+    std::deque<ScriptedMouse> mouse_; // one per frame, like a hand's
     int idle_frames_ = 0, turning_ = 0, turned_ = 0;
     double window_sum_ = 0, library_sum_ = 0;
 };

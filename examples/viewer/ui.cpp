@@ -8,7 +8,7 @@ namespace viewer {
 
 namespace {
 
-// A header that is open from the start, or only if a script wants it.
+// A header that is open from the start, or only if a script opens it.
 bool header(const Ui& ui, const char* name, bool open) {
     if (!ui.open_panels.empty()) {
         const bool wanted = std::find(ui.open_panels.begin(), ui.open_panels.end(), name) != ui.open_panels.end();
@@ -39,7 +39,7 @@ void panels(App& app, Ui& ui) {
 constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings;
 
-// What runs, with a button that ends it.
+// Shows the job that runs, with a button that cancels it.
 void progress_window(App& app, const Ui& ui) {
     if (!app.worker().is_busy()) return;
     const float width = std::min(320.0F, ui.canvas_max.x - ui.canvas_min.x - 20);
@@ -86,7 +86,7 @@ void picture(const App& app, const Ui& ui) {
         IM_COL32(90, 90, 90, 255), hint);
 }
 
-// Panels show what the picture has, unless one of them is being used.
+// Updates the panels from the picture, unless one of them is being used.
 void follow_picture(App& app, Ui& ui) {
     if (ImGui::IsAnyItemActive() || app.scene() == nullptr) return;
     app.refresh_sheet();
@@ -105,7 +105,7 @@ void set_up_style() {
     style.WindowBorderSize = 0;
     style.ItemSpacing = ImVec2(6, 5);
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // nothing is left behind on disk
+    io.IniFilename = nullptr; // ImGui leaves no file on disk
     const char* const font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
     if (std::ifstream(font)) io.Fonts->AddFontFromFileTTF(font, 14);
 }
@@ -121,7 +121,7 @@ void draw_ui(App& app, Ui& ui) {
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImVec2(side, window.y));
     ImGui::Begin("##panels", nullptr, fixed);
-    ImGui::PushItemWidth(-0.44F * side); // the rest is for labels, however far they are indented
+    ImGui::PushItemWidth(-0.44F * side); // the rest is for labels, at any indentation
     panels(app, ui);
     ImGui::PopItemWidth();
     if (!app.said.empty()) {

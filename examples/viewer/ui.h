@@ -15,18 +15,18 @@ struct Ui {
     char frames[512] = "turn-%03d.png";
     int frame_count = 36;
     int export_size[2] = {0, 0};
-    float step_ratio = 1; // rho_0 over the library's, while it is being chosen
-    // Where the picture is in the window.
+    float step_ratio = 1; // rho_0 over the library's estimate, as the slider has it
+    // The rectangle of the picture in the window.
     ImVec2 canvas_min{}, canvas_max{};
-    bool holds = false, aims = false, paints = false; // a drag that is under way, and what it does
-    std::vector<std::string> open_panels;             // to be opened in the next frame, the others closed
+    bool holds = false, aims = false, paints = false; // the drag that is under way, and what it does
+    std::vector<std::string> open_panels;             // the panels to open in the next frame; all others are closed
     ImTextureID texture = nullptr;
 };
 
 void set_up_style();
 void draw_ui(App& app, Ui& ui);
 
-// Panels, each in a file of its subject.
+// Each panel is in a file named after its subject.
 void model_panel(App& app, Ui& ui);
 void style_panel(App& app);
 void lines_panel(App& app);
@@ -37,7 +37,7 @@ void camera_panel(App& app);
 void export_panel(App& app, Ui& ui);
 void statistics_panel(const App& app);
 
-// A struct whose fields are edited: each that is changed becomes a change of the picture.
+// A struct whose fields are edited. Each field that the user changes becomes a change of the picture.
 struct Edited {
     App& app;
     const char* c_name; // "hrbfnpr_layer_style"
@@ -46,18 +46,18 @@ struct Edited {
 };
 
 void edit_field(const Edited& edited, const char* field, const char* label = nullptr);
-// The same for all fields that can be changed.
+// Edits all fields that can be changed.
 void edit_fields(const Edited& edited);
-// A slider, which counts when it is moved, or only when it is let go.
+// Says whether a slider counts when it is moved, or only when it is let go.
 enum class Counts { always, when_let_go };
 void slide(const Edited& edited, const char* field, const char* label, double low, double high,
            Counts counts = Counts::always, const char* format = nullptr);
-// Tells the picture what a field holds now.
+// Sends the present value of a field to the picture.
 void tell_change(const Edited& edited, const char* field);
 
 bool edit_colour(const char* label, float* rgba);
 
-// On the picture.
+// These draw on the picture.
 void draw_patches(const App& app, const Ui& ui);
 void light_handle(App& app, Ui& ui);
 void mouse_on_canvas(App& app, Ui& ui);

@@ -19,7 +19,7 @@ void press_key(App& app, SDL_Keycode key) {
     if (key == SDLK_ESCAPE) app.cancel();
     if (key == SDLK_f) app.reset_view();
     if (key == SDLK_z && (SDL_GetModState() & KMOD_CTRL) != 0) app.undo_stroke();
-    const double step = 20; // as if the mouse had gone so far
+    const double step = 20; // same effect as a mouse move of this many pixels
     if (key == SDLK_LEFT) app.orbit_by(-step, 0);
     if (key == SDLK_RIGHT) app.orbit_by(step, 0);
     if (key == SDLK_UP) app.orbit_by(0, -step);
@@ -30,7 +30,7 @@ void press_key(App& app, SDL_Keycode key) {
 
 bool ends_in_json(const std::string& path) { return path.size() > 5 && path.compare(path.size() - 5, 5, ".json") == 0; }
 
-// False: the window shall close.
+// Returns false when the window shall close.
 bool handle(App& app, const SDL_Event& event) {
     ImGui_ImplSDL2_ProcessEvent(&event);
     if (event.type == SDL_KEYDOWN) press_key(app, event.key.keysym.sym);
@@ -80,7 +80,7 @@ Window::~Window() {
 
 bool Window::take_events(App& app, bool moves) {
     SDL_Event event;
-    // ImGui wants a few frames after the last event, such as a click's.
+    // ImGui needs a few frames after the last event, such as a click.
     bool goes_on = true;
     if (!moves && SDL_WaitEventTimeout(&event, 100) != 0) goes_on = handle(app, event);
     while (SDL_PollEvent(&event) != 0) goes_on = handle(app, event) && goes_on;
@@ -113,12 +113,12 @@ void Window::show(App& app, Ui& ui) {
     if (is_new) upload(app.frame());
     ImGui::Render();
     glViewport(0, 0, static_cast<int>(ImGui::GetIO().DisplaySize.x), static_cast<int>(ImGui::GetIO().DisplaySize.y));
-    // Transparent paper is shown on grey.
+    // The background behind transparent paper is grey.
     glClearColor(0.8F, 0.8F, 0.8F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
     if (!screenshot_.empty()) save_screenshot();
-    glFinish(); // so that what is measured is all of it
+    glFinish(); // the measured time includes the drawing
     if (is_new)
         app.window_milliseconds = 1e3 * static_cast<double>(SDL_GetPerformanceCounter() - start) /
                                   static_cast<double>(SDL_GetPerformanceFrequency());

@@ -8,7 +8,7 @@
 
 namespace viewer {
 
-// A hand that a script moves, in the window's pixels.
+// A mouse that a script moves, in the window's pixels.
 struct ScriptedMouse {
     float x = 0, y = 0;
     bool down[3] = {false, false, false}; // left, right, middle
@@ -22,11 +22,12 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    // Waits for an event if nothing moves, and hands all that there are to ImGui; false: the window was closed.
+    // Waits for an event if nothing moves, and hands all pending events to ImGui. Returns false if the window was
+    // closed.
     bool take_events(App& app, bool moves);
     void show(App& app, Ui& ui);
     void resize(Size size);
-    // Of the next picture that is shown.
+    // Saves the next picture that is shown to this path.
     void take_screenshot(const std::string& path) { screenshot_ = path; }
 
     std::optional<ScriptedMouse> mouse; // in place of the real one

@@ -32,7 +32,7 @@ bool Worker::poll() {
     } catch (const std::bad_alloc&) {
         throw Failure("there is not enough memory: take fewer marks or a smaller model");
     }
-    was_cancelled_ = false; // it came too late
+    was_cancelled_ = false; // the cancellation came too late
     then_(*work);
     return true;
 }

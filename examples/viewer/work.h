@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One long job on a thread of its own: what it is at, how far it is, and an end to it.
+// Runs one long job on a thread of its own, reports its progress, and can cancel it.
 #pragma once
 
 #include "handles.h"
@@ -11,7 +11,7 @@
 
 namespace viewer {
 
-// What is under way, for any thread.  It outlives the pictures that tell it, which do so whenever they are drawn.
+// Names the step under way, for any thread. It outlives the pictures, which report to it whenever they are drawn.
 class Progress {
 public:
     void set(const char* doing) {
@@ -32,7 +32,7 @@ private:
     std::string doing_;
 };
 
-// What a job is given.
+// The data that a job gets.
 class Work {
 public:
     Work(const Context& context, Progress& progress) : context(context), progress_(progress) {
@@ -46,7 +46,7 @@ public:
         desc.on_event = Progress::on_event;
         desc.event_user = &progress_;
     }
-    // A job of several steps calls this before each step. A cancelled job ends here.
+    // A job of several steps calls this before each step. A cancelled job throws here.
     void step(const std::string& doing, double share) {
         if (hrbfnpr_operation_is_cancelled(operation.get())) throw Failure("cancelled", HRBFNPR_STATUS_CANCELLED);
         progress_.set(doing.c_str());
@@ -63,10 +63,11 @@ public:
 
 private:
     Progress& progress_;
-    std::atomic<double> share_{-1}; // of steps; negative: that of the operation counts
+    std::atomic<double> share_{-1}; // share of the steps that are done; negative: the operation counts instead
 };
 
-// Runs jobs one at a time.  All but the job itself is for the thread that has it.
+// Runs jobs one at a time. Only the job runs on another thread; all other calls are for the thread that owns the
+// Worker.
 class Worker {
 public:
     Worker(const Context& context, Progress& progress) : context_(context), progress_(progress) {}
@@ -74,9 +75,10 @@ public:
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
-    // `job` runs on the worker's thread; `then` here, in poll(), if it came to an end.  A job that runs is cancelled.
+    // Runs `job` on the worker's thread. If the job succeeds, poll() calls `then` on the caller's thread. Cancels a job
+    // that runs.
     void start(std::function<void(Work&)> job, std::function<void(Work&)> then);
-    // True if a job has ended.  A Failure of its is thrown, but for that of being cancelled.
+    // Returns true if a job has ended. Rethrows a Failure of the job, unless it was cancelled.
     bool poll();
     void cancel();
     bool is_busy() const { return work_ != nullptr; }

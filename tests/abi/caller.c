@@ -125,7 +125,7 @@ static void read(const hrbfnpr_drawing* drawing) {
     print_hash("vertices", vertices, (size_t)count * 3 * sizeof *vertices);
 }
 
-/* Files hold the seconds that things took, so sizes are compared. */
+/* Files contain run times, so only their sizes are compared. */
 static void save(const hrbfnpr_model* model, const hrbfnpr_point_set* set) {
     static unsigned char bytes[1 << 20];
     int64_t size = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Compiled on its own in every C and C++ standard that the header promises. */
+/* This file is compiled on its own in every C and C++ standard that the header supports. */
 #include <hrbfnpr.h>
 
 int main(void) {

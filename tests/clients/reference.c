@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene of examples/README.md, through the C interface and nothing else: reference SAMPLES PICTURE [steps].
- * With the word "steps" it is a similar one, made by the calls beneath hrbfnpr_picture_create with their defaults. */
+/* Draws the scene of examples/README.md with nothing but the C interface: reference SAMPLES PICTURE [steps].
+ * With the word "steps" it draws a similar scene with the calls below hrbfnpr_picture_create and their defaults. */
 #include <hrbfnpr.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Minima and maxima of many: the same bits as pair by pair, and fewer of their operands asked.
+// Groups of minima and maxima give the same bits as operations pair by pair, and evaluate fewer operands.
 #include "csg_nodes.h"
 
 #include "implicit/csg.h"
@@ -30,7 +30,7 @@ const base::Runtime& shared() {
     return runtime;
 }
 
-// A wavy ball that lies beyond its box, and counts what it is asked.
+// A wavy ball that reaches beyond its box. It counts the points at which it is evaluated.
 struct Lump {
     double radius = 1.0;
     std::int64_t asked = 0;
@@ -58,7 +58,7 @@ struct Lump {
     }
 };
 
-// The same tree with groups and without.
+// The same tree, with groups and without.
 class Both {
 public:
     Both(const Nodes& nodes, Groups groups, const std::vector<const implicit::Implicit*>& models = {})
@@ -128,7 +128,7 @@ TEST(CsgGroups, RandomTreesAreTheSameToTheLastBit) {
     EXPECT_GT(nested, 60);
 }
 
-// Leaves replaced by models that lie beyond their boxes.
+// The leaves are replaced by models that reach beyond their boxes.
 TEST(CsgGroups, TreesOfModelsAreTheSameToTheLastBit) {
     std::vector<Lump> lumps(3);
     lumps[1].radius = 0.4;
@@ -152,13 +152,14 @@ TEST(CsgGroups, TreesOfModelsAreTheSameToTheLastBit) {
     }
 }
 
-// Of operands that are equal everywhere the first one's sheets count; zeros keep their signs.
+// If operands are equal everywhere, the sheets of the first one count. Zeros keep their signs.
 TEST(CsgGroups, EqualOperandsAreTakenInTheirOrder) {
     for (const CsgKind kind : {CsgKind::unite, CsgKind::intersect, CsgKind::subtract}) {
         Nodes nodes{node(kind)};
         for (int i = 0; i < 40; ++i) {
             nodes.push_back(node(i % 2 == 0 ? CsgKind::box : CsgKind::cylinder, 0));
-            nodes.back().translation.x = 0.1 * (i / 4); // with rounding: bounds may not exceed what they bound
+            nodes.back().translation.x =
+                0.1 * (i / 4); // inexact in binary: a rounded lower bound must not exceed the values
             nodes.back().linear = glm::dmat3(0.7);
         }
         test::Points points = scattered(300, 3.0);
@@ -185,7 +186,7 @@ TEST(CsgGroups, AlternatingTreesOfAnyDepthNeedNoMoreStack) {
     expect_same(both, scattered(50, 2.0));
 }
 
-// A grid of models: near their surfaces hardly more than one of them is asked, and half of them by pairs.
+// In a grid of models, each place near a surface evaluates little more than one model.
 TEST(CsgGroups, OnlyModelsThatCanBeTheLeastAreAsked) {
     Lump lump;
     const implicit::Custom model(lump.function());
@@ -220,7 +221,7 @@ TEST(CsgGroups, OnlyModelsThatCanBeTheLeastAreAsked) {
         }
 }
 
-// What is inside out is never left out: its f has no bound that is known.
+// Complements are never left out, because no bound of their f is known.
 TEST(CsgGroups, ComplementsOfModelsAreAsked) {
     Lump lump;
     const implicit::Custom model(lump.function());
@@ -234,7 +235,7 @@ TEST(CsgGroups, ComplementsOfModelsAreAsked) {
     expect_same(Both(nodes, Groups::where_they_pay, {&model}), scattered(400, 8.0));
 }
 
-// Cells of models that have none of their own bring points together.
+// Models without cells of their own are cells, so that nearby points are evaluated together.
 TEST(CsgGroups, PointsAreOrderedByTheModelThatTheyAreNear) {
     Lump lump;
     const implicit::Custom model(lump.function());
@@ -252,7 +253,7 @@ TEST(CsgGroups, PointsAreOrderedByTheModelThatTheyAreNear) {
         EXPECT_EQ(both.quick.cell_of({3.0 * i + 0.9, 0.5, -0.5}), both.quick.cell_of({3.0 * i, 0.0, 0.0}));
     }
     EXPECT_EQ(cells.size(), 200U);
-    for (const int count : {2, 3000}) { // more cells than points, and fewer
+    for (const int count : {2, 3000}) { // more cells than points, and fewer cells
         hrbfnpr::geometry::VecArray points(shared().memory);
         for (int i = 0; i < count; ++i) points.push_back({300.0 + 300.0 * test::scatter(i), 0.0, 0.0});
         const base::Array<std::int32_t> order = implicit::order_by_cell(shared(), both.quick, points);

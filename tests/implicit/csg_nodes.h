@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nodes of trees of solids, and places to ask them at.
+// Nodes of trees of solids, and points at which to evaluate them.
 #pragma once
 
 #include "fields.h"

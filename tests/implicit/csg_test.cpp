@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSG trees against a plain recursion, against differences, and against what is known of them.
+// Compares CSG trees with a plain recursion, with finite differences and with known results.
 #include "csg_nodes.h"
 
 #include "implicit/csg.h"
@@ -61,7 +61,7 @@ public:
     implicit::Csg csg;
 };
 
-// A point on its own.
+// The values at a single point.
 struct One {
     double value = 0.0;
     glm::dvec3 gradient{0.0};
@@ -96,7 +96,7 @@ CsgNode ball(std::int64_t parent, const glm::dvec3& centre, double radius) {
     made.radius = radius;
     return made;
 }
-// x <= `at`, or the like along another axis.
+// x <= `at`, or the same for another axis.
 CsgNode half_space(std::int64_t parent, int axis, double at) {
     CsgNode made = node(CsgKind::half_space, parent);
     glm::dmat3 turn(0.0);
@@ -111,7 +111,7 @@ TEST(Csg, AnyTreeIsWhatARecursionSays) {
         SCOPED_TRACE(seed);
         const test::RandomTree tree(seed, 1 + static_cast<int>(seed % 5), true);
         const Solid solid(tree.nodes());
-        const test::Points points = scattered(300, 2.5); // more than a block
+        const test::Points points = scattered(300, 2.5); // more than one block
         test::Fields fields(points.size());
         solid.csg.evaluate(points.batch(), fields.all());
         test::Fields values(points.size());
@@ -122,7 +122,7 @@ TEST(Csg, AnyTreeIsWhatARecursionSays) {
     }
 }
 
-// Where one sheet is f all around.
+// Differences are compared where one sheet is f all around the point.
 TEST(Csg, GradientsAndHessiansAreDifferences) {
     int compared = 0;
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
@@ -153,7 +153,8 @@ TEST(Csg, GradientsAndHessiansAreDifferences) {
             }
             if (!one_sheet) continue;
             ++compared;
-            // An axis or a centre may be near, and third derivatives of blends jump.
+            // The tolerance grows with the second derivatives: they are large near an axis or a centre, and third
+            // derivatives of blends jump.
             double size = 1.0;
             for (const double second : f.hessian) size = std::max(size, second * second);
             for (int i = 0; i < 3; ++i) ASSERT_NEAR(f.gradient[i], gradient[i], 1e-8 * size) << k;
@@ -168,7 +169,8 @@ TEST(Csg, ASheetIsFWhereItIsActiveAndSmoothAround) {
     for (std::uint32_t seed = 0; seed < 120; ++seed) {
         SCOPED_TRACE(seed);
         Nodes nodes = test::RandomTree(seed, 2 + static_cast<int>(seed % 4), true).nodes();
-        for (CsgNode& one : nodes) one.exponent = 0.0; // super-ellipses have a crease where both are out of reach
+        for (CsgNode& one : nodes)
+            one.exponent = 0.0; // super-ellipses have a crease where both operands are beyond the blend
         const Solid solid(nodes);
         const implicit::Sheets* const sheets = solid.csg.sheets();
         if (sheets == nullptr) continue;
@@ -182,7 +184,7 @@ TEST(Csg, ASheetIsFWhereItIsActiveAndSmoothAround) {
             ASSERT_EQ(f.value, own.value) << k;
             ASSERT_EQ(f.gradient, own.gradient) << k;
             ASSERT_EQ(f.hessian, own.hessian) << k;
-            // Beyond the crease it is the same function: along a line its differences are its gradients.
+            // Beyond the crease the sheet is the same function: along a line its differences agree with its gradients.
             const glm::dvec3 step = 0.003 * (points[k + 1] - points[k]);
             for (int i = 0; i < 60; ++i) {
                 const glm::dvec3 from = points[k] + static_cast<double>(i) * step;
@@ -215,7 +217,7 @@ TEST(Csg, BlendsAreSmoothAndEndAtTheirRadius) {
         double lowest = 0.0;
         One before = at(solid.csg, {-1.0, 1.0, 0.0});
         constexpr int steps = 4000;
-        for (int i = 1; i <= steps; ++i) { // across the blend, in the outer quadrant and beyond
+        for (int i = 1; i <= steps; ++i) { // goes across the blend and beyond both ends
             const double s = 2.0 * i / steps;
             const One f = at(solid.csg, {-1.0 + s, 1.0 - s, 0.0});
             EXPECT_LT(glm::length(f.gradient - before.gradient), 5.0 / 0.5 * std::sqrt(8.0) / steps) << s;
@@ -225,13 +227,13 @@ TEST(Csg, BlendsAreSmoothAndEndAtTheirRadius) {
         if (exponent == 0.0) {
             EXPECT_NEAR(lowest, -0.5 / 6.0, 1e-6);
         }
-        // The surface is the sharp one from the radius on, and not before.
+        // From the radius on, the blended surface is the sharp one, and only from there.
         for (const double along : {0.51, 0.8}) {
             EXPECT_EQ(at(solid.csg, {0.0, along, 0.3}).value, 0.0);
             EXPECT_EQ(at(solid.csg, {along, 0.0, 0.3}).value, at(sharp.csg, {along, 0.0, 0.3}).value);
         }
         EXPECT_LT(at(solid.csg, {0.0, 0.48, 0.3}).value, 0.0);
-        // A fillet that is an arc of the radius.
+        // With exponent 2 the fillet is an arc of the radius.
         for (const double angle : {0.1, 0.7, 1.4})
             if (exponent == 2.0) {
                 EXPECT_NEAR(at(solid.csg, {0.5 - 0.5 * std::cos(angle), 0.5 - 0.5 * std::sin(angle), 0.0}).value, 0.0,
@@ -272,31 +274,31 @@ TEST(Csg, TheSurfaceIsInItsBox) {
 
 TEST(Csg, BoxesAreTight) {
     const auto box_of = [](const Nodes& nodes) { return Solid(nodes).plan().whole; };
-    // A cut ball, made larger by 0.5.
+    // A cut ball, offset outwards by 0.5.
     Nodes cut{node(CsgKind::offset), node(CsgKind::subtract, 0), ball(1, {1, 0, 0}, 2.0), half_space(1, 0, 0.0)};
     cut[0].distance = 0.5;
     implicit::CsgBox box = box_of(cut);
     EXPECT_NEAR(box.low.x, -0.5, 1e-15);
     EXPECT_NEAR(box.high.x, 3.5, 1e-15);
     EXPECT_NEAR(box.low.z, -2.5, 1e-15);
-    // A shell is inside; the surface of what is outside a ball is the ball's.
+    // A shell is inside the ball, and the complement of a ball has the ball's surface.
     Nodes shell{node(CsgKind::complement), node(CsgKind::shell, 0), ball(1, {0, 0, 0}, 1.0)};
     shell[1].distance = 0.1;
     EXPECT_NEAR(box_of(shell).high.y, 1.0, 1e-15);
-    // Where two coincide a blend lifts both.
+    // Where two surfaces coincide, a blend raises both.
     Nodes twice{node(CsgKind::unite), node(CsgKind::box, 0), node(CsgKind::box, 0)};
     twice[0].blend = 0.3;
     EXPECT_NEAR(at(Solid(twice).csg, {0.0, 0.0, 0.5 + 0.05}).value, 0.0, 1e-15);
     EXPECT_NEAR(box_of(twice).high.z, 0.5 + 0.05, 1e-15);
     twice[0].exponent = 2.0;
     EXPECT_NEAR(box_of(twice).high.z, 0.5 + 0.3 * (1.0 - std::sqrt(0.5)), 1e-15);
-    // Nothing is left; there is no end.
+    // An intersection may be empty, and a union infinite.
     EXPECT_TRUE(box_of({node(CsgKind::intersect), ball(0, {-2, 0, 0}, 1.0), ball(0, {2, 0, 0}, 1.0)}).empty());
     EXPECT_FALSE(std::isfinite(box_of({node(CsgKind::unite), ball(0, {0, 0, 0}, 1.0), half_space(0, 0, 0.0)}).low.y));
     EXPECT_EQ(box_of({node(CsgKind::unite), ball(0, {0, 0, 0}, 1.0), half_space(0, 0, 0.0)}).high.x, 1.0);
 }
 
-// Chains of 10 000 nodes to the left and to the right, sharp and blended, and of one child each.
+// Chains of 10 000 nodes to the left and to the right, sharp and blended, and chains of nodes with one child.
 TEST(Csg, DeepTreesNeedFewRegistersAndNoStack) {
     for (const bool right : {false, true})
         for (const double blend : {0.0, 0.01}) {
@@ -331,7 +333,7 @@ TEST(Csg, PairsOfSheetsThatAreTooManyAreOne) {
         nodes.push_back(node(CsgKind::box, 0));
         nodes.back().translation.x = i;
     }
-    EXPECT_EQ(Solid(nodes).csg.sheets()->count(), 36); // 6^12 were too many
+    EXPECT_EQ(Solid(nodes).csg.sheets()->count(), 36); // 6^12 would be too many
     nodes.resize(1 + 11);
     EXPECT_EQ(Solid(nodes).csg.sheets()->count(), 362797056);
 }
@@ -341,7 +343,7 @@ struct Ball {
     double radius;
     int calls = 0;
     std::int64_t points = 0;
-    bool lies = false; // beyond its box
+    bool lies = false; // it reaches beyond its box
     static std::int32_t call(void* user, std::int64_t count, const double* p, double* value, double* gradient,
                              double* hessian) {
         auto& self = *static_cast<Ball*>(user);

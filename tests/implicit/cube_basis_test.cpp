@@ -26,7 +26,7 @@ VecArray points_in_cube(base::Memory& memory, int count) {
     return points;
 }
 
-// What interpolation makes of f at the points, from its values at the nodes.
+// Interpolates f at the points from its values at the nodes.
 template <class F>
 std::vector<double> interpolated(const base::Runtime& runtime, const CubeBasis& basis, const VecArray& points, F&& f) {
     const auto count = static_cast<int>(points.size());
@@ -66,7 +66,7 @@ TEST(CubeBasis, TermsAreProductsOfCosines) {
     }
 }
 
-// |p|^2k Re (a . p)^l with a . a = 0: its Laplacian's (k + 1)-th power vanishes.
+// |p|^2k Re (a . p)^l with a . a = 0. The (k + 1)-th power of the Laplacian of this function vanishes.
 double power(const glm::dvec3& p, int l, int k, double angle) {
     const std::complex<double> q(p.x, p.y * std::cos(angle) + p.z * std::sin(angle));
     return std::pow(glm::dot(p, p), k) * std::pow(q, l).real();
@@ -90,7 +90,7 @@ TEST(CubeBasis, InterpolationReproducesTriharmonicPolynomials) {
     EXPECT_GT(largest_error(runtime, basis, [](const glm::dvec3& p) { return power(p, 0, 3, 0.0); }), 1e-2);
 }
 
-// A degree divides the error by about 2.9, down to rounding.
+// Each degree divides the error by about 2.9, down to rounding.
 TEST(CubeBasis, ApproximatesFarSources) {
     const base::Runtime runtime;
     const glm::dvec3 source(3.1, 0.9, -0.7);
@@ -145,7 +145,7 @@ TEST(CubeBasis, NodesAreDistinctAndInTheCube) {
     }
 }
 
-// Lebesgue's constant stays small: that is what the points are chosen for.
+// Lebesgue's constant stays small. The nodes are chosen for that.
 TEST(CubeBasis, InterpolationIsStable) {
     const base::Runtime runtime;
     const CubeBasis basis(runtime, 10);

@@ -31,7 +31,7 @@ Numbers scattered(std::size_t count, int from) {
     return result;
 }
 
-// As many vectors as a batch has: those beyond the wanted ones may be written, too.
+// A full batch of vectors. Vectors beyond the wanted ones may be written, too.
 struct Batch {
     explicit Batch(std::size_t length) {
         for (std::size_t v = 0; v < cube_batch; ++v) {
@@ -115,13 +115,13 @@ CubeSamples in_cube(const Points& points) {
             half_width};
 }
 
-// T_n(x) = cos(n arccos x), and its derivative.
+// T_n(x) = cos(n arccos x) and its derivative.
 double chebyshev(int n, double x) { return std::cos(n * std::acos(x)); }
 double chebyshev_slope(int n, double x) { return n * std::sin(n * std::acos(x)) / std::sin(std::acos(x)); }
 
 struct Term {
     double value;
-    glm::dvec3 gradient; // by the caller's coordinates
+    glm::dvec3 gradient; // with respect to the caller's coordinates
 };
 
 // T_a T_b T_c at p.
@@ -144,7 +144,7 @@ std::vector<glm::ivec3> terms(int degree) {
     return result;
 }
 
-// Slopes are as large as degree^2 / half_width.
+// Slopes are at most degree^2 / half_width.
 double tolerance(int degree) { return 1e-12 * (1.0 + degree * degree / half_width); }
 
 TEST(CubeLoops, MomentsSumTheTermsAtTheSamples) {
@@ -208,7 +208,7 @@ TEST(CubeLoops, EvaluateAddsThePolynomialAndItsGradient) {
     }
 }
 
-// Central differences of the gradient.
+// Compares with central differences of the gradient.
 TEST(CubeLoops, HessianIsTheGradientsDerivative) {
     const int degree = 7;
     const std::vector<glm::ivec3> list = terms(degree);

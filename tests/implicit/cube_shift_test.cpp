@@ -34,7 +34,7 @@ double value_at(int degree, const std::vector<double>& terms, const glm::dvec3& 
     return sum;
 }
 
-// The largest difference in an octant of a polynomial of degree `highest`, to which 1 is added.
+// Returns the largest error when a polynomial of degree `highest` is shifted to an octant and added to 1.
 double largest_error(int from, int to, int highest, int octant) {
     const std::vector<double> terms = some_terms(from, highest);
     std::vector<double> moved(static_cast<std::size_t>(CubeBasis::terms(to)));

@@ -20,7 +20,7 @@ using test::scatter;
 
 namespace {
 
-// f = sin x cos 2y + x z^2 + exp(y z / 3), with everything about it.
+// f = sin x cos 2y + x z^2 + exp(y z / 3), with its derivatives.
 struct Wave {
     static double value(double x, double y, double z) {
         return std::sin(x) * std::cos(2 * y) + x * z * z + std::exp(y * z / 3);

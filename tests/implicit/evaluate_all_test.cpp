@@ -19,7 +19,7 @@ using test::scatter;
 
 namespace {
 
-// f = x + 2 y + 4 z, in as many cells along x.
+// f = x + 2 y + 4 z. It has `count` cells along x.
 class Slices final : public implicit::Implicit {
 public:
     explicit Slices(std::int64_t count) : count_(count) {
@@ -42,7 +42,7 @@ public:
         return static_cast<std::int32_t>(0.5 * (p.x + 1.0) * static_cast<double>(count_));
     }
 
-    mutable std::atomic<int> changes{0}; // of the cell, from one point to the next
+    mutable std::atomic<int> changes{0}; // counts changes of the cell from one point to the next
 
 private:
     std::int64_t count_;

@@ -21,7 +21,7 @@ using test::scatter;
 
 namespace {
 
-// Fibonacci's spiral on a sphere whose points are about 1 apart.
+// Points of Fibonacci's spiral on a sphere, about 1 apart.
 VecArray sphere(base::Memory& memory, int count) {
     VecArray points(memory);
     const double radius = std::sqrt(count / 12.566370614359172);
@@ -32,7 +32,7 @@ VecArray sphere(base::Memory& memory, int count) {
     return points;
 }
 
-// A tenth of the points in a wide box, and the others in one a hundredth as wide.
+// A tenth of the points is in a wide box, and the others are in a box a hundredth as wide.
 VecArray uneven(base::Memory& memory, int count) {
     VecArray points(memory);
     for (int i = 0; i < count; ++i) {
@@ -79,7 +79,7 @@ Sums quickly(const base::Runtime& runtime, const VecArray& points, const Weights
     return sums;
 }
 
-// Of values and of gradients, the larger: 2-norm, relative.
+// The relative error in the 2-norm: that of the values or that of the gradients, whichever is larger.
 double error(const Sums& found, const Sums& expected) {
     glm::dvec2 off(0.0);
     glm::dvec2 all(0.0);
@@ -146,7 +146,7 @@ TEST(FarField, IsExactWhereEverythingIsNear) {
             EXPECT_LT(error(found, directly(runtime, points, weights)), 1e-13) << count;
         }
     }
-    const VecArray points = sphere(runtime.memory, 300); // one level of cubes, which all touch
+    const VecArray points = sphere(runtime.memory, 300); // one level of cubes, which all touch each other
     const Weights weights(runtime.memory, 300);
     EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 0, 150, 1.0}), directly(runtime, points, weights)), 1e-13);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room for the results of a batch, and a plain HRBF to compare with.
+// Memory for the results of a batch, and a plain HRBF to compare with.
 #pragma once
 
 #include "implicit/hrbf.h"
@@ -44,7 +44,7 @@ struct Fields {
 
 constexpr std::size_t hessian_index[3][3] = {{0, 1, 2}, {1, 3, 4}, {2, 4, 5}};
 
-// A number in [-1, 1) that looks random and is the same everywhere.
+// A number in [-1, 1) that looks random and is the same on every machine.
 inline double scatter(int i) {
     const double product = 0.6180339887498949 * (i + 1) * (1.0 + 0.37 * (i % 11));
     return 2.0 * (product - static_cast<double>(static_cast<long long>(product))) - 1.0;

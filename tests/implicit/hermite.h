@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A function of Hermite samples, and places where it is asked.
+// A function of Hermite samples, and points at which to evaluate it.
 #pragma once
 
 #include "fields.h"
@@ -21,7 +21,7 @@ inline hrbfnpr::implicit::HrbfData hermite_data(hrbfnpr::base::Memory& memory, h
     return data;
 }
 
-// The first and every fifth one are centres.
+// The first target and every fifth one are centres.
 inline Points targets(const hrbfnpr::implicit::HrbfData& data, int count) {
     Points points;
     for (int i = 0; i < count; ++i)

@@ -29,9 +29,9 @@ namespace {
 using Hessians = std::array<std::vector<double>, 6>;
 
 constexpr double untouched = -7.0;
-constexpr double before = 0.5; // what stands in the sums
+constexpr double before = 0.5; // initial value of the sums
 
-// The Hessian of equation 1, term by term: alpha Hess psi less beta times the third derivatives of psi.
+// The Hessian of equation 1, term by term: alpha Hess psi minus beta times the third derivatives of psi.
 Hessians plain_sums(const implicit::HrbfData& data, const Points& points) {
     Hessians sums;
     for (std::vector<double>& sum : sums) sum.assign(points.size(), 0.0);
@@ -63,7 +63,7 @@ implicit::HessianTargets slice(const Points& points, Hessians& sums, std::size_t
             static_cast<std::int64_t>(end - begin)};
 }
 
-// What is found when the first `count` targets are summed up upon `before`.
+// Adds the sums of the first `count` targets to `before`, with this instruction set.
 Hessians sum_up(base::InstructionSet set, const implicit::HrbfData& data, const Points& points, std::size_t count) {
     Hessians sums = Fields(points.size()).hessian;
     for (std::vector<double>& sum : sums) std::fill_n(sum.begin(), count, before);
@@ -78,7 +78,7 @@ double largest(const std::vector<double>& x) {
     return result;
 }
 
-// `found` has the sums of the first `count` targets, and nothing behind them.
+// Expects the sums of the first `count` targets in `found`, and the entries after them untouched.
 void expect_sums(const Hessians& found, const Hessians& expected, std::size_t count, const std::string& what) {
     for (std::size_t c = 0; c < 6; ++c) {
         const double tolerance = 1e-12 * (largest(expected[c]) + before);
@@ -122,7 +122,7 @@ TEST_P(HermiteHessians, DoNotDependOnHowTheTargetsAreCut) {
     }
 }
 
-// Next to it, too, where the limit depends on the direction.
+// Points next to the source are included, where the limit depends on the direction.
 TEST_P(HermiteHessians, AreThePlainOnesAtASource) {
     base::Memory memory;
     const implicit::HrbfData data = hermite_data(memory, GetParam(), 2);
@@ -137,7 +137,7 @@ TEST_P(HermiteHessians, AreThePlainOnesAtASource) {
         expect_sums(sum_up(set, data, points, points.size()), plain, points.size(), base::name(set));
 }
 
-// At a source nothing is left of its own beta; its alpha counts where the kernel is curved there.
+// At a source its own beta adds nothing. Its alpha adds the kernel's second derivative.
 TEST_P(HermiteHessians, LeaveASourcesOwnThirdDerivativeOut) {
     base::Memory memory;
     implicit::HrbfData data = hermite_data(memory, GetParam(), 1);
@@ -156,14 +156,14 @@ TEST_P(HermiteHessians, LeaveASourcesOwnThirdDerivativeOut) {
     }
 }
 
-// Where two doubles are nearer than smallest_r2: a source at the origin.
+// At a source in the origin, doubles come closer than smallest_r2.
 TEST_P(HermiteHessians, AreBoundedAsCloseToASourceAsDoublesGo) {
     base::Memory memory;
     implicit::HrbfData data = hermite_data(memory, GetParam(), 1);
     data.centre_position.set(0, glm::dvec3(0.0));
     Points points;
     for (double gap = 1e-10; gap > 0.0; gap *= 1e-5) points.add(gap * glm::dvec3(-0.3, 0.7, 0.5));
-    const double bound = 100.0; // of alpha a and beta b d
+    const double bound = 100.0; // larger than alpha a and beta b d
     for (const base::InstructionSet set : instruction_sets())
         for (const std::vector<double>& sum : sum_up(set, data, points, points.size()))
             for (std::size_t i = 0; i < points.size(); ++i)

@@ -25,12 +25,12 @@ using test::scatter;
 namespace {
 
 constexpr std::size_t fields = 10;                                   // value, gradient, Hessian
-constexpr double before = 0.5;                                       // what stands in the sums
-constexpr double infinite = std::numeric_limits<double>::infinity(); // beyond the sources that are meant
+constexpr double before = 0.5;                                       // initial value of the sums
+constexpr double infinite = std::numeric_limits<double>::infinity(); // stands after the sources in use
 
 using Jets = std::array<std::vector<double>, fields>;
 
-// In columns: x y z alpha beta.
+// The columns are x y z alpha beta.
 struct Weighted {
     explicit Weighted(int count) {
         for (std::size_t c = 0; c < column.size(); ++c)
@@ -43,7 +43,7 @@ struct Weighted {
     std::array<std::vector<double>, 7> column;
 };
 
-// Away from sources, and at one.
+// Points away from sources, and one at a source.
 Points places(const Weighted& sources, int count) {
     Points points;
     for (int i = 0; i < count; ++i) points.add({scatter(900 + 3 * i), scatter(901 + 3 * i), scatter(902 + 3 * i)});
@@ -68,7 +68,7 @@ implicit::JetTargets targets(const Points& points, Jets& jets, std::size_t begin
             static_cast<std::int64_t>(end - begin)};
 }
 
-// By the sums whose lanes are targets.
+// Sums jets with the function whose lanes are targets.
 Jets by_targets(base::InstructionSet set, const Weighted& sources, const std::vector<implicit::SourceRange>& ranges,
                 const Points& points) {
     Jets jets = empty(points);
@@ -91,7 +91,7 @@ Jets by_targets(base::InstructionSet set, const Weighted& sources, const std::ve
 TEST(HermiteJets, AreTheSumsAndTheirHessians) {
     const Weighted sources(61);
     const Points points = places(sources, 7);
-    // Whole vectors, parts of one, none, and a single source.
+    // Ranges of whole vectors, of parts of one, an empty range, and a single source.
     const std::vector<implicit::SourceRange> ranges{{0, 16}, {17, 17}, {20, 33}, {40, 41}, {50, 61}};
     for (const base::InstructionSet set : instruction_sets()) {
         Jets jets = empty(points);

@@ -26,7 +26,7 @@ using test::targets;
 namespace {
 
 constexpr double untouched = -7.0;
-constexpr double before = 0.5; // what stands in the sums
+constexpr double before = 0.5; // initial value of the sums
 
 // Equation 1 and its gradient, term by term.
 Fields plain_sums(const implicit::HrbfData& data, const Points& points) {
@@ -60,7 +60,7 @@ double largest(const std::vector<double>& x) {
     return result;
 }
 
-// `found` has the sums of the first `count` targets, and nothing behind them.
+// Expects the sums of the first `count` targets in `found`, and the entries after them untouched.
 void expect_sums(const std::vector<double>& found, const std::vector<double>& expected, std::size_t count,
                  const std::string& what) {
     const double tolerance = 1e-12 * (largest(expected) + before);

@@ -72,7 +72,7 @@ implicit::HrbfData make(base::Memory& memory, kernel::Kind kind, int centres, st
     return data;
 }
 
-// The first and every fifth one are centres.
+// The first target and every fifth one are centres.
 Points points_of(const implicit::HrbfData& data, int count) {
     Points points;
     for (int i = 0; i < count; ++i)
@@ -125,7 +125,7 @@ TEST_P(HermiteThirds, AreThePlainOnesForAnyCountAndCut) {
     }
 }
 
-// Without smoothing the Hessian is that of the function; with it, thirds are still the Hessian's derivatives.
+// Without smoothing the Hessian is that of the function. With smoothing the thirds are still the Hessian's derivatives.
 TEST_P(HermiteThirds, HessiansAreTheFunctionsAndThirdsTheirDifferences) {
     const implicit::HrbfData data = make(memory, GetParam(), 9);
     Points points;
@@ -151,7 +151,7 @@ TEST_P(HermiteThirds, HessiansAreTheFunctionsAndThirdsTheirDifferences) {
                 moved[static_cast<std::size_t>(side)].targets(shifted, 0, points.size()));
         }
         for (std::size_t c = 0; c < 10; ++c) {
-            if (axes[c][0] != axis) continue; // any of its axes would do
+            if (axes[c][0] != axis) continue; // any of the three axes would do
             const std::size_t other = hessian_index[axes[c][1]][axes[c][2]];
             for (std::size_t i = 0; i < points.size(); ++i)
                 EXPECT_NEAR(at.third[c][i], (moved[1].hessian[other][i] - moved[0].hessian[other][i]) / (2.0 * h),
@@ -164,14 +164,14 @@ TEST_P(HermiteThirds, HessiansAreTheFunctionsAndThirdsTheirDifferences) {
 INSTANTIATE_TEST_SUITE_P(Kernels, HermiteThirds,
                          testing::Values(kernel::Kind::triharmonic, kernel::Kind::gaussian, kernel::Kind::wendland_c2));
 
-// In another unit, at another place, with a polynomial of degree 3: against differences of the source's own Hessian.
+// Compares a polynomial of degree 3, in another unit and place, with differences of the source's own Hessian.
 TEST(HrbfShape, HasThePolynomialAndTheScale) {
     base::Memory memory;
     for (const int centres : {0, 11}) {
         implicit::HrbfData data = make(memory, kernel::Kind::triharmonic, centres, 3);
         data.centre = {10.0, -3.0, 2.0};
         data.scale = 5.0;
-        data.spacing = 2.0; // 0.4 normalised
+        data.spacing = 2.0; // 0.4 in normalised units
         const implicit::HrbfShape shape(base::choose_instruction_set(base::InstructionSet::automatic), data);
         Points points;
         for (int i = 0; i < 30; ++i)
@@ -205,7 +205,7 @@ TEST(HrbfShape, HasThePolynomialAndTheScale) {
     }
 }
 
-// A sample is where the bare Hessian jumps; the smoothed one is the same from all sides.
+// At a sample the bare Hessian jumps. The smoothed one is the same from all sides.
 TEST(HrbfShape, IsContinuousAtASample) {
     base::Memory memory;
     implicit::HrbfData data = make(memory, kernel::Kind::triharmonic, 1);

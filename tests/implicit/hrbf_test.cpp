@@ -47,7 +47,7 @@ Points queries(int count) {
     return points;
 }
 
-// Equation 1 of the article, term by term.
+// Evaluates equation 1 of the article term by term.
 double plain_value(const implicit::HrbfData& data, const glm::dvec3& x) {
     const glm::dvec3 y = (x - data.centre) / data.scale;
     double g = kernel::polynomial(data.polynomial_degree, data.polynomial.data(), y).value;
@@ -82,7 +82,7 @@ TEST(Hrbf, ValueIsEquationOne) {
             for (std::size_t i = 0; i < points.size(); ++i)
                 EXPECT_NEAR(fields.value[i], plain_value(hrbf.data(), points[i]), 1e-12)
                     << kernel::name(kind) << degree;
-            EXPECT_EQ(fields.gradient[0][0], -7.0); // not asked for, not touched
+            EXPECT_EQ(fields.gradient[0][0], -7.0); // the gradient was not requested and is untouched
             EXPECT_EQ(fields.hessian[5][0], -7.0);
         }
     }

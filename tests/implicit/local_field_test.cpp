@@ -41,7 +41,7 @@ struct Sources {
     }
 };
 
-// A sheet whose spacing is about 1, and a cluster a hundred times as dense.
+// A sheet with a spacing of about 1, and a cluster a hundred times as dense.
 Sources sheet(base::Memory& memory, int side, int cluster) {
     Sources sources(memory);
     for (int j = 0; j < side; ++j)
@@ -60,7 +60,8 @@ struct Error {
     double hessian = 0.0;
 };
 
-// At places around the sources, in units of the sum of absolute terms: there are no side conditions that make it small.
+// Returns the error at points around the sources, in units of the sum of absolute terms. No side conditions make the
+// sum itself small.
 Error largest_error(const base::Runtime& runtime, const Sources& sources, const implicit::LocalFieldOptions& options) {
     const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, options);
     const auto sums = implicit::hermite_sums(runtime.instruction_set, Kind::triharmonic);
@@ -115,7 +116,7 @@ TEST(LocalField, EqualsTheSumOverAllSources) {
     EXPECT_GT(error.value, 0.0) << "nothing is far";
 }
 
-// With weights at nodes of cubes in place of far sources, which otherwise only many centres have.
+// Here weights at the nodes of cubes replace far sources, which otherwise happens only with many centres.
 TEST(LocalField, TranslationsEqualTheSumOverAllSources) {
     const base::Runtime runtime;
     const Error error = largest_error(runtime, sheet(runtime.memory, 40, 0), {1.0, 1e-7, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One sheet of an implicit with creases, and derivatives beside a crease.
+// Tests one sheet of an implicit with creases, and derivatives beside a crease.
 #include "implicit/shape_source.h"
 #include "implicit/sheets.h"
 #include "support/sharp_shapes.h"
@@ -32,7 +32,7 @@ std::vector<double> thirds_of(const ShapeSource& shape, const std::vector<glm::d
 TEST(OneSheet, IsThatSheet) {
     const auto shape = stepped_shaft();
     const OneSheet cylinder(*shape, *shape, 0);
-    const glm::dvec3 p(0.3, -0.4, 2.5); // far from where it is f
+    const glm::dvec3 p(0.3, -0.4, 2.5); // far from the region where the sheet is f
     double value = 0.0;
     cylinder.evaluate({&p.x, &p.y, &p.z, 1}, {&value, {}, {}});
     EXPECT_DOUBLE_EQ(value, -0.5);
@@ -41,7 +41,7 @@ TEST(OneSheet, IsThatSheet) {
     EXPECT_EQ(cylinder.sheet(), 0);
 }
 
-// Nearer to creases than the step of the differences, on both sides in turn.
+// The points are nearer to creases than the step of the differences, on both sides in turn.
 TEST(DifferencedShape, StaysOnItsSheet) {
     const auto shape = stepped_shaft();
     std::vector<glm::dvec3> side, ring;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maxima and minima of sheets, cell by cell, and smooth changes between cells.
+// Tests maxima and minima of sheets, cell by cell, and smooth transitions between cells.
 #include "implicit/pieces.h"
 
 #include "base/random.h"
@@ -31,7 +31,7 @@ implicit::HrbfData sheet(hrbfnpr::base::Memory& memory, double d, const glm::dve
     return data;
 }
 
-// The box of [-1, 1]^3 and four sheets, in eight cells with these programs; an empty one is plain.
+// The box [-1, 1]^3 and four sheets, in eight cells with these programs. A cell whose program is empty is plain.
 PiecesData eight(hrbfnpr::base::Memory& memory, const std::vector<std::vector<std::int32_t>>& programs) {
     PiecesData data(memory);
     data.sheet.add(sheet(memory, -0.2, {1.0, 0.1, 0.0}, 0.3, 0.1));
@@ -111,7 +111,7 @@ TEST(Pieces, AreTheTreeWhereAllCellsHaveIt) {
     }
 }
 
-// In [-1, 1]^3 and where the sphere outside begins and rules.
+// Places are in [-1, 1]^3, where the outer sphere begins, and where it is the only sheet.
 TEST(Pieces, DerivativesAreThoseOfTheValue) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
@@ -128,7 +128,7 @@ TEST(Pieces, DerivativesAreThoseOfTheValue) {
                 q[axis] += sign * h;
                 beside.push_back(at(f, q));
             }
-        // Off creases: there the gradient jumps.
+        // Skips creases, where the gradient jumps.
         bool smooth = true;
         for (const At& one : beside) smooth = smooth && glm::distance(one.gradient, here.gradient) < 100.0 * h;
         if (!smooth) continue;
@@ -185,7 +185,7 @@ TEST(Pieces, FarAwayAreADistanceFromASphere) {
     EXPECT_EQ(active_at(f, {30.0, 0.0, 0.0}), 4);
 }
 
-// A file may hold a program that names its only sheet twice. The cells are small enough for zones.
+// A file may have a program that names its only sheet twice. The cells here are small enough for zones.
 TEST(Pieces, ZonesOfOneSheetThatIsNamedTwiceAreThatSheet) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     PiecesData data = eight(runtime.memory, {{}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implicit in another unit of length.
+// Tests an implicit in another unit of length.
 #include "fields.h"
 
 #include "implicit/custom.h"
@@ -16,7 +16,7 @@ namespace implicit = hrbfnpr::implicit;
 
 namespace {
 
-// x y - 3, and what it says of itself at any scale.
+// x y - 3, scaled by `unit` in place and value.
 std::int32_t saddle(void* user, std::int64_t count, const double* points, double* value, double* gradient,
                     double* hessian) {
     const double unit = *static_cast<double*>(user);
@@ -41,7 +41,7 @@ implicit::CustomFunction saddle_in(double& unit) {
     return function;
 }
 
-// More points than a batch, each field alone and all together.
+// There are more points than in a batch; the fields are evaluated one by one and all together.
 TEST(Scaled, IsTheSameFunctionInItsUnit) {
     double small = 0x1p-80;
     double one = 1.0;
@@ -74,7 +74,7 @@ TEST(Scaled, IsTheSameFunctionInItsUnit) {
     }
 }
 
-// More points than a batch; a function without sheets has none in another unit.
+// There are more points than in a batch. A function without sheets has none in another unit either.
 TEST(Scaled, HasTheSameSheets) {
     const auto own = hrbfnpr::test::bored_cube();
     constexpr double unit = 0.25;

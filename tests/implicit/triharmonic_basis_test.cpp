@@ -21,8 +21,8 @@ namespace {
 
 TEST(TriharmonicBasis, HasAllPolynomialsOfLowDegreesAndFewerOfHighOnes) {
     for (int degree = 0; degree <= 5; ++degree) EXPECT_EQ(triharmonic_size(degree), CubeBasis::terms(degree));
-    EXPECT_EQ(triharmonic_size(6), CubeBasis::terms(6) - 1); // |p|^6
-    EXPECT_EQ(triharmonic_size(7), CubeBasis::terms(7) - 4); // and its products with x, y, z
+    EXPECT_EQ(triharmonic_size(6), CubeBasis::terms(6) - 1); // without |p|^6
+    EXPECT_EQ(triharmonic_size(7), CubeBasis::terms(7) - 4); // and without its products with x, y, z
     EXPECT_EQ(triharmonic_size(20), 21 * 21 + 19 * 19 + 17 * 17);
 }
 
@@ -52,11 +52,12 @@ TEST(TriharmonicBasis, ValuesAreThoseOfTheCoefficients) {
     }
 }
 
-// The seven-point Laplacian of a polynomial of second degree is exact; of ours, thrice, it is off by the step's square.
+// The seven-point Laplacian is exact for polynomials of second degree. Applied three times to the basis, its error is
+// the square of the step.
 TEST(TriharmonicBasis, TheLaplacianVanishesWhenTakenThreeTimes) {
     base::Memory memory;
     constexpr double step = 0.05;
-    VecArray points(memory); // a grid of 7 x 7 x 7 about a point, of which |i| + |j| + |k| <= 3 are used
+    VecArray points(memory); // a grid of 7 x 7 x 7 about a point; only |i| + |j| + |k| <= 3 is used
     for (int k = -3; k <= 3; ++k)
         for (int j = -3; j <= 3; ++j)
             for (int i = -3; i <= 3; ++i) points.push_back(glm::dvec3(0.2, -0.1, 0.3) + step * glm::dvec3(i, j, k));

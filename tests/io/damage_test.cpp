@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that are truncated, flipped, hostile or from the future.
+// Tests files that are truncated, flipped, hostile or from the future.
 #include "samples.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ protected:
     static bool is_csg() { return GetParam() == Sample::csg_model; }
     static int numbers() { return is_csg() ? 6 : 12; } // in the second section
 
-    // Where the n-th section's header starts.
+    // Returns the offset of the n-th section's header.
     static std::size_t section(const Bytes& bytes, int n) {
         constexpr std::size_t sizes[] = {0, 4, 8, 1, 4, 8};
         std::size_t at = header_size;
@@ -90,7 +90,7 @@ TEST_P(Damage, TheOtherKindIsNamed) {
 TEST_P(Damage, HostileLengthsAllocateNothing) {
     for (int n = 0; n < 5; ++n) {
         Bytes hostile = bytes();
-        store(&hostile[24], std::uint64_t{1} << 60U); // the payload
+        store(&hostile[24], std::uint64_t{1} << 60U); // length of the payload
         store(&hostile[section(hostile, n) + 8], std::uint64_t{1} << 50U);
         sign(hostile);
         EXPECT_EQ(load(hostile).status, Status::corrupt_data) << n;
@@ -135,7 +135,7 @@ TEST_P(Damage, NumbersAreChecked) {
 INSTANTIATE_TEST_SUITE_P(Files, Damage, testing::ValuesIn(all_samples),
                          [](const auto& kind) { return name_of(kind.param); });
 
-// Damage with right checksums: made by changing the data before they are saved.
+// Saves changed data, so that the damage has right checksums.
 template <class Change>
 std::string model_message(Change&& change) {
     base::Memory memory;
@@ -170,7 +170,7 @@ TEST(ModelFile, ContentIsChecked) {
     expect(model_message([](Data& d) { d.sample_position.clear(); }), "whole number");
 }
 
-// What no fit makes of samples that it accepts.
+// No fit makes such values from samples that it accepts.
 TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
     using Data = implicit::HrbfData;
     const auto expect = [](const std::string& message, const char* part) {
@@ -178,7 +178,7 @@ TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
     };
     expect(model_message([](Data& d) { d.sample_position[4] = 1e101; }), "sample_position[1] is outside its bounds");
     expect(model_message([](Data& d) { d.sample_position[0] = -50.0; }), "sample_position[0] is outside its bounds");
-    // Within the search box: a fit to a mesh may be held there.
+    // This sample is within the search box: a fit to a mesh may be held there.
     const auto held_off = [](Data& d) { d.sample_position[0] = d.bounds.min.x - 0.05 * d.bounds.diagonal(); };
     expect(model_message(held_off), "centre[0] is not where its sample is");
     expect(model_message([](Data& d) { d.bounds.max.x = 1e101; }), "reach beyond 1e100");
@@ -195,7 +195,7 @@ TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
     expect(model_message([](Data& d) { d.polynomial[0] = 1e150; }), "polynomial[0] is larger than a fit's");
     expect(model_message([](Data& d) { d.kernel_radius = 1e-31; }), "kernel radius is out of range");
     expect(model_message([](Data& d) { d.kernel_radius = 1e31; }), "kernel radius is out of range");
-    const auto single = [](Data& d) { // of which the scale is 1, and this one 0.25
+    const auto single = [](Data& d) { // its scale would be 1; this file has 0.25
         d.sample_position.resize(3);
         d.sample_normal.resize(3);
         d.centre_position.resize(1);
@@ -262,13 +262,13 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.seconds_total = -0.5; }), "one of its times is negative");
 }
 
-// Places of strokes are trusted by all that reads a set.
+// All readers of a set trust the order of its strokes.
 TEST(PointSetFile, StrokesAreChecked) {
     const auto expect = [](auto&& change, const char* part) {
         const std::string message = set_message([&](Set& s) { change(s.layers[1]); });
         EXPECT_NE(message.find(part), std::string::npos) << message;
     };
-    using Layer = marks::Layer; // first 0 2 3, order 0 2 1
+    using Layer = marks::Layer; // first: 0 2 3, order: 0 2 1
     expect([](Layer& l) { l.stroke_first[0] = 1; }, "do not rise from 0");
     expect([](Layer& l) { l.stroke_first[1] = 3; }, "do not rise from 0");
     expect([](Layer& l) { l.stroke_first[2] = 4; }, "do not rise from 0");
@@ -281,7 +281,7 @@ TEST(PointSetFile, StrokesAreChecked) {
     expect([](Layer& l) { l.stroke_order.clear(); }, "different numbers");
 }
 
-// Nothing is made of a number of layers before they come.
+// A wrong number of layers allocates nothing before the layers are read.
 TEST(PointSetFile, LayersAreCounted) {
     base::Memory memory;
     Bytes bytes = point_set_bytes(3);
@@ -295,7 +295,7 @@ TEST(PointSetFile, LayersAreCounted) {
     EXPECT_LT(memory.bytes_peak(), 65536);
 }
 
-// Positions are relative to the middle of a box that holds all marks.
+// Positions are relative to the middle of a box that has all marks inside.
 TEST(PointSetFile, MarksLieInTheirBox) {
     const auto expect = [](const std::string& message, const char* part) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
@@ -330,7 +330,7 @@ TEST(PointSetFile, ASetWithoutMarksHasNoOtherPlaces) {
         return load(memory, bytes_of(set), false).message;
     };
     EXPECT_EQ(message([](Set&) {}), "");
-    // As such sets were saved once.
+    // Sets without marks were once saved like this.
     EXPECT_EQ(message([](Set& s) {
                   s.origin = glm::dvec3(NAN);
                   s.spacing = INFINITY;

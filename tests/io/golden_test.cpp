@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of every past format version load for ever, from those of the first release on.  These were written by version
-// 0.1.0: the fit of the six axis points of the unit sphere, and one step of the published refinement on it.
+// Files of every past format version load for ever, from the first release on. These were written by version 0.1.0: the
+// fit of the six axis points of the unit sphere, and one step of the published refinement on it.
 #include "samples.h"
 
 #include <gtest/gtest.h>
@@ -33,7 +33,7 @@ TEST(Golden, ModelOfVersion1) {
     EXPECT_EQ(file.data.polynomial_degree, 1);
     BytesWriter writer;
     save_model({&file.data, nullptr, file.report.span()}, nullptr, writer);
-    EXPECT_EQ(writer.bytes, bytes); // fits are still of this version
+    EXPECT_EQ(writer.bytes, bytes); // fits are still written in this version
 
     const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                               std::move(file.data));
@@ -69,7 +69,7 @@ TEST(Golden, TreeOfVersion2) {
     EXPECT_EQ(writer.bytes, bytes); // until there is a version 3
 }
 
-// Three sheets in eight cells, two of which are plain (pieces_file_test.cpp).
+// Three sheets in eight cells, two of them plain (pieces_file_test.cpp).
 TEST(Golden, SheetsOfVersion2) {
     base::Memory memory;
     const Bytes bytes = golden("three_sheets.model.v2");
@@ -94,7 +94,7 @@ TEST(Golden, SheetsOfVersion2) {
     EXPECT_EQ(sheet, (std::array<std::int32_t, 3>{0, 3, 3}));
 }
 
-// Stipples, hatching by curvature and hatching by combing: the article's strokes in both directions of each.
+// Stipples, hatching by curvature and hatching by combing, with the article's strokes in both directions of each.
 TEST(Golden, PointSetOfVersion3) {
     base::Memory memory;
     const Bytes bytes = golden("sphere_6.points.v3");
@@ -125,7 +125,7 @@ TEST(Golden, PointSetOfVersion3) {
     EXPECT_EQ(bytes_of(set), bytes); // until there is a version 4
 }
 
-// Versions before the first release are not read.
+// Versions before the first release cannot be read.
 TEST(Golden, PointSetsOfOlderVersionsAreRefused) {
     base::Memory memory;
     for (const std::uint32_t version : {1U, 2U}) {

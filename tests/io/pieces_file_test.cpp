@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files of models that are made of sheets.
+// Tests files of models that are made of sheets.
 #include "samples.h"
 
 #include "base/instruction_set.h"
@@ -110,7 +110,7 @@ TEST(PiecesFile, ContentIsChecked) {
     expect("sample_position[0] is outside its bounds", [](PiecesData& d) { d.sample_position[1] = 1e60; });
 }
 
-// Bytes that are changed with right checksums: what loads can be evaluated.
+// Bytes are changed and the checksums corrected. Every file that still loads can be evaluated.
 TEST(PiecesFile, ThatLoadsCanBeEvaluated) {
     base::Memory memory;
     const Bytes good = bytes_of(pieces(memory));

@@ -96,7 +96,7 @@ TEST(ModelFile, HoldsATreeWithItsLeaves) {
     EXPECT_EQ(loaded.tree[2].translation, glm::dvec3(1.0, 2.0, 3.0));
     const FitToSave leaf{&loaded.leaves[0].data, nullptr, loaded.leaves[0].report.span()};
     EXPECT_EQ(bytes_of(loaded.tree, loaded.bounds, {&leaf, 1}), bytes);
-    // With an end, too.
+    // The file with a trim is tested, too.
     TrimFile trim(memory);
     const Bytes trimmed = bytes_of(loaded.tree, loaded.bounds, {&leaf, 1}, &fill(trim));
     MemoryReader other = reader_of(trimmed);
@@ -166,7 +166,7 @@ TEST(PointSetFile, KeepsEveryBit) {
     }
 }
 
-// Files of sets without them are as they were before there were any.
+// Sets without tone normals have the same files as before tone normals existed.
 TEST(PointSetFile, KeepsNormalsForTone) {
     base::Memory memory;
     marks::PointSet set = point_set(memory, 5);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small models and point sets for the tests of files, and files as strings of bytes.
+// Small models and point sets for the tests of files, and readers and writers of files in memory.
 #pragma once
 
 #include "base/random.h"
@@ -87,7 +87,7 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
     }
     set.seeds = {100, 90, 4, 3, 2, 1};
     set.seconds_total = 0.75;
-    // Stipples, strokes whose marks do not stand stroke by stroke, and a layer that stays empty.
+    // Stipples, strokes whose marks are not in the order of the strokes, and an empty layer.
     for (const marks::Kind kind : {marks::Kind::stipples, marks::Kind::hatch, marks::Kind::own}) {
         marks::Layer& layer = set.layers.add(memory, kind);
         layer.progressive = kind == marks::Kind::stipples;
@@ -154,7 +154,7 @@ inline Bytes trimmed_model_bytes(std::int64_t count = 2) {
     return writer.bytes;
 }
 
-// A fit without a ball.
+// A tree that subtracts a ball from a fit.
 inline implicit::CsgTree csg_tree(base::Memory& memory) {
     implicit::CsgTree tree(memory);
     implicit::CsgNode node;
@@ -188,7 +188,7 @@ inline Bytes csg_model_bytes(std::int64_t count = 2) {
     return bytes_of(csg_tree(memory), {glm::dvec3(-2.0), glm::dvec3(3.0)}, {&leaf, 1});
 }
 
-// What the tests of damage are tried on.
+// The kinds of files that the damage tests change.
 enum class Sample : std::uint8_t { point_set, model, trimmed_model, csg_model };
 inline constexpr Sample all_samples[] = {Sample::point_set, Sample::model, Sample::trimmed_model, Sample::csg_model};
 inline const char* name_of(Sample sample) {
@@ -213,7 +213,7 @@ inline std::uint32_t crc_of(std::span<const std::uint8_t> bytes) {
     return crc.value();
 }
 
-// Makes the checksums right again after a change, so that what comes after them is tested.
+// Corrects the checksums after a change, so that the checks after them are tested.
 inline void sign(Bytes& bytes) {
     store(&bytes[36], crc_of(std::span(bytes).first(36)));
     if (bytes.size() >= header_size + 4)
@@ -221,7 +221,7 @@ inline void sign(Bytes& bytes) {
               crc_of(std::span(bytes).subspan(header_size).first(bytes.size() - header_size - 4)));
 }
 
-// What loading says: "" if it succeeds.
+// The result of loading. The message is "" on success.
 struct Outcome {
     Status status = Status::ok;
     std::string message;

@@ -27,7 +27,7 @@ constexpr std::array<Case, 6> cases = {{{Kind::triharmonic, 1.0},
                                         {Kind::wendland_c2, 2.0},
                                         {Kind::wendland_c2, 9.0}}};
 
-// The definitions of the article's section 4.1, written out.
+// The definitions of section 4.1 of the article, written out.
 double plain(const Case& c, double r) {
     const double s = r / c.radius;
     switch (c.kind) {
@@ -87,7 +87,7 @@ TEST(Radial, IsFiniteAndDefinedAtTheCentre) {
     EXPECT_DOUBLE_EQ(wendland.a, -20.0 / 4.0);
     EXPECT_EQ(wendland.b, 0.0);
     EXPECT_EQ(wendland.c, 0.0);
-    const Radial gaussian = radial(Kind::gaussian, 2.0, 0.0); // smooth: nothing is dropped
+    const Radial gaussian = radial(Kind::gaussian, 2.0, 0.0); // smooth: no term is dropped
     EXPECT_DOUBLE_EQ(gaussian.a, -1.0 / 4.0);
     EXPECT_DOUBLE_EQ(gaussian.b, 1.0 / 16.0);
     EXPECT_DOUBLE_EQ(gaussian.c, -1.0 / 64.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clusters of marks: whole, in order, and what is said of each holds.
+// Clusters of marks are complete and ordered, and the data of each cluster are right.
 #include "marks/point_set.h"
 
 #include "frame/hand_made.h"
@@ -20,7 +20,7 @@ using marks::MarkClusters;
 glm::dvec3 vector_of(const std::array<float, 3>& a) {
     return {static_cast<double>(a[0]), static_cast<double>(a[1]), static_cast<double>(a[2])};
 }
-// A mark by its place in the blocks.
+// A mark, found by its place in the blocks.
 struct Placed {
     glm::dvec3 position, normal;
     float rank;
@@ -33,7 +33,7 @@ Placed placed(const MarkClusters& m, std::int64_t place) {
     return {vector_of({b.x[i], b.y[i], b.z[i]}), vector_of({b.nx[i], b.ny[i], b.nz[i]}), b.rank[i], b.mark[i]};
 }
 
-// All marks of all strokes, in their order.
+// Checks that the pieces cover all marks of all strokes, in their order.
 void expect_sound_pieces(const marks::Layer& layer) {
     std::int64_t number = 0;
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
@@ -112,7 +112,7 @@ TEST_F(Clusters, HoldEveryMarkOnceAndBoundThem) {
     for (const int count : {1, 2, 3, 127, 128, 129, 5000, 200000}) {
         const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));
         expect_sound(set.layers[0]);
-        if (count == 200000) { // and there are not too many
+        if (count == 200000) { // the number of clusters is limited, too
             EXPECT_LT(set.layers[0].clusters.cluster.size(), 200000 / 20);
         }
         EXPECT_GE(set.bytes(), set.layers[0].clusters.bytes());
@@ -127,12 +127,12 @@ TEST_F(Clusters, OfStrokesHaveOneSetEach) {
     add_torus_strokes(set, marks::Kind::own, 100, 9, 0.3);
     for (std::int64_t i = 0; i < set.layers[1].count(); ++i)
         set.layers[1].width.push_back(0.1F + 0.9F * static_cast<float>(i % 7) / 7.0F);
-    for (const float x : set.layers[2].direction) set.layers[2].tone_normal.push_back(x); // far from the normals
+    for (const float x : set.layers[2].direction) set.layers[2].tone_normal.push_back(x); // far from the marks' normals
     marks::cluster_marks(runtime, set);
     expect_sound(set.layers[0]);
     expect_sound(set.layers[1], true);
     expect_sound(set.layers[2], true);
-    // Again: nothing is left of the first time.
+    // Clustering again keeps nothing of the first result.
     const std::int64_t clusters = set.layers[1].clusters.cluster.size();
     marks::cluster_marks(runtime, set);
     EXPECT_EQ(set.layers[1].clusters.cluster.size(), clusters);
@@ -147,12 +147,12 @@ TEST_F(Clusters, BearDegenerateSets) {
     layer_of(bare, marks::Kind::stipples);
     marks::cluster_marks(runtime, bare);
     EXPECT_TRUE(bare.layers[0].clusters.cluster.empty());
-    marks::PointSet heap(runtime.memory); // 300 marks at one place that face alike
+    marks::PointSet heap(runtime.memory); // 300 marks at one place with the same normal
     for (int i = 0; i < 300; ++i) add_stipple(heap, {0.5, 0.25, -2.0}, {0.0, 0.6, 0.8});
     marks::cluster_marks(runtime, heap);
     expect_sound(heap.layers[0]);
     for (const Cluster& c : heap.layers[0].clusters.cluster) EXPECT_EQ(c.radius, 0.0F);
-    marks::PointSet star(runtime.memory); // at one place, facing all ways
+    marks::PointSet star(runtime.memory); // marks at one place with normals in all directions
     for (int i = 0; i < 1000; ++i) add_stipple(star, {1.0, 1.0, 1.0}, spiral_direction(i, 1000));
     marks::cluster_marks(runtime, star);
     expect_sound(star.layers[0]);
@@ -171,7 +171,7 @@ TEST_F(Clusters, BearDegenerateSets) {
     EXPECT_FALSE(far.layers[0].clusters.cluster.empty());
 }
 
-// Positions, centres and radii are in the set's unit, so that no size leaves a trace.
+// Positions, centres and radii are in the set's unit, so the result does not depend on the size.
 TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
     const marks::PointSet unit = clustered(runtime, sphere(runtime.memory, 3000));
     ASSERT_EQ(unit.unit, 1.0);
@@ -194,7 +194,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
                 ASSERT_TRUE(std::isfinite(number));
         }
         EXPECT_EQ(marks, set.layers[0].count());
-        if (power < -100 || power > 100) continue; // some digits are lost
+        if (power < -100 || power > 100) continue; // here some digits are lost
         const marks::MarkBlock& small = set.layers[0].clusters.block[0];
         const marks::MarkBlock& same = unit.layers[0].clusters.block[0];
         EXPECT_EQ(set.layers[0].clusters.cluster.size(), unit.layers[0].clusters.cluster.size());
@@ -202,7 +202,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
         EXPECT_EQ(small.rank[3], same.rank[3]);
         EXPECT_EQ(double{small.x[3]} * set.unit, std::ldexp(double{same.x[3]}, power));
     }
-    marks::PointSet ends(runtime.memory); // as far from each other as floats go
+    marks::PointSet ends(runtime.memory); // as far apart as floats allow
     constexpr double most = std::numeric_limits<float>::max();
     for (int i = 0; i < 400; ++i)
         add_stipple(ends, (i % 3 == 0 ? -most : i % 3 == 1 ? most : 1e-45) * glm::dvec3(1.0), spiral_direction(i, 400));
@@ -210,7 +210,8 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
     for (const Cluster& c : ends.layers[0].clusters.cluster) EXPECT_TRUE(std::isfinite(c.radius));
 }
 
-// No file and no array gives such positions; if one did, the undefined-behaviour sanitizer would have nothing to say.
+// No file and no array gives such positions. This makes sure that the undefined-behaviour sanitizer has nothing to
+// report.
 TEST_F(Clusters, BearWhatIsNoNumber) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     marks::PointSet set(runtime.memory);
@@ -220,15 +221,15 @@ TEST_F(Clusters, BearWhatIsNoNumber) {
     EXPECT_FALSE(set.layers[0].clusters.cluster.empty());
 }
 
-// t . S t for a tangent direction.
+// t . S t for a tangent direction t.
 double curvature(const Cluster& c, const glm::dvec3& t) {
     const auto s = [&](std::size_t k) { return static_cast<double>(c.shape[k]); };
     return t.x * (s(0) * t.x + 2.0 * (s(1) * t.y + s(2) * t.z)) + t.y * (s(3) * t.y + 2.0 * s(4) * t.z) +
            t.z * s(5) * t.z;
 }
 
-// The share of the marks whose cluster's shape is off by more than 5 % of the largest curvature, which
-// wanted(centre, tangent) tells.
+// The tangents and curvatures that are expected at a centre. share_off() returns the share of the marks whose cluster's
+// shape is off by more than 5 % of the largest curvature.
 struct Tangents {
     glm::dvec3 first, second;
     double first_curvature, second_curvature;
@@ -242,12 +243,13 @@ double share_off(const marks::Layer& layer, double largest, const Wanted& wanted
         const double error = std::max(std::abs(curvature(c, t.first) - t.first_curvature),
                                       std::abs(curvature(c, t.second) - t.second_curvature));
         if (error > 0.05 * largest) off += c.count;
-        if (c.bend < 0.0F) { // too few to tell
+        if (c.bend < 0.0F) { // too few marks to estimate it
             EXPECT_LT(c.count, 12);
             continue;
         }
         EXPECT_GE(static_cast<double>(c.bend), 0.75 * largest);
-        EXPECT_LE(static_cast<double>(c.bend), 1.6 * largest); // its norm: of a sphere sqrt(2)
+        EXPECT_LE(static_cast<double>(c.bend),
+                  1.6 * largest); // `bend` is a norm: on a sphere sqrt(2) times the curvature
     }
     return static_cast<double>(off) / static_cast<double>(layer.count());
 }
@@ -260,7 +262,7 @@ TEST_F(Clusters, KnowTheCurvatureOfASphere) {
         };
         const marks::PointSet many = clustered(runtime, sphere(runtime.memory, 200000, radius));
         EXPECT_EQ(share_off(many.layers[0], 1.0 / radius, wanted), 0.0);
-        // A cluster of a few marks at the edge of its cell has the shape of all the cell.
+        // A cluster of a few marks at the edge of its cell has the shape of the whole cell.
         const marks::PointSet some = clustered(runtime, sphere(runtime.memory, 50000, radius));
         EXPECT_LE(share_off(some.layers[0], 1.0 / radius, wanted), 0.005);
     }

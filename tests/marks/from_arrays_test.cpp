@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ready-made marks: what is copied, what is filled in, what is refused.
+// Tests ready-made marks: the data that are copied, filled in, or refused.
 #include "support/point_sets.h"
 
 #include "geometry/tangent_frame.h"
@@ -37,7 +37,7 @@ struct Arrays {
                                    static_cast<std::int64_t>(stroke_direction.size()), 1, base::Scalar::uint8, 1};
         return arrays;
     }
-    // No more than has to be.
+    // Only the arrays that are required.
     [[nodiscard]] LayerArrays bare(Kind kind = Kind::own) const {
         LayerArrays arrays;
         arrays.kind = kind;
@@ -144,13 +144,13 @@ TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
     expect_error(Status::invalid_argument, {"no mark", "layers[0].position"}, [] { (void)import({}); });
 }
 
-// Strokes say where they run, and appear as a whole.
+// Strokes get their directions from their course, and appear as a whole.
 TEST(FromArrays, StrokesHaveDirectionsAndRanksOfTheirOwn) {
     Arrays arrays;
     arrays.position.clear();
     arrays.normal.clear();
     arrays.stroke_first = {0};
-    for (int s = 0; s < 8; ++s) { // meridians
+    for (int s = 0; s < 8; ++s) { // the strokes are meridians
         for (int i = 0; i < 20; ++i) {
             const glm::dvec3 p(std::sin(0.3 + 0.1 * i) * std::cos(s), std::sin(0.3 + 0.1 * i) * std::sin(s),
                                std::cos(0.3 + 0.1 * i));
@@ -201,7 +201,7 @@ TEST(FromArrays, AddLayersToThoseOfASet) {
     EXPECT_FALSE(set.layers[2].progressive);
     EXPECT_NEAR(glm::distance(position(set, set.layers[2], 1), {0, 2, 0}), 0.0, 1e-6);
     EXPECT_TRUE(set.bounds.contains({0, 0, 3})) << "the bounds hold the new marks too";
-    // More marks than before: each stands for less of the area.
+    // With more marks than before, each stands for less of the area.
     Arrays many;
     many.position = spiral_seeds(8000);
     many.normal = many.position;
@@ -210,7 +210,7 @@ TEST(FromArrays, AddLayersToThoseOfASet) {
     EXPECT_TRUE(same_bits(only, base));
 }
 
-// Spacing from positions alone: marks of a known area.
+// The spacing is estimated from positions alone, here for marks of a known area.
 TEST(FromArrays, SpacingIsEstimatedFromThePositions) {
     for (const int n : {100, 600, 3000, 20000}) {
         Arrays arrays;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clusters of marks that have moved: the same marks in the same clusters, and what is said of each holds.
+// Clusters of marks that have moved keep the same marks, and the data of each cluster are right.
 #include "marks/point_set.h"
 
 #include "frame/hand_made.h"
@@ -61,7 +61,7 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
                           static_cast<float>(static_cast<double>(places.position[mark + k]) / unit));
                 ASSERT_EQ(n[static_cast<int>(k)], places.normal[mark + k]);
             }
-            // But for what is lost where the centre is rounded.
+            // The tolerance is what is lost where the centre is rounded.
             const float rounded = 1.1e-7F * (1.0F + glm::length(vector_of(cluster.centre)));
             ASSERT_LE(glm::distance(p, vector_of(cluster.centre)), cluster.radius + rounded);
             ASSERT_GE(glm::dot(n, vector_of(cluster.cone.axis)), cluster.cone.cosine - 1e-6F);
@@ -123,7 +123,7 @@ TEST_F(MoveClusters, BoundTheirMarksWhereverTheyGo) {
         p = glm::vec3(p.z, p.x, p.y) + glm::vec3(30.0F, -2.0F, 1.0F);
         n = glm::vec3(n.z, n.x, n.y);
     });
-    expect([](glm::vec3& p, glm::vec3& n) { // twisted about x, more and more
+    expect([](glm::vec3& p, glm::vec3& n) { // more and more twisted about x
         const float angle = 2.0F * p.x;
         const auto turn = [&](glm::vec3& v) {
             v = {v.x, std::cos(angle) * v.y - std::sin(angle) * v.z, std::sin(angle) * v.y + std::cos(angle) * v.z};
@@ -139,7 +139,7 @@ TEST_F(MoveClusters, BoundTheirMarksWhereverTheyGo) {
     expect([](glm::vec3& p, glm::vec3&) { p = glm::vec3(1.0F); }); // all at one place
 }
 
-// A sphere that grows bends less.
+// The curvature of a sphere decreases as the sphere grows.
 TEST_F(MoveClusters, FollowTheBendOfTheSurface) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
     const marks::Layer& layer = set.layers[0];

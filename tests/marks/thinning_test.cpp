@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A random choice of so many candidates.
+// Tests the random choice of a given number of candidates.
 #include "marks/site.h"
 
 #include "support/analytic.h"

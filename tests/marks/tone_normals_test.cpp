@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals that tone goes by: the grain of a surface goes, its sheets and edges stay.
+// Tests the normals that determine tone: the grain of a surface is smoothed away, its sheets and edges stay.
 #include "support/point_sets.h"
 
 #include "base/random.h"
@@ -18,7 +18,7 @@ constexpr double length = 0.05;
 
 Marks no_marks() { return Marks(runtime().memory); }
 
-// A square of marks in the plane of u and v, whose normals are tilted by up to `grain` in any direction.
+// Adds a square of marks in the plane of u and v. Their normals are tilted by up to `grain` in any direction.
 void add_square(Marks& marks, const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, double grain) {
     for (int i = 0; i < side * side; ++i) {
         const auto tilt = base::uniform4(5, static_cast<std::uint64_t>(i), base::Purpose::candidate);
@@ -71,7 +71,7 @@ TEST(ToneNormals, FollowACurve) {
     }
     const base::Array<float> soft = softened(marks);
     for (std::int64_t i = 0; i < marks.count(); ++i) {
-        const bool inside = i % side > 12 && i % side < side - 12; // beyond its ends there are none
+        const bool inside = i % side > 12 && i % side < side - 12; // skips marks near the ends of the arc
         if (inside) {
             ASSERT_LT(glm::distance(vec(soft, i), marks.normal[i]), 0.02) << i;
         }
@@ -81,8 +81,8 @@ TEST(ToneNormals, FollowACurve) {
 TEST(ToneNormals, KeepSheetsApartAndEdgesSharp) {
     Marks marks = no_marks();
     add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.0);
-    add_square(marks, {0, 0, -0.02}, {0, 1, 0}, {1, 0, 0}, 0.0); // its other side
-    add_square(marks, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.0);     // a wall on it
+    add_square(marks, {0, 0, -0.02}, {0, 1, 0}, {1, 0, 0}, 0.0); // the back of the square
+    add_square(marks, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.0);     // a wall on the square
     const base::Array<float> soft = softened(marks);
     EXPECT_LT(off(soft, 0, {0, 0, 1}), 1e-6);
     EXPECT_LT(off(soft, side * side, {0, 0, -1}), 1e-6);

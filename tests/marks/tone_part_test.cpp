@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ranks in a part of the tones.
+// Tests ranks in a part of the range of tones.
 #include "marks/point_set.h"
 
 #include <gtest/gtest.h>

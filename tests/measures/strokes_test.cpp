@@ -10,7 +10,7 @@
 namespace bench::strokes_test {
 namespace {
 
-// Along x, of marks from this id on.
+// A stroke along x. Its marks are numbered from `id` on.
 DrawnStroke line(float y, float from, float to, float radius = 0.5F, std::uint32_t id = 1) {
     DrawnStroke stroke;
     for (float x = from; x <= to; x += 2.0F) stroke.push_back({x, y, 0.0F, radius, id++});
@@ -35,7 +35,7 @@ TEST(StrokeMeasures, EndsAtTheBorderAreNone) {
 
 TEST(StrokeMeasures, GapsAreMeasuredAcrossLines) {
     std::vector<DrawnStroke> strokes{line(10.0F, 0.0F, 100.0F), line(13.0F, 0.0F, 100.0F), line(18.0F, 0.0F, 100.0F)};
-    strokes.push_back({{50.0F, 0.0F, 0.0F, 0.5F, 9}, {50.0F, 40.0F, 0.0F, 0.5F, 9}}); // crosses them
+    strokes.push_back({{50.0F, 0.0F, 0.0F, 0.5F, 9}, {50.0F, 40.0F, 0.0F, 0.5F, 9}}); // crosses the other lines
     std::vector<double> gaps;
     int alone = 0;
     for_each_gap(strokes, {}, [&](const StrokePoint&, const std::optional<Gap>& gap) {
@@ -81,7 +81,7 @@ TEST(StrokeMeasures, AHairThatGoesIsNoPop) {
     EXPECT_EQ(width_changes(frames, 0.4F).pops, 0.0);
 }
 
-// Marks 2 pixels apart.
+// The marks are 2 pixels apart.
 TEST(StrokeMeasures, AStrokePutsInkOnAllMarksThatItPasses) {
     std::vector<MarkPlace> places(10, MarkPlace{1, 0, 10, false});
     std::vector<glm::vec2> images;
@@ -94,7 +94,7 @@ TEST(StrokeMeasures, AStrokePutsInkOnAllMarksThatItPasses) {
     EXPECT_NEAR(inks[5].width, 2.65F, 1e-5F);
     EXPECT_EQ(inks[6].width, 3.0F);
     EXPECT_EQ(inks[7].width, 0.0F) << "more than a pixel beyond the end";
-    // An open line does not go on from its end to its beginning, however far apart the marks of two points are.
+    // An open line does not continue from its end to its beginning, even if two of its points have distant marks.
     inks.assign(10, {});
     const DrawnStroke whole{{0.0F, 0.0F, 0.0F, 1.0F, 1}, {18.0F, 0.0F, 0.0F, 1.0F, 10}};
     add_widths(whole, places, images, inks);
@@ -107,7 +107,7 @@ TEST(StrokeMeasures, AStrokePutsInkOnAllMarksThatItPasses) {
     EXPECT_EQ(inks[9].width, 2.0F);
 }
 
-// The points of a tip are nearer to the first mark than to the one of the next point of the line, and have its id.
+// The points of a tip have the id of the first mark, and are nearer to it than to the mark of the line's next point.
 TEST(StrokeMeasures, MarksAtATipHaveTheWidthOfTheTip) {
     std::vector<MarkPlace> places(10, MarkPlace{1, 0, 10, false});
     std::vector<glm::vec2> images;
@@ -126,7 +126,7 @@ TEST(StrokeMeasures, ToneIsComparedInWindows) {
     ToneImage drawn = asked;
     for (int i = 0; i < size * size; ++i) drawn.share[static_cast<std::size_t>(i)] = i / size % 4 < 2 ? 1.0F : 0.0F;
     const ToneSums lines = compare_tones(drawn, asked, 4.0);
-    EXPECT_GT(lines.psnr(), 50.0); // lines are none of its error
+    EXPECT_GT(lines.psnr(), 50.0); // separate lines add no error
     EXPECT_NEAR(lines.bias(), 0.0, 1e-3);
     for (float& share : drawn.share) share *= 0.9F;
     EXPECT_NEAR(compare_tones(drawn, asked, 4.0).bias(), -0.05, 1e-3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tree against all faces one by one.
+// Compares the tree with a search of all faces one by one.
 #include "mesh/face_tree.h"
 
 #include "meshes.h"
@@ -26,7 +26,7 @@ glm::dvec3 place(int i) {
     return 1.4 * glm::dvec3{std::sin(12.9898 * i), std::sin(78.233 * i + 1.0), std::sin(37.719 * i + 2.0)};
 }
 
-// The least over a fine grid of the face's places.
+// Returns the least distance over a fine grid of points on the face.
 double plain_distance(const std::array<glm::dvec3, 3>& p, const glm::dvec3& from) {
     double best = HUGE_VAL;
     constexpr int cells = 12;
@@ -76,7 +76,7 @@ TEST(FaceTree, RaysMeetWhatAllFacesSay) {
         double first = HUGE_VAL;
         int met = 0, sum = 0;
         for (std::int64_t face = 0; face < ring.faces(); ++face) {
-            // The plane, then the three sides.
+            // The ray has to meet the face's plane ahead, inside all three sides.
             const auto p = ring.corners(face);
             const glm::dvec3 n = mesh::doubled_area(p);
             const double t = glm::dot(p[0] - from, n) / glm::dot(along, n);

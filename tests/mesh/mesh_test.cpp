@@ -50,7 +50,7 @@ TEST(MakeMesh, OfATorusIsOfGenusOneAndOfTwoOfGenusTwo) {
     EXPECT_EQ(two.component[two.faces() - 1], 1);
 }
 
-// Faces that were computed apart: nearly in one place.  What is farther apart stays a gap.
+// The corners of each face were computed separately and nearly coincide. Corners that are farther apart leave a gap.
 TEST(MakeMesh, JoinsVerticesOfBordersThatRoundingKeepsApart) {
     for (const double off : {1e-7, 3e-6}) {
         Triangles soup = icosphere(3).unwelded();
@@ -63,7 +63,7 @@ TEST(MakeMesh, JoinsVerticesOfBordersThatRoundingKeepsApart) {
         EXPECT_EQ(welded.report.welded_vertices, 3 * 20 * 64 - 642);
         EXPECT_EQ(welded.report.components, 1);
     }
-    // Only borders: a closed mesh keeps the smallest of its faces.
+    // Only borders are joined: a closed mesh keeps even its smallest faces.
     const Triangles small = icosphere(2).moved(1e-7, 0.9, 0.0, 0.0);
     EXPECT_EQ(made(runtime(), icosphere(2).with(small), Parts::all).faces(), 2 * 20 * 16);
 }
@@ -73,7 +73,7 @@ TEST(MakeMesh, JoinsVerticesInOnePlace) {
     EXPECT_EQ(welded.vertex.size(), 642);
     EXPECT_EQ(welded.report.welded_vertices, 3 * 20 * 64 - 642);
     EXPECT_EQ(welded.report.genus, 0);
-    // The box's faces share their edges, and -0 is 0.
+    // The box's faces share their edges, as -0 equals 0.
     Triangles cube = box(1, 1, 1, 3);
     for (std::size_t i = 0; i < cube.vertices.size(); i += 2)
         if (cube.vertices[i] == 0.0) cube.vertices[i] = -0.0;
@@ -160,7 +160,7 @@ TEST(MakeMesh, LeavesOutWhatLiesInside) {
     EXPECT_EQ(largest.bounds.max.x, 1.0);
 }
 
-// A ball of radius 1, its faces column by column, each from the upper pole down.
+// A ball of radius 1. Its faces are stored column by column, each column from the upper pole down.
 Triangles ball_of_columns(int columns, int rows) {
     Triangles ball;
     const std::int32_t top = ball.add(0, 0, 1), bottom = ball.add(0, 0, -1);
@@ -184,7 +184,7 @@ Triangles ball_of_columns(int columns, int rows) {
     return ball;
 }
 
-// One face of every so many is at the same place of each column.
+// If every n-th face is tested, these may all be at the same place of their column.
 TEST(MakeMesh, KeepsBallsOfColumnsThatOverlap) {
     const Triangles ball = ball_of_columns(48, 24);
     const Mesh man = made(runtime(), ball.with(ball.moved(0.7, 0, 0, 1.4)).with(ball.moved(0.5, 0, 0, 2.3)));
@@ -193,7 +193,7 @@ TEST(MakeMesh, KeepsBallsOfColumnsThatOverlap) {
     EXPECT_EQ(man.faces(), 3 * 2208);
 }
 
-// Middles of all faces of the turned square lie inside the other, or on it; its corners do not.
+// The centres of all faces of the turned square are inside or on the other square. Its corners are not.
 TEST(MakeMesh, KeepsWhatStandsOutAtItsCorners) {
     const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
     for (const double low : {0.0, 0.1}) {
@@ -214,7 +214,7 @@ TEST(MakeMesh, KeepsCavitiesWithAllParts) {
     const Mesh all = made(runtime(), shell, Parts::all);
     EXPECT_EQ(all.report.turned_components, 0);
     EXPECT_NEAR(all.report.volume, 4.0 / 3.0 * pi * (1.0 - 0.512), 0.05);
-    // Inside an open one is nowhere.
+    // An open mesh has no inside.
     const auto half = [](double, double, double z) { return z > 0.0; };
     EXPECT_EQ(
         made(runtime(), icosphere(3).where(half).with(icosphere(2).moved(0.2, 0, 0, 0.5))).report.nested_components, 0);
@@ -224,7 +224,7 @@ TEST(MakeMesh, CountsEdgesOfThreeFaces) {
     Triangles fin = box(1, 1, 1, 1);
     const std::int32_t tip = fin.add(0.5, 0.5, 2.0);
     const std::int32_t a = fin.add(0, 0, 1), b = fin.add(1, 1, 1);
-    fin.face(a, b, tip); // over the diagonal of the lid
+    fin.face(a, b, tip); // on the diagonal of the lid
     const Mesh kept = made(runtime(), fin);
     EXPECT_EQ(kept.report.nonmanifold_edges, 1);
     EXPECT_EQ(kept.report.boundary_edges, 2);

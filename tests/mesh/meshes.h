@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes as make_mesh() takes them.
+// Meshes in the form that make_mesh() takes.
 #pragma once
 
 #include "mesh/mesh.h"

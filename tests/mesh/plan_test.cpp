@@ -37,7 +37,7 @@ TEST(Plan, TurnsWhatIsInsideOut) {
     component.closed = false;
     component.holes = 0.2;
     EXPECT_TRUE(mesh::is_turned(component, Parts::outer, Faces::turn));
-    component.holes = 0.3; // too large for an inside
+    component.holes = 0.3; // the holes are too large for it to have an inside
     EXPECT_FALSE(mesh::is_turned(component, Parts::outer, Faces::turn));
 }
 
@@ -140,7 +140,7 @@ TEST(Plan, LeavesFacesThatAreNotToBeDivided) {
     Coarse coarse(0.01);
     coarse.facts.has_creases = [] { return true; };
     EXPECT_EQ(coarse.plan().choice, Choice::nothing);
-    coarse.facts.said = SaidOfEdges::some_are_sharp; // then edges that stand out do not matter
+    coarse.facts.said = SaidOfEdges::some_are_sharp; // now edges that stand out do not matter
     EXPECT_EQ(coarse.plan().choice, Choice::divided);
     EXPECT_TRUE(coarse.plan().parts_alone);
     coarse = Coarse(0.01);
@@ -157,7 +157,7 @@ TEST(Plan, LeavesFacesThatAreNotToBeDivided) {
     coarse.wishes.edges_as_given = false;
     coarse.wishes.edges = Edges::sharp;
     EXPECT_EQ(coarse.plan().choice, Choice::nothing);
-    coarse.wishes.rounds = 2; // as the caller says, whatever else
+    coarse.wishes.rounds = 2; // the caller's number of rounds wins
     EXPECT_EQ(coarse.plan().choice, Choice::divided);
     EXPECT_EQ(coarse.plan().rounds, 2);
     coarse.wishes.rounds = 0;
@@ -182,7 +182,7 @@ TEST(Plan, ADivisionThatFoldsIsNoDivision) {
     EXPECT_EQ(judge(0.0, 0.031, SaidOfEdges::nothing), Choice::coarse_flat);
     EXPECT_EQ(judge(0.029, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
     EXPECT_EQ(judge(0.031, 0.0, SaidOfEdges::some_are_sharp), Choice::nothing);
-    wishes.edges_as_given = false; // such as AUTO or SMOOTH
+    wishes.edges_as_given = false; // for example AUTO or SMOOTH
     EXPECT_EQ(judge(0.016, 0.0, SaidOfEdges::nothing), Choice::divided);
     wishes.rounds = 1;
     EXPECT_EQ(judge(1.0, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
@@ -234,7 +234,7 @@ TEST(Plan, OpenPartsMayBeGrouped) {
     EXPECT_TRUE(mesh::may_be_grouped(report, 100'000));
 }
 
-// ---- How near the surface is to come
+// ---- Accuracy of the fit
 
 TEST(Plan, AFitChoosesItsSamplesUnlessTheCallerDoes) {
     EXPECT_TRUE(mesh::chooses_samples({}));
@@ -304,7 +304,7 @@ TEST(Plan, CoarseFacesAreFartherOff) {
     EXPECT_EQ(off(0.001), 0.009);
     EXPECT_DOUBLE_EQ(off(0.008), 0.012);
     EXPECT_EQ(off(1.0), 0.015);
-    facts.area = 0.02; // a strip that is met exactly ends at 0.2 of its width
+    facts.area = 0.02; // a strip that is fitted exactly ends at 0.2 of its width
     facts.border = 2.0;
     EXPECT_DOUBLE_EQ(off(1e-6), 0.004);
     EXPECT_EQ(off(1e-3), 0.009);

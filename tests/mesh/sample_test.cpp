@@ -26,7 +26,7 @@ base::Runtime runtime(int threads) {
 
 TEST(MeshSamples, LieOnTheMeshEvenOverItsArea) {
     const base::Runtime two = runtime(2);
-    // A long thin box: a seventh of its faces has nearly all of its area.
+    // A flat box. A seventh of its faces has nearly all of its area.
     const mesh::Mesh plate = made(two, box(1.0, 1.0, 0.01, 5));
     const mesh::MeshSamples samples = mesh::random_samples(two, plate, 20000, 1, 0);
     int on_lid = 0;
@@ -50,7 +50,7 @@ TEST(MeshSamples, KeepTheirDistanceInEveryPrefix) {
         for (std::int64_t i = 0; i < count; ++i)
             for (std::int64_t j = 0; j < i; ++j)
                 least = std::min(least, glm::distance(samples.position[i], samples.position[j]));
-        // Of a triangular lattice: sqrt(2 area / (sqrt(3) count)).
+        // The distance in a triangular lattice: sqrt(2 area / (sqrt(3) count)).
         const double lattice = std::sqrt(8.0 * 3.14159265 / (1.7320508 * static_cast<double>(count)));
         EXPECT_GT(least, 0.65 * lattice) << count;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces without an area between others, as CAD programs write them.
+// Tests faces without an area between other faces, as CAD programs write them.
 #include "base/random.h"
 #include "meshes.h"
 #include "support/runtime.h"
@@ -20,7 +20,8 @@ using namespace mesh_test;
 
 namespace {
 
-// Cuts a face at a place within a side; a face without an area fills the slit to what lies across it.
+// Cuts a face in two at a place on one side. A face without an area fills the slit between it and the face across that
+// side.
 void cut(Triangles& shape, std::size_t face, std::size_t side, double share) {
     const std::size_t first = 3 * face;
     const std::int32_t a = shape.triangles[first + side], b = shape.triangles[first + (side + 1) % 3];
@@ -48,7 +49,7 @@ double thinnest(const Mesh& shape) {
     return result;
 }
 
-// As a file of single precision has it.
+// Turns a mesh and rounds it to single precision, like a file.
 Triangles turned_and_rounded(const Triangles& from) {
     Triangles result = from;
     const glm::dmat3 turn(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
@@ -73,7 +74,7 @@ TEST(SplitSlivers, LeavesNoSlit) {
     for (const std::int32_t given : made_of.given_face) EXPECT_LT(given, 14);
 }
 
-// Beside each other, of each other's corners, and cut once more: some lie within the sides of others.
+// Many slivers are beside each other, share corners and are cut again. Some are within the sides of others.
 TEST(SplitSlivers, LeavesNoneOfMany) {
     const auto runtime = with_threads(2);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -94,7 +95,7 @@ TEST(SplitSlivers, LeavesNoneOfMany) {
     }
 }
 
-// One end is in two places, but for rounding.
+// The two places at one end of the needle differ only by rounding.
 TEST(SplitSlivers, JoinsTheEndsOfNeedles) {
     const auto runtime = with_threads(2);
     Triangles shape = box(1.0, 1.0, 1.0, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Solids that share faces or edges with others.
+// Tests solids that share faces or edges.
 #include "meshes.h"
 #include "support/runtime.h"
 
@@ -23,7 +23,7 @@ const Triangles cube = box(1.0, 1.0, 1.0, 1);
 
 Triangles at(double x, double y, double z) { return cube.moved(1.0, x, y, z); }
 
-// The box's mirror image in y, whose faces are cut along the other diagonals.
+// Mirrors the box in y, which cuts its faces along the other diagonals.
 Triangles cut_otherwise(const Triangles& from) {
     Triangles result = from;
     for (std::size_t i = 0; i < from.vertices.size(); i += 3) result.vertices[i + 1] = 1.0 - from.vertices[i + 1];
@@ -47,7 +47,7 @@ TEST(Walls, BetweenManyBoxesAreNone) {
     for (int x = 0; x < 3; ++x)
         for (int y = 0; y < 3; ++y)
             for (int z = 0; z < 3; ++z)
-                if (x != 2 || y != 1) all = all.with(at(x, y, z)); // a slot
+                if (x != 2 || y != 1) all = all.with(at(x, y, z)); // leaves a slot open
     const Mesh made_of = made(runtime, all);
     EXPECT_TRUE(made_of.report.closed);
     EXPECT_EQ(made_of.report.components, 1);
@@ -56,7 +56,7 @@ TEST(Walls, BetweenManyBoxesAreNone) {
     EXPECT_EQ(made_of.report.genus, 0);
 }
 
-// Faces that are cut along other diagonals are no twins; the boxes are two solids all the same.
+// Faces that are cut along other diagonals are no twins, and the boxes remain two solids.
 TEST(Walls, OfOtherFacesPartTheSolids) {
     const auto runtime = with_threads(2);
     const Triangles other = cut_otherwise(cube).moved(1.0, 1.0, 0.0, 0.0);
@@ -68,9 +68,9 @@ TEST(Walls, OfOtherFacesPartTheSolids) {
     EXPECT_NEAR(two.report.volume, 2.0, 1e-12);
 }
 
-// Two pyramids, base on base.  Those have two faces in common, and others of their own: what looks like a wall is a
-// part of a contact, and would be a window in it.  Turned, and rounded to single precision, the bases are not quite one
-// plane.
+// Two pyramids, base on base. The bases share two faces, and each has others of its own. The shared faces look like a
+// wall, but are only a part of the contact: without them it would have a window. Turned and rounded to single
+// precision, the bases are not quite in one plane.
 TEST(Walls, OfSomeFacesOnlyAreNone) {
     const auto runtime = with_threads(2);
     const auto pyramid = [](double top, const std::vector<std::array<std::int32_t, 3>>& base) {
@@ -116,7 +116,7 @@ TEST(Walls, SolidsThatTouchInAnEdgeAreClosed) {
         EXPECT_EQ(two.report.components, 2);
         EXPECT_EQ(two.vertex.size(), 16);
         EXPECT_EQ(two.report.genus, 0);
-        // Four about one edge, two of which meet in walls with both others.
+        // Three cubes about one edge. One of them meets both others in walls.
         const Mesh three = made(runtime, cube.with(at(1, 1, 0)).with(at(0, 1, 0)));
         EXPECT_TRUE(three.report.closed);
         EXPECT_EQ(three.report.components, 1);
@@ -124,7 +124,7 @@ TEST(Walls, SolidsThatTouchInAnEdgeAreClosed) {
     }
 }
 
-// Nor are they one where they share a corner alone.  Sheets that do stay as they are: they have borders there.
+// Solids that share only a corner are two. Sheets that do stay as they are, since they have borders there.
 TEST(Walls, SolidsThatTouchInACornerAreTwo) {
     const auto runtime = with_threads(2);
     const Mesh two = made(runtime, cube.with(at(1, 1, 1)));
@@ -141,10 +141,10 @@ TEST(Walls, SolidsThatTouchInACornerAreTwo) {
     EXPECT_EQ(made(runtime, sheets).vertex.size(), 5);
 }
 
-// Two wedges that share an edge and reach into each other: each keeps the faces that go on straight.
+// Two wedges share an edge and reach into each other. Each keeps the faces that go on straight.
 TEST(Walls, SolidsThatCrossInAnEdgeAreClosed) {
     const auto runtime = with_threads(2);
-    const auto wedge = [](double first, double last) { // about the edge from (0, 0, 0) to (0, 0, 1), by degrees
+    const auto wedge = [](double first, double last) { // about the edge from (0, 0, 0) to (0, 0, 1), in degrees
         Triangles made;
         const auto corner = [&](double degrees, double z) {
             const double angle = degrees * 3.141592653589793 / 180.0;
@@ -169,11 +169,11 @@ TEST(Walls, AreNoLeavesOfTwoSides) {
     const Mesh leaf = made(runtime, top.with(top.turned()));
     EXPECT_EQ(leaf.faces(), static_cast<std::int64_t>(top.faces()));
     EXPECT_EQ(leaf.report.repeated_faces, leaf.faces());
-    // A solid, all of whose faces have two sides, is one all the same.
+    // A solid remains a solid if each of its faces is doubled by its reverse.
     const Mesh solid = made(runtime, cube.with(cube.turned()));
     EXPECT_EQ(solid.faces(), 12);
     EXPECT_TRUE(solid.report.closed);
-    // Nor is it one beside a solid.
+    // Nor is such a leaf a wall beside a solid: its faces stay.
     const Mesh beside = made(runtime, cube.with(top.with(top.turned()).moved(1.0, 1.0, 0.0, 0.0)));
     EXPECT_EQ(beside.faces(), 12 + static_cast<std::int64_t>(top.faces()));
 }

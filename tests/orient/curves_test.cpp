@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals of points along curves, whose neighbours tell no plane.
+// Tests normals of points along curves, whose neighbours do not determine a plane.
 #include "shapes.h"
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ using namespace hrbfnpr;
 using orient::NormalMode;
 using orient::OutwardBy;
 
-// Begun from planes through neighbours 0.87 and 0.28 of these are right, from the first of the farthest-first order
-// all.
+// A search that begins with planes through neighbours gets 0.87 and 0.28 of these right. Begun with the first points of
+// the farthest-first order, it gets all right.
 TEST(OrientCurves, IsRightWhereTheyAreFarApart) {
     const base::Runtime runtime;
     for (const double spacing : {0.05, 0.065}) {
@@ -42,19 +42,20 @@ void expect_right(const Samples& wires, double noise, double angle) {
     EXPECT_TRUE(result.report.closed) << noise;
 }
 
-// Of noise of 0.2 to 0.9 spacings, which begins to hide the wires, directions are those of fewer points.
+// Noise of 0.2 to 0.9 spacings begins to hide the wires. The directions are then taken from fewer points.
 TEST(OrientCurves, IsRightWithNoise) {
     for (const double noise : {0.01, 0.02, 0.045}) expect_right(test::torus_wires(0.05), noise, 20.0);
 }
 
-// Of more than 6000 fewer are enough; with noise of four spacings every sixteenth still lies along the wires.
+// Of more than 6000 points, fewer are enough. With noise of four spacings every sixteenth point still follows the
+// wires.
 TEST(OrientCurves, IsRightOfMany) {
     const Samples wires = test::torus_wires(0.005);
     ASSERT_GT(wires.count(), 6000);
     for (const double noise : {0.0, 0.02}) expect_right(wires, noise, 10.0);
 }
 
-// As planes through neighbours on a wire have them: a quarter lie in the surface.
+// Planes through neighbours on a wire give such normals: a quarter of them are in the surface.
 TEST(OrientCurves, MakesNormalsAnewOfWhichManyLieInTheSurface) {
     const base::Runtime runtime;
     const Samples sections = test::torus_sections(9, 60);

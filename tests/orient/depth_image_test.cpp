@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images of depth cameras: what is smoothed, what is not, and their normals.
+// Tests images of depth cameras: which points are smoothed, which are not, and their normals.
 #include "orient/depth_image.h"
 
 #include "base/status.h"
@@ -22,7 +22,7 @@ using test::seen_depths;
 using test::SeenDepths;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-// Kinect: 1 / z in steps of 0.0029 / m, and an error of half a step.
+// A Kinect has 1 / z in steps of 0.0029 / m, with an error of half a step.
 constexpr DepthSensor kinect{0.0014, 0.0029, 1.0};
 
 orient::DepthImageInput input_of(const SeenDepths& image) {
@@ -33,7 +33,7 @@ orient::DepthImageInput input_of(const SeenDepths& image) {
     return input;
 }
 
-// What it makes has its memory.
+// Results use the memory of this runtime, so it lives as long as the program.
 const base::Runtime& plain() {
     static const base::Runtime runtime;
     return runtime;
@@ -44,9 +44,9 @@ orient::DepthImage smoothed(const SeenDepths& image, const base::Runtime& runtim
 }
 
 struct Errors {
-    double depth = 0.0;  // root of the mean square, of 1 / z
-    double normal = 0.0; // mean angle, degrees
-    double worst = 0.0;  // of 1 / z
+    double depth = 0.0;  // root mean square, in 1 / z
+    double normal = 0.0; // mean angle in degrees
+    double worst = 0.0;  // largest error, in 1 / z
 };
 
 enum class Of { all, wall, ball };
@@ -78,21 +78,21 @@ TEST(DepthImage, TakesOffMostOfTheNoise) {
     const Errors wall = errors_of(image, result, Of::wall);
     EXPECT_LT(wall.depth, 0.25 * kinect.noise);
     EXPECT_LT(wall.normal, 2.0);
-    const Errors ball = errors_of(image, result, Of::ball); // which is flatter than it was, over such a radius
+    const Errors ball = errors_of(image, result, Of::ball); // smoothing flattens the ball over such a radius
     EXPECT_LT(ball.depth, 1.5 * kinect.noise);
     EXPECT_LT(ball.normal, 8.0);
     EXPECT_LT(std::max(wall.worst, ball.worst), 12.0 * kinect.noise) << "nothing is between the ball and the wall";
     const std::int64_t hidden = 40 * 30;
     EXPECT_EQ(result.report.seen, 320 * 240 - hidden);
     EXPECT_LT(result.report.left_out, 100);
-    // Rounding adds step^2 / 12.
+    // Rounding adds step^2 / 12 to the variance.
     EXPECT_NEAR(result.report.noise, std::hypot(0.0014, 0.0029 / std::sqrt(12.0)), 0.0003);
     EXPECT_NEAR(result.report.focal_length, 256.0, 1e-6);
     EXPECT_NEAR(result.report.depth, 3.0, 0.3);
     EXPECT_GT(result.report.radius, 8.0);
 }
 
-// The wall's small planes are exact, and those on the ball, which curves, set the error.
+// The planes are exact on the wall. On the ball, which is curved, they determine the error.
 TEST(DepthImage, LeavesWhatIsExactWhereItIs) {
     const SeenDepths image = seen_depths(320, 240);
     const orient::DepthImage result = smoothed(image);
@@ -127,7 +127,7 @@ TEST(DepthImage, HasNothingWhereNothingWasSeen) {
 
 TEST(DepthImage, LeavesOutWhatIsOnNoSurface) {
     SeenDepths image = seen_depths(64, 48, kinect);
-    const std::int64_t lone = 40 * 64 + 50; // half way between the camera and the wall
+    const std::int64_t lone = 40 * 64 + 50; // halfway between the camera and the wall
     for (std::size_t axis = 0; axis < 3; ++axis) image.points[static_cast<std::size_t>(3 * lone) + axis] *= 0.5;
     const std::int64_t before = smoothed(seen_depths(64, 48, kinect)).report.left_out;
     const orient::DepthImage result = smoothed(image);
@@ -183,7 +183,7 @@ TEST(DepthImage, TakesTheGivenNoise) {
     EXPECT_NEAR(result.report.radius, 12.0 * std::sqrt(0.01 * result.report.depth * result.report.focal_length), 1e-9);
 }
 
-// In any unit, and by any number of threads.
+// The result is the same in any unit and for any number of threads.
 TEST(DepthImage, DoesNotGoByTheUnitOrTheThreads) {
     const SeenDepths image = seen_depths(64, 48, kinect);
     const orient::DepthImage one = smoothed(image);
@@ -201,7 +201,7 @@ TEST(DepthImage, DoesNotGoByTheUnitOrTheThreads) {
     EXPECT_EQ(scaled.report.noise, one.report.noise * 0x1p20);
 }
 
-// Numbers that overflow on the way are no crash, and give no numbers that are not.
+// Numbers that overflow in between cause no crash and no infinite results.
 TEST(DepthImage, StandsOddNumbers) {
     SeenDepths image = seen_depths(64, 48, kinect);
     const double odd[] = {0.0, 1e308, 5e-324, std::numeric_limits<double>::infinity(), nan};
@@ -217,7 +217,7 @@ TEST(DepthImage, StandsOddNumbers) {
     }
 }
 
-// A plane reference: least squares over the whole disc, which plane_around is where nothing is beyond the gate.
+// The reference is least squares over the whole disc. plane_around() agrees with it if no point is beyond the gate.
 TEST(DepthPlanes, AreExactOnPlanes) {
     base::Memory memory;
     orient::InverseDepth depth(memory);

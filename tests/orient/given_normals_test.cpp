@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Given normals, told apart and repaired.
+// Tests how given normals are told apart and repaired.
 #include "shapes.h"
 
 #include <gtest/gtest.h>
@@ -19,14 +19,14 @@ const Samples& shape() {
 
 orient::Orientation with(const std::vector<double>& normals, NormalMode mode = NormalMode::automatic,
                          const Samples& samples = shape()) {
-    static const base::Runtime runtime; // outlives what it made
+    static const base::Runtime runtime; // must outlive the results
     orient::OrientInput wanted = input(samples);
     wanted.normals = view(normals);
     wanted.mode = mode;
     return orient::orient(runtime, wanted);
 }
 
-// turned(i): whether the i-th normal points the other way.
+// Turns the i-th normal around if is_turned(i).
 template <class Turned>
 std::vector<double> turned(const Samples& samples, const Turned& is_turned) {
     std::vector<double> result = samples.normals;
@@ -137,7 +137,7 @@ TEST(GivenNormals, OfAClosedSurfaceAreSeenToPointInward) {
     EXPECT_FALSE(inward(sheet, false));
 }
 
-// A wall of two deviations of noise, whose sides cannot be told apart by places, beside a ball.
+// A wall beside a ball. The wall is two deviations of its noise thick, so positions do not tell its sides apart.
 Samples wall_and_ball() {
     Samples samples = noisy(sheets(10, 1.5), 0.75);
     const Samples ball = test::sphere(200);
@@ -163,7 +163,7 @@ TEST(GivenNormals, StayInDoubtUnlessTheyShowByThemselves) {
     EXPECT_LE(wrong(turned(both, [&](std::int64_t i) { return at(both.points, i).x > 33.0; })), 0.01);
 }
 
-// Those of random signs are none of a wall.
+// Normals of random signs do not describe a wall.
 TEST(GivenNormals, OfRandomSignsAreTossedInDoubtToo) {
     const Samples wall = noisy(sheets(10, 1.5), 0.75);
     const std::vector<double> tossed =

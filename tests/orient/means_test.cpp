@@ -13,7 +13,7 @@ namespace base = hrbfnpr::base;
 namespace geometry = hrbfnpr::geometry;
 namespace orient = hrbfnpr::orient;
 
-// A flat sheet with noise, and its means with normals that are some 20 degrees off.
+// A flat sheet with noise, and its means with normals that are about 20 degrees off.
 struct Sheet {
     base::Runtime runtime;
     orient::Cloud cloud{runtime.memory};
@@ -45,7 +45,7 @@ TEST(Means, AreFewerAndNearerToTheSheet) {
                               sheet.cloud.spacing * (sheet.means.centre + sheet.means.spacing * sheet.means.point(k));
         off += at.z * at.z;
     }
-    EXPECT_LT(std::sqrt(off / static_cast<double>(sheet.means.size())), 0.97); // the points: 1
+    EXPECT_LT(std::sqrt(off / static_cast<double>(sheet.means.size())), 0.97); // for the points: 1
 }
 
 TEST(Means, GiveNormalsOfThePointsAroundThem) {
@@ -57,7 +57,7 @@ TEST(Means, GiveNormalsOfThePointsAroundThem) {
         EXPECT_NEAR(glm::length(found[at]), 1.0, 1e-12);
         angle += std::acos(std::min(1.0, found[at].z)) * 57.29577951308232;
     }
-    EXPECT_LT(angle / static_cast<double>(found.size()), 4.0); // those of the four nearest means: 10
+    EXPECT_LT(angle / static_cast<double>(found.size()), 4.0); // for the normals of the four nearest means: 10
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals of noisy clouds: means where the surface is smooth, and walls whose points look the right way.
+// Tests normals of noisy clouds: means where the surface is smooth, and walls with correct sides.
 #include "orient/noisy_clouds.h"
 #include "shapes.h"
 #include "support/runtime.h"
@@ -19,7 +19,7 @@ geometry::VecArray unpacked(const base::Runtime& runtime, const std::vector<doub
     return result;
 }
 
-// A cloud, and normals that are as found: in the tree's order.
+// A cloud and its present normals, in the tree's order.
 struct Found {
     Found(const base::Runtime& runtime, const Samples& samples, const std::vector<double>& normals)
         : tree(unpacked(runtime, samples.points), base::Progress()), normal(runtime.memory, tree.size()) {
@@ -36,7 +36,7 @@ struct Found {
     geometry::VecArray normal;
 };
 
-// Directions that are off by some 20 degrees.
+// Turns directions by about 20 degrees.
 std::vector<double> shaken(const std::vector<double>& normals) {
     Samples some;
     some.points = normals;
@@ -59,7 +59,7 @@ TEST(NoisyNormals, AreMeansWhereTheSurfaceIsSmooth) {
     EXPECT_LT(found.score_of(runtime, ball).angle, 0.35 * before);
 }
 
-// Right ones of a roof of many ridges, eight spacings wide each, that bend by 100 degrees.
+// A roof of many ridges, each slope eight spacings wide, that bend by 100 degrees. Its normals are right.
 TEST(NoisyNormals, DoNotMixFacesThatAreApart) {
     const base::Runtime runtime = test::with_threads(2);
     constexpr int width = 8;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals of points that have none.
+// Tests the normals that are found for points without any.
 #include "shapes.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Orient, FindsOutwardNormalsOfClosedShapesOfAnySize) {
     }
 }
 
-// A spanning tree of planes through neighbours is wrong for half the points of these.
+// A spanning tree over planes through neighbours is wrong for half of these points.
 TEST(Orient, TellsTheSidesOfThinWallsApart) {
     const base::Runtime runtime;
     for (const double gap : {1.0, 1.5}) {
@@ -80,7 +80,7 @@ TEST(Orient, AllowsForNoise) {
     Samples noisy = test::torus(1500);
     std::uint64_t state = 1;
     for (double& x : noisy.points) {
-        double sum = -6.0; // about normal
+        double sum = -6.0; // approximately normal
         for (int k = 0; k < 12; ++k) {
             state = state * 6364136223846793005U + 1442695040888963407U;
             sum += static_cast<double>(state >> 11U) / 9007199254740992.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals of noisy points over a rising ridge.
+// Tests normals of noisy points over a rising ridge.
 #include "orient/noisy_clouds.h"
 #include "orient/normals_of_cloud.h"
 #include "shapes.h"
@@ -16,14 +16,14 @@ namespace {
 using namespace hrbfnpr;
 using namespace orient_test;
 
-// A wall 1.5 spacings thick, with a deviation of a fifth of that.
+// A wall 1.5 spacings thick. The deviation of its noise is a fifth of that.
 Samples noisy_wall() { return noisy(sheets(14, 1.5), 0.3); }
 
 struct NoisyCloud {
     NoisyCloud(const base::Runtime& runtime, const Samples& samples)
         : cloud(orient::read_cloud(runtime, view(samples.points))), near(runtime, *cloud.tree, 32) {}
 
-    // Of the places, or of all with the other sign.
+    // Returns the share of normals that are right, or the share with all signs flipped if that is larger.
     [[nodiscard]] double right(const Samples& samples, const geometry::VecArray& normal) const {
         double share = 0.0;
         for (std::int64_t i = 0; i < samples.count(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clouds with known normals, and how many of those that are found are right.
+// Clouds with known normals, and the share of the normals found that are right.
 #pragma once
 
 #include "orient/orient.h"
@@ -24,8 +24,8 @@ inline glm::dvec3 at(const std::vector<double>& packed, std::int64_t i) {
 }
 
 struct Score {
-    double right = 0.0; // share
-    double angle = 0.0; // mean, of the lines, in degrees
+    double right = 0.0; // share of the points
+    double angle = 0.0; // mean angle between the lines, in degrees
 };
 
 inline Score score(const Samples& samples, const hrbfnpr::geometry::VecArray& normal) {
@@ -40,8 +40,8 @@ inline Score score(const Samples& samples, const hrbfnpr::geometry::VecArray& no
     return result;
 }
 
-// Two wavy sheets of a grid, `gap` spacings apart and half a spacing aside: the outside is above the one and below the
-// other.
+// Two wavy sheets of a grid, `gap` spacings apart and shifted by half a spacing. The outside is above one sheet and
+// below the other.
 inline Samples sheets(int side, double gap) {
     Samples samples;
     for (const double up : {1.0, -1.0})
@@ -71,7 +71,7 @@ inline Samples terrain(int side) {
     return samples;
 }
 
-// Of about the normal distribution, in the unit of the points.
+// Adds noise that is nearly normally distributed, in the unit of the points.
 inline Samples noisy(Samples samples, double deviation) {
     std::uint64_t state = 1;
     for (double& x : samples.points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Published strokes along the caller's directions, and across them.
+// Tests published strokes along the caller's directions, and across them.
 #include "support/caller_directions.h"
 #include "support/point_sets.h"
 
@@ -22,7 +22,7 @@ TEST(Function, IsFollowed) {
     generate::Settings settings = along(caller);
     const std::vector<double> seeds = spiral_seeds(64);
     use_points(settings, seeds);
-    // A function comes before the guide, whichever that is.
+    // A direction function has priority over any guide.
     for (const hatching::Guide guide : {hatching::Guide::curvature, hatching::Guide::combing, hatching::Guide::light}) {
         settings.layers[0].hatching.field.guide = guide;
         const PointSet set = make(sphere, settings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The published recursion: Table 1's counts, where children go, budgets.
+// Tests the published recursion: the counts of Table 1, the places of children, and budgets.
 #include "support/point_sets.h"
 
 #include "geometry/tangent_frame.h"
@@ -35,7 +35,7 @@ TEST(PublishedCounts, Table1) {
     EXPECT_EQ(of(make(sphere, settings), principal).count(), 221184);
 }
 
-// Hatching from stipples: 6 * 5^2 stipples, two strokes of 3^3 marks each.
+// Hatching that starts from stipples has 6 * 5^2 stipples, and two strokes of 3^3 marks at each.
 TEST(PublishedCounts, StrokesMayStartFromStipples) {
     const Sphere sphere;
     generate::Settings settings = recursion({combing}, 3);
@@ -54,7 +54,7 @@ TEST(PublishedCounts, StrokesMayStartFromStipples) {
     EXPECT_TRUE(same_bits(of(both, combing).direction, of(only_strokes, combing).direction));
 }
 
-// On a plane nothing moves in the projection: every child stands at (i r + j u) rho from its parent.
+// On a plane projection moves nothing: every child is at (i r + j u) rho from its parent.
 TEST(PublishedStipples, ChildrenStandAtTheJitteredCorners) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, cube(1.0));
     generate::Settings settings = recursion({Kind::stipples}, 2);
@@ -79,7 +79,7 @@ TEST(PublishedStipples, ChildrenStandAtTheJitteredCorners) {
             different.insert(std::abs(along_u));
         }
         EXPECT_EQ(corners.size(), 4U);
-        // The second level is a third as wide, about each of the first five.
+        // The second level is a third as wide. Its marks are around each of the first five.
         for (std::int64_t i = 5; i < 25; ++i) {
             const glm::dvec3 parent = position(set, Kind::stipples, (i - 5) / 4);
             const glm::dvec3 offset = (position(set, Kind::stipples, i) - parent) / 0.1;
@@ -118,7 +118,7 @@ TEST(PublishedBudget, ThinsTheLevelThatExceedsItAndStops) {
         use_points(settings, seeds);
         LayerSettings& limited = of(settings, kind);
         const bool stipple = kind.kind == Kind::stipples;
-        limited.budget = stipple ? 700 : 500; // 40, 200, [1000]; 80, 240, [720]
+        limited.budget = stipple ? 700 : 500; // stipples: 40, 200, [1000]; hatching: 80, 240, [720]
         const PointSet set = make(sphere, settings);
         const LayerReport& report = of(set, kind).report;
         EXPECT_EQ(of(set, kind).count(), limited.budget);
@@ -129,7 +129,7 @@ TEST(PublishedBudget, ThinsTheLevelThatExceedsItAndStops) {
         EXPECT_EQ(report.level.size(), 3) << "no level beyond it";
         EXPECT_EQ(report.full_count, stipple ? 40 * 625 : 80 * 81);
         expect_sound(set, sphere);
-        // At random, not the first ones: all seeds keep some.
+        // The marks that are kept are random, so all seeds keep some.
         std::set<std::uint32_t> strokes;
         for (std::int64_t i = 0; i < of(set, kind).count(); ++i)
             if (of(set, kind).level[i] == 2) strokes.insert(of(set, kind).stroke[2 * i]);
@@ -138,17 +138,17 @@ TEST(PublishedBudget, ThinsTheLevelThatExceedsItAndStops) {
             for (std::int64_t i = 0; i < of(set, kind).count(); ++i)
                 EXPECT_LT(of(set, kind).stroke[2 * i + 1], 9U) << "places are numbered for the levels taken";
         }
-        limited.budget = 10; // fewer than seeds
+        limited.budget = 10; // fewer than the number of seeds
         const PointSet few = make(sphere, settings);
         EXPECT_EQ(of(few, kind).count(), 10);
         EXPECT_EQ(of(few, kind).report.levels, 0);
     }
 }
 
-// A step far too long: children of the tangent plane land all over a small sphere or not at all, and
-// each dropped one is counted; its children are never made.
+// The step is far too long. Children in the tangent plane land anywhere on the small sphere or miss it. Each dropped
+// child is counted, and has no children itself.
 TEST(PublishedDrops, AreCountedAndHaveNoChildren) {
-    // Inside the unit ball there is no zero to be found beyond x > 0.
+    // Inside the unit ball f has no zero for x > 0.
     const AnyField half(cube(1.0), [](const glm::dvec3& p) -> Field {
         if (p.x > 0.0) return {std::nan(""), glm::dvec3(0.0), {}};
         return Sphere().at(p);
@@ -172,9 +172,9 @@ TEST(PublishedDrops, AreCountedAndHaveNoChildren) {
     EXPECT_LT(placed, 3 * 125);
 }
 
-// Two parallel sheets with one end: what would jump from one to the other is dropped as strayed.
+// Two parallel sheets, of which the first one ends. Children that jump to the other sheet are dropped as strayed.
 TEST(PublishedDrops, StrayedMarksAreDropped) {
-    // A surface that ends: f is a plane's for |x| < 1 and a far plane's beyond.
+    // A surface that ends: for |x| < 1 f is that of a plane, and beyond that of a distant plane.
     const AnyField step(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.z - (std::abs(p.x) < 1.0 ? 0.0 : 5.0), {0.0, 0.0, 1.0}, {}};
     });

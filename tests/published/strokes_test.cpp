@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes: order and spacing along them, directions, osculating circles.
+// Tests strokes: order and spacing along them, directions, osculating circles.
 #include "support/point_sets.h"
 
 #include "geometry/tangent_frame.h"
@@ -13,7 +13,7 @@ namespace {
 using namespace marks;
 using namespace test;
 
-// The marks of every stroke in the order of their places.
+// Returns the marks of every stroke, in the order of their places.
 std::map<std::uint32_t, std::vector<std::int64_t>> strokes_of(const Layer& marks) {
     std::map<std::uint32_t, std::vector<std::int64_t>> strokes;
     for (std::int64_t i = 0; i < marks.count(); ++i) strokes[marks.stroke[2 * i]].push_back(i);
@@ -57,7 +57,7 @@ void expect_even_strokes(const PointSet& set, const Which& kind, double spacing,
         for (std::size_t place = 1; place < members.size(); ++place) {
             const glm::dvec3 step = position(set, kind, members[place]) - position(set, kind, members[place - 1]);
             ASSERT_NEAR(glm::length(step), spacing, tolerance * spacing) << stroke << " " << place;
-            // Directions run along the stroke, from place 0 on.
+            // Directions run along the stroke, from place 0 onward.
             ASSERT_GT(glm::dot(step, vec(marks.direction, members[place])), (1.0 - tolerance) * 0.9 * spacing);
             ASSERT_GT(glm::dot(step, vec(marks.direction, members[place - 1])), (1.0 - tolerance) * 0.9 * spacing);
         }
@@ -73,8 +73,8 @@ TEST(Strokes, OrderAndSpacingHoldOnCurvedSurfaces) {
     expect_even_strokes(lines, principal, 0.01, 0.12);
 }
 
-// A meridian is a geodesic and stays in its half plane at any step.  A parallel is not: the osculating
-// circle of the normal section leaves it by rho^2 / 2 times its geodesic curvature, sin v / (R + r cos v).
+// A meridian is a geodesic and stays in its half plane at any step. A parallel is not: the osculating circle of the
+// normal section leaves it by rho^2 / 2 times its geodesic curvature, sin v / (R + r cos v).
 TEST(Strokes, CurvatureLinesOfATorusAreItsMeridiansAndParallels) {
     const Torus torus(1.0, 0.35);
     generate::Settings settings = recursion({principal}, 3);
@@ -101,8 +101,8 @@ TEST(Strokes, CurvatureLinesOfATorusAreItsMeridiansAndParallels) {
     }
 }
 
-// On a sphere every direction's osculating circle is a great circle of the sphere itself: marks land
-// where they start, at arc lengths that are exact.
+// On a cylinder the osculating circle around the axis is on the surface itself. So projection does not move the marks,
+// and their arc lengths are exact.
 TEST(Strokes, StepsOnTheOsculatingCircleHaveTheStepsArcLength) {
     const Cylinder cylinder(0.5, 2.0);
     generate::Settings settings = recursion({principal}, 2);
@@ -121,7 +121,7 @@ TEST(Strokes, StepsOnTheOsculatingCircleHaveTheStepsArcLength) {
     }
     for (const std::int64_t i : strokes.at(0)) // k1 = 0, along the axis
         EXPECT_NEAR(std::hypot(position(set, principal, i).x - 0.5, position(set, principal, i).y), 0.0, 1e-6);
-    // Projection had nothing left to do but to confirm: two seeds' evaluations, and one for each child.
+    // The projection only had to confirm the places: one evaluation for each seed and one for each child.
     EXPECT_EQ(of(set, principal).report.level[1].placed, 4);
 }
 
@@ -138,8 +138,8 @@ TEST(Strokes, StepsLongerThanAQuarterCircleEndThere) {
     EXPECT_NEAR(position(set, principal, strokes.at(1)[0]).x, 0.0, 1e-6);
 }
 
-// A sphere is umbilic: a stroke goes on in its own direction, so that it is a great circle, although the
-// fallback field turns and jumps.
+// A sphere is umbilic, so a stroke continues in its own direction and is a great circle, although the fallback field
+// turns and jumps.
 TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
     const Sphere sphere;
     generate::Settings settings = recursion({principal}, 4);
@@ -155,7 +155,8 @@ TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
     }
 }
 
-// Published strokes lie as they grew: their step is not a distance between neighbours, by which a frame could go.
+// Published strokes keep the places where they grew. Their step is not a distance between neighbours, so frames do not
+// use it as a gap.
 TEST(Strokes, HaveNoGapsThatATonesWidthGoesBy) {
     generate::Settings settings = recursion({principal}, 2);
     settings.seeds.initial_step = 0.05;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Discs into pixels: coverage, blending, paper, against the plain reference.
+// Compares discs as pixels with the plain reference: coverage, blending, paper.
 #include "raster/reference.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ TEST_F(Blend, ADiscHasTheAreaOfItsCircleWhereverItsCentreLies) {
             style.kind[0].radius = radius;
             const double area = draw_marks(style, 40, 40).darkness() * 1600.0;
             const double expected = pi * static_cast<double>(radius * radius);
-            // The linear rim adds pi/12; small discs suffer more from the pixels' grid.
+            // The linear rim adds pi/12. Small discs are affected more by the pixel grid.
             EXPECT_NEAR(area, expected + pi / 12.0, radius < 1.4F ? 0.35 : 0.02 * expected) << radius;
         }
     }
@@ -66,7 +66,7 @@ TEST_F(Blend, ATinyDiscGetsPalerInsteadOfSmaller) {
         const Picture picture = draw_marks(style, 40, 40);
         const float alpha = 4.0F * radius * radius;
         EXPECT_EQ(picture.at(20, 20, 0), static_cast<int>(255.0F * (1.0F - alpha) + 0.5F));
-        EXPECT_EQ(picture.at(21, 20, 0), 255); // a whole pixel from its centre
+        EXPECT_EQ(picture.at(21, 20, 0), 255); // one pixel from the disc's centre
     }
 }
 
@@ -80,7 +80,7 @@ TEST_F(Blend, AHugeDiscCoversEverything) {
 }
 
 TEST_F(Blend, LaterDiscsLieOverEarlierOnes) {
-    add_pixel_mark(set, 20.5, 20.5, 1.0); // id 1, behind
+    add_pixel_mark(set, 20.5, 20.5, 1.0); // id 1, the farther one
     add_pixel_mark(set, 20.5, 20.5, 0.0);
     Style far_style = plain_style();
     far_style.kind[0].ink = {1.0F, 0.0F, 0.0F, 1.0F};
@@ -112,7 +112,7 @@ TEST_F(Blend, EqualsThePlainReference) {
 }
 
 TEST_F(Blend, TransparentPaperErases) {
-    add_pixel_mark(set, 20.5, 20.5, 5.0); // ink, and far in front of it a layer that paints over it
+    add_pixel_mark(set, 20.5, 20.5, 5.0); // ink, and far in front of it a layer whose paper covers it
     for (int x = 0; x < 8; ++x) {
         for (int y = 0; y < 8; ++y) add_pixel_mark(set, 17.0 + x, 17.0 + y, 0.0);
     }
@@ -121,7 +121,7 @@ TEST_F(Blend, TransparentPaperErases) {
     style.tone = frame::Tone::none;
     style.kind[0].radius = 2.0F;
     style.paper = glm::vec4(0.0F);
-    // Near marks are not inked: all but the first are light.
+    // The near marks have no ink: all but the first mark are light.
     set.layers[0].rank[0] = 0.999F;
     for (std::int64_t i = 1; i < set.layers[0].count(); ++i) set.layers[0].rank[i] = 0.1F;
     style.kind[0].share = 0.01F;
@@ -132,7 +132,7 @@ TEST_F(Blend, TransparentPaperErases) {
     style.attenuation_front = 0.5;
     style.splat_overlap = 1.0F;
     const int left = draw_marks(style, 40, 40).at(20, 20, 3);
-    EXPECT_NEAR(left, 128, 10); // one layer of opacity 0.5, made of overlapping discs
+    EXPECT_NEAR(left, 128, 10); // one layer of opacity 0.5, from overlapping discs
 }
 
 } // namespace

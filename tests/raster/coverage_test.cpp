@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tone by coverage: what is drawn covers as much of the paper as was asked for, at any zoom; and marks fade.
+// Tests tone by coverage: the ink covers the requested part of the paper at any zoom, and marks fade.
 #include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"
 #include "generate/generate.h"
@@ -25,7 +25,7 @@ marks::PointSet patch(const base::Runtime& runtime, std::int64_t marks) {
     return clustered(runtime, generate::generate(runtime, plane, {}, settings));
 }
 
-// Front ink only; tau = the cosine of the light.
+// Draws front ink only; tau is the cosine of the light.
 Style toned(double tau) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
@@ -40,13 +40,13 @@ protected:
         const std::array items{layered_item(set, style)};
         frame.draw(items, camera);
     }
-    // Of the picture's middle.
+    // Returns the darkness of the picture's middle.
     double covered(const marks::PointSet& set, const Style& style, double half) {
         const std::array items{layered_item(set, style)};
         return picture_of(runtime, items, front_camera(size, size, half), size, size)
             .darkness(20, 20, size - 20, size - 20);
     }
-    // Area of each mark's ink over that of a full one.
+    // Returns the area of each mark's ink over that of a full mark.
     std::vector<double> areas(std::int64_t marks, double radius) const {
         std::vector<double> result(static_cast<std::size_t>(marks) + 1, 0.0);
         for (const Disc& disc : frame.discs())
@@ -58,9 +58,9 @@ protected:
     DrawnFrame frame{runtime};
 };
 
-// Whether there are marks enough for this tone and for 0.6, and a few to spare.
+// Tells whether the marks are enough for this coverage and for 0.6, with some to spare.
 bool enough(std::int64_t budget, double half, float radius, double coverage) {
-    // The patch is about 1.18 times as large as the box that it was asked for.
+    // The patch is about 1.18 times as large as the requested box.
     const double density = static_cast<double>(budget) / 4.7 * std::pow(2.0 * half / size, 2.0);
     const double ink = density * pi * static_cast<double>(radius * radius);
     return ink > 1.3 * static_cast<double>(frame::ink_for(static_cast<float>(std::max(coverage, 0.6)),
@@ -146,7 +146,7 @@ TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
         for (const float fade : {0.0F, 0.25F}) {
             Style style = toned(0.4);
             style.tone_fade = fade;
-            style.fill_light = 0.0F; // many marks are counted, also on the unlit side
+            style.fill_light = 0.0F; // counts many marks on the unlit side, too
             std::vector<double> before(static_cast<std::size_t>(set->layers[0].count()) + 1, 0.0);
             std::int64_t drawn = 0;
             for (double half = 2.0; half > 0.1; half /= 1.07) {
@@ -167,7 +167,7 @@ TEST_F(Coverage, ZoomingInNeverRemovesAMarkNorItsInk) {
     }
 }
 
-// Ink per area of marks at random, as a frame looks it up: between 64 steps.
+// Ink per area of random marks, interpolated between 64 steps as in a frame.
 double ink_of_table(double coverage) {
     const double at = 64.0 * coverage;
     const double cell = std::min(std::floor(at), 63.0);
@@ -193,7 +193,7 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
             const std::vector<double> now = areas(set.layers[0].count(), 1.0);
             for (std::int64_t i = 0; step > 0 && i < set.layers[0].count(); ++i) {
                 const Mark mark = mark_of(set, i);
-                // Of the share that is shown, whose `fade`-th part a mark takes to grow.
+                // The share of the marks that is shown. A mark grows over the `fade`-th part of it.
                 const auto needed = [&](int at) {
                     const double lit = glm::dot(mark.normal, glm::normalize(light(0.004 * at)));
                     const double tau = lit > 0.0 ? lit : double{style.fill_light} * lit * lit;
@@ -206,7 +206,7 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
                 ASSERT_LE(std::abs(now[id] - before[id]), 1.1 * change + 0.02) << id << " " << step;
             }
             before = now;
-            // The same again has the same bits.
+            // A second draw gives the same bits.
             const std::vector<Disc> discs(frame.discs().begin(), frame.discs().end());
             draw(set, style, camera);
             ASSERT_EQ(frame.discs().size(), discs.size());
@@ -228,12 +228,12 @@ TEST_F(Coverage, FadesOnlyIfAskedTo) {
     for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.radius, 1.25F);
     style.tone_fade = 0.25F;
     draw(set, style, front_camera(size, size));
-    std::array<std::int64_t, 4> quarters{}; // of the area
+    std::array<std::int64_t, 4> quarters{}; // counts of discs by quarters of the full area
     for (const Disc& disc : frame.discs()) {
         const float area = disc.radius * disc.radius / (1.25F * 1.25F);
         ++quarters[static_cast<std::size_t>(std::min(3.0F, 4.0F * area))];
     }
-    // A quarter of them grows, at an even pace.
+    // A quarter of the discs grows, at an even pace.
     const auto all = static_cast<double>(frame.discs().size());
     for (std::size_t q = 0; q < 3; ++q) EXPECT_NEAR(static_cast<double>(quarters[q]), all / 16.0, 0.03 * all);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pixels of floats and of coverage, against those of bytes.
+// Compares pixels of floats and of coverage with those of bytes.
 #include "raster/reference.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace {
 using output::DrawSettings;
 using output::Format;
 
-constexpr int width = 150; // a few tiles of either way to draw
+constexpr int width = 150; // a few tiles in both directions
 constexpr int height = 110;
 
 double decoded(double e) { return e <= 0.04045 ? e / 12.92 : std::pow((e + 0.055) / 1.055, 2.4); }
@@ -53,7 +53,7 @@ protected:
         raster.draw(frame.drawing(), picture.image(), own);
         return picture;
     }
-    // What was there before, in the picture's format: straight RGBA of bytes.
+    // The content before the draw in straight RGBA bytes. under() writes it in the picture's format.
     static std::array<int, 4> before(int i) { return {i % 256, i * 7 / 3 % 256, i * 3 % 256, i * 11 % 256}; }
     static void under(Picture& picture, int i) {
         const std::array<int, 4> straight = before(i);
@@ -118,7 +118,7 @@ TEST_P(Formats, PremultipliedFloatsAreStraightOnesTimesAlpha) {
     }
 }
 
-// The drawing on transparent paper, laid over what was there by the plain law.
+// "Over" gives the drawing on transparent paper, blended with the old content by the plain formula.
 TEST_P(Formats, OverIsTheLawOfOver) {
     if (!GetParam().over) return;
     draw(papers[2]);
@@ -144,7 +144,7 @@ TEST_P(Formats, OverIsTheLawOfOver) {
     }
 }
 
-// How much ink there is, whatever the paper and in any light.
+// Coverage is the amount of ink, for any paper and in linear light, too.
 TEST_P(Formats, CoverageIsTheAlphaOfTheDrawingOnTransparentPaper) {
     draw(papers[2]);
     const Picture layer = draw_as(Format::rgba32f);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's image: formats, strides, viewports; depth, id and class outputs; host depth.
+// Tests the caller's image: formats, strides, viewports; depth, id and class outputs; host depth.
 #include "raster/reference.h"
 
 #include <gtest/gtest.h>
@@ -112,7 +112,7 @@ TEST_F(ImageTest, OverLaysTheDrawingOnWhatIsThere) {
     for (const Format format : {Format::rgba8, Format::bgra8, Format::rgba8_premultiplied}) {
         Picture picture(width, height, format);
         for (std::size_t i = 0; i < picture.bytes.size(); i += 4) {
-            const std::uint8_t under[] = {100, 60, 20, 200}; // a legal premultiplied colour, too
+            const std::uint8_t under[] = {100, 60, 20, 200}; // valid as a premultiplied colour, too
             std::memcpy(picture.bytes.data() + i, under, 4);
         }
         raster.draw(frame.drawing(), picture.image(), over);
@@ -183,9 +183,9 @@ TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
             MarkClass mark_class;
         };
         const Expected table[] = {{20, 20, 13.0, 1, MarkClass::front},      {24, 20, 11.0, 2, MarkClass::front},
-                                  {22, 20, 11.0, 2, MarkClass::front}, // both cover it
+                                  {22, 20, 11.0, 2, MarkClass::front}, // both marks cover it
                                   {60, 20, 12.0, 3, MarkClass::silhouette}, {60, 50, 12.0, 4, MarkClass::back},
-                                  {60, 54, 12.0, 4, MarkClass::back}, // its halo
+                                  {60, 54, 12.0, 4, MarkClass::back}, // the halo of mark 4
                                   {60, 55, 20.0, 0, MarkClass::none},       {0, 0, 20.0, 0, MarkClass::none}};
         for (const Expected& e : table) {
             const auto i = static_cast<std::size_t>(e.y * width + e.x);
@@ -221,14 +221,14 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
         frame::Camera camera = pixel_camera(width, height);
         camera.depth = convention;
         camera.projection = frame::orthographic(height, width, height, 0.0, 20.0, convention);
-        draw(style, camera); // the mark is half-way
+        draw(style, camera); // the mark is halfway between near and far
         const bool reversed = convention == drawing::DepthConvention::reversed;
         std::vector<float> host(width * height);
         for (std::size_t i = 0; i < host.size(); ++i) {
             const bool left = i % width < 45;
-            host[i] = left == reversed ? 0.9F : 0.1F; // near on the left
+            host[i] = left == reversed ? 0.9F : 0.1F; // the left half is near
         }
-        host[35 * width + 50] = std::numeric_limits<float>::quiet_NaN(); // hides nothing
+        host[35 * width + 50] = std::numeric_limits<float>::quiet_NaN(); // NaN hides nothing
         DrawSettings settings;
         settings.host_depth = {reinterpret_cast<const std::byte*>(host.data()), width * height, sizeof(float),
                                base::Scalar::float32, 1};

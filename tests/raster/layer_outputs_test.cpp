@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Depth, id and class outputs of frames by layers, against a sphere.
+// Compares depth, id and class outputs of frames by layers with a sphere.
 #include "frame/line_of_sight.h"
 #include "raster/picture.h"
 
@@ -37,7 +37,7 @@ protected:
         Picture picture(size, size);
         output::Raster(runtime).draw(frame.drawing(), picture.image(), settings);
     }
-    // Units from the eye, which is at z = 10.
+    // Returns the distance from the eye at z = 10.
     [[nodiscard]] double eye_depth(std::size_t i) const {
         const auto window = static_cast<double>(depth[i]);
         return 1.0 + 20.0 * (GetParam() == DepthConvention::reversed ? 1.0 - window : window);
@@ -55,7 +55,7 @@ protected:
 
 TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
     draw(all_front(frame::HiddenLines::hide));
-    const double reach = 10.5 * pixel; // of a splat
+    const double reach = 10.5 * pixel; // the reach of a splat
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const auto i = static_cast<std::size_t>(y * size + x);
@@ -80,7 +80,7 @@ TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
 }
 
 TEST_P(LayerOutputs, TellAnInnerSide) {
-    // The near half is taken away: the far half's inner side is seen.
+    // Without the near half, the inner side of the far half is visible.
     marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
         const glm::dvec3 n = spiral_direction(i, 40000);
@@ -103,7 +103,7 @@ TEST_P(LayerOutputs, TellAnInnerSide) {
 
 TEST_P(LayerOutputs, LeaveOutWhatTheHostHides) {
     std::vector<float> host(size * size);
-    for (int i = 0; i < size * size; ++i) { // a wall through the sphere's middle, on the left
+    for (int i = 0; i < size * size; ++i) { // a wall through the middle of the sphere, on the left
         const double window = i % size < size / 2 ? 8.5 / 20.0 : 1.0;
         host[static_cast<std::size_t>(i)] =
             static_cast<float>(GetParam() == DepthConvention::reversed ? 1.0 - window : window);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ink of frames by layers into pixels, against a plain reference in doubles.
+// Compares the ink of frames by layers as pixels with a plain reference in doubles.
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
 
@@ -14,7 +14,7 @@ using drawing::DepthConvention;
 using output::DrawSettings;
 using output::Format;
 
-constexpr int width = 200; // several tiles of 64, the last ones cut
+constexpr int width = 200; // several tiles of 64, the last ones partial
 constexpr int height = 150;
 constexpr Format formats[] = {Format::rgba8, Format::bgra8, Format::rgba8_premultiplied, Format::bgra8_premultiplied};
 
@@ -23,7 +23,7 @@ double decoded(double encoded) {
 }
 double encoded(double light) { return light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055; }
 
-// Premultiplied.
+// Converts straight colours to premultiplied ones and back.
 struct Blender {
     bool linear = false;
 
@@ -40,14 +40,14 @@ struct Blender {
     }
 };
 
-// A mark as it was put in.
+// A mark as it was added.
 struct Known {
     double x, y, depth, radius;
     glm::dvec4 color;
     double window = 0.5;
 };
 
-// Straight RGBA of a picture's pixel.
+// Returns a picture's pixel as straight RGBA.
 glm::dvec4 straight_at(const Picture& picture, int x, int y) {
     glm::dvec4 c;
     for (int k = 0; k < 4; ++k) c[k] = picture.at(x, y, k) / 255.0;
@@ -61,8 +61,8 @@ glm::dvec4 straight_at(const Picture& picture, int x, int y) {
 struct Wanted {
     glm::vec4 paper{1.0F};
     Blender blender;
-    const Picture* under = nullptr;           // drawn over
-    const std::vector<float>* host = nullptr; // its depths; larger is farther
+    const Picture* under = nullptr;           // the content before the draw
+    const std::vector<float>* host = nullptr; // the host's depths; larger is farther
 };
 
 std::vector<glm::dvec4> draw_known(std::vector<Known> marks, const Wanted& wanted) {
@@ -94,7 +94,7 @@ std::vector<glm::dvec4> draw_known(std::vector<Known> marks, const Wanted& wante
     return pixels;
 }
 
-// In steps of 1/255 of the bytes that the format stores.
+// Returns the largest difference, in steps of 1/255 of the bytes that the format stores.
 double difference(const Picture& picture, const std::vector<glm::dvec4>& expected) {
     const bool multiplied =
         picture.format == Format::rgba8_premultiplied || picture.format == Format::bgra8_premultiplied;
@@ -114,7 +114,7 @@ double difference(const Picture& picture, const std::vector<glm::dvec4>& expecte
     return largest;
 }
 
-// All marks as they are, nothing in the way.
+// Draws all marks at full size, without hiding any.
 Style bare_style() {
     Style style = plain_style();
     style.tone_curve = frame::ToneCurve::linear;
@@ -124,7 +124,7 @@ Style bare_style() {
 
 class LayerRaster : public ::testing::Test {
 protected:
-    // Places of every kind: anywhere, at the corners of tiles, on the image's border and beyond it.
+    // The places are anywhere, at the corners of tiles, on the image's border and beyond it.
     void add_marks(double radius, const glm::dvec4& color, int count, int lane) {
         sets.emplace_back(runtime.memory);
         Style style = bare_style();
@@ -229,7 +229,7 @@ TEST_F(LayerRaster, LaysTheDrawingOverWhatIsThere) {
             Picture under(width, height, format);
             for (std::size_t i = 0; i < under.bytes.size(); i += 4) {
                 const auto alpha = static_cast<std::uint8_t>(i / 4 % 256);
-                for (std::size_t c = 0; c < 3; ++c) // legal as a premultiplied colour, too
+                for (std::size_t c = 0; c < 3; ++c) // valid as a premultiplied colour, too
                     under.bytes[i + c] = static_cast<std::byte>(i * (c + 3) / 7 % (std::size_t{alpha} + 1));
                 under.bytes[i + 3] = static_cast<std::byte>(alpha);
             }
@@ -251,10 +251,10 @@ TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
         for (const auto convention :
              {DepthConvention::negative_one_to_one, DepthConvention::zero_to_one, DepthConvention::reversed}) {
             draw(papers[1], convention);
-            std::vector<float> host;   // in the convention
+            std::vector<float> host;   // in the camera's convention
             std::vector<float> ascend; // rising away from the eye
             for (int i = 0; i < width * height; ++i) {
-                // Steps between the marks' depths, so that rounding decides nothing.
+                // The steps are between the marks' depths, so that rounding decides nothing.
                 const float depth = 0.4503F + 0.5F * static_cast<float>(i * 37 % 101) / 101.0F;
                 ascend.push_back(depth);
                 host.push_back(convention == DepthConvention::reversed ? 1.0F - depth : depth);
@@ -275,7 +275,7 @@ TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
 }
 
 TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
-    // A real frame: layers, halos and tone.
+    // An ordinary frame: layers, halos and tone.
     const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 6000, 1.0));
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     for (const glm::vec4& paper : papers) {
@@ -285,7 +285,7 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
             style.kind[0].radius = 1.3F;
             style.attenuation_front = 0.3;
             style.attenuation_back = 0.2;
-            style.splat_overlap = 2.0F; // so that hidden ink is seen
+            style.splat_overlap = 2.0F; // makes hidden ink visible
             Style other = style;
             if (many) other.kind[0].ink = {0.1F, 0.6F, 0.2F, 0.7F};
             const std::array items{layered_item(ball, style), layered_item(ring, other)};
@@ -303,7 +303,7 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
     }
 }
 
-// Ink that touches no tile is in discs(), undimmed, but not in info().shown.
+// discs() and info().shown count the same ink, although parts of the torus are outside the picture.
 TEST_F(LayerRaster, DiscsAreThoseThatTheInfoCounts) {
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     Style style;

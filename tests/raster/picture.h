@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A picture to draw into, and a way to look at it.
+// A picture to draw into, and functions that measure it.
 #pragma once
 
 #include "frame/hand_made.h"
@@ -21,13 +21,13 @@ struct Picture {
     [[nodiscard]] output::Image image() {
         return {format, width, height, bytes.data(), output::bytes_of_pixel(format) * width};
     }
-    // Of formats of four bytes.
+    // Returns a channel of a format with four bytes per pixel.
     [[nodiscard]] int at(int x, int y, int channel) const {
         return std::to_integer<int>(
             bytes[(static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 4 +
                   static_cast<std::size_t>(channel)]);
     }
-    // Channel by channel; 1 is white or opaque.
+    // Returns a channel as a number; 1 is white or opaque.
     [[nodiscard]] float value(int x, int y, int channel) const {
         const std::int64_t size = output::bytes_of_pixel(format);
         const std::byte* const pixel = bytes.data() + size * (std::int64_t{y} * width + x);
@@ -36,7 +36,7 @@ struct Picture {
         std::memcpy(&number, pixel + 4 * channel, sizeof number);
         return number;
     }
-    // Mean of 1 - red over a rectangle: the share of it that black ink covers on white paper.
+    // Returns the mean of 1 - red over a rectangle: the share that black ink covers on white paper.
     [[nodiscard]] double darkness(int left, int top, int right, int bottom) const {
         double sum = 0.0;
         for (int y = top; y < bottom; ++y) {
@@ -66,7 +66,7 @@ struct Picture {
     std::vector<std::byte> bytes;
 };
 
-// One draw with fresh scratch.
+// Makes one draw with new scratch memory.
 inline Picture picture_of(const base::Runtime& runtime, std::span<const frame::Item> items, const frame::Camera& camera,
                           int width, int height, drawing::Counts* info = nullptr) {
     DrawnFrame frame(runtime);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every named style on a sphere and a torus.
+// Tests every named style on a sphere and a torus.
 #include "raster/picture.h"
 #include "support/named_style.h"
 
@@ -34,7 +34,7 @@ TEST_P(Presets, DrawASphere) {
     const std::array items{item_of(set, preset.style)};
     const Picture picture = picture_of(runtime, items, front_camera(600, 600), 600, 600);
     picture.keep(std::string("sphere-") + preset.name);
-    // 240 pixels around the centre.  The light comes from the upper left.
+    // The sphere's radius is 240 pixels. The light comes from the upper left.
     const double light = picture.darkness(150, 150, 300, 300);
     const double dark = picture.darkness(300, 300, 450, 450);
     const frame::LayerStyle& stipples = preset.style.of(set.layers[0]);
@@ -52,9 +52,9 @@ TEST_P(Presets, DrawASphere) {
         rim += (1.0 - picture.at(x, y, 0) / 255.0) / 360.0;
     }
     if (stipples.contours)
-        EXPECT_GT(rim, stipples.radius < 1.0F ? 0.85 : 0.97); // finer pens
+        EXPECT_GT(rim, stipples.radius < 1.0F ? 0.85 : 0.97); // lower for finer pens
     else
-        EXPECT_LT(rim, 0.85); // no contour: the tone law alone leaves 1 - 0.72/pi = 0.77 of the rim dark
+        EXPECT_LT(rim, 0.85); // without a contour, the tone law leaves 1 - 0.72/pi = 0.77 of the rim dark
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, preset_count),

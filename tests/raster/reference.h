@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a host does with the vertices, plainly: every disc over every pixel that it may touch, in order.
+// Draws as a host draws the vertices, in the plainest way: every disc over every pixel that it may touch, in order.
 #pragma once
 
 #include "raster/picture.h"
@@ -12,7 +12,7 @@ struct ReferenceDisc {
     bool is_paper;
 };
 
-// Straight RGBA in floats, row by row.  The paper is straight, too.
+// Returns straight RGBA, row by row. The paper is straight, too.
 inline std::vector<glm::dvec4> draw_plainly(const std::vector<ReferenceDisc>& discs, int width, int height,
                                             const glm::vec4& paper) {
     const glm::dvec4 clear(glm::dvec3(paper) * static_cast<double>(paper.w), static_cast<double>(paper.w));
@@ -32,7 +32,7 @@ inline std::vector<glm::dvec4> draw_plainly(const std::vector<ReferenceDisc>& di
                 const double alpha = static_cast<double>(s.color.w) * coverage * dimmed * dimmed;
                 glm::dvec4& pixel =
                     pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
-                // Over opaque paper both are the same "source over".
+                // Over opaque paper both cases are the same "source over".
                 const glm::dvec4 source = s.is_paper ? clear : glm::dvec4(glm::dvec3(s.color), 1.0);
                 pixel = pixel * (1.0 - alpha) + source * alpha;
             }
@@ -44,8 +44,8 @@ inline std::vector<glm::dvec4> draw_plainly(const std::vector<ReferenceDisc>& di
     return pixels;
 }
 
-// The largest difference in any channel of a straight RGBA picture, in steps of 1/255.  Colours
-// count as much as their alpha lets them show.
+// Returns the largest difference in any channel of a straight RGBA picture, in steps of 1/255. Colours are weighted by
+// their alpha.
 inline double largest_difference(const Picture& picture, const std::vector<glm::dvec4>& expected) {
     double largest = 0.0;
     for (int y = 0; y < picture.height; ++y) {
@@ -67,7 +67,7 @@ inline std::vector<ReferenceDisc> reference_discs(std::span<const Disc> discs) {
     return result;
 }
 
-// Pixels are world units: (x, y) from the top-left corner of a width * height image.
+// World units are pixels: (x, y) from the top-left corner of an image of width * height.
 inline frame::Camera pixel_camera(int width, int height) {
     frame::Camera camera = front_camera(width, height, 0.5 * height);
     camera.view = frame::look_at({0.5 * width, -0.5 * height, 10.0}, {0.5 * width, -0.5 * height, 0.0}, {0, 1, 0});

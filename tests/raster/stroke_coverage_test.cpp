@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of a pixel that a stroke covers, against a plain reference in doubles.
+// Compares the part of a pixel that a stroke covers with a plain reference in doubles.
 #include "base/random.h"
 #include "output/raster/raster.h"
 #include "raster/stroke_reference.h"
@@ -42,7 +42,7 @@ protected:
         stroke.cap_end = cap_end;
     }
     void add(double x, double y, double radius) { points.push_back(point(x, y, radius)); }
-    // The tile's part of the stroke, in the tile at (left, top).
+    // Draws the stroke's part in the tile at (left, top).
     std::vector<float> lay(float left = 0.0F, float top = 0.0F) {
         stroke.count = static_cast<std::int32_t>(points.size());
         std::vector<std::uint32_t> numbers;
@@ -83,7 +83,7 @@ protected:
             }
         return difference;
     }
-    // Within a step of 255; what the worst was is kept.
+    // Expects agreement within `limit`, by default a step of 255, and keeps the largest difference.
     void expect_exact(const char* what, double limit = step, float left = 0.0F, float top = 0.0F) {
         const Difference difference = compare(left, top);
         EXPECT_LE(difference.most, limit) << what << " ink " << difference.ink << " of " << difference.expected_ink
@@ -137,7 +137,7 @@ TEST_F(StrokeCoverage, OfTapersIsExact) {
     }
 }
 
-// Curves of a quarter of a turn, sampled finely and coarsely.
+// Curves of a quarter turn, sampled finely and coarsely.
 TEST_F(StrokeCoverage, OfBentLinesIsExact) {
     for (const int pieces : {3, 6, 12, 40}) {
         for (const double radius : radii) {
@@ -184,13 +184,13 @@ TEST_F(StrokeCoverage, OfOverlapsIsTheUnion) {
             expect_exact("winding");
         }
         begin();
-        for (int i = 0; i <= 30; ++i) // a hairpin, its turn narrower than the stroke
+        for (int i = 0; i <= 30; ++i) // a hairpin whose turn is narrower than the stroke
             add(10.0 + 1.3 * std::min(i, 30 - i), 30.0 + 0.05 * i, radius);
         expect_exact("hairpin");
     }
 }
 
-// Loops and cusps that are smaller than the pen, and what lies three times over itself.
+// Loops and cusps that are smaller than the pen, so that places are covered three times.
 TEST_F(StrokeCoverage, OfLoopsSmallerThanThePenIsTheUnion) {
     for (const double radius : {1.0, 3.0, 7.0}) {
         for (const double size : {0.2, 1.0, 3.0}) {
@@ -201,7 +201,7 @@ TEST_F(StrokeCoverage, OfLoopsSmallerThanThePenIsTheUnion) {
             }
             expect_exact(("loops " + std::to_string(size)).c_str());
             begin(Cap::pointed, Cap::flat);
-            for (int i = -30; i <= 30; ++i) { // (t^2, t^3)
+            for (int i = -30; i <= 30; ++i) { // the curve (t^2, t^3)
                 const double t = i / 30.0;
                 add(20.3 + 20.0 * t * t, 32.1 + size * 4.0 * t * t * t, radius * (1.2 - std::abs(t)));
             }
@@ -221,12 +221,13 @@ TEST_F(StrokeCoverage, OfThreefoldOverlapsIsTheUnion) {
             expect_exact("star");
         }
         begin(Cap::flat, Cap::pointed);
-        for (int i = 0; i <= 9; ++i) add(i % 2 == 0 ? 10.0 : 54.0, 31.0 + 0.4 * radius * i, radius); // to and fro
+        for (int i = 0; i <= 9; ++i) add(i % 2 == 0 ? 10.0 : 54.0, 31.0 + 0.4 * radius * i, radius); // back and forth
         expect_exact("to and fro");
     }
 }
 
-// At random, with widths that change from point to point; and so many lines that a row is cut evenly.
+// Random strokes whose width varies from point to point, and one with so many lines that a row is sampled evenly
+// instead.
 TEST_F(StrokeCoverage, OfScribblesIsTheUnion) {
     const auto number = [](int k, int i, std::size_t which) {
         return base::uniform4(static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(i),
@@ -243,7 +244,7 @@ TEST_F(StrokeCoverage, OfScribblesIsTheUnion) {
     expect_exact("very many lines");
 }
 
-// Half through is half through, however often: what is laid first gives a place its opacity.
+// Where a stroke overlaps itself its opacity counts once. The part that is drawn first sets it.
 TEST_F(StrokeCoverage, OverlapsAreNoDarker) {
     begin();
     for (int i = 0; i <= 4; ++i) add(i % 2 == 0 ? 10.0 : 54.0, 31.0 + 0.5 * i, 3.0);
@@ -251,13 +252,13 @@ TEST_F(StrokeCoverage, OverlapsAreNoDarker) {
     for (const float left : lay()) EXPECT_GE(left, 0.5F - 1e-5F);
     for (std::size_t i = 0; i < points.size(); ++i) points[i].opacity = i < 2 ? 0.25F : 1.0F;
     const std::vector<float> found = lay();
-    EXPECT_NEAR(found[30 * stride + 20], 0.75F, 0.03F); // of the first line, though others pass over it
+    EXPECT_NEAR(found[30 * stride + 20], 0.75F, 0.03F); // the first line's opacity, though others pass over it
 }
 
 TEST_F(StrokeCoverage, OfClosedLinesHasNoSeam) {
     for (const int pieces : {3, 5, 24, 90}) {
         for (const double radius : {0.3, 1.0, 4.0}) {
-            begin(Cap::pointed, Cap::flat); // not looked at
+            begin(Cap::pointed, Cap::flat); // closed lines ignore their caps
             for (int i = 0; i <= pieces; ++i) {
                 const double angle = 2.0 * pi * (i % pieces) / pieces;
                 add(31.7 + 22.0 * std::cos(angle), 32.2 + 22.0 * std::sin(angle), radius);
@@ -287,7 +288,7 @@ TEST_F(StrokeCoverage, ReachesFarOutside) {
     for (int k = 0; k < 32; ++k) {
         for (const double far : {1e3, 1e5, 1e7}) {
             begin();
-            // Whole numbers, which floats can be.
+            // Whole numbers are exact as floats.
             const double x = std::round(far * std::cos(0.2 * k));
             const double y = std::round(far * std::sin(0.2 * k));
             add(32.0 - x, 32.0 - y, 2.5);
@@ -297,7 +298,7 @@ TEST_F(StrokeCoverage, ReachesFarOutside) {
     }
 }
 
-// Each tile finds its own part.
+// Each tile finds its own part of the stroke.
 TEST_F(StrokeCoverage, GoesOnFromTileToTile) {
     begin(Cap::pointed, Cap::round);
     for (int i = 0; i <= 400; ++i) add(30.0 * i, 6000.0 + 5000.0 * std::sin(0.03 * i), 3.0 + 1.5 * std::sin(0.1 * i));

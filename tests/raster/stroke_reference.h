@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a stroke covers, plainly and in doubles: the union of quads, sectors and caps, line by line.
+// The coverage of a stroke, computed plainly in doubles: the union of quads, sectors and caps, line by line.
 #pragma once
 
 #include "drawing/dot.h"
@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::testing {
 
-// Of a disc, or of the plane, what lies on the inner side of some lines.
+// The part of a disc, or of the plane, that is on the inner side of some lines.
 struct StrokePart {
     struct Side {
         glm::dvec2 at, inward;
@@ -20,13 +20,13 @@ struct StrokePart {
     std::vector<Side> sides;
     glm::dvec2 centre{0.0};
     double radius = std::numeric_limits<double>::infinity();
-    double middle = 0.0, reach = 0.0; // no line farther from y = middle meets it
+    double middle = 0.0, reach = 0.0; // lines farther than `reach` from y = middle do not meet it
 
     void left_of(const glm::dvec2& from, const glm::dvec2& to) {
         const glm::dvec2 along = to - from;
         if (along.x != 0.0 || along.y != 0.0) sides.push_back({from, {along.y, -along.x}});
     }
-    // Where the line at height y lies inside.
+    // Finds the interval of the line at height y that is inside.
     [[nodiscard]] bool cut(double y, double& left, double& right) const {
         left = -1e9;
         right = 1e9;
@@ -75,7 +75,7 @@ public:
         }
     }
 
-    // The part of each pixel of a square that is covered: exact along x, by many lines along y.
+    // Returns the covered part of each pixel of a square: exact along x, and by many lines along y.
     [[nodiscard]] std::vector<double> coverage(int side, double left, double top) const {
         constexpr int lines = 400;
         std::vector<double> cover(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 0.0);
@@ -123,7 +123,8 @@ private:
         part.sides.push_back({leg.b, -leg.along()});
         parts_.push_back(part);
     }
-    // The disc around their common point, but for what lies before the one's end or behind the other's beginning.
+    // Adds the sector of the disc around the common point of two legs that is beyond the end of the first and before
+    // the beginning of the second.
     void add_sector(const Leg& before, const Leg& after) {
         StrokePart part;
         part.centre = after.a;

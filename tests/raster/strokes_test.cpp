@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes into pixels: loops on every instruction set, coverage, joints, the order among dots.
+// Tests strokes as pixels: loops on every instruction set, coverage, joints, the order among dots.
 #include "drawing/drawing.h"
 #include "output/raster/raster.h"
 #include "raster/reference.h"
@@ -22,7 +22,7 @@ using frame::LayerStyle;
 constexpr std::int32_t side = 64;
 constexpr std::int32_t stride = side + 16;
 
-// A tile's planes, and a stroke's segments in and around it.
+// The planes of a tile, and the segments of a stroke in and around it.
 struct Laid {
     std::vector<float> transmittance = std::vector<float>(stride * side, 1.0F);
     std::array<std::vector<float>, 3> color;
@@ -40,7 +40,7 @@ struct Laid {
         return t;
     }
     [[nodiscard]] output::StrokePlanes strokes() { return {cover.data(), ink.data(), &overlaps}; }
-    // The tile's own pixels; what stands beyond its width is nobody's.
+    // Returns the tile's own pixels. The content of the padding beyond its width does not matter.
     [[nodiscard]] std::vector<float> pixels() const {
         std::vector<float> all;
         for (const std::vector<float>* const plane : {&transmittance, &color[0], &color[1], &color[2], &cover})
@@ -50,7 +50,7 @@ struct Laid {
     }
 };
 
-// Ten strokes of 12 points, of very different widths; a few of their segments have no length.
+// Returns ten strokes of 12 points with very different widths. A few of their segments have no length.
 std::vector<StrokePoint> random_points() {
     std::vector<StrokePoint> points;
     for (std::uint64_t s = 0; s < 10; ++s) {
@@ -128,7 +128,7 @@ TEST(StrokeLoops, LeaveOutWhatTheHostHides) {
 constexpr int width = 200;
 constexpr int height = 100;
 
-// Strokes in pixels, in layers named "a", "b", ...; and dots.
+// Draws strokes in pixels, in layers named "a", "b" and so on, and dots.
 class StrokePicture : public ::testing::Test {
 protected:
     void add_line(const char* name, const std::vector<glm::dvec2>& places, double depth, const glm::vec4& ink,
@@ -195,7 +195,7 @@ TEST_F(StrokePicture, CoversItsWidthTimesItsLength) {
                 const double ink = picture.darkness(40, 0, 160, height) * 120.0 * height;
                 const double expected = 2.0 * static_cast<double>(radius) * 120.0;
                 EXPECT_NEAR(ink, expected, 0.01 * expected) << radius << " " << y << " " << points;
-                // Round ends: half a disc each.
+                // The ends are round: half a disc each.
                 const double all = picture.darkness() * width * height;
                 const double ends = pi * static_cast<double>(radius * radius);
                 EXPECT_NEAR(all, 2.0 * static_cast<double>(radius) * 160.0 + ends, 0.005 * expected) << radius;
@@ -207,7 +207,7 @@ TEST_F(StrokePicture, CoversItsWidthTimesItsLength) {
 TEST_F(StrokePicture, IsNoDarkerWhereItsSegmentsMeet) {
     for (const float radius : {0.7F, 1.5F, 5.0F}) {
         clear();
-        std::vector<glm::dvec2> zigzag; // sharp turns, and steps shorter than the stroke is wide
+        std::vector<glm::dvec2> zigzag; // sharp turns, and steps shorter than the stroke's width
         for (int i = 0; i < 60; ++i) zigzag.emplace_back(20.0 + 2.5 * i, i % 2 == 0 ? 45.0 : 52.0);
         add_line("a", zigzag, 0.0, {0.0F, 0.0F, 0.0F, 0.5F}, radius);
         draw();
@@ -233,7 +233,7 @@ TEST_F(StrokePicture, TwoStrokesAreDarkerWhereTheyCross) {
     EXPECT_EQ(picture.at(100, 50, 0), 64);
 }
 
-// Seen from its end a stroke is a dot.
+// A stroke that is seen from its end is a dot.
 TEST_F(StrokePicture, KeepsItsInkWhereAllItsMarksAreOnePlace) {
     for (const int marks_of_it : {2, 5}) {
         clear();
@@ -249,12 +249,12 @@ TEST_F(StrokePicture, KeepsItsInkWhereAllItsMarksAreOnePlace) {
     }
 }
 
-// Whichever of three are dots, and in whichever order they stand.
+// Any of the three may be dots, in any order of depth.
 TEST_F(StrokePicture, StrokesAndDotsOfColoursArePaintedFarToNear) {
     const glm::vec4 inks[] = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}};
-    std::array<int, 3> place{0, 1, 2}; // of the depths
+    std::array<int, 3> place{0, 1, 2}; // the order of the depths
     do {
-        for (int dotted = 0; dotted < 8; ++dotted) { // which of them are dots
+        for (int dotted = 0; dotted < 8; ++dotted) { // bit l: layer l is drawn as dots
             clear();
             const char* const names[] = {"a", "b", "c"};
             for (std::size_t l = 0; l < 3; ++l) {
@@ -272,7 +272,7 @@ TEST_F(StrokePicture, StrokesAndDotsOfColoursArePaintedFarToNear) {
             for (int c = 0; c < 3; ++c)
                 EXPECT_EQ(picture.at(100, 50, c), inks[nearest][c] > 0.0F ? 255 : 0)
                     << "nearest " << nearest << " " << dotted;
-            // Away from the others the first is seen whole.
+            // Away from the others the first layer is completely visible.
             EXPECT_EQ(picture.at(140, 50, 0), 255);
             EXPECT_EQ(picture.at(140, 50, 1), 0);
         }
@@ -317,7 +317,7 @@ TEST_F(StrokePicture, OutputsTellTheMarkAtEachEnd) {
     }
 }
 
-// What is picked beside an end is what is drawn there.
+// A pick beside an end hits exactly the ink that is drawn there.
 TEST(StrokeSegments, CoverWhatTheirEndsDo) {
     const StrokePoint a{10.0F, 20.0F, 3.0F, 1.0F, 0.0F, 0.2F, 1.0F, 0.0F, 1};
     const StrokePoint b{30.0F, 20.0F, 3.0F, 1.0F, 0.0F, 0.8F, 1.0F, 20.0F, 2};

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ink of a layer must not be washed out by the paper of that same layer, and what lies behind
-// it must be.
+// The paper of a layer must not wash out the ink of the same layer, but it must wash out the ink farther from the eye.
 #include "raster/picture.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +19,7 @@ Style inked(HiddenLines hidden_lines) {
 
 class Wash : public ::testing::Test {
 protected:
-    // Darkness with attenuation over that without.
+    // Returns the darkness with attenuation over that without.
     double kept(const marks::PointSet& set, const frame::Camera& camera, const Style& style, int size) {
         Style shown = style;
         shown.hidden_lines = HiddenLines::show;
@@ -48,7 +47,7 @@ TEST_F(Wash, APlaneKeepsItsInkAtAnyTilt) {
 TEST_F(Wash, ASphereKeepsItsInkAndItsContour) {
     for (const int count : {3000, 20000}) {
         const marks::PointSet set = sphere(runtime.memory, count);
-        // All ink, and the contour alone.  The far half of the contour's band lies under the near one.
+        // Draws all ink, then the contour alone. The far half of the contour's band is under the near one.
         Style style = inked(HiddenLines::attenuate);
         EXPECT_GT(kept(set, front_camera(500, 500), style, 500), 0.97) << count;
         style.kind[0].shown = false;
@@ -73,7 +72,7 @@ TEST_F(Wash, AScaledMirroredAndTurnedSphereKeepsItsInk) {
     EXPECT_GT(picture_of(runtime, with, front_camera(400, 400), 400, 400).darkness(), 0.97 * dark);
 }
 
-// A turn about z, so that the marks of two layers do not lie in the same lattice.
+// Turns about z, so that the marks of two layers do not coincide in a lattice.
 glm::dmat4 turned(double angle, double z) {
     glm::dmat4 m(1.0);
     m[0] = {std::cos(angle), std::sin(angle), 0.0, 0.0};
@@ -82,7 +81,7 @@ glm::dmat4 turned(double angle, double z) {
     return m;
 }
 
-// Ink of one layer behind the paper of another.
+// Returns the darkness of one layer's ink behind the paper of another.
 double darkness_behind(const base::Runtime& runtime, const Style& style, double gap, int side) {
     const marks::PointSet set = plane(runtime.memory, side);
     Style paper_only = style;
@@ -130,7 +129,7 @@ TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
 }
 
 TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
-    // Vertical ink far behind a sphere: the paper of its back marks clears a rim around it.
+    // Dark ink is far behind a sphere. The paper of the sphere's back marks clears a rim around it.
     const marks::PointSet ball = sphere(runtime.memory, 20000, 0.5);
     const marks::PointSet wall = plane(runtime.memory, 100);
     Style style = inked(HiddenLines::attenuate);
@@ -149,7 +148,7 @@ TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
         for (int y = 0; y < 500; ++y) {
             for (int x = 0; x < 500; ++x) {
                 const double r = std::hypot(x + 0.5 - 250.0, y + 0.5 - 250.0);
-                if (r < 103.0 || r > 107.0) continue; // the ball ends at 100 pixels
+                if (r < 103.0 || r > 107.0) continue; // the ball's radius is 100 pixels
                 dark += 1.0 - picture.at(x, y, 0) / 255.0;
                 ++count;
             }
@@ -159,7 +158,7 @@ TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
     const double bare = ring(0.0F);
     EXPECT_GT(bare, 0.1);
     EXPECT_LT(ring(10.0F), 0.5 * bare);
-    blank.splat_overlap = 0.0F; // as published
+    blank.splat_overlap = 0.0F; // as in the published method
     EXPECT_LT(ring(10.0F), 0.02 * bare);
 }
 

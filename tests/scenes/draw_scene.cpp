@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // draw_scene NAME FILE [WIDTH HEIGHT [THREADS [BACKEND [baseline]]]]: draws one scene into a PAM file.
-// BACKEND: auto, pool, openmp, run_tasks (a runner of this program) or serial; status 77 if the build has it not.
-// draw_scene --list: the scenes' names.
+// BACKEND: auto, pool, openmp, run_tasks (a runner of this program) or serial; status 77 if the build does not have it.
+// draw_scene --list: prints the names of the scenes.
 #include "scenes/scenes.h"
 
 #include <algorithm>
@@ -23,10 +23,10 @@ bool write_pam(const char* path, const scenes::Picture& picture) {
     return (std::fclose(file) == 0) && written;
 }
 
-// As HRBFNPR_THREAD_BACKEND_... are numbered.
+// The order is that of the HRBFNPR_THREAD_BACKEND_ constants.
 constexpr std::string_view backends[] = {"auto", "pool", "openmp", "run_tasks", "serial"};
 
-// A host's runner: two threads, from both ends.
+// A host's runner: two threads, which start from opposite ends.
 void run_tasks(void* /*user*/, hrbfnpr_task_fn task, void* task_context, std::int64_t count) {
     std::thread upper([=] {
         for (std::int64_t i = count; i-- > count / 2;) task(task_context, i);

@@ -50,7 +50,7 @@ Model heart_model(hrbfnpr_context* context) {
 
 struct Recipe {
     std::uint32_t preset;
-    std::int64_t marks; // in each layer
+    std::int64_t marks; // number in each layer
     std::array<double, 3> direction;
     std::array<double, 3> up;
 };
@@ -104,7 +104,7 @@ Scene make(hrbfnpr_context* context, std::string_view name, int width, int heigh
     scene.model = model_of(context, name);
     const Recipe r = recipe(name);
     check(hrbfnpr_style_init_preset(&scene.style, sizeof scene.style, r.preset, check.error()));
-    if (name == "heart-combing") scene.style.paper[3] = 0.0F; // one scene with transparent paper
+    if (name == "heart-combing") scene.style.paper[3] = 0.0F; // this scene has transparent paper
     scene.marks = marks_of(context, scene.model.get(), r);
     if (scene.style.line_count > 0) scene.lines = lines_of(context, scene.model.get());
     hrbfnpr_point_set_info info;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scenes that tests, benchmarks and docs share: samples, marks, camera and style.
+// The scenes that tests, benchmarks and documentation share: samples, marks, camera and style.
 #pragma once
 
 #include "support/handles.h"
@@ -14,14 +14,14 @@ namespace scenes {
 struct Picture {
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba; // straight, rows packed from the top
+    std::vector<std::uint8_t> rgba; // straight alpha, packed rows from the top
 };
 
-// A scene ready to draw.
+// A scene that is ready to draw.
 struct Scene {
     Model model;
     PointSet marks;
-    LineSet lines; // NULL where the style draws none
+    LineSet lines; // NULL if the style draws no lines
     hrbfnpr_style style{};
     hrbfnpr_camera camera{};
 };

@@ -55,8 +55,8 @@ Samples trefoil(int count) {
     return samples;
 }
 
-// (x^2 + 9/4 y^2 + z^2 - 1)^3 - x^2 z^3 - 9/80 y^2 z^3 in the equal form with cube roots,
-// whose gradient is regular away from the z axis.
+// (x^2 + 9/4 y^2 + z^2 - 1)^3 - x^2 z^3 - 9/80 y^2 z^3, in the equivalent form with cube roots. Its gradient is regular
+// away from the z axis.
 int taubin_heart(void* /*user*/, long long count, const double* points, double* value, double* gradient,
                  double* /*hessian*/) {
     for (long long i = 0; i < count; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point-normal samples of analytic shapes, well spread and the same everywhere.
+// Point-normal samples of analytic shapes, well spread and the same on every machine.
 #pragma once
 
 #include "support/samples.h"
@@ -10,7 +10,7 @@ using hrbfnpr::test::Samples;
 using hrbfnpr::test::sphere_6;
 using hrbfnpr::test::torus;
 
-// Two linked tori, count samples each.
+// Two linked tori with `count` samples each.
 [[nodiscard]] Samples linked_tori(int count);
 // A tube of radius 0.35 about the trefoil (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t).
 [[nodiscard]] Samples trefoil(int count);

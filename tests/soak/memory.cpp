@@ -14,7 +14,7 @@ namespace soak {
 #if defined(__GLIBC__)
 namespace {
 
-// The last size in malloc's report that follows these words: sums of all arenas come last.
+// Returns the last size after these words in malloc's report, where the sums of all arenas come last.
 std::int64_t last_size(const std::string& report, const std::string& words) {
     const std::size_t at = report.rfind(words);
     if (at == std::string::npos) return 0;

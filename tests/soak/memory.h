@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the process holds.
+// Measures the memory of the process.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 namespace soak {
 
 struct Memory {
-    std::int64_t used = 0;     // bytes given out by malloc; 0 where it does not say, as under a sanitizer
-    std::int64_t resident = 0; // bytes of the process in memory; 0 where the system does not say
+    std::int64_t used = 0;     // bytes given out by malloc; 0 if unknown, for example under a sanitizer
+    std::int64_t resident = 0; // bytes of the process in memory; 0 if the system does not tell
 };
 
-// When no other thread is at work.  What malloc keeps for later is given back first.
+// Call this while no other thread works. Memory that malloc keeps for later is returned first.
 Memory measure_memory();
 
 } // namespace soak

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Random valid and invalid calls by several threads for a while: what the fuzzers call, with changed inputs of theirs.
+// Makes random valid and invalid calls on several threads for a while: the calls of the fuzzers, with changed inputs.
 //
 //   soak --seconds N [--threads N] [--seed N] CORPUS
 //
-// Models, marks, line sets and drawings are shared by all threads; contexts are one call's, each with two threads of
-// its own.  First each input is run as it is, and all that is shared is made: on a slow machine chance would make some
-// of it late, which looks like growth.  Every tenth of the time all threads stop, and what the process holds is
-// measured.  The status is 1 if that grows by much after the first three tenths, or if nothing was called.
+// All threads share models, marks, line sets and drawings. Each call has a context of its own with two threads. At
+// first each input is run unchanged and all shared objects are made: on a slow machine chance would make some of them
+// late, which looks like growth. After every tenth of the time all threads stop, and the memory of the process is
+// measured. The status is 1 if that grows much after the first three tenths, or if no call was made.
 #include "fuzz/fuzz.h"
 #include "fuzz/random.h"
 #include "fuzz/scenes.h"
@@ -54,11 +54,12 @@ struct Options {
 };
 
 constexpr int rounds = 10;
-constexpr int warm_up = 3; // rounds in which caches fill
-// Of what malloc gave out, bytes.  What shared objects keep ready for the next call grows by jumps of 0.5 to 7 MiB, the
-// rarer the longer it runs.  In two minutes that hides a leak of less than 1 kB a call, in half an hour of 0.3 kB.
+constexpr int warm_up = 3; // rounds in which caches are filled
+// Largest growth, in bytes given out by malloc. The buffers that shared objects keep for the next call grow by jumps of
+// 0.5 to 7 MiB, which become rarer with time. This limit hides a leak of less than 1 kB per call in two minutes, and of
+// 0.3 kB in half an hour.
 constexpr std::int64_t room_for_growth = 24LL << 20LL;
-constexpr std::int64_t room_for_pieces = 256LL << 20LL; // of resident memory, which allocation leaves in pieces
+constexpr std::int64_t room_for_pieces = 256LL << 20LL; // of resident memory, which allocation fragments
 
 std::array<Kind, 7> kinds{{{"model", soak_model, {}},
                            {"point_set", soak_point_set, {}},
@@ -72,7 +73,7 @@ std::vector<Bytes> read_folder(const fs::path& folder) {
     std::vector<fs::path> paths;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (entry.is_regular_file() && entry.path().filename().string().front() != '.') paths.push_back(entry.path());
-    std::sort(paths.begin(), paths.end()); // the same order everywhere
+    std::sort(paths.begin(), paths.end()); // makes the order the same on every machine
     std::vector<Bytes> inputs;
     for (const fs::path& path : paths) {
         std::ifstream stream(path, std::ios::binary);
@@ -82,7 +83,7 @@ std::vector<Bytes> read_folder(const fs::path& folder) {
     return inputs;
 }
 
-// One of the inputs as it is, or with up to eight bytes changed.
+// Returns a random input, unchanged or with up to eight bytes changed.
 Bytes next_input(const std::vector<Bytes>& inputs, fuzz::Random& random) {
     Bytes bytes = inputs[random.below(inputs.size())];
     for (std::size_t edits = random.below(9); edits > 0 && !bytes.empty(); --edits)
@@ -115,7 +116,7 @@ void make_what_is_shared() {
         for (const Bytes& bytes : kind.inputs) kind.run(bytes.data(), bytes.size());
 }
 
-// Whether memory stayed flat.
+// Returns whether memory stayed flat.
 bool run(const Options& options) {
     for (Kind& kind : kinds) kind.inputs = read_folder(options.corpus / kind.name);
     fuzz::context_threads = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Blue noise: evenness of every prefix, coverage, thin and open sheets.
+// Tests blue noise: evenness of every prefix, coverage, thin and open sheets.
 #include "support/point_sets.h"
 
 #include "geometry/point_tree.h"
@@ -13,8 +13,8 @@ namespace {
 using namespace marks;
 using namespace test;
 
-// Distances to nearest neighbours over that of the densest packing of as many marks on the area,
-// sqrt(2 / sqrt(3) area / n): a hexagonal grid has 1 and 1, independent marks about 0 and 0.465.
+// Distances to nearest neighbours over that of the densest packing of the same number of marks on the area, sqrt(2 /
+// sqrt(3) area / n). A hexagonal grid has 1 and 1, independent marks about 0 and 0.465.
 struct Evenness {
     double smallest;
     double mean;
@@ -67,7 +67,7 @@ TEST(BlueNoise, TheMeasureOfEvennessTellsThePublishedRecursionApart) {
     EXPECT_LT(e.mean, 0.72);
 }
 
-// Marks by area: each eighth of the sphere, and outer and inner half of a torus, has its share.
+// Each eighth of the sphere, and the outer and inner half of a torus, get marks in proportion to their area.
 TEST(BlueNoise, IsUniformByArea) {
     const PointSet sphere = make(SquareSphere(), blue({Kind::stipples}, 8000));
     std::array<int, 8> octants{};
@@ -110,7 +110,8 @@ TEST(BlueNoise, SpacingAndAreaAreThoseOfTheSurface) {
     }
 }
 
-// Few candidates run out at a sweep's first step while its last one, whose distance is smaller, still has some.
+// With few candidates a sweep's first step may use up its own, while the last step, whose distance is smaller, still
+// has some.
 TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
     const Torus torus;
     const Site site{runtime(), torus, 1e-6, 1};
@@ -148,7 +149,7 @@ TEST(BlueNoise, ReachesAllComponentsThatHaveASeed) {
     }
 }
 
-// Two faces closer to each other than the marks: each gets its own even order.
+// The two faces are closer to each other than the marks. Each face gets its own even order.
 TEST(BlueNoise, ThinSheetsAreCoveredOnBothFaces) {
     const ThinSlab slab(0.004);
     const PointSet set = make(slab, blue({Kind::stipples}, 2000));
@@ -161,7 +162,7 @@ TEST(BlueNoise, ThinSheetsAreCoveredOnBothFaces) {
     }
 }
 
-// Also where f is no distance: a Newton step from between the faces lands far outside.
+// This holds if f is no distance, too: a Newton step from between the faces lands far outside.
 TEST(BlueNoise, EachFaceOfAThinSheetIsEven) {
     const ThinSlab slab(0.004);
     for (const std::int64_t budget : {2000, 20000}) {
@@ -177,7 +178,7 @@ TEST(BlueNoise, EachFaceOfAThinSheetIsEven) {
     }
 }
 
-// A lens whose rim is far sharper than the spacing of marks.
+// The lens has a rim far sharper than the spacing of marks.
 TEST(BlueNoise, MarksKeepApartAroundASharpRim) {
     const AnyField lens({{-1.0, -1.0, -0.05}, {1.0, 1.0, 0.05}}, [](const glm::dvec3& p) {
         constexpr double flat = 400.0;
@@ -218,7 +219,7 @@ TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
     EXPECT_NEAR(set.spacing, (2.0 + 2.0 * margin) / std::sqrt(3000.0), 0.03 * set.spacing);
 }
 
-// A single sample is a plane with bounds of no size: some square of it is drawn.
+// A single sample is a plane whose bounds have no size. Marks fill some square of it.
 TEST(BlueNoise, OneSampleGivesASquareOfItsPlane) {
     const std::vector<double> sample = {3.0, 2.0, 1.0};
     const Plane plane({0.0, 1.0, 0.0}, 2.0, {{3.0, 2.0, 1.0}, {3.0, 2.0, 1.0}});
@@ -229,7 +230,7 @@ TEST(BlueNoise, OneSampleGivesASquareOfItsPlane) {
     EXPECT_NEAR(set.bounds.max.z, 1.5, 0.1);
 }
 
-// Another sheet of the function, away from the samples, is never reached.
+// The function's other sheet is away from the samples and gets no marks.
 TEST(BlueNoise, SheetsFarFromTheSamplesStayEmpty) {
     const AnyField two(cube(1.0), [](const glm::dvec3& p) {
         const Field inner = Sphere(1.0).at(p);
@@ -245,7 +246,7 @@ TEST(BlueNoise, SheetsFarFromTheSamplesStayEmpty) {
 }
 
 TEST(BlueNoise, SmallSurfacesInLargeBoxesAreFound) {
-    const SquareSphere sphere(0.02, 50.0); // a hundredth of the box; a cell of the seeds is three of it
+    const SquareSphere sphere(0.02, 50.0); // a hundredth of the box; the cells of the seeds are three times as large
     const PointSet set = make(sphere, blue({Kind::stipples}, 2000));
     EXPECT_GE(of(set, Kind::stipples).count(), 1996) << "few come to rest beside another";
     expect_sound(set, sphere);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Candidates of the blue-noise order: on the planes of cells, in layers, and both side by side.
+// Tests the candidates of the blue-noise order: on the planes of cells, in layers, and both side by side.
 #include "support/point_sets.h"
 
 #include "geometry/morton.h"
@@ -63,7 +63,7 @@ TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
     EXPECT_NEAR(static_cast<double>(candidates.count), 40000.0, 6000.0);
     EXPECT_NEAR(candidates.area, sphere_area, 0.01 * sphere_area);
     EXPECT_EQ(candidates.report.placed, candidates.count);
-    // In random points of the sphere the number in a cap of 40 would vary by 6.3.
+    // For random points on the sphere the number in a cap of 40 would vary by 6.3.
     constexpr int caps = 400;
     std::array<double, caps> in_cap{};
     const double cosine = 1.0 - 2.0 * 40.0 / static_cast<double>(candidates.count);
@@ -89,7 +89,7 @@ TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
     EXPECT_LT(std::sqrt(squares), 4.0);
 }
 
-// Memory that is not zeroed may hold anything: here, NaN.
+// Memory that is not zeroed may have any content, here NaN.
 TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
     const auto filled = [](void*, std::uint64_t size, std::uint64_t alignment) {
         void* const memory = ::operator new (size, std::align_val_t{alignment});
@@ -108,7 +108,7 @@ TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
         ASSERT_EQ(of(set, Kind::stipples).position[i], of(plain, Kind::stipples).position[i]);
 }
 
-// A part of them, by tickets, is spread like all.
+// A part of the candidates, chosen by tickets, has the same spread as all.
 TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     const Sphere sphere;
     Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
@@ -132,7 +132,7 @@ TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     }
 }
 
-// The distance to a cube of half the side 0.5, rounded by 0.08.
+// The distance to a cube of half the side 0.5, with edges rounded by 0.08.
 Field rounded_cube(const glm::dvec3& p) {
     const glm::dvec3 beyond = glm::abs(p) - 0.5;
     const glm::dvec3 outside = glm::max(beyond, 0.0);
@@ -162,7 +162,7 @@ TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
     expect_error(Status::cancelled, {}, [&] { draw(1e30, base::Progress(&operation)); });
 }
 
-// Flat but for its edges: planes and layers meet without a seam.
+// The cube is flat except for its edges. Candidates on planes and in layers meet without a seam.
 TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     const AnyField cube({glm::dvec3(-0.58), glm::dvec3(0.58)}, rounded_cube);
     constexpr double pi = 3.14159265358979323846;
@@ -179,7 +179,7 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     EXPECT_GT(layer.projection.size(), 5000);
     for (const Projection& projection : layer.projection) EXPECT_NE(cover.judged.kind(projection.cell), CellKind::flat);
     EXPECT_NEAR(planes.area() + layer.area(), area, 0.02 * area);
-    // Strips along a face, across its rounded ends: as many in each for its area.
+    // Counts strips along a face and across its rounded ends. Each should have the same number for its area.
     std::array<double, 12> strip{};
     const auto count = [&](const glm::dvec3& p) {
         if (p.z > 0.5 && std::abs(p.y) < 0.45 && std::abs(p.x) < 0.5)
@@ -191,13 +191,13 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
             count(place_of(candidates, at));
     const double mean = std::accumulate(strip.begin() + 2, strip.end() - 2, 0.0) / 8.0;
     for (std::size_t k = 0; k < strip.size(); ++k) {
-        const bool end = k < 2 || k >= 10; // layers have more
+        const bool end = k < 2 || k >= 10; // layers may have more candidates
         EXPECT_NEAR(strip[k], mean, (end ? 0.45 : 0.08) * mean) << k;
         EXPECT_GT(strip[k], 0.9 * mean) << k;
     }
 }
 
-// The distance that it tells is half of the true one.
+// The distance that f suggests is half of the true one.
 TEST(Candidates, OfAFunctionThatIsNoDistanceAreEnough) {
     const AnyField signed_square({glm::dvec3(-1.0), glm::dvec3(1.0)}, [](const glm::dvec3& p) {
         const double far = glm::length(p) - 1.0;

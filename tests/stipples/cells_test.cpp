@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps of cells, and the cells around one.
+// Tests maps of cells, and the cells around one cell.
 #include "stipples/surface_cells.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stipples are as even beside creases as elsewhere.
+// Tests that stipples are as even beside creases as elsewhere.
 #include "generate/generate.h"
 #include "marks/assemble.h"
 #include "support/runtime.h"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-constexpr std::size_t strips = 8; // half a spacing wide, from a crease on
+constexpr std::size_t strips = 8; // number of strips beside a crease, each half a spacing wide
 
 base::Runtime& runtime() {
     static base::Runtime instance = with_threads(2);
@@ -41,14 +41,14 @@ geometry::VecArray places_of(const marks::PointSet& set) {
     return places;
 }
 
-// Of the nearest neighbours' distances, in spacings.
+// Returns the distances to the nearest neighbours, in spacings.
 marks::NeighbourDistances distances_of(const geometry::VecArray& places, double area) {
     marks::NeighbourDistances near = marks::neighbour_distances(runtime(), places);
     near.mean /= std::sqrt(area / static_cast<double>(places.size()));
     return near;
 }
 
-// Marks of a cube in strips along its edges, against what the strips' area lets expect.
+// Counts marks of a cube in strips along its edges, and compares with the numbers expected from the strips' area.
 TEST(StipplesAtCreases, NoGapAndNoHeapAlongEdges) {
     const auto shape = sharp_cube();
     const Sphere ball;
@@ -65,7 +65,7 @@ TEST(StipplesAtCreases, NoGapAndNoHeapAlongEdges) {
             const double most = std::max({a.x, a.y, a.z});
             const double least = std::min({a.x, a.y, a.z});
             EXPECT_NEAR(most, 1.0, 1e-5);
-            const double edge = 1.0 - (a.x + a.y + a.z - most - least); // from the nearest one
+            const double edge = 1.0 - (a.x + a.y + a.z - most - least); // distance from the nearest edge
             const auto strip = static_cast<std::size_t>(std::max(0.0, edge) / (0.5 * spacing));
             if (strip < strips) ++found[strip];
             const glm::dvec3 normal = glm::abs(odd_turn() * vector_at(set.layers[0].normal, i));
@@ -87,7 +87,7 @@ TEST(StipplesAtCreases, NoGapAndNoHeapAlongEdges) {
     }
 }
 
-// Around a rim and around a groove: strips to both sides.
+// Counts strips on both sides of a rim and of a groove.
 TEST(StipplesAtCreases, CurvedAndConcaveOnes) {
     const auto shape = stepped_shaft();
     const geometry::VecArray places = places_of(stippled(*shape, 20000));
@@ -99,7 +99,7 @@ TEST(StipplesAtCreases, CurvedAndConcaveOnes) {
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const double r = std::hypot(places[i].x, places[i].y);
             const double z = places[i].z;
-            const double from = radius < 0.75 ? r - radius : radius - r; // on the ring z = 0
+            const double from = radius < 0.75 ? r - radius : radius - r; // distance from the crease, on the ring z = 0
             if (std::abs(z) < 1e-5 && from >= 0.0 && from < spacing) ++on_ring;
             if (std::abs(r - radius) < 1e-5 && std::abs(z) < spacing && std::abs(z) >= 1e-5) ++on_side;
         }

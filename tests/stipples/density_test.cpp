@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Stipples by a density on the surface.
+// Tests stipples with a density on the surface.
 #include "support/point_sets.h"
 
 #include <array>
@@ -26,7 +26,7 @@ TEST(Density, SharesTheMarksAsTheFunctionSays) {
             const glm::dvec3 p = position(set, Kind::stipples, i);
             ++parts[p.x > 0.0 ? 0U : p.y > 0.0 ? 1U : 2U];
         }
-        // Half the sphere at 1, a quarter at 1/4, a quarter at 0: 8 to 1 to 0.
+        // Half of the sphere has density 1, a quarter 1/4 and a quarter 0: 8 to 1 to 0.
         EXPECT_NEAR(parts[0], 8.0 / 9.0 * static_cast<double>(prefix), 0.02 * static_cast<double>(prefix));
         EXPECT_NEAR(parts[1], static_cast<double>(prefix) / 9.0, 0.02 * static_cast<double>(prefix));
         EXPECT_EQ(parts[2], 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of the progressive order: its loops, and the way into a gap.
+// Tests the parts of the progressive order: its loops, and the moves into a gap.
 #include "support/point_sets.h"
 
 #include "geometry/point_tree.h"
@@ -51,7 +51,7 @@ void expect_equal(Block& a, Block& b, std::int64_t count) {
         EXPECT_EQ(a.place(i), b.place(i)) << i << " of " << count;
 }
 
-// The sums as they are written, one candidate at a time.
+// Computes the sums by their definition, one candidate at a time.
 void feel_plainly(const OrderBlock& block, std::int64_t count, const OrderMark& mark, float inverse) {
     for (std::int64_t i = 0; i < count; ++i) {
         float squared = 0.0F;
@@ -120,7 +120,8 @@ TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
     }
 }
 
-// Two planes with normals along x and y that meet in the z axis: the way is that through both, as if they were one.
+// Two planes with normals along x and y meet in the z axis. The way between them is measured along the planes, as if
+// they were unfolded.
 TEST(OrderLoops, WaysLeadAlongTheSurface) {
     const float along_x[3] = {1.0F, 0.0F, 0.0F};
     const float along_y[3] = {0.0F, 1.0F, 0.0F};
@@ -163,7 +164,7 @@ TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
     }
 }
 
-// What memory held before must not matter: a NaN there would come into the energies.
+// The former content of memory must not matter: a NaN there would get into the energies.
 TEST(OrderLoops, FreePlacesHoldNumbers) {
     Block block(16);
     for (std::int64_t i = 0; i < 16; ++i)
@@ -236,7 +237,7 @@ TEST(VoidCentre, NeverComesNearer) {
     }
 }
 
-// The variance of a smooth count of marks, in that of independent ones: bench/evenness.h, docs/quality.md.
+// The variance of a smooth count of marks, over that of independent marks: bench/evenness.h, docs/quality.md.
 double low_frequencies(const PointSet& set, std::int64_t count, double area) {
     geometry::VecArray points(runtime().memory);
     for (std::int64_t i = 0; i < count; ++i) points.push_back(position(set, Kind::stipples, i));

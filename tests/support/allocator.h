@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An allocator that counts, and refuses what it is told to; for contexts and for base::Runtime.
+// An allocator that counts calls and can refuse some of them, for contexts and for base::Runtime.
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,14 @@
 namespace hrbfnpr::test {
 
 struct Allocator {
-    std::atomic<std::int64_t> calls{0};  // refused ones, too
-    std::atomic<std::int64_t> blocks{0}; // given out and not yet given back
-    std::atomic<std::int64_t> bytes{0};  // in these
+    std::atomic<std::int64_t> calls{0};  // includes refused calls
+    std::atomic<std::int64_t> blocks{0}; // allocated and not yet freed
+    std::atomic<std::int64_t> bytes{0};  // bytes in these blocks
     std::atomic<std::uint64_t> smallest_alignment{std::numeric_limits<std::uint64_t>::max()};
 
-    std::int64_t refuse_at = 0;                                        // the how-manieth call is refused; 0 = none
-    bool refuse_after = false;                                         // and all later ones, too
-    std::uint64_t largest = std::numeric_limits<std::uint64_t>::max(); // more bytes at a time are refused
+    std::int64_t refuse_at = 0;                                        // number of the call to refuse, from 1; 0: none
+    bool refuse_after = false;                                         // also refuses all later calls
+    std::uint64_t largest = std::numeric_limits<std::uint64_t>::max(); // larger allocations are refused
 
     static void* allocate(void* user, std::uint64_t size, std::uint64_t alignment) {
         auto& self = *static_cast<Allocator*>(user);
@@ -38,7 +38,7 @@ struct Allocator {
         std::free(memory);
     }
 
-    // Memory that std::free gives back.
+    // Returns memory for std::free.
     static void* aligned(std::uint64_t size, std::uint64_t alignment) {
         return std::aligned_alloc(alignment,
                                   (std::max<std::uint64_t>(size, 1) + alignment - 1) / alignment * alignment);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implicit functions whose every derivative is known, for tests.
+// Implicit functions for tests, with exact derivatives.
 #pragma once
 
 #include "implicit/implicit.h"
@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::test {
 
-// xx xy xz yy yz zz
+// The order is xx xy xz yy yz zz.
 using Hessian = std::array<double, 6>;
 
 struct Field {
@@ -34,7 +34,7 @@ inline Hessian operator+(const Hessian& a, const Hessian& b) {
 
 inline Hessian identity(double factor) { return {factor, 0.0, 0.0, factor, 0.0, factor}; }
 
-// A field as an implicit.  Counts the evaluated points.
+// Makes an implicit of a field, and counts the evaluated points.
 class Analytic : public implicit::Implicit {
 public:
     explicit Analytic(const geometry::Bounds& bounds) : bounds_(bounds) {}
@@ -83,7 +83,7 @@ private:
     glm::dvec3 centre_;
 };
 
-// |x|^2 - R^2: no distance.
+// |x|^2 - R^2, which is not a distance.
 class SquareSphere : public Analytic {
 public:
     explicit SquareSphere(double radius = 1.0, double box = 1.0) : Analytic(cube(box * radius)), radius_(radius) {}
@@ -96,7 +96,7 @@ private:
     double radius_;
 };
 
-// The distance to a torus about the z axis: ring radius R, tube radius r.
+// The distance to a torus about the z axis with ring radius R and tube radius r.
 class Torus : public Analytic {
 public:
     explicit Torus(double ring = 1.0, double tube = 0.35, const glm::dvec3& centre = glm::dvec3(0.0))
@@ -125,7 +125,7 @@ private:
     glm::dvec3 centre_;
 };
 
-// a . x - b inside a box.
+// The plane a . x - b inside a box.
 class Plane : public Analytic {
 public:
     Plane(const glm::dvec3& normal, double offset, const geometry::Bounds& bounds)
@@ -157,14 +157,14 @@ private:
     double radius_;
 };
 
-// The nearer of two linked tori.
+// The distance to the nearer of two linked tori.
 class TwoTori : public Analytic {
 public:
     TwoTori() : Analytic({{-1.3, -1.3, -1.3}, {2.3, 1.3, 1.3}}), flat_(1.0, 0.3), upright_(1.0, 0.3) {}
 
     [[nodiscard]] Field at(const glm::dvec3& p) const override {
         const Field a = flat_.at(p);
-        // The other one's axis is y, its centre (1, 0, 0): turn (x, y, z) into (x - 1, z, y).
+        // The second torus has the axis y and the centre (1, 0, 0): turn (x, y, z) into (x - 1, z, y).
         Field b = upright_.at({p.x - 1.0, p.z, p.y});
         if (std::abs(a.value) <= std::abs(b.value)) return a;
         b.gradient = {b.gradient.x, b.gradient.z, b.gradient.y};
@@ -178,7 +178,7 @@ private:
     Torus upright_;
 };
 
-// Two faces a thickness apart: (z^2 - t^2) / 2t, whose gradient is 1 on both.
+// Two faces, a thickness apart: (z^2 - t^2) / 2t, whose gradient is 1 on both faces.
 class ThinSlab : public Analytic {
 public:
     explicit ThinSlab(double half_thickness)
@@ -192,7 +192,7 @@ private:
     double half_;
 };
 
-// Whatever a test needs.
+// Any function that a test needs.
 class AnyField : public Analytic {
 public:
     AnyField(const geometry::Bounds& bounds, std::function<Field(const glm::dvec3&)> field)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields of directions that a caller gives.
+// Direction fields of a caller.
 #pragma once
 
 #include "marks/site.h"
@@ -13,7 +13,7 @@
 
 namespace hrbfnpr::test {
 
-// What a field says at a place, and what became of its calls.
+// The caller's direction function, and statistics of its calls.
 struct Caller {
     glm::dvec3 (*direction)(const glm::dvec3& p, const glm::dvec3& n) = nullptr;
     std::int64_t calls = 0;
@@ -40,15 +40,15 @@ struct Caller {
     }
 };
 
-// A helix about z, at 30 degrees: no principal direction of a sphere or torus. It is neither tangent nor of unit
-// length.
+// A helix about z at 30 degrees, which is no principal direction of a sphere or torus. It is neither tangent nor of
+// unit length.
 inline glm::dvec3 helix(const glm::dvec3& p, const glm::dvec3& n) {
     const glm::dvec3 around = glm::normalize(glm::dvec3(-p.y, p.x, 0.0));
     const glm::dvec3 across = glm::cross(n, around);
     return 17.0 * (std::cos(0.5236) * around + std::sin(0.5236) * across) + 5.0 * n;
 }
 
-// The angle between a line and the helix's.
+// Returns the angle between a line and the helix's tangent direction.
 inline double degrees_off_helix(const glm::dvec3& line, const glm::dvec3& p, const glm::dvec3& n, bool across = false) {
     const glm::dvec3 d = helix(p, n);
     const glm::dvec3 along = glm::normalize(d - glm::dot(d, n) * n);

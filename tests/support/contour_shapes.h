@@ -15,9 +15,9 @@ public:
         const glm::dvec3 w = 2.0 * weight_;
         return {glm::dot(weight_, p * p) - 1.0, w * p, {w.x, 0.0, 0.0, w.y, 0.0, w.z}};
     }
-    // Of x^T A x = 1.
+    // Returns A v, where the surface is x^T A x = 1.
     [[nodiscard]] glm::dvec3 times(const glm::dvec3& v) const noexcept { return weight_ * v; }
-    // Gaussian.
+    // Returns the Gaussian curvature.
     [[nodiscard]] double curvature(const glm::dvec3& p) const noexcept {
         const glm::dvec3 q = weight_ * p;
         return weight_.x * weight_.y * weight_.z / std::pow(glm::dot(q, q), 2.0);
@@ -27,7 +27,7 @@ private:
     glm::dvec3 weight_;
 };
 
-// A thickened eight: genus 2.  (x^2 (1 - x^2) - y^2)^2 + z^2 / 2 = 1/40
+// A thickened eight of genus 2: (x^2 (1 - x^2) - y^2)^2 + z^2 / 2 = 1/40
 class TwoHoles : public Analytic {
 public:
     TwoHoles() : Analytic({{-1.1, -0.65, -0.25}, {1.1, 0.65, 0.25}}) {}
@@ -42,7 +42,7 @@ public:
     }
 };
 
-// The distance to a trefoil, less the tube's radius.
+// The distance to a trefoil knot, minus the tube's radius.
 class Knot : public Analytic {
 public:
     static constexpr double tube = 0.13;
@@ -59,7 +59,7 @@ public:
         const double speed2 = glm::dot(on.first, on.first);
         const glm::dvec3 along = on.first / std::sqrt(speed2);
         const glm::dvec3 bend = (on.second - glm::dot(on.second, along) * along) / speed2;
-        const double bent = glm::dot(bend, n); // of the centre line towards p
+        const double bent = glm::dot(bend, n); // curvature of the centre line towards p
         return {distance - tube, n,
                 outer(n, n, -1.0 / distance) + outer(along, along, -1.0 / distance - bent / (1.0 - distance * bent)) +
                     identity(1.0 / distance)};
@@ -71,7 +71,7 @@ private:
     };
 
     static double angle_of(std::size_t i) noexcept { return 6.283185307179586 * static_cast<double>(i) / 96.0; }
-    // (2 + cos 3t) (cos 2t, sin 2t), sin 3t, a third as large.
+    // The curve ((2 + cos 3t) (cos 2t, sin 2t), 1.2 sin 3t), scaled by a third.
     static Curve curve(double t) noexcept {
         const double c2 = std::cos(2.0 * t), s2 = std::sin(2.0 * t), c3 = std::cos(3.0 * t), s3 = std::sin(3.0 * t);
         const double r = 2.0 + c3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSG trees as a caller writes them.
+// CSG trees in the caller's form.
 #pragma once
 
 #include "support/handles.h"
@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::test {
 
-// Nodes in a list, each after its parent.
+// A list of nodes, each after its parent.
 struct CsgNodes {
     std::vector<hrbfnpr_csg_node> nodes;
 
@@ -37,7 +37,7 @@ struct CsgNodes {
     }
 };
 
-// A block with a bore and a slot, a boss that is blended to it, and a hole through that.
+// A block with a bore and a slot, a boss that is blended to the block, and a hole through the boss.
 inline CsgNodes csg_part() {
     CsgNodes part;
     part.add(HRBFNPR_CSG_DIFFERENCE);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSG trees, made at random and evaluated plainly: one node after the other, from the root, by recursion.
+// Random CSG trees, and their plain evaluation by recursion from the root.
 #pragma once
 
 #include "implicit/csg_shapes.h"
@@ -24,9 +24,9 @@ inline hrbfnpr::implicit::CsgTree tree_of(hrbfnpr::base::Memory& memory, const N
     return tree;
 }
 
-// The factor that a transform has on lengths, the least in all directions.
+// The least factor by which a transform stretches lengths, over all directions.
 inline double least_stretch(const glm::dmat3& linear) {
-    // Inverse iteration, a million steps at once.
+    // Inverse iteration: squaring the matrix 20 times makes a million steps.
     glm::dmat3 m = glm::inverse(glm::transpose(linear) * linear);
     for (int i = 0; i < 20; ++i) {
         m = m / (m[0][0] + m[1][1] + m[2][2]);
@@ -111,7 +111,7 @@ private:
     }
 };
 
-// A tree of at most so many levels, of all kinds but models; within some 3 of 0.
+// A random tree with at most `levels` levels and nodes of all kinds but models, within about 3 of the origin.
 class RandomTree {
 public:
     RandomTree(std::uint32_t seed, int levels, bool blends) : random_(seed), blends_(blends) { add(-1, levels); }

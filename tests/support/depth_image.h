@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a depth camera sees of a ball before a wall, with the truth.
+// An image by a depth camera of a ball in front of a wall, with the exact values.
 #pragma once
 
 #include <algorithm>
@@ -17,18 +17,18 @@ struct SeenDepths {
     std::int32_t columns = 0;
     std::int32_t rows = 0;
     std::vector<double> points;  // packed, row by row
-    std::vector<double> truth;   // z
-    std::vector<double> normals; // to the camera
+    std::vector<double> truth;   // exact z
+    std::vector<double> normals; // normals that face the camera
 };
 
-// How the camera measures: 1 / z with normal errors, rounded to steps.
+// The errors of the camera: 1 / z has a normal error and is rounded to steps.
 struct DepthSensor {
     double noise = 0.0;
     double step = 0.0;
-    double side = 1.0; // of the camera that it looks to: the sign of z
+    double side = 1.0; // the side that the camera looks to: the sign of z
 };
 
-// In front of a wall that leans, z = 3 + 0.3 x - 0.2 y, a ball; a corner of the image was not seen.
+// A ball in front of a slanting wall, z = 3 + 0.3 x - 0.2 y. One corner of the image is missing.
 inline SeenDepths seen_depths(std::int32_t columns, std::int32_t rows, const DepthSensor& sensor = {}) {
     SeenDepths image{columns, rows, {}, {}, {}};
     std::mt19937_64 random(1);

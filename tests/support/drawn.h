@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drawings as the tests of frames look at them: discs from far to near, and styles of three kinds of layers.
+// Drawings in the form that tests of frames need: discs from far to near, and styles for three kinds of layers.
 #pragma once
 
 #include "drawing/drawing.h"
@@ -23,14 +23,14 @@ struct KindStyle {
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
 };
 
-// Styles of layers of stipples, of hatching and of own marks. Bit (1 << k) of contour_kinds is set where layers of the
-// k-th of these kinds have contours.
+// Styles for layers of stipples, of hatching and of own marks. Bit (1 << k) of contour_kinds is set if layers of the
+// k-th kind have contours.
 struct Style : frame::Style {
     std::array<KindStyle, 3> kind;
     std::uint32_t contour_kinds = 7;
 };
 
-// The same as layers, which live as long as the program.
+// Converts the style to layers, which live as long as the program.
 inline frame::Style kept(const Style& style) {
     static std::deque<std::array<frame::LayerStyle, 3>> all;
     constexpr std::array kinds{marks::Kind::stipples, marks::Kind::hatch, marks::Kind::own};
@@ -52,7 +52,7 @@ inline frame::Style kept(const Style& style) {
     return result;
 }
 
-// A dot as a host sees it.
+// A dot in the form that a host gets.
 struct Disc {
     float x, y, radius;
     float depth; // in the camera's convention
@@ -62,12 +62,12 @@ struct Disc {
     glm::vec4 color; // straight RGBA
 };
 
-// A frame and what it has drawn.
+// A frame and its last drawing.
 class DrawnFrame {
 public:
     explicit DrawnFrame(const base::Runtime& runtime) : frame_(runtime), drawing_(runtime.memory) {}
 
-    // On failure there is nothing to look at.
+    // After a failure no drawing is available.
     void draw(std::span<const frame::Item> items, const frame::Camera& camera) {
         drawn_ = false;
         listed_ = false;
@@ -79,7 +79,8 @@ public:
     [[nodiscard]] const drawing::Counts& info() const noexcept { return drawing_.counts; }
     [[nodiscard]] drawing::MarkSource source(const Disc& disc) const noexcept { return drawing_.source(disc.id); }
 
-    // Far to near: the order of painting.  Not inlined: there GCC warns of arrays that it takes for empty.
+    // Returns the discs from far to near, the order of painting. Inlined, GCC would warn about arrays that it takes for
+    // empty.
     [[nodiscard, gnu::noinline]] std::span<const Disc> discs() const {
         if (!listed_) list();
         listed_ = true;

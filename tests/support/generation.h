@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings of point sets with the layers that they point to; for tests and benchmarks.
+// Settings of point sets that own their layers, for tests and benchmarks.
 #pragma once
 
 #include "support/handles.h"
@@ -19,7 +19,7 @@ struct Generation : hrbfnpr_generate_desc {
         layer.back().budget = budget;
         return layer.back();
     }
-    // What a call takes.
+    // Returns the descriptor for a call.
     const hrbfnpr_generate_desc* get() {
         layers = layer.data();
         layer_count = static_cast<std::int64_t>(layer.size());
@@ -27,14 +27,14 @@ struct Generation : hrbfnpr_generate_desc {
     }
 };
 
-// One layer alone.
+// Settings with a single layer.
 [[nodiscard]] inline Generation one_layer(std::uint32_t kind, std::int64_t budget) {
     Generation desc;
     desc.add(kind, budget);
     return desc;
 }
 
-// Stipples, hatching by curvature and hatching by combing, each of this budget.
+// Settings with stipples, hatching by curvature and hatching by combing, each with this budget.
 [[nodiscard]] inline Generation three_layers(std::int64_t budget) {
     Generation desc;
     desc.add(HRBFNPR_LAYER_KIND_STIPPLES, budget);

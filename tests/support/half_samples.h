@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Samples of a part of a surface, as a scanner that stands on one side leaves them.
+// Samples of a part of a surface, like those of a scanner that stands on one side.
 #pragma once
 
 #include "base/memory.h"
@@ -24,7 +24,7 @@ struct PartSamples {
     }
 };
 
-// Of the unit sphere's `count` even ones those with z > above.
+// Of `count` even samples of the unit sphere, those with z > above.
 inline PartSamples sphere_cap(int count, double above) {
     PartSamples samples;
     for (int i = 0; i < count; ++i) {
@@ -37,7 +37,7 @@ inline PartSamples sphere_cap(int count, double above) {
     return samples;
 }
 
-// Of the torus with these radii the half with y >= 0.
+// Samples of the half with y >= 0 of a torus with these radii.
 inline PartSamples half_torus(double ring, double tube, int around_ring = 24, int around_tube = 16) {
     PartSamples samples;
     for (int i = 0; i < around_ring; ++i) {

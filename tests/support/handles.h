@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C handles as owning C++ objects, and calls that throw in words; for tests and benchmarks.
+// The C handles as owning C++ objects, and calls that throw with the message; for tests and benchmarks.
 #pragma once
 
 #include <hrbfnpr.h>
@@ -35,7 +35,7 @@ using Drawing = std::unique_ptr<hrbfnpr_drawing, Release>;
 using Picture = std::unique_ptr<hrbfnpr_picture, Release>;
 using Settings = std::unique_ptr<hrbfnpr_settings, Release>;
 
-// A call's error record that throws in words.
+// The error argument of a call. It throws with the status's name and the message.
 class Check {
 public:
     Check() { hrbfnpr_error_init(&error_, sizeof error_); }
@@ -49,7 +49,7 @@ private:
     hrbfnpr_error error_;
 };
 
-// A struct that its `_init` function has set up: made(hrbfnpr_style_init).
+// Returns a struct that its `_init` function has initialised: made(hrbfnpr_style_init).
 template <class T>
 [[nodiscard]] T made(hrbfnpr_status (*init)(T*, std::uint32_t)) {
     T value;
@@ -59,7 +59,7 @@ template <class T>
 
 } // namespace hrbfnpr::test
 
-// As the scenes and the benchmarks call them.
+// The names that the scenes and the benchmarks use.
 namespace scenes {
 using hrbfnpr::test::Check;
 using hrbfnpr::test::Context;

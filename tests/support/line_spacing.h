@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart the lines of a layer of strokes lie.
+// Measures the spacing of the lines in a layer of strokes.
 #pragma once
 
 #include "support/point_sets.h"
@@ -12,14 +12,14 @@
 
 namespace hrbfnpr::test {
 
-// Sideways distances from marks to the next line that runs alike on either side, in `unit`, and the share of sides on
-// which there is none within 2.5 of it.
+// Sideways distances from marks to the next parallel line on either side, in `unit`. `alone` is the share of sides
+// without a line within 2.5 units.
 struct Spacing {
     double mean = 0.0, variation = 0.0, alone = 0.0;
 };
 
-// Of the marks that count(i) is true of.  beside: how far along a line its neighbour may be looked at; apart: marks of
-// the same line that stand so far from each other on it are neighbours, as where it winds round; 0: none are.
+// Only marks with a true count(i) are measured. beside: how far along a line its neighbour may be looked for. apart:
+// marks of the same line count as neighbours from this number of marks apart, as where the line winds around; 0: never.
 struct SpacingSettings {
     double unit = 1.0;
     double beside = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Triangle meshes of known shape.
+// Triangle meshes of known shapes.
 #pragma once
 
 #include <algorithm>
@@ -42,7 +42,7 @@ struct Triangles {
         for (const std::int32_t corner : other.triangles) result.triangles.push_back(corner + first);
         return result;
     }
-    // Faces for whose middle accept(x, y, z) is true.
+    // Returns the faces whose centre satisfies accept(x, y, z).
     template <class Accept>
     [[nodiscard]] Triangles where(Accept&& accept) const {
         Triangles result;
@@ -56,7 +56,7 @@ struct Triangles {
         }
         return result;
     }
-    // Each face with vertices of its own, as STL has them.
+    // Returns the mesh with separate vertices for each face, as in STL files.
     [[nodiscard]] Triangles unwelded() const {
         Triangles result;
         for (const std::int32_t corner : triangles) {
@@ -67,7 +67,7 @@ struct Triangles {
     }
 };
 
-// Of radius 1: 20 * 4^levels faces.
+// A sphere of radius 1 with 20 * 4^levels faces.
 inline Triangles icosphere(int levels) {
     Triangles mesh;
     const double t = 0.5 * (1.0 + std::sqrt(5.0));
@@ -90,7 +90,7 @@ inline Triangles icosphere(int levels) {
         }
         return sum;
     };
-    // Three corners an edge's length apart are a face; it is turned outward.
+    // Three corners that are an edge length apart make a face, which is turned outward.
     const double edge = 4.0 / (1.0 + t * t) + 1e-9;
     for (int i = 0; i < 12; ++i)
         for (int j = i + 1; j < 12; ++j)
@@ -132,7 +132,7 @@ inline Triangles icosphere(int levels) {
     return mesh;
 }
 
-// Vertices in a ring of rings, joined into quadrilaterals that are cut in two; the last joins the first.
+// A closed ring of closed rings of vertices, joined by quadrilaterals that are cut in two.
 template <class Place>
 Triangles ring_of_rings(int around, int along, Place&& place) {
     Triangles mesh;
@@ -150,7 +150,7 @@ Triangles ring_of_rings(int around, int along, Place&& place) {
     return mesh;
 }
 
-// About the z axis, radii 1 and `tube`.
+// A torus about the z axis with radii 1 and `tube`.
 inline Triangles torus(int around, int along, double tube) {
     constexpr double turn = 6.283185307179586;
     return ring_of_rings(around, along, [&](double u, double v) {
@@ -159,7 +159,8 @@ inline Triangles torus(int around, int along, double tube) {
     });
 }
 
-// A ring that is thin and thick in turn and winds up and down: smooth surfaces of few samples bulge out of it.
+// A ring that is alternately thin and thick and winds up and down. A smooth surface through few samples bulges out of
+// it.
 inline Triangles wound_ring(int around, int along) {
     constexpr double turn = 6.283185307179586;
     return ring_of_rings(around, along, [&](double u, double v) {
@@ -170,7 +171,7 @@ inline Triangles wound_ring(int around, int along) {
     });
 }
 
-// Four faces, and as sharp as that.
+// A tetrahedron: four faces with sharp edges.
 inline Triangles tetrahedron() {
     Triangles mesh;
     for (const double x : {-1.0, 1.0})
@@ -182,7 +183,7 @@ inline Triangles tetrahedron() {
     return mesh;
 }
 
-// From 0 to x, y, z; each face of 2 * cells^2 triangles.
+// A box from 0 to (x, y, z). Each side has 2 * cells^2 triangles.
 inline Triangles box(double x, double y, double z, int cells) {
     Triangles mesh;
     const std::array<double, 3> size{x, y, z};

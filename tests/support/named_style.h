@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A named style as the frame gets it: read from the library and put through the boundary's conversion.
+// A named style in the form that a frame gets: read from the library and converted as at the boundary.
 #pragma once
 
 #include "api/style.h"

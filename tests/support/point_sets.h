@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Making point sets, and what the tests of the rooms that place marks share.
+// Makes point sets, and has helpers that the tests of placing marks share.
 #pragma once
 
 #include "generate/generate.h"
@@ -28,7 +28,7 @@ inline base::InView view(const std::vector<double>& numbers, std::uint32_t compo
             std::int64_t{8} * components, base::Scalar::float64, components};
 }
 
-// Which layer is meant: the first of a kind or, of hatching that differs by its guide, the one with this name.
+// Selects a layer: the first one of a kind, or the hatching with this name if hatching differs by its guide.
 struct Which {
     Kind kind = Kind::stipples;
     LayerName name{};
@@ -45,7 +45,7 @@ struct Which {
 inline const Which principal{"principal", hatching::Guide::curvature};
 inline const Which combing{"combing", hatching::Guide::combing};
 
-// The settings of a layer, which is made if there is none.
+// Returns the settings of a layer, and adds them if they do not exist.
 inline LayerSettings& of(generate::Settings& settings, const Which& which) {
     for (LayerSettings& layer : settings.layers)
         if (which.is(layer.kind, layer.name)) return layer;
@@ -56,7 +56,7 @@ inline LayerSettings& of(generate::Settings& settings, const Which& which) {
     return made;
 }
 
-// Settings with these layers and the published recursion, without budgets.
+// Settings for the published recursion with these layers, without budgets.
 inline generate::Settings recursion(std::initializer_list<Which> layers, std::int32_t levels) {
     generate::Settings settings;
     settings.distribution = Distribution::published;
@@ -93,7 +93,7 @@ inline PointSet make(const implicit::Implicit& implicit, const generate::Setting
     return generate::generate(runtime(), implicit, samples, settings);
 }
 
-// An empty layer if there is none.
+// Returns the layer, or an empty one if the set does not have it.
 inline const Layer& of(const PointSet& set, const Which& which) {
     static const Layer empty(runtime().memory);
     for (const Layer& layer : set.layers)
@@ -112,7 +112,7 @@ inline glm::dvec3 position(const PointSet& set, const Which& which, std::int64_t
     return position(set, of(set, which), i);
 }
 
-// Each mark stands in one stroke, and the strokes' marks from end to end.
+// Expects each mark in exactly one stroke, and the marks of a stroke in order.
 inline void expect_strokes(const Layer& layer) {
     ASSERT_EQ(layer.stroke_first[0], 0U);
     ASSERT_EQ(layer.stroke_first[layer.strokes()], layer.count());
@@ -132,7 +132,7 @@ inline void expect_strokes(const Layer& layer) {
     for (const int times : met) ASSERT_EQ(times, 1);
 }
 
-// Every mark lies on the surface, inside the set's bounds, and its arrays are what they must be.
+// Expects every mark on the surface and inside the set's bounds, and arrays of the right sizes and values.
 inline void expect_sound(const PointSet& set, const Analytic& surface, double tolerance = 1e-6) {
     const double diagonal = surface.diagonal();
     for (const Layer& marks : set.layers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runtimes of a number of threads, or of a test's allocator; and whether two arrays have the same bits.
+// Runtimes with a number of threads or with a test's allocator, and a comparison of two arrays bit by bit.
 #pragma once
 
 #include "base/memory.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Points and normals of shapes that are known exactly: well spread, and the same everywhere.
+// Points and normals of exactly known shapes, well spread and the same on every machine.
 #pragma once
 
 #include <array>
@@ -47,8 +47,8 @@ inline Samples sphere(std::int64_t count) {
     return samples;
 }
 
-// Adds a tube about a circle of radius 1 around `centre`, in the plane of the unit vectors e1 and e2.  The angles
-// follow the plastic number's sequence (Roberts 2018); the tube's is warped so that samples are even by area.
+// Adds a tube about a circle of radius 1 around `centre`, in the plane of the unit vectors e1 and e2. The angles follow
+// the plastic number's sequence (Roberts 2018). The tube's angle is warped so that samples are even by area.
 inline void add_torus(Samples& samples, int count, double tube, const std::array<double, 3>& centre,
                       const std::array<double, 3>& e1, const std::array<double, 3>& e2) {
     constexpr double plastic = 1.32471795724474602596;
@@ -58,7 +58,7 @@ inline void add_torus(Samples& samples, int count, double tube, const std::array
     for (int i = 0; i < count; ++i) {
         const double phi = tau * std::fmod((i + 0.5) / plastic, 1.0);
         const double area = tau * std::fmod((i + 0.5) / (plastic * plastic), 1.0);
-        double theta = area; // where theta + tube sin theta = area
+        double theta = area; // solves theta + tube sin theta = area
         for (int step = 0; step < 20; ++step)
             theta -= (theta + tube * std::sin(theta) - area) / (1.0 + tube * std::cos(theta));
         std::array<double, 3> normal{};
@@ -72,21 +72,22 @@ inline void add_torus(Samples& samples, int count, double tube, const std::array
     }
 }
 
-// A torus about z: centre circle of radius 1, tube of radius 0.4.
+// A torus about z with ring radius 1 and tube radius 0.4.
 inline Samples torus(int count) {
     Samples samples;
     add_torus(samples, count, 0.4, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     return samples;
 }
 
-// The same torus, evener, for one count at a time: the golden angle around it, and equal areas around the tube.
+// The same torus with more even samples, for one count at a time: the golden angle around the ring, and equal areas
+// around the tube.
 inline Samples even_torus(std::int64_t count) {
     constexpr double tau = 6.283185307179586;
     constexpr double tube = 0.4;
     Samples samples;
     for (std::int64_t i = 0; i < count; ++i) {
         const double area = tau * ((static_cast<double>(i) + 0.5) / static_cast<double>(count));
-        double v = area; // where v + tube sin v = area
+        double v = area; // solves v + tube sin v = area
         for (int step = 0; step < 20; ++step) v -= (v + tube * std::sin(v) - area) / (1.0 + tube * std::cos(v));
         const double u = std::fmod(2.399963229728653 * static_cast<double>(i), tau);
         const double ring = 1.0 + tube * std::cos(v);
@@ -96,7 +97,7 @@ inline Samples even_torus(std::int64_t count) {
     return samples;
 }
 
-// The sphere of radius 1 + bump sin 4x cos(3y + z): of a low degree nowhere.
+// The sphere of radius 1 + bump sin 4x cos(3y + z), which is nowhere a polynomial of low degree.
 inline Samples bumpy(std::int64_t count, double bump = 0.15) {
     Samples samples;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -120,14 +121,14 @@ inline Samples bumpy(std::int64_t count, double bump = 0.15) {
     return samples;
 }
 
-// A torus of radii 3 and 1 about z, at an angle around it and one around the tube.
+// Adds a sample of a torus of radii 3 and 1 about z, at an angle around z and one around the tube.
 inline void add_of_torus(Samples& samples, double around, double tube) {
     const std::array<double, 3> normal{std::cos(tube) * std::cos(around), std::cos(tube) * std::sin(around),
                                        std::sin(tube)};
     samples.add({3.0 * std::cos(around) + normal[0], 3.0 * std::sin(around) + normal[1], normal[2]}, normal);
 }
 
-// Wires on it: both equators, and four circles around the tube.
+// Wires on that torus: both equators, and four circles around the tube.
 inline Samples torus_wires(double spacing) {
     constexpr double tau = 6.283185307179586;
     Samples samples;
@@ -139,7 +140,7 @@ inline Samples torus_wires(double spacing) {
     return samples;
 }
 
-// Cross sections of it, by planes across x from -3 to 3: it reaches to -4 and 4.
+// Cross sections of that torus by planes across x, from -3 to 3. The torus reaches from -4 to 4.
 inline Samples torus_sections(int planes, int each) {
     constexpr double tau = 6.283185307179586;
     Samples samples;
@@ -155,7 +156,7 @@ inline Samples torus_sections(int planes, int each) {
     return samples;
 }
 
-// With noise of this deviation, sums of uniform numbers, that is the same everywhere.
+// Adds noise of this deviation, a sum of uniform numbers that is the same on every machine.
 inline Samples with_noise(Samples samples, double deviation) {
     std::uint64_t state = 1;
     const auto uniform = [&] { // splitmix64

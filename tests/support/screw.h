@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A screw: a shaft with a thread of some turns, flat at both ends.
+// A screw: a shaft with a thread of several turns, flat at both ends.
 #pragma once
 
 #include "support/meshes.h"
@@ -13,9 +13,10 @@
 
 namespace hrbfnpr::test {
 
-// The profile of a thread along one turn: how far out it is, 0 to 1.
+// The profile of a thread along one turn: its height, 0 to 1.
 struct ThreadProfile {
-    // Shares of a turn: flat below, rising, flat above, falling.  Triangular ones have nothing that is flat.
+    // Shares of a turn: flat at the root, rising, flat at the crest; the rest is falling. Triangular profiles have no
+    // flat part.
     double root, rise, crest;
     [[nodiscard]] double at(double share) const {
         if (share < root) return 0.0;
@@ -23,7 +24,7 @@ struct ThreadProfile {
         if (share < root + rise + crest) return 1.0;
         return (1.0 - share) / (1.0 - root - rise - crest);
     }
-    // Where it bends.
+    // Returns the shares at which the profile bends.
     [[nodiscard]] std::vector<double> corners() const {
         std::vector<double> at{0.0};
         for (const double c : {root, root + rise, root + rise + crest})
@@ -34,11 +35,11 @@ struct ThreadProfile {
 inline constexpr ThreadProfile triangular{0.0, 0.5, 0.0};
 inline constexpr ThreadProfile trapezoidal{0.15, 0.35, 0.15};
 
-// About the z axis: a thread of the inner radius 0.8, the outer 1 and a pitch of 0.4, whose turns are side by side, cut
-// off flat at z = 0 and above; below it a shaft of the radius 0.65.
+// A thread about the z axis with inner radius 0.8, outer radius 1 and a pitch of 0.4. Its turns are side by side, and
+// it is cut off flat at z = 0 and at the top. Below it is a shaft of radius 0.65.
 class Screw {
 public:
-    // segments: about the axis; cuts: of each straight part of the profile.
+    // segments: around the axis; cuts: for each straight part of the profile.
     Screw(int turns, const ThreadProfile& profile, int segments, int cuts)
         : profile_(profile), segments_(segments), height_(pitch * turns) {
         cut_shares(cuts);
@@ -56,7 +57,7 @@ public:
 private:
     static constexpr double turn = 6.283185307179586;
     static constexpr double pitch = 0.4;
-    // On the unrolled cylinder: in segments about the axis, and up.
+    // A point on the unrolled cylinder: `along` in segments about the axis, and z upward.
     struct Point {
         double along, z;
     };
@@ -86,7 +87,7 @@ private:
         }
         return found->second;
     }
-    // What of a triangle is between the ends.
+    // Adds the part of a triangle between the ends.
     void add(std::vector<Point> corner) {
         for (const double side : {1.0, -1.0}) {
             const auto off = [&](const Point& p) { return side > 0.0 ? p.z : height_ - p.z; };
@@ -109,7 +110,7 @@ private:
             if (a != b && b != c && c != a) mesh.face(a, b, c);
         }
     }
-    // The end at a height: rings of so many radii inward, a shaft as far as `bottom`, and a lid.
+    // Closes the end at a height: rings of these radii inward, a shaft down to `bottom`, and a lid.
     void close(double z, const std::vector<double>& radii, double bottom) {
         std::vector<std::pair<double, std::int32_t>> rim;
         for (const auto& [key, v] : known_)

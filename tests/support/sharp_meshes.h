@@ -6,7 +6,7 @@
 
 namespace hrbfnpr::test {
 
-// The distance from the axis at an angle.
+// Each returns the distance from the axis at an angle.
 inline double circle(double radius, double /*angle*/) { return radius; }
 inline double polygon(int corners, double inradius, double angle) {
     const double turn = 6.283185307179586 / corners;
@@ -15,14 +15,14 @@ inline double polygon(int corners, double inradius, double angle) {
 
 struct Ring {
     double radius, z;
-    int corners = 0; // of a polygon, whose inradius that is; 0: a circle
+    int corners = 0; // corners of a polygon with `radius` as inradius; 0: a circle
     [[nodiscard]] double at(double angle) const {
         return corners == 0 || radius == 0.0 ? circle(radius, angle) : polygon(corners, radius, angle);
     }
 };
 
-// Rings about the z axis, outward below, upward outside, joined; between them more, no farther apart than the spacing.
-// segments: a multiple of the polygons' corners.
+// Joins rings about the z axis, listed from the bottom outward and up. More rings are added between them, about
+// `spacing` apart. segments: a multiple of the polygons' corners.
 inline Triangles ringed(const std::vector<Ring>& rings, int segments, double spacing) {
     Triangles mesh;
     std::vector<std::vector<std::int32_t>> vertex;
@@ -56,7 +56,7 @@ inline Triangles ringed(const std::vector<Ring>& rings, int segments, double spa
     return mesh;
 }
 
-// Three steps of radius 1, 0.6 and 0.35 and a groove.
+// A shaft with three steps of radius 1, 0.6 and 0.35, and a groove.
 inline Triangles stepped_shaft(int segments) {
     return ringed({{0.0, 0.0},
                    {1.0, 0.0},
@@ -73,7 +73,7 @@ inline Triangles stepped_shaft(int segments) {
                   segments, 6.0 / segments);
 }
 
-// As of a wrench: a square hole below, a hexagonal one above; `segments` a multiple of 12.
+// The socket of a wrench: a square hole below and a hexagonal one above. `segments` is a multiple of 12.
 inline Triangles socket(int segments) {
     return ringed({{0.0, 0.8},
                    {0.35, 0.8, 4},
@@ -88,7 +88,8 @@ inline Triangles socket(int segments) {
                   segments, 6.0 / segments);
 }
 
-// Trapezoidal teeth between the radii 0.8 and 1, a bore of 0.3, and a height of 0.4; `cuts` of each straight part.
+// A gear with trapezoidal teeth between the radii 0.8 and 1, a bore of 0.3 and a height of 0.4. Each straight part has
+// `cuts` cuts.
 inline Triangles gear(int teeth, int cuts) {
     constexpr double turn = 6.283185307179586;
     std::vector<std::array<double, 2>> outline;
@@ -106,7 +107,7 @@ inline Triangles gear(int teeth, int cuts) {
     }
     Triangles mesh;
     std::vector<std::vector<std::int32_t>> ring;
-    const auto add = [&](double share, double z) { // of the way from the bore out
+    const auto add = [&](double share, double z) { // share of the way from the bore outward
         ring.emplace_back();
         for (const auto& p : outline) {
             const double r = std::hypot(p[0], p[1]);
@@ -130,7 +131,7 @@ inline Triangles gear(int teeth, int cuts) {
     return mesh;
 }
 
-// The cube of [-1, 1]^3 without the cylinder of the radius about the z axis; `segments` about it, a multiple of 8.
+// The cube [-1, 1]^3 without a cylinder about the z axis. `segments`, a multiple of 8, is the number around it.
 inline Triangles drilled_cube(double radius, int segments) {
     Triangles mesh;
     const int rings = segments / 8;
@@ -150,7 +151,7 @@ inline Triangles drilled_cube(double radius, int segments) {
             mesh.face(low[a], high[b], high[a]);
         }
     };
-    std::vector<std::vector<std::int32_t>> around; // closed: down the hole, out below, up the sides, in above
+    std::vector<std::vector<std::int32_t>> around; // closed: down the hole, outward below, up the sides, inward above
     const auto ring = [&](double share, double z) {
         around.emplace_back();
         for (int k = 0; k < segments; ++k) around.back().push_back(place(k, share, z));
@@ -163,7 +164,7 @@ inline Triangles drilled_cube(double radius, int segments) {
     return mesh;
 }
 
-// Over [-1, 1]^2, in squares; height(x, y).
+// A surface z = height(x, y) over [-1, 1]^2, in squares.
 template <class Height>
 Triangles height_field(int n, Height&& height) {
     Triangles mesh;
@@ -180,8 +181,8 @@ Triangles height_field(int n, Height&& height) {
     return mesh;
 }
 
-// A plate, 15 by 9 by 3.6, with round corners, chamfered above by as much as these are round: there the chamfer is a
-// quarter of a cone, whose tip is a corner of the top.
+// A plate, 15 by 9 by 3.6, with round corners. The chamfer at the top is as wide as the corners' radius, so there it is
+// a quarter of a cone, whose tip is a corner of the top.
 inline Triangles chamfered_plate(int cuts) {
     constexpr double chamfer = 1.0;
     const std::array<std::array<double, 2>, 4> middles{{{14.0, 8.0}, {1.0, 8.0}, {1.0, 1.0}, {14.0, 1.0}}};
@@ -210,10 +211,10 @@ inline Triangles chamfered_plate(int cuts) {
     return mesh;
 }
 
-// A step along y = 0 of the height x^2 / 4 that fades at x = 0, up where y > 0; n: squares along each axis.
+// A step along y = 0 of height x^2 / 4 that fades at x = 0. The side y > 0 is higher. n: squares along each axis.
 inline Triangles fading_step(int n) {
     Triangles mesh;
-    std::vector<std::int32_t> vertex[2]; // of both halves
+    std::vector<std::int32_t> vertex[2]; // of each half
     const auto height = [](double x) { return x > 0.0 ? 0.25 * x * x : 0.0; };
     for (int upper = 0; upper < 2; ++upper)
         for (int j = 0; j <= n / 2; ++j)

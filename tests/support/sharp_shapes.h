@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes with creases: maxima and minima of functions whose every derivative is known.
+// Shapes with creases: maxima and minima of functions with exact derivatives.
 #pragma once
 
 #include "implicit/sheets.h"
@@ -26,7 +26,7 @@ inline FieldFunction sphere(const glm::dvec3& centre, double radius) {
     };
 }
 
-// About the z axis: the radius changes by `slope` with z.
+// A cone about the z axis. Its radius changes by `slope` with z.
 inline FieldFunction cone(double radius, double slope, const glm::dvec3& axis_at = glm::dvec3(0.0)) {
     return [=](const glm::dvec3& p) {
         const double x = p.x - axis_at.x;
@@ -44,7 +44,7 @@ inline FieldFunction cylinder(double radius, const glm::dvec3& axis_at = glm::dv
     return cone(radius, 0.0, axis_at);
 }
 
-// The complement.
+// The complement of a shape.
 inline FieldFunction without(const FieldFunction& f) {
     return [=](const glm::dvec3& p) {
         Field field = f(p);
@@ -55,7 +55,7 @@ inline FieldFunction without(const FieldFunction& f) {
     };
 }
 
-// f(turn p)
+// The shape of f(turn p).
 inline FieldFunction turned(const FieldFunction& f, const glm::dmat3& turn) {
     return [=](const glm::dvec3& p) {
         Field field = f(turn * p);
@@ -67,7 +67,7 @@ inline FieldFunction turned(const FieldFunction& f, const glm::dmat3& turn) {
     };
 }
 
-// A tree of maxima and minima.
+// A tree of maxima and minima of functions.
 struct Sharp {
     enum class Kind { leaf, max, min };
     Kind kind = Kind::leaf;
@@ -130,14 +130,14 @@ private:
     std::vector<const Sharp*> leaf_;
 };
 
-// A turn that no lattice is aligned with.
+// A rotation with which no lattice is aligned.
 inline glm::dmat3 odd_turn() {
     const glm::dvec3 z = glm::normalize(glm::dvec3(0.31, -0.22, 0.93));
     const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0.1, 0.97, 0.2), z));
     return glm::transpose(glm::dmat3(x, glm::cross(z, x), z));
 }
 
-// The sides of a box about the origin.
+// The sides of a box about the origin, with half sizes `half`.
 inline std::vector<Sharp> sides(const glm::dvec3& half, const glm::dmat3& turn = glm::dmat3(1.0)) {
     std::vector<Sharp> all;
     for (int axis = 0; axis < 3; ++axis)
@@ -149,7 +149,7 @@ inline std::vector<Sharp> sides(const glm::dvec3& half, const glm::dmat3& turn =
     return all;
 }
 
-// Of the half edge 1.
+// A cube with half edge 1.
 inline std::unique_ptr<SharpShape> sharp_cube(const glm::dmat3& turn = odd_turn()) {
     return std::make_unique<SharpShape>(cube(1.75), max_of(sides(glm::dvec3(1.0), turn)));
 }
@@ -158,7 +158,7 @@ inline std::unique_ptr<SharpShape> bored_cube(double radius = 0.6, const glm::dm
     all.emplace_back(turned(without(cylinder(radius)), turn));
     return std::make_unique<SharpShape>(cube(1.75), max_of(std::move(all)));
 }
-// Radius 1 up to z = 0, 0.5 up to z = 1.2.
+// A shaft of radius 1 up to z = 0, and of radius 0.5 up to z = 1.2.
 inline std::unique_ptr<SharpShape> stepped_shaft() {
     return std::make_unique<SharpShape>(
         geometry::Bounds{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.2}},
@@ -174,7 +174,8 @@ inline std::unique_ptr<SharpShape> capped_cone() {
     return std::make_unique<SharpShape>(geometry::Bounds{{-1.0, -1.0, -1.0}, {1.0, 1.0, 0.7}},
                                         max_of({cone(0.6, -0.4), plane({0, 0, -1}, 1.0), plane({0, 0, 1}, 0.7)}));
 }
-// The upper side of half a ball has a crease along y, whose angle falls by e with every third of y.
+// A half ball whose upper side has a crease along y. The slopes of its sides fall by the factor e for every third of a
+// unit of y.
 inline std::unique_ptr<SharpShape> fading_wedge() {
     const auto slope = [](double sign) {
         return [sign](const glm::dvec3& p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The thread backend that tests use where they name none: the same tests run once for each.
+// The thread backend of tests that name none. The same tests run once for each backend.
 #pragma once
 
 #include <hrbfnpr.h>
@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::test {
 
-// By the environment variable HRBFNPR_TEST_BACKEND: openmp, or the library's choice.
+// Depends on the environment variable HRBFNPR_TEST_BACKEND: openmp, or the library's choice.
 [[nodiscard]] inline std::uint32_t test_backend() {
     const char* name = std::getenv("HRBFNPR_TEST_BACKEND");
     return name != nullptr && std::string_view(name) == "openmp" ? HRBFNPR_THREAD_BACKEND_OPENMP

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of which it is known whether they stand for shapes with edges: cages of quads that are subdivided and cut in
+// Meshes with a known answer to whether they stand for shapes with edges: cages of quads that are subdivided and cut in
 // either direction, grids, scans, folds and parts of machines.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace hrbfnpr::test::verdict {
 
 inline constexpr double pi = std::numbers::pi;
 
-// A number in [-1, 1] that depends on nothing but its arguments.
+// A number in [-1, 1] that depends only on its arguments.
 inline double random(std::uint64_t i, std::uint64_t stream) {
     std::uint64_t bits = (i + 1) * 0x9E3779B97F4A7C15U + (stream + 1) * 0xD1B54A32D192ED03U;
     bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -61,7 +61,7 @@ inline Triangles cut(const Quads& quads, Cut how) {
     return mesh;
 }
 
-// One round of Catmull and Clark, of a closed mesh.
+// One round of Catmull-Clark subdivision of a closed mesh.
 inline Quads subdivided(const Quads& coarse) {
     struct EdgePoint {
         std::int32_t number = -1;
@@ -116,12 +116,12 @@ inline Quads subdivided(Quads mesh, int rounds) {
 
 // ---- Cages of figures
 
-// A box of unit cubes, from `low` to before `high`.
+// A box of unit cubes, from `low` up to but not including `high`.
 struct Block {
     std::array<int, 3> low, high;
 };
 
-// Tells of a place in cubes whether it is inside.
+// Tells whether a unit cube is inside.
 using Solid = std::function<bool(int, int, int)>;
 
 inline Solid solid_of(const std::vector<Block>& blocks) {
@@ -132,7 +132,7 @@ inline Solid solid_of(const std::vector<Block>& blocks) {
     };
 }
 
-// The faces of the cubes inside [-most, most]^3 that are seen from outside.
+// The outer faces of the cubes inside [-most, most]^3.
 inline Quads outside_of(const Solid& inside, int most) {
     Quads mesh;
     std::map<std::array<int, 3>, std::int32_t> number;
@@ -166,7 +166,7 @@ inline Quads outside_of(const Solid& inside, int most) {
     return mesh;
 }
 
-// Four legs, a neck, a head with a muzzle and ears, and a tail.
+// A body with four legs, a neck, a head with a muzzle and ears, and a tail.
 inline std::vector<Block> animal() {
     return {{{-6, -3, 0}, {6, 3, 6}},  {{-6, -3, -6}, {-4, -1, 0}}, {{-6, 1, -6}, {-4, 3, 0}},
             {{4, -3, -6}, {6, -1, 0}}, {{4, 1, -6}, {6, 3, 0}},     {{4, -1, 6}, {7, 1, 9}},
@@ -181,7 +181,7 @@ inline std::vector<Block> person() {
             {{10, -1, 5}, {12, 0, 6}},  {{-12, -1, 5}, {-10, 0, 6}}};
 }
 
-// Turns the outside of cubes into a cage as somebody models it: rounded off, bent, and uneven.
+// Turns the outside of cubes into a cage like a modeller's: rounded, bent, and uneven.
 inline Quads cage(const Solid& inside, int most, int rounding, double uneven, std::uint64_t seed) {
     Quads mesh = outside_of(inside, most);
     for (int round = 0; round < rounding; ++round) {
@@ -206,8 +206,8 @@ inline Quads cage(const Solid& inside, int most, int rounding, double uneven, st
 
 // ---- Grids
 
-// Places p(u, v) for u and v in [0, 1], that may be closed in either direction. Places that are the same are welded
-// when the mesh is made.
+// A grid of places p(u, v) for u and v in [0, 1]. It may be closed in either direction: equal places are welded when
+// the mesh is made.
 template <class Place>
 Quads grid(int columns, int rows, Place&& place) {
     Quads mesh;
@@ -222,7 +222,8 @@ Quads grid(int columns, int rows, Place&& place) {
     return mesh;
 }
 
-// About the z axis: radius and height by v, from the lowest point to the highest. Both ends may lie on the axis.
+// A surface of revolution about the z axis. The profile gives radius and height for v, from the lowest point to the
+// highest. Both ends may be on the axis.
 template <class Profile>
 Quads turned(int columns, int rows, Profile&& profile) {
     return grid(columns, rows, [&](double u, double v) {
@@ -232,7 +233,7 @@ Quads turned(int columns, int rows, Profile&& profile) {
     });
 }
 
-// Two half spheres on a cylinder.
+// A cylinder with two half spheres.
 inline Quads capsule(int columns, int rows) {
     return turned(columns, rows, [](double v) {
         const double z = v < 0.3 ? -1.0 : v > 0.7 ? 1.0 : 5.0 * (v - 0.5);
@@ -243,7 +244,7 @@ inline Quads capsule(int columns, int rows) {
 
 // ---- Folds
 
-// The directions of an icosphere, at distances by direction.
+// An icosphere whose distance from the centre depends on the direction.
 template <class Distance>
 Triangles star(int levels, Distance&& distance) {
     Triangles mesh = icosphere(levels);
@@ -254,7 +255,7 @@ Triangles star(int levels, Distance&& distance) {
     return mesh;
 }
 
-// A cortex: narrow grooves of a depth along where a sum of waves is near 0.
+// A cortex: narrow grooves of a given depth where a sum of waves is near 0.
 inline Triangles folded(int levels, double depth, double width, double waves) {
     return star(levels, [&](const glm::dvec3& d, std::size_t) {
         const double sum = std::sin(waves * d.x + 2.0 * std::sin(0.6 * waves * d.y)) +
@@ -266,13 +267,13 @@ inline Triangles folded(int levels, double depth, double width, double waves) {
 
 // ---- Parts of machines
 
-// An outline in counter-clockwise order, and a point from which all of it is seen.
+// An outline in counter-clockwise order, and a point inside from which all of it can be seen.
 struct Outline {
     std::vector<glm::dvec2> points;
     glm::dvec2 middle{0.0};
 };
 
-// A polygon whose corners are cut by arcs of `segments` chords; 0: sharp corners, 1: chamfers.
+// A polygon whose corners are replaced by arcs of `segments` chords; 0: sharp corners, 1: chamfers.
 inline Outline rounded(const std::vector<glm::dvec2>& corners, double radius, int segments) {
     Outline outline;
     const std::size_t count = corners.size();
@@ -294,7 +295,7 @@ inline Outline rounded(const std::vector<glm::dvec2>& corners, double radius, in
     return outline;
 }
 
-// A prism of an outline: walls of long quads, ends of triangles around the middle.
+// A prism over an outline: the walls are long quads, the ends are triangles around the middle.
 inline Triangles prism(const Outline& outline, double height, int storeys = 1) {
     Triangles mesh;
     const auto count = static_cast<std::int32_t>(outline.points.size());
@@ -316,7 +317,8 @@ inline Triangles prism(const Outline& outline, double height, int storeys = 1) {
 
 inline std::vector<glm::dvec2> rectangle(double x, double y) { return {{-x, -y}, {x, -y}, {x, y}, {-x, y}}; }
 
-// Each triangle in four, that lie in its plane. Edges are cut in the middle, or at 0.3 to 0.7 of them.
+// Divides each triangle into four in its own plane. Edges are cut in the middle, or at 0.3 to 0.7 of their length if
+// `uneven`.
 inline Triangles finer(const Triangles& coarse, int rounds, bool uneven = false) {
     Triangles mesh = coarse;
     for (int round = 0; round < rounds; ++round) {

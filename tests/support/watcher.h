@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a progress callback is told, and when it cancels.
+// Records the calls of a progress callback, and says when to cancel.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 namespace hrbfnpr::test {
 
 struct Watcher {
-    std::vector<double> values;     // of progress, as they came
-    double cancel_at = 2.0;         // the progress from which on it cancels; above 1 = never
-    std::size_t cancel_at_call = 0; // the how-manieth call cancels; 0 = none
-    bool other_thread = false;      // whether it was called on another thread than the one that made it
+    std::vector<double> values;     // the progress values in the order of the calls
+    double cancel_at = 2.0;         // cancels from this progress on; above 1: never
+    std::size_t cancel_at_call = 0; // number of the call that cancels, from 1; 0: none
+    bool other_thread = false;      // whether a call came on another thread than the one that made the watcher
 
     // For hrbfnpr_operation_set_callback and base::Operation::set_callback, with the watcher as `user`.
     static std::int32_t call(void* user, double progress) {

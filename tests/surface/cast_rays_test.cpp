@@ -45,7 +45,7 @@ RaySettings at_most(std::int32_t hits) {
     return settings;
 }
 
-// Rays from everywhere around to everywhere inside.
+// Returns rays that start all around and aim at points all over the inside.
 std::vector<Line> many_lines(int count, double from = 3.0, double to = 0.9) {
     std::vector<Line> lines;
     for (int i = 0; i < count; ++i) {
@@ -57,7 +57,7 @@ std::vector<Line> many_lines(int count, double from = 3.0, double to = 0.9) {
     return lines;
 }
 
-// Roots of |o + t d| = radius, rising.
+// Returns the roots of |o + t d| = radius in ascending order.
 std::array<double, 2> sphere_roots(const Line& line, double radius) {
     const double a = glm::dot(line.direction, line.direction);
     const double b = glm::dot(line.origin, line.direction);
@@ -83,7 +83,7 @@ void expect_sphere(const implicit::Implicit& sphere, const std::vector<Line>& li
 }
 
 TEST(CastRays, MeetsASphereWhereItIs) {
-    // More than a batch, and not a multiple of it.
+    // The number of rays is more than a batch, and not a multiple of it.
     expect_sphere(Sphere(), many_lines(1000), at_most(2));
     expect_sphere(SquareSphere(), many_lines(700), at_most(2));
     RaySettings settings = at_most(2);
@@ -91,11 +91,11 @@ TEST(CastRays, MeetsASphereWhereItIs) {
     expect_sphere(Sphere(), many_lines(300), settings);
 }
 
-// A step that changes f by more than the bound allows is taken back, though it ends inside the tube's other side.
+// A step that changes f by more than the bound allows is taken back, even if it ends inside the other side of the tube.
 TEST(CastRays, ABoundThatAStepShowsToBeTooSmallIsRaised) {
     RaySettings settings = at_most(4);
     settings.lipschitz = 0.06;
-    const RayHits hits = cast(Torus(1.0, 0.35), {{{-1.5, 0, 0}, {1, 0, 0}}}, settings); // f = 0.15: 2.5 far
+    const RayHits hits = cast(Torus(1.0, 0.35), {{{-1.5, 0, 0}, {1, 0, 0}}}, settings); // f = 0.15 allows a step of 2.5
     ASSERT_EQ(hits.count[0], 4);
     EXPECT_NEAR(hits.t[0], 0.15, 1e-8);
     EXPECT_NEAR(hits.t[3], 2.85, 1e-8);
@@ -105,9 +105,9 @@ TEST(CastRays, ABoundThatAStepShowsToBeTooSmallIsRaised) {
 
 TEST(CastRays, MissesWhatItDoesNotMeet) {
     const RayHits hits = cast(Sphere(),
-                              {{{-3, 0, 1.02}, {1, 0, 0}},    // past it, through the region
+                              {{{-3, 0, 1.02}, {1, 0, 0}},    // past the sphere, through the region
                                {{-3, 0, 1.5}, {1, 0, 0}},     // past the region
-                               {{-3, 0, 0}, {-1, 0, 0}},      // away from it
+                               {{-3, 0, 0}, {-1, 0, 0}},      // away from the sphere
                                {{0.99, 0.99, 0}, {1, 1, 0}}}, // from within the region, outward
                               at_most(2));
     for (int i = 0; i < 4; ++i) {
@@ -121,7 +121,7 @@ TEST(CastRays, MissesWhatItDoesNotMeet) {
     }
 }
 
-// Chords longer than a smallest step are found; a touch, which changes no sign, is none.
+// Chords longer than a smallest step are found. A touch changes no sign and does not count.
 TEST(CastRays, GrazingRays) {
     const double smallest = 1e-4 * std::sqrt(12.0);
     for (const double factor : {1.01, 1.5, 4.0, 40.0}) {
@@ -158,7 +158,7 @@ TEST(CastRays, AllFourHitsOfATorusInOrder) {
     }
     EXPECT_EQ(all.t[4], infinity);
     EXPECT_EQ(all.entering[4], 0);
-    // The first of them is the same, whatever is asked for.
+    // The first hit does not depend on the number of hits requested.
     EXPECT_EQ(cast(torus, line).t[0], all.t[0]);
     EXPECT_EQ(cast(torus, line).status[0], RayStatus::hit);
 }
@@ -174,7 +174,7 @@ TEST(CastRays, SaysWhenThereAreMoreHitsThanRoom) {
     }
 }
 
-// Where a ray of a torus is met, f is 0 and the normal its gradient; and every sign change is there.
+// At each hit f is 0 and the normal is the gradient. Every sign change of a fine scan is a hit.
 TEST(CastRays, HitsOfManyRaysAreThoseOfAFineScan) {
     const Torus torus(1.0, 0.35);
     const std::vector<Line> lines = many_lines(400, 2.5, 0.7);
@@ -216,7 +216,7 @@ TEST(CastRays, TheRangeCutsHitsOff) {
     EXPECT_EQ(between(-9.0, 9.0).count[0], 4);
     EXPECT_EQ(between(2.0, 2.0).status[0], RayStatus::miss);
     EXPECT_EQ(between(5.0, infinity).status[0], RayStatus::miss);
-    // Backwards from the origin, too.
+    // t may be negative, too.
     RaySettings settings;
     settings.t_min = -10.0;
     EXPECT_NEAR(cast(torus, {{{3, 0, 0}, {1, 0, 0}}}, settings).t[0], -4.35, 1e-8);
@@ -240,7 +240,7 @@ TEST(CastRays, FarOriginsMeetTheSurfaceAllTheSame) {
     EXPECT_NEAR(glm::length(hits.position[0]), 1.0, 1e-8);
     EXPECT_NEAR(hits.t[0], 1e9 - std::sqrt(0.75), 1e-6);
     EXPECT_NE(hits.status[1], RayStatus::not_finite);
-    // f is never asked for outside the region, though coordinates are rounded to 1 or 2 here.
+    // f is never evaluated outside the region, although coordinates are rounded to multiples of 1 or 2 here.
     const AnyField bounded(cube(1.0), [](const glm::dvec3& p) -> Field {
         const glm::dvec3 q = glm::abs(p);
         return {std::max({q.x, q.y, q.z}) < 1.174 ? glm::length(p) - 1.0 : std::nan(""), p / glm::length(p), {}};
@@ -272,10 +272,10 @@ TEST(CastRays, WhatIsNotFiniteEndsARay) {
     EXPECT_EQ(cast(no_gradient, {{{-3, 0, 0}, {1, 0, 0}}}).status[0], RayStatus::not_finite);
 }
 
-// Newton's steps alone would run away or circle on these.
+// Newton's steps alone would run away or circle on these functions.
 TEST(CastRays, BisectionHelpsWhereNewtonDoesNot) {
     const AnyField jump(cube(1.0), [](const glm::dvec3& p) -> Field {
-        return {p.x < 0.3 ? 1.0 : -1.0, {0.0, 0.0, 1.0}, {}}; // no root, no slope, but a change of sign
+        return {p.x < 0.3 ? 1.0 : -1.0, {0.0, 0.0, 1.0}, {}}; // no root and no slope, but a sign change
     });
     const AnyField cube_root(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {std::cbrt(p.x - 0.3), {std::pow(std::abs(p.x - 0.3), -2.0 / 3.0) / 3.0, 0.0, 0.0}, {}};
@@ -284,11 +284,11 @@ TEST(CastRays, BisectionHelpsWhereNewtonDoesNot) {
         const double x = p.x - 0.3;
         return {x * x * x, {3.0 * x * x, 0.0, 0.0}, {}};
     });
-    const AnyField circling(cube(1.0), [](const glm::dvec3& p) -> Field { // from 0.3 + x Newton goes to 0.3 - x
+    const AnyField circling(cube(1.0), [](const glm::dvec3& p) -> Field { // from 0.3 + x Newton's step goes to 0.3 - x
         const double root = std::sqrt(std::abs(p.x - 0.3));
         return {p.x < 0.3 ? -root : root, {0.5 / root, 0.0, 0.0}, {}};
     });
-    const AnyField lying(cube(1.0), [](const glm::dvec3& p) -> Field { // the root is not where the slope says
+    const AnyField lying(cube(1.0), [](const glm::dvec3& p) -> Field { // the slope points away from the root
         return {p.x < 0.3 ? 1.0 : -1.0, {1e12, 0.0, 0.0}, {}};
     });
     const std::array<const implicit::Implicit*, 5> fields = {&jump, &cube_root, &flat, &circling, &lying};
@@ -308,7 +308,7 @@ TEST(CastRays, TheSmallestStepIsWhatMayBeSteppedOver) {
     EXPECT_EQ(cast(slab, {{{0, 0, -1}, {0, 0, 1}}}, settings).count[0], 2);
     settings.smallest_step = 0.5e-3 / diagonal;
     EXPECT_EQ(cast(slab, {{{0, 0, -1}, {0, 0, 1}}}, settings).count[0], 2);
-    settings.smallest_step = 0.05; // of more than the slab: nothing is promised but an end
+    settings.smallest_step = 0.05; // longer than the slab: only an end of the search is guaranteed
     EXPECT_NE(cast(slab, {{{0, 0, -1}, {0, 0, 1}}}, settings).status[0], RayStatus::not_finite);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Projection and rays where a surface has creases.
+// Tests projection and rays where a surface has creases.
 #include "support/runtime.h"
 #include "support/sharp_shapes.h"
 #include "surface/cast_rays.h"
@@ -24,7 +24,7 @@ glm::dvec3 pseudo_random(int i) {
     return {std::sin(12.9898 * i), std::sin(78.233 * i + 1.0), std::sin(37.719 * i + 2.0)};
 }
 
-// Two half-spaces that meet in the z axis, with the angle between their sides.
+// Two half-spaces that meet in the z axis, with this angle between their sides.
 std::unique_ptr<SharpShape> wedge(double angle, bool convex) {
     const double half = 0.5 * angle;
     std::vector<Sharp> both{plane({-std::sin(half), std::cos(half), 0.0}, 0.0),
@@ -64,13 +64,13 @@ TEST(ProjectAtCreases, ComesOntoEveryShapeFromEverywhere) {
     EXPECT_EQ(not_converged(*fading_wedge(), 1.3, 1.0), 0);
 }
 
-// Descent alone goes to and fro: between two sides of 3 degrees it takes a thousand steps.
+// Descent alone zigzags: between two sides at 3 degrees it takes a thousand steps.
 TEST(ProjectAtCreases, ComesOntoAcuteEdges) {
     for (const double angle : {0.05, 0.2, 0.5, 1.0})
         for (const bool convex : {true, false}) EXPECT_EQ(not_converged(*wedge(angle, convex), 1.0), 0) << angle;
 }
 
-// Between two balls that do not meet |f| of their intersection is least, and not 0.
+// The balls do not meet, so |f| of their intersection has a minimum between them that is not 0.
 Sharp no_intersection() { return max_of({sphere({-1.0, 0.0, 0.0}, 0.6), sphere({1.0, 0.0, 0.0}, 0.6)}); }
 
 TEST(ProjectBySearch, ComesFromLeastFOffTheSurfaceOntoIt) {
@@ -95,7 +95,7 @@ TEST(ProjectBySearch, WhereThereIsNoSurfaceItSaysSo) {
     EXPECT_LE(std::abs(p.position[0].x), 1.5) << "the last iterate of descent stays";
 }
 
-// Beyond the search region the surface is not the shape's.
+// The second sphere is outside the search region, so it does not count.
 TEST(ProjectBySearch, StaysInTheSearchRegion) {
     const SharpShape shape(cube(2.0), min_of({no_intersection(), sphere({0.0, 3.4, 0.0}, 0.7)}));
     EXPECT_EQ(not_converged(shape, 0.1), 3000);
@@ -120,7 +120,7 @@ TEST(ProjectAtCreases, FindsWhereSheetsMeet) {
     EXPECT_TRUE(many.has(5));
 }
 
-// Rays past an edge of the cube, by a distance on either side of it, and their normals.
+// Rays pass an edge of the cube at a small distance on either side, and the normals of hits are checked.
 TEST(RaysAtCreases, HitBesideEdges) {
     const glm::dmat3 back = glm::transpose(odd_turn());
     const auto shape = sharp_cube();
@@ -128,7 +128,7 @@ TEST(RaysAtCreases, HitBesideEdges) {
         Rays rays(runtime().memory);
         for (int i = 0; i < 40; ++i)
             for (const double sign : {-1.0, 1.0}) {
-                // Over the edge x = z = 1, along x - z.
+                // The rays run along x - z over the edge x = z = 1.
                 const double y = -0.95 + 0.045 * i;
                 rays.origin.push_back(back * (glm::dvec3(1.0, y, 1.0) +
                                               (sign * beside) * glm::normalize(glm::dvec3(1.0, 0.0, 1.0)) +

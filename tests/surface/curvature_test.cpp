@@ -35,13 +35,13 @@ TEST(Curvature, SphereBendsAwayFromItsNormalEverywhere) {
         EXPECT_NEAR(c.k2, -0.4, 1e-10);
         EXPECT_NEAR(c.confidence, 0.0, 1e-9);
         expect_frame(c, n);
-        // At umbilics the directions are the combing field's: smooth inside each of its regions.
+        // At umbilics the directions are those of the combing field, which are smooth inside each of its regions.
         EXPECT_NEAR(std::abs(glm::dot(c.d1, geometry::combing_frame(n).r)), 1.0, 1e-9);
     }
 }
 
 TEST(Curvature, DoesNotDependOnTheScaleOfTheFunction) {
-    const SquareSphere sphere(1.0); // |grad f| = 2 on it, and no unit gradient anywhere else
+    const SquareSphere sphere(1.0); // |grad f| = 2 on the sphere, and the gradient has unit length only at |p| = 1/2
     const Curvature c = of(sphere, {0.48, 0.6, 0.64});
     EXPECT_NEAR(c.k1, -1.0, 1e-12);
     EXPECT_NEAR(c.k2, -1.0, 1e-12);
@@ -88,10 +88,10 @@ TEST(Curvature, PlaneHasNoneAndNoConfidence) {
     expect_frame(c, n);
 }
 
-// A saddle and a bowl of any size: k1 >= k2, and the formula of the confidence.
+// Saddles and bowls of any size: k1 >= k2, and the confidence follows its formula.
 TEST(Curvature, ConfidenceIsTheDocumentedFormula) {
     for (const auto& [a, b] : {std::pair{3.0, -2.0}, {3.0, 2.9}, {-1.0, -1.5}, {1e-5, -1e-5}}) {
-        // f = z - (a x^2 + b y^2) / 2: at the origin n = z, and the surface bends towards n by a and b.
+        // f = z - (a x^2 + b y^2) / 2: at the origin n = z, and the surface bends towards n with a and b.
         const Hessian hessian = {-a, 0.0, 0.0, -b, 0.0, 0.0};
         const double diagonal = 4.0;
         const Curvature c = principal_curvature({0.0, 0.0, 1.0}, hessian, diagonal);
@@ -101,7 +101,7 @@ TEST(Curvature, ConfidenceIsTheDocumentedFormula) {
     }
 }
 
-// Kindlmann's T and F, as published, on a Hessian that is not aligned with anything.
+// Kindlmann's T and F, as published, for a Hessian that is not aligned with any axis.
 TEST(Curvature, AgreesWithTraceAndFrobeniusNormOfG) {
     const glm::dvec3 g(0.3, -1.2, 0.7);
     const Hessian h = {0.9, -0.4, 1.3, 0.2, 0.8, -1.1};
@@ -125,7 +125,7 @@ TEST(Curvature, AgreesWithTraceAndFrobeniusNormOfG) {
 }
 
 TEST(Curvature, DirectionsGoOverSmoothlyIntoTheFallback) {
-    // A surface that turns from umbilic to not: the direction, as a line, moves in small steps.
+    // The surface becomes less and less umbilic. The direction, as a line, moves in small steps.
     glm::dvec3 before(0.0);
     for (int i = 0; i <= 400; ++i) {
         const double difference = 1e-4 * i;
@@ -158,7 +158,7 @@ TEST(Curvature, NoGradientOrNoNumbersGiveZeros) {
     Hessian broken = h;
     broken[4] = std::nan("");
     expect_zero(principal_curvature({0.0, 0.0, 1.0}, broken, 1.0));
-    const Hessian steep = {1e200, 0.0, 0.0, -1e200, 0.0, 0.0}; // over the slope it is more than a double holds
+    const Hessian steep = {1e200, 0.0, 0.0, -1e200, 0.0, 0.0}; // divided by the slope it exceeds the largest double
     expect_zero(principal_curvature({0.0, 0.0, 1e-150}, steep, 1.0));
 }
 

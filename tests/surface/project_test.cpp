@@ -73,7 +73,7 @@ TEST(Project, NoPointDependsOnTheOthers) {
     }
 }
 
-// The minimum of f^2 that is no zero: steepest descent must stop there and say so.
+// f^2 has a minimum that is not 0. Steepest descent must stop there and report it.
 TEST(Project, ReportsCriticalPointsAndLocalMinima) {
     const AnyField bowl(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {glm::dot(p, p) + 0.5, 2.0 * p, identity(2.0)};
@@ -94,7 +94,7 @@ TEST(Project, ReportsWhatIsNotFinite) {
     EXPECT_EQ(p.status[2], ProjectionStatus::not_finite);
 }
 
-// The length of such a gradient is infinite, and the distance f / |grad f| would be 0.
+// The computed length of such a gradient is infinite, so the distance f / |grad f| would be 0.
 TEST(Project, AGradientThatCannotBeSquaredIsNone) {
     const AnyField steep(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {1e200 * (p.x - 0.5), {1e200, 0.0, 0.0}, {}};
@@ -102,9 +102,9 @@ TEST(Project, AGradientThatCannotBeSquaredIsNone) {
     EXPECT_NE(run(steep, {{0.9, 0.0, 0.0}}).status[0], ProjectionStatus::converged);
 }
 
-// A trial that ends where f is not finite is one that does not lower f^2: the step is halved.
+// A trial step to a point where f is not finite does not lower f^2, so the step is halved.
 TEST(Project, BacktracksOutOfWhatIsNotFinite) {
-    // f = sqrt(x) - 2 has its zero at 4; Newton from 20 ends at x < 0.
+    // f = sqrt(x) - 2 is zero at 4. Newton's step from 20 ends at x < 0.
     const AnyField root(cube(10.0), [](const glm::dvec3& p) -> Field {
         return {std::sqrt(p.x) - 2.0, {0.5 / std::sqrt(p.x), 0.0, 0.0}, {}};
     });
@@ -113,7 +113,7 @@ TEST(Project, BacktracksOutOfWhatIsNotFinite) {
     EXPECT_NEAR(p.position[0].x, 4.0, 1e-6);
 }
 
-// arctan overshoots with full Newton steps and diverges; Armijo's rule makes it converge.
+// On arctan full Newton steps overshoot and diverge. Armijo's rule makes them converge.
 TEST(Project, ArmijoTamesNewtonSteps) {
     const AnyField arctan(cube(5.0), [](const glm::dvec3& p) -> Field {
         return {std::atan(p.x), {1.0 / (1.0 + p.x * p.x), 0.0, 0.0}, {}};
@@ -123,19 +123,19 @@ TEST(Project, ArmijoTamesNewtonSteps) {
     EXPECT_NEAR(p.position[0].x, 0.0, 1e-7);
 }
 
-// With sigma near 1/2 only steps that lower f^2 to (nearly) nothing are taken: for f = x^2 - 1 the
-// Newton step from 2 to 1.25 lowers f^2 = 9 to 0.316, that is to 3.5 % of it.
+// With sigma near 1/2, only steps that lower f^2 almost to zero are accepted: for f = x^2 - 1 the Newton step from 2 to
+// 1.25 lowers f^2 = 9 to 0.316, which is 3.5 % of it.
 TEST(Project, ArmijoSlopeIsTheOneOfTheRule) {
     const AnyField parabola(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.x * p.x - 1.0, {2.0 * p.x, 0.0, 0.0}, {}};
     });
     ProjectionSettings settings;
     settings.evaluation_limit = 2;
-    settings.armijo_slope = 0.48; // wants f^2 <= 4 %: taken
+    settings.armijo_slope = 0.48; // requires f^2 <= 4 %: accepted
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.25, 1e-14);
-    settings.armijo_slope = 0.49; // wants f^2 <= 2 %: not taken
+    settings.armijo_slope = 0.49; // requires f^2 <= 2 %: rejected
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 2.0, 1e-14);
-    settings.evaluation_limit = 3; // half the step, to 1.625: f^2 = 2.69 is 30 % and 51 % will do
+    settings.evaluation_limit = 3; // half the step, to 1.625: f^2 = 2.69 is 30 %, and 51 % are enough
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.625, 1e-14);
     settings.armijo_factor = 0.25;
     EXPECT_NEAR(run(parabola, {{2.0, 0.0, 0.0}}, settings).position[0].x, 1.8125, 1e-14);

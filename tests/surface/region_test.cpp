@@ -31,7 +31,7 @@ TEST(Region, IsTheBoxAndATwentiethOfItsDiagonal) {
     EXPECT_NEAR(region.max.y, 2.0 + 0.05 * std::sqrt(48.0), 1e-14);
 }
 
-// The estimate is the steepest corner's slope, times 1.5.
+// The estimate is the slope at the steepest corner, times 1.5.
 TEST(LipschitzEstimate, IsTheSteepestOfAGrid) {
     EXPECT_NEAR(lipschitz_estimate(runtime(), Plane({3.0, 0.0, 4.0}, 0.0, cube(1.0))), 7.5, 1e-14);
     const SquareSphere sphere(1.0);

@@ -8,7 +8,7 @@
 namespace hrbfnpr::surface::sheets_meet_test {
 namespace {
 
-// A ball of radius 2 and the plane z = 1, whose values are rounded: off by `noise`, one way or the other.
+// A ball of radius 2 and the plane z = 1. Their values have rounding errors of up to `noise` in either direction.
 class BallAndPlane final : public implicit::Sheets {
 public:
     explicit BallAndPlane(double noise) : noise_(noise) {}
@@ -49,9 +49,10 @@ TEST(SheetsMeet, WhereBothAreZero) {
     EXPECT_NEAR(glm::length(place.position), 2.0, 1e-12);
 }
 
-// Creases of a machine part were missing around one of its sheets, whose rounding was above the tolerance.
+// Without this, creases of a machine part were missing around one of its sheets, whose rounding errors exceeded the
+// tolerance.
 TEST(SheetsMeet, AsNearAsRoundingLets) {
-    for (int i = 0; i < 20; ++i) { // some come below the tolerance by chance
+    for (int i = 0; i < 20; ++i) { // some meet the tolerance by chance
         const MeetingPlace place = meet(2e-10, 1e-12, 1.5 + 0.01 * i);
         ASSERT_TRUE(place.found) << i;
         EXPECT_NEAR(place.position.z, 1.0, 1e-9);

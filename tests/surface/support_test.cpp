@@ -26,9 +26,9 @@ glm::dvec3 on_sphere(double z, double turn) {
     return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-// How far beyond the last samples s is the limit, in spacings.
+// Returns how far beyond the last samples the support reaches the limit, in spacings.
 double end_of(const Support& support, double limit, double turn) {
-    double low = 0.5 * 3.141592653589793; // the angle to the z axis: there are samples up to a right one
+    double low = 0.5 * 3.141592653589793; // angle from the z axis; the samples end at a right angle
     double high = 3.0;
     for (int i = 0; i < 50; ++i) {
         const double middle = 0.5 * (low + high);
@@ -44,9 +44,9 @@ TEST(Support, IsLowAmongSamplesAndHighBeyond) {
     EXPECT_EQ(support.samples(), whole / 2);
     for (int i = 0; i < 200; ++i) {
         const glm::dvec3 p = on_sphere(0.1 + 0.85 * i / 200.0, 1.7 * i);
-        EXPECT_LT(support.value(p, 3.0 * p), 1.0) << i;       // gradients are of any length
+        EXPECT_LT(support.value(p, 3.0 * p), 1.0) << i;       // gradients may have any length
         EXPECT_GT(support.value(p, -p), 5.0) << i;            // samples face the other way
-        EXPECT_GT(support.value(2.0 * p, 2.0 * p), 5.0) << i; // away from them
+        EXPECT_GT(support.value(2.0 * p, 2.0 * p), 5.0) << i; // away from the samples
     }
     for (int i = 0; i < 60; ++i) {
         const double tight = end_of(support, 1.5, 0.1 * i);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The handles that const_test.cpp shares between its threads.
+// The handles that the threads of const_test.cpp share.
 #pragma once
 
 #include "host/session.h"
@@ -83,7 +83,7 @@ inline hrbfnpr::test::Picture picture_of(const Context& context, const Model& mo
     return hrbfnpr::test::Picture(picture);
 }
 
-// Another picture of the same surface.
+// Makes another picture of the same surface.
 inline hrbfnpr_status restyle(const hrbfnpr_picture* picture, hrbfnpr::test::Picture& to, hrbfnpr_error* error) {
     const hrbfnpr_change change = few_marks();
     const hrbfnpr_picture_desc desc = picture_desc_of(change);

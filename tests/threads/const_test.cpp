@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Calls that take a const handle run at the same time on several threads with the same handle, and give what each
-// gives alone.  The names come from the header: one that has no call here fails the test.
+// Calls that take a const handle run at the same time on several threads with the same handle, and give the same
+// results as each call alone. The names come from the header: a name without a call here fails the test.
 #include "const_handles.h"
 #include "const_names.h"
 
@@ -22,7 +22,7 @@ namespace {
 constexpr int threads = 4;
 constexpr std::int64_t point_count = 200;
 
-// What a call gave: bytes, one after the other.
+// The results of a call, as consecutive bytes.
 class Result {
 public:
     template <class T>
@@ -57,7 +57,7 @@ std::int32_t append(void* user, const void* data, std::uint64_t size) {
     return 0;
 }
 
-// What the calls share, and the calls by their names.
+// The handles that the calls share, and the calls by name.
 struct Shared {
     Context context = make_context(2);
     Model model = fit(context, 60);
@@ -402,7 +402,7 @@ void add_pictures(std::map<std::string, Call>& calls) {
         status = hrbfnpr_picture_rasterize(s.picture.get(), s.picture_drawing.get(), nullptr, &image, error);
         result.add(pixels);
     });
-    CALL(hrbfnpr_picture_write) { // the drawing is shared, and each thread has a picture of its own
+    CALL(hrbfnpr_picture_write) { // the drawing is shared, but each thread has a picture of its own
         hrbfnpr::test::Picture own;
         status = restyle(s.picture.get(), own, error);
         if (status != HRBFNPR_STATUS_OK) return;
@@ -419,7 +419,7 @@ std::map<std::string, Call> all_calls() {
     CALL(hrbfnpr_context_get_info) {
         auto info = made(hrbfnpr_context_info_init);
         status = hrbfnpr_context_get_info(s.context.get(), &info, error);
-        result.add(info.thread_count); // its bytes are those of all threads
+        result.add(info.thread_count); // bytes_now and bytes_peak depend on all threads
     });
     CALL(hrbfnpr_operation_is_cancelled) {
         UNUSED();
@@ -463,7 +463,7 @@ TEST(Const, HandlesAreSharedByThreads) {
     const std::map<std::string, Call> calls = all_calls();
     using Found = std::vector<std::pair<std::string, Result>>;
     std::vector<Found> found(threads);
-    // Calls that wait for each other hide each other's races: so all threads also begin the same call at once.
+    // Calls that wait for each other hide each other's races, so all threads also begin the same call at once.
     std::barrier<> together(threads);
     std::vector<std::thread> all;
     for (int thread = 0; thread < threads; ++thread)
@@ -473,7 +473,7 @@ TEST(Const, HandlesAreSharedByThreads) {
                 together.arrive_and_wait();
                 mine.emplace_back(name, run(shared, name, call));
             }
-            // Each begins at another one, so that all kinds meet.
+            // Each thread begins with a different call, so that all kinds of calls meet.
             for (int round = 0; round < 3; ++round) {
                 auto at = std::next(calls.begin(), thread * static_cast<std::ptrdiff_t>(calls.size()) / threads);
                 for (std::size_t i = 0; i < calls.size(); ++i) {
@@ -483,7 +483,7 @@ TEST(Const, HandlesAreSharedByThreads) {
             }
         });
     for (std::thread& thread : all) thread.join();
-    // Alone comes last: what a handle makes at its first call was made by several threads, too.
+    // The calls run alone last: so the data that a handle makes at its first call are made by several threads, too.
     std::map<std::string, Result> alone;
     for (const auto& [name, call] : calls) alone.emplace(name, run(shared, name, call));
     for (const Found& mine : found) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines wider than their pen: what is drawn covers them, and no more.
+// Tests lines wider than their pen: the strokes cover the lines, and no more.
 #include "recorder.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ constexpr double pen = 0.3;
 constexpr double step = 0.04;
 constexpr int columns = 1500, rows = 1000;
 
-// Places of a grid that are covered by lines whose widths change evenly between their points.
+// Returns the grid places that are covered by lines whose widths change evenly between their points.
 std::vector<bool> painted(const std::vector<KeptPath>& paths) {
     std::vector<bool> grid(columns * rows);
     const auto number = [](double place, int most) {
@@ -45,8 +45,8 @@ std::vector<bool> painted(const std::vector<KeptPath>& paths) {
 
 struct Filled {
     Sorted sorted;
-    double missing = 0.0, excess = 0.0; // of the line's area
-    double area = 0.0, length = 0.0;    // of what is drawn
+    double missing = 0.0, excess = 0.0; // shares of the line's area
+    double area = 0.0, length = 0.0;    // of all strokes
 };
 
 Filled filled(const GroupInput& input) {
@@ -83,10 +83,10 @@ TEST(FillLines, CoversALineThatSwells) {
     input.add(wave(30.0, 5.0, [](double t) { return 1.2 * std::sin(std::numbers::pi * t); }));
     const Filled result = filled(input);
     EXPECT_LT(result.missing, 0.02);
-    EXPECT_LT(result.excess, 0.03); // at its ends, which are thinner than the pen
-    // 4 passes on each side at most; each only where the line is wide.
+    EXPECT_LT(result.excess, 0.03); // at the ends, which are thinner than the pen
+    // There are at most 4 passes on each side, and each is only where the line is wide.
     EXPECT_LT(result.length, 1.25 * result.area / (0.8 * pen));
-    EXPECT_LE(result.sorted.out.paths.size(), 6U); // the centre, and a ring for each pass beside it
+    EXPECT_LE(result.sorted.out.paths.size(), 6U); // the centre line, and a ring for each pass beside it
     EXPECT_EQ(result.sorted.counts.filled_paths, 1);
     double drawn = 0.0;
     for (const KeptPath& path : result.sorted.out.paths) {
@@ -103,7 +103,8 @@ TEST(FillLines, DrawsToAndFroInOneGo) {
         input.paths[0].begin = input.paths[0].end = cap;
         const Filled result = filled(input);
         ASSERT_EQ(result.sorted.out.paths.size(), 1U);
-        EXPECT_LT(result.missing, cap == Cap::round ? 0.005 : 0.05); // corners; and the test's own ends are round
+        EXPECT_LT(result.missing,
+                  cap == Cap::round ? 0.005 : 0.05); // corners are missed, and the test paints the ends round
         EXPECT_LT(result.excess, 0.005);
         EXPECT_LT(result.length, 7.0 * 31.6 + 5.0);
         EXPECT_GT(result.length, 6.0 * 28.0);
@@ -118,7 +119,7 @@ TEST(FillLines, TakesAsFewPassesAsItCan) {
         return std::lround(filled(input).length / 29.7);
     };
     EXPECT_EQ(passes(0.5 * pen), 1);
-    EXPECT_EQ(passes(0.58 * pen), 1); // not worth another pass
+    EXPECT_EQ(passes(0.58 * pen), 1); // too little for another pass
     EXPECT_EQ(passes(0.65 * pen), 2);
     EXPECT_EQ(passes(0.90 * pen), 2);
     EXPECT_EQ(passes(1.10 * pen), 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a drawing to groups on a page, and lines cut into dashes.
+// Tests the layout from a drawing to groups on a page, and lines cut into dashes.
 #include "output/vector/page.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using output::LineType;
 using output::PagePath;
 using output::PagePoint;
 
-// Keeps what it is given.
+// A part of a line, as the page gets it.
 struct Part {
     std::vector<output::PagePoint> points;
     drawing::Cap begin, end;
@@ -131,7 +131,7 @@ TEST_F(LayOut, CutsStrokesWhereTheirOpacityChanges) {
     add(0, 0, {1.0F, 1.0F, 0.99F, 0.5F, 0.5F, 0.0F, 0.0F, 0.0F});
     lay_out();
     const std::vector<Part>& paths = page.groups[0].paths;
-    ASSERT_EQ(paths.size(), 4U); // what cannot be seen is left out
+    ASSERT_EQ(paths.size(), 4U); // invisible parts are left out
     EXPECT_EQ(paths[0].points.size(), 3U);
     EXPECT_EQ(paths[0].begin, Cap::pointed);
     EXPECT_EQ(paths[0].end, Cap::flat);
@@ -176,7 +176,7 @@ std::vector<Part> dashed(std::uint32_t type, const std::vector<PagePoint>& line,
 
 TEST(LineTypes, BeginAndEndWithADash) {
     const std::vector<PagePoint> line{{0, 0, 0.25}, {30, 0, 0.25}, {30, 73, 0.25}};
-    const std::vector<Part> dashes = dashed(2, line); // of 6 mm, gaps of 1.5 mm
+    const std::vector<Part> dashes = dashed(2, line); // dashes of 6 mm, gaps of 1.5 mm
     ASSERT_EQ(dashes.size(), 14U);
     EXPECT_DOUBLE_EQ(dashes.front().points.front().x, 0.0);
     EXPECT_NEAR(dashes.back().points.back().y, 73.0, 1e-9);
@@ -189,7 +189,7 @@ TEST(LineTypes, BeginAndEndWithADash) {
 
 TEST(LineTypes, HaveDotsAndGoRound) {
     const std::vector<PagePoint> square{{0, 0, 1}, {50, 0, 1}, {50, 50, 1}, {0, 50, 1}, {0, 0, 1}};
-    const std::vector<Part> found = dashed(4, square, true); // 12, 0.25 by turns
+    const std::vector<Part> found = dashed(4, square, true); // lengths of 12 and 0.25 alternate
     ASSERT_EQ(found.size() % 2, 0U);
     for (std::size_t i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i].length(), i % 2 == 0 ? 12.0 : 0.25, 0.5) << i;
     EXPECT_EQ(dashed(1, square, true).size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What becomes of a group's lines and dots on the way to a pen.
+// Tests how a group's lines and dots are changed for a pen.
 #include "recorder.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ Line straight(double x1, double y1, double x2, double y2, int parts = 10) {
 TEST(PlotOrder, DrawsEverySegmentOnce) {
     const GroupInput input = random_lines(1, 2000, 6.0);
     const Sorted result = sorted(input);
-    EXPECT_GT(result.counts.joined, 5); // so that links are seen, too
+    EXPECT_GT(result.counts.joined, 5); // makes sure that there are links to check
     EXPECT_EQ(result.out.paths.size() + static_cast<std::size_t>(result.counts.joined), input.paths.size());
     std::multiset<Segment> drawn = segments_of(result.out.paths);
     for (const Segment& segment : segments_of(input.paths)) {
@@ -58,7 +58,7 @@ TEST(PlotOrder, DrawsEverySegmentOnce) {
         ASSERT_NE(found, drawn.end());
         drawn.erase(found);
     }
-    EXPECT_EQ(drawn.size(), static_cast<std::size_t>(result.counts.joined)); // the links
+    EXPECT_EQ(drawn.size(), static_cast<std::size_t>(result.counts.joined)); // only the links remain
     for (const Segment& link : drawn) EXPECT_LE(std::hypot(link[0] - link[2], link[1] - link[3]), output::plotter_pen);
 }
 
@@ -89,7 +89,7 @@ TEST(PlotOrder, BeginsClosedLinesAnywhere) {
 
 TEST(PlotOrder, TurnsCapsRoundWithTheirLine) {
     GroupInput input;
-    Line line = straight(50.0, 90.0, 10.0, 90.0); // its end is nearer to the corner
+    Line line = straight(50.0, 90.0, 10.0, 90.0); // its end is nearer to the corner of the page
     line.front().radius = 0.4;
     input.add(line);
     input.paths[0].begin = Cap::pointed;
@@ -119,14 +119,14 @@ TEST(PlotOrder, JoinsLinesThatGoOn) {
     const Line line = straight(10.0, 50.0, 20.0, 50.0);
     EXPECT_EQ(joins_of(line, straight(20.0, 50.0, 30.0, 50.0)), 1);
     EXPECT_EQ(joins_of(line, straight(20.25, 50.0, 30.0, 50.0)), 1);
-    EXPECT_EQ(joins_of(line, straight(30.0, 50.0, 20.25, 50.0)), 1);  // the other way
-    EXPECT_EQ(joins_of(line, straight(19.9, 50.0, 30.0, 50.0)), 1);   // a little over each other
+    EXPECT_EQ(joins_of(line, straight(30.0, 50.0, 20.25, 50.0)), 1);  // reversed
+    EXPECT_EQ(joins_of(line, straight(19.9, 50.0, 30.0, 50.0)), 1);   // slight overlap
     EXPECT_EQ(joins_of(line, straight(20.0, 50.0, 30.0, 55.0)), 1);   // a slight turn
     EXPECT_EQ(joins_of(line, straight(20.35, 50.0, 30.0, 50.0)), 0);  // too far
     EXPECT_EQ(joins_of(line, straight(20.0, 50.0, 20.0, 60.0)), 0);   // a corner
-    EXPECT_EQ(joins_of(line, straight(20.0, 50.2, 10.0, 50.2)), 0);   // and back: a row of hatching
+    EXPECT_EQ(joins_of(line, straight(20.0, 50.2, 10.0, 50.2)), 0);   // back again: the next row of hatching
     EXPECT_EQ(joins_of(line, straight(20.0, 50.25, 30.0, 50.25)), 0); // a step to the side
-    EXPECT_EQ(joins_of(line, straight(20.0, 50.05, 30.0, 50.05)), 1); // within the line
+    EXPECT_EQ(joins_of(line, straight(20.0, 50.05, 30.0, 50.05)), 1); // within the line's width
 }
 
 TEST(PlotOrder, JoinsTheBestPairWhereMoreMeet) {
@@ -146,7 +146,7 @@ TEST(PlotOrder, GoesOnStraightRatherThanAtTheVeryPlace) {
     GroupInput input;
     input.add(straight(40.0, 50.0, 50.0, 50.0));
     input.add(straight(50.0, 50.0, 57.0, 57.0));  // by 45 degrees
-    input.add(straight(50.05, 50.0, 60.0, 50.0)); // a little farther
+    input.add(straight(50.05, 50.0, 60.0, 50.0)); // slightly farther away
     const Sorted result = sorted(input);
     EXPECT_EQ(result.counts.joined, 1);
     double longest = 0.0;
@@ -161,7 +161,7 @@ TEST(PlotOrder, LeavesRowsOfHatchingApart) {
     const Sorted result = sorted(input);
     EXPECT_EQ(result.counts.joined, 0);
     EXPECT_EQ(result.out.paths.size(), 50U);
-    // Back and forth: from row to row.
+    // Rows are drawn back and forth, so the pen travels from row to row.
     const double first = std::min(std::hypot(20.0, 60.0), std::hypot(20.0, 60.0 - 0.25 * 49.0));
     EXPECT_NEAR(result.counts.travelled, first + 49.0 * 0.25, 1e-6);
 }
@@ -201,7 +201,7 @@ TEST(PlotOrder, DropsWhatIsTooShort) {
     GroupInput input;
     input.add(straight(20.0, 50.0, 20.14, 50.0));
     input.add(straight(20.0, 60.0, 20.16, 60.0));
-    input.add(straight(30.0, 50.0, 30.1, 50.0)); // a part of the next one
+    input.add(straight(30.0, 50.0, 30.1, 50.0)); // joined with the next line
     input.add(straight(30.1, 50.0, 35.0, 50.0));
     Sorted result = sorted(input);
     EXPECT_EQ(result.counts.dropped_paths, 1);
@@ -211,7 +211,7 @@ TEST(PlotOrder, DropsWhatIsTooShort) {
     settings.plot.shortest = 0.17;
     result = sorted(input, settings);
     EXPECT_EQ(result.counts.dropped_paths, 2);
-    input.group.line_type = static_cast<output::LineType>(7); // dotted: as they are
+    input.group.line_type = static_cast<output::LineType>(7); // dotted lines are left as they are
     result = sorted(input, settings);
     EXPECT_EQ(result.counts.dropped_paths, 0);
     EXPECT_EQ(result.counts.joined, 0);
@@ -221,7 +221,7 @@ TEST(PlotOrder, DropsWhatIsTooShort) {
 TEST(PlotOrder, DropsDotsNearToOthers) {
     GroupInput input;
     for (int i = 0; i < 10; ++i) input.dots.push_back({50.0 + 0.1 * i, 50.0, 0.5, 1.0, false});
-    Sorted result = sorted(input); // half of 0.3 mm: every second stays
+    Sorted result = sorted(input); // closer than half of 0.3 mm: every second dot stays
     EXPECT_EQ(result.counts.dropped_dots, 5);
     std::vector<double> places;
     for (const output::PageDot& dot : result.out.dots) places.push_back(dot.x);
@@ -241,14 +241,14 @@ TEST(PlotOrder, CutsOffWhatIsBeyondTheFrame) {
     const base::Progress progress;
     const auto order = output::plot_order(memory, out, plotter_settings(), counts, nullptr, progress);
     output::PageView view;
-    view.frame = {-20.0, 20.0, 60.0, 80.0}; // beyond the page, too
+    view.frame = {-20.0, 20.0, 60.0, 80.0}; // reaches beyond the page, too
     order->begin_view(view);
     GroupInput input;
     input.add(straight(-50.0, 50.0, 150.0, 50.0));
-    input.add(circle(60.0, 60.0, 10.0, 400), true); // half of it
-    input.add(circle(30.0, 30.0, 5.0, 40), true);   // all
-    input.add(circle(60.0, 80.0, 30.0, 400), true); // twice
-    input.add(straight(70.0, 10.0, 70.0, 90.0));    // none
+    input.add(circle(60.0, 60.0, 10.0, 400), true); // half of it is inside
+    input.add(circle(30.0, 30.0, 5.0, 40), true);   // inside
+    input.add(circle(60.0, 80.0, 30.0, 400), true); // cut into two parts
+    input.add(straight(70.0, 10.0, 70.0, 90.0));    // outside
     input.add({{10.0, 50.0, 0.1},
                {std::numeric_limits<double>::quiet_NaN(), 40.0, 0.1},
                {20.0, 70.0, 0.1},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// HPGL and G-code, read back as a plotter reads them.
+// Tests HPGL and G-code by reading them as a plotter does.
 #include "output/vector/page.h"
 
 #include "recorder.h"
@@ -19,16 +19,16 @@ using output::PagePoint;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Millimetres, y up.
+// The lines that a plotter draws, in millimetres with y up.
 struct Plotted {
-    std::vector<Line> lines; // one point: a touch
-    std::vector<int> pens;   // of each line
+    std::vector<Line> lines; // one point: the pen only touches the paper
+    std::vector<int> pens;   // for each line
     double drawn = 0.0, travelled = 0.0;
     int lifts = 0;
     double x = 0.0, y = 0.0;
     bool down = false;
     int pen = 0;
-    std::string rest; // what is neither
+    std::string rest; // all commands but pen moves
 
     void raise() { down = false; }
     void lower() {
@@ -120,7 +120,7 @@ struct Written {
     Plotted plotted;
 };
 
-// Pages of 200 by 100 mm.
+// The pages are 200 by 100 mm.
 using Hpgl = std::integral_constant<output::PageFormat, output::PageFormat::hpgl>;
 using Gcode = std::integral_constant<output::PageFormat, output::PageFormat::gcode>;
 
@@ -174,7 +174,7 @@ double distance(const PagePoint& p, const std::vector<Line>& lines) {
     return least;
 }
 
-// The farthest of places all along some lines from others.
+// Returns the largest distance of places along some lines from other lines.
 double farthest(const std::vector<Line>& from, const std::vector<Line>& to) {
     double most = 0.0;
     for (const Line& line : from)
@@ -186,7 +186,7 @@ double farthest(const std::vector<Line>& from, const std::vector<Line>& to) {
     return most;
 }
 
-// With y up.
+// Returns the lines with y up.
 std::vector<Line> lines_of(const GroupInput& input) {
     std::vector<Line> lines;
     for (const KeptPath& path : input.paths) {
@@ -215,16 +215,16 @@ TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
         output::PageSettings format;
         format.shapes.tolerance = tolerance;
         const Written result = written<TypeParam>({input}, format);
-        const double reach = tolerance + 0.02; // and half of a unit each way
+        const double reach = tolerance + 0.02; // includes half a unit in each direction
         EXPECT_LE(farthest(lines_of(input), result.plotted.lines), reach);
-        // Joined ends are nearer than the pen's width to each other.
+        // Joined ends are closer to each other than the pen's width.
         EXPECT_LE(farthest(result.plotted.lines, lines_of(input)), reach + 0.5 * output::plotter_pen);
         EXPECT_EQ(result.counts.paths, 150 - result.counts.joined);
         expect_estimate(result);
         std::int64_t segments = 0;
         for (const Line& line : result.plotted.lines) segments += static_cast<std::int64_t>(line.size()) - 1;
         EXPECT_EQ(result.counts.segments, segments);
-        EXPECT_LT(segments, tolerance > 0.1 ? 800 : 2000); // of 5850
+        EXPECT_LT(segments, tolerance > 0.1 ? 800 : 2000); // of 5850 segments
     }
 }
 
@@ -252,7 +252,7 @@ TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
 
 TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     GroupInput input;
-    input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}}; // the second no wider than the pen
+    input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}}; // the second is no wider than the pen
     output::PageSettings format;
     const Written circles = written<TypeParam>({input}, format);
     EXPECT_EQ(circles.counts.dots, 2);
@@ -261,7 +261,7 @@ TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     EXPECT_NEAR(circles.plotted.drawn, 2.0 * 3.14159265 * 1.85, 0.3);
     EXPECT_EQ(circles.plotted.lines[1].size(), 1U);
     EXPECT_NEAR(circles.plotted.lines[1][0].y, 80.0, 0.02);
-    // It begins where the pen comes from.
+    // The circle begins on the side where the pen comes from.
     const double begin = 50.0 - 1.85 * std::sqrt(0.5);
     EXPECT_NEAR(circles.plotted.travelled, std::hypot(begin, begin) + std::hypot(50.0 - begin, 80.0 - begin), 0.1);
     expect_estimate(circles);
@@ -276,7 +276,7 @@ TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     format.shapes.dots = output::DotShapes::spirals;
     const Written spirals = written<TypeParam>({input}, format);
     ASSERT_EQ(spirals.plotted.lines.size(), 2U);
-    // All of the disc is as near to the line as half of the pen.
+    // No place in the disc is farther from the line than half the pen's width.
     Random random(1);
     for (int i = 0; i < 2000; ++i) {
         const double angle = 6.283185307 * random(), radius = 2.0 * std::sqrt(random());
@@ -293,7 +293,7 @@ TYPED_TEST(Plotter, FillsDotsThatAreWiderThanThePen) {
     format.shapes.fills = true;
     const Written result = written<TypeParam>({input}, format);
     ASSERT_EQ(result.plotted.lines.size(), 2U);
-    EXPECT_GT(result.plotted.drawn, 3.1 / 0.3); // its area over the pen's width
+    EXPECT_GT(result.plotted.drawn, 3.1 / 0.3); // the disc's area over the pen's width
     for (int i = 0; i < 500; ++i) {
         const double angle = 2.4 * i, radius = std::sqrt(i / 500.0);
         const PagePoint p{50.0 + radius * std::cos(angle), 50.0 + radius * std::sin(angle), 0.0};
@@ -305,7 +305,7 @@ TYPED_TEST(Plotter, FillsDotsThatAreWiderThanThePen) {
 TYPED_TEST(Plotter, ChangesPensBetweenGroups) {
     GroupInput one, two, three;
     one.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}});
-    two.add({{20.0, 90.0, 0.1}, {30.0, 90.0, 0.1}}); // it goes on, with another pen
+    two.add({{20.0, 90.0, 0.1}, {30.0, 90.0, 0.1}}); // continues the first line, but with another pen
     three.add({{30.0, 90.0, 0.1}, {40.0, 90.0, 0.1}});
     two.group.pen = three.group.pen = 7;
     std::snprintf(two.group.name, sizeof two.group.name, "hatch (2) gr%s", "\xC3\xBCn");
@@ -327,7 +327,7 @@ TEST(Hpgl, IsWhatPlottersRead) {
               "SP1;\nPU400,3200;\nSI0.35,0.5;LB?; a?(b)\x03\nPU;SP0;\n");
 }
 
-// A label takes the pen along.
+// A label moves the pen.
 TEST(Hpgl, GoesBackAfterALabel) {
     base::Memory memory;
     StringWriter out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sink that keeps what it is given, and pages made by hand.
+// A sink that records its calls, and pages made by hand.
 #pragma once
 
 #include "base/random.h"
@@ -50,7 +50,7 @@ public:
     Record kept;
 };
 
-// What a group becomes.
+// The result of a group.
 struct Sorted {
     Record out;
     output::PageCounts counts;
@@ -106,7 +106,7 @@ inline Sorted sorted(const GroupInput& input, const output::PageSettings& settin
     return result;
 }
 
-// Numbers from 0 to 1 that are the same everywhere.
+// Random numbers from 0 to 1 that are the same on every machine.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : seed_(seed) {}
@@ -116,7 +116,7 @@ private:
     std::uint64_t seed_, count_ = 0;
 };
 
-// Curves of these lengths, anywhere on the page of plotter_settings, in thin lines.
+// Curves of this length, anywhere on the page of plotter_settings, as thin lines.
 inline GroupInput random_lines(std::uint64_t seed, int count, double length, int points = 8) {
     Random random(seed);
     GroupInput input;
@@ -144,7 +144,7 @@ inline double length_of(const Line& line) {
     return sum;
 }
 
-// From the page's lower left corner through all paths.
+// Returns the pen's travel from the page's lower left corner to all paths in order.
 inline double travel_of(const std::vector<KeptPath>& paths, output::PagePoint from = {0.0, 100.0, 0.0}) {
     double sum = 0.0;
     for (const KeptPath& path : paths) {

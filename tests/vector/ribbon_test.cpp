@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Outlines of lines: what they cover is what the line covers, by counting places inside.
+// Tests outlines of lines: they cover the same places as the line, counted at random places.
 #include "output/vector/shapes.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using glm::dvec2;
 using output::PagePath;
 using output::PagePoint;
 
-// Filled by the nonzero rule.
+// A shape that is filled by the nonzero rule.
 struct Shape {
     [[nodiscard]] bool covers(const dvec2& p) const {
         int winding = 0;
@@ -36,7 +36,7 @@ struct Shape {
     std::vector<std::vector<dvec2>> loops;
 };
 
-// Flattens.
+// Flattens curves into polygons.
 class Polygons final : public output::ShapeSink {
 public:
     void begin_fill(double /*opacity*/) override {}
@@ -58,7 +58,7 @@ public:
     int closed = 0;
 };
 
-// How far a place lies outside (above 0) of what the discs along a line cover.
+// Returns the distance of a place from the discs along a line; negative: inside.
 double outside(const dvec2& p, const std::vector<PagePoint>& line) {
     double least = 1e300;
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -71,7 +71,7 @@ double outside(const dvec2& p, const std::vector<PagePoint>& line) {
     return least;
 }
 
-// The share of random places around the line that lie farther than `margin` on the wrong side.
+// Returns the share of random places around the line that are on the wrong side by more than `margin`.
 double wrong(const std::vector<PagePoint>& line, const Shape& shape, double margin) {
     std::mt19937 random(1); // NOLINT: the same places each time
     std::uniform_real_distribution<double> x(-20.0, 60.0), y(-40.0, 40.0);
@@ -106,13 +106,13 @@ Shape outline_of(const std::vector<PagePoint>& line, bool closed = false, Cap be
 TEST(Ribbon, CoversASwellingLine) {
     std::vector<PagePoint> line;
     for (int i = 0; i <= 80; ++i) line.push_back({0.5 * i, 8.0 * std::sin(0.1 * i), 1.0 + std::sin(0.17 * i)});
-    EXPECT_EQ(wrong(line, outline_of(line), 0.1), 0.0); // across the line, not of discs
+    EXPECT_EQ(wrong(line, outline_of(line), 0.1), 0.0); // the outline follows widths across the line, not discs
 }
 
 TEST(Ribbon, CoversSharpTurnsAndCorners) {
     const std::vector<PagePoint> corner{{0, 0, 2}, {30, 0, 2}, {5, 12, 1}, {40, -20, 3}};
     EXPECT_EQ(wrong(corner, outline_of(corner), 0.06), 0.0);
-    std::vector<PagePoint> tight; // narrower than the line is wide
+    std::vector<PagePoint> tight; // turns narrower than the line's width
     for (int i = 0; i <= 60; ++i) tight.push_back({0.6 * i, 1.5 * std::sin(1.1 * i), 2.5});
     EXPECT_EQ(wrong(tight, outline_of(tight), 0.06), 0.0);
 }
@@ -126,7 +126,7 @@ TEST(Ribbon, LeavesTheMiddleOfARingEmpty) {
     EXPECT_EQ(shape.loops.size(), 2U);
     EXPECT_FALSE(shape.covers({20.0, 0.0}));
     EXPECT_EQ(wrong(ring, shape, 0.06), 0.0);
-    // With a corner it is cut there.
+    // With a corner, the ring is cut there.
     std::vector<PagePoint> drop = ring;
     drop[25] = {20.0, 30.0, 1.5};
     EXPECT_EQ(wrong(drop, outline_of(drop, true), 0.06), 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tours against the best ones.
+// Compares tours with the best ones.
 #include "output/vector/plot_lines.h"
 #include "recorder.h"
 
@@ -56,13 +56,14 @@ void expect_each_once(const Result& result, std::size_t count) {
     EXPECT_EQ(seen.size(), count);
 }
 
-// The least travel through all open stops: the least to each set of them, by its last one [Held and Karp 1962].
+// Returns the least travel through all open stops. For each set of stops and each last one, it keeps the least travel
+// [Held and Karp 1962].
 double least_travel(const std::vector<Stop>& stops, const PagePoint& from) {
     const std::size_t n = stops.size();
     const auto end = [&](std::size_t node) {
         return node % 2 == 0 ? stops[node / 2].points.front() : stops[node / 2].points.back();
     };
-    // Of (set, node that the pen leaves from).
+    // The index is a set and the node from which the pen leaves.
     std::vector<double> least((std::size_t{1} << n) * 2 * n, std::numeric_limits<double>::infinity());
     for (std::size_t node = 0; node < 2 * n; ++node)
         least[(std::size_t{1} << node / 2) * 2 * n + (node ^ 1)] = between(from, end(node));
@@ -109,8 +110,8 @@ TEST(Tour, EndsAnywhereAndHasOneStopOrNone) {
     EXPECT_DOUBLE_EQ(result.travel, 20.0);
 }
 
-// A random tour through n places of a square of side a is about 0.7124 a sqrt(n) long at best [Beardwood, Halton and
-// Hammersley 1959]; 2-opt and Or-opt alone end 5 % above it, greedy ones 25 %.
+// The best tour through n random places in a square of side a has a length of about 0.7124 a sqrt(n) [Beardwood, Halton
+// and Hammersley 1959]. 2-opt and Or-opt alone end 5 % above it, greedy tours 25 %.
 TEST(Tour, OfDotsIsNearTheBestOnesLength) {
     constexpr int count = 5000;
     Random random(3);
@@ -126,7 +127,7 @@ TEST(Tour, OfDotsIsNearTheBestOnesLength) {
     EXPECT_LT(result.travel, 1.06 * 0.7124 * 100.0 * std::sqrt(count));
 }
 
-// Ties, and places that most of a grid's points would share.
+// Many distances are equal, and most stops would share one cell of a grid.
 TEST(Tour, IsFastWhereStopsLieUponEachOther) {
     Line places;
     for (int i = 0; i < 20000; ++i) places.push_back({i % 2 == 0 ? 50.0 : 50.0 + 1e-7 * (i % 100), 50.0, 0.1});
@@ -137,7 +138,7 @@ TEST(Tour, IsFastWhereStopsLieUponEachOther) {
 }
 
 TEST(Tour, OfClosedLinesBeginsAtTheirBestPoints) {
-    // Two squares of many points, one beside the other: the way between them is straight.
+    // Two squares of many points are beside each other. The way between them is straight.
     const auto square = [](double x) {
         Line line;
         const double side = 20.0;
@@ -156,7 +157,7 @@ TEST(Tour, OfClosedLinesBeginsAtTheirBestPoints) {
     const Result result = tour_of({{right, true}, {left, true}});
     ASSERT_EQ(result.legs.size(), 2U);
     EXPECT_EQ(result.legs.at(0).stop, 1);
-    // By way of the lower left corner of the first, or the like: through one point of each.
+    // The best tour passes through one point of each square, such as the lower left corner of the first.
     double best = 1e9;
     for (const PagePoint& a : left)
         for (const PagePoint& b : right) best = std::min(best, between({0.0, 100.0, 0.0}, a) + between(a, b));

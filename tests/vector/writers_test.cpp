@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What writers write: numbers, characters, the structure of a file.
+// Tests the files of writers: numbers, characters, structure.
 #include "output/vector/page.h"
 
 #include "output/vector/text_out.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Strokes as line strips and as triangle strips.
+// Tests strokes as line strips and as triangle strips.
 #include "output/vertex/vertices.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -27,7 +27,7 @@ struct Vertex {
     std::uint8_t mark_class, is_paper;
 };
 
-// At odd offsets.
+// The fields have odd offsets.
 constexpr std::int64_t stride = 67;
 constexpr std::uint32_t line_number = 17;
 constexpr std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 1},
@@ -95,7 +95,7 @@ protected:
         }
     }
     [[nodiscard]] glm::vec2 place_of(std::size_t vertex) const { return {vertices[vertex].x, vertices[vertex].y}; }
-    // All but where it is.
+    // Compares all attributes except the position.
     void expect_point(const Vertex& v, std::int64_t number, std::uint32_t layer) const {
         const drawing::StrokePoint& p = drawing.points[number];
         EXPECT_EQ(v.window, p.window);
@@ -153,7 +153,7 @@ TEST_F(Strips, TrianglesAreAsWideAsTheStroke) {
         EXPECT_EQ(vertices[2 * i].position, 2.0F * glm::vec3(place_of(2 * i), p.window));
         EXPECT_NEAR(i < 3 ? side.x : side.y, 0.0F, 1e-5F) << "across the stroke";
     }
-    // All on the same side.
+    // These vertices are on the same side of the stroke.
     EXPECT_GT((place_of(0).y - 20.0F) * (place_of(2).y - 20.0F), 0.0F);
     EXPECT_GT((place_of(2).y - 20.0F) * (place_of(4).y - 20.0F), 0.0F);
     EXPECT_EQ(indices, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, restart, 6, 7, 8, 9, restart}));
@@ -168,7 +168,7 @@ TEST_F(Strips, TrianglesKeepTheirWidthAroundACorner) {
     EXPECT_NEAR(std::abs(side.y), radius, 1e-5F);
     EXPECT_LT(side.x * side.y, 0.0F) << "along the corner's bisector";
     EXPECT_EQ(place_of(3) - glm::vec2(10.0F, 0.0F), -side);
-    // The outer side of each segment stays on one side of it.
+    // The outer side of each segment stays on one side of the stroke.
     EXPECT_GT(side.y * place_of(0).y, 0.0F);
 }
 
@@ -229,7 +229,7 @@ TEST_F(Strips, OnesThatGoRoundHaveNoSeam) {
     add_stroke(0, {{10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}});
     drawing.points[4].radius = drawing.points[0].radius;
     drawing.strokes[0].closed = true;
-    drawing.strokes[0].cap_begin = drawing::Cap::pointed; // not looked at
+    drawing.strokes[0].cap_begin = drawing::Cap::pointed; // closed strokes ignore their caps
     write(Primitive::triangle_strips);
     ASSERT_EQ(vertices.size(), 10U);
     for (const std::size_t i : {0U, 1U}) {
@@ -265,12 +265,12 @@ TEST_F(Strips, ManyStrokesStandInTheirOrder) {
         ASSERT_EQ(indices[i], i % 4 == 3 ? restart : static_cast<std::uint32_t>(i / 4 * 3 + i % 4));
 }
 
-// Points take what is left as dots, numbered as they stand.
+// The primitive `points` writes the dots, numbered in the order of painting.
 TEST_F(Strips, DotsAreNumberedToo) {
     for (const float depth : {3.0F, 5.0F, 4.0F, 6.0F}) {
         drawing::Dot dot{};
         dot.x = depth;
-        dot.opacity = depth < 6.0F ? 0.5F : 0.0F; // the last one is not drawn
+        dot.opacity = depth < 6.0F ? 0.5F : 0.0F; // the last one is invisible
         dot.depth = depth;
         dot.id = 1;
         dot.mark_class = drawing::MarkClass::front;

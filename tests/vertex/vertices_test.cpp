@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vertex arrays: layouts, contents, and the picture that a host makes of them.
+// Tests vertex arrays: layouts, contents, and the picture that a host makes of them.
 #include "output/vertex/vertices.h"
 
 #include "raster/reference.h"
@@ -33,7 +33,7 @@ protected:
 
     base::Runtime runtime;
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 1500));
-    bool layers = false; // or as published
+    bool layers = false; // frames by layers; false: as published
     glm::dmat4 transform{1.0};
     DrawnFrame frame{runtime};
 };
@@ -84,7 +84,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
     transform[0][0] = -0.5;
     set.origin = {0.0, 0.5, 0.0};
     draw(Style{});
-    // Odd offsets, in no order, some bytes unused.
+    // The offsets are odd and unordered, and some bytes are unused.
     const std::array fields{VertexField{VertexAttribute::color, Scalar::uint8, 1},
                             VertexField{VertexAttribute::window, Scalar::float32, 5},
                             VertexField{VertexAttribute::position, Scalar::float32, 17},
@@ -99,7 +99,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
                             VertexField{VertexAttribute::is_paper, Scalar::uint8, 86}};
     const std::int64_t stride = 91;
     const std::vector<std::byte> memory = write(fields, stride);
-    ASSERT_GT(frame.discs().size(), layers ? 300U : 1000U); // ink only, or paper, too
+    ASSERT_GT(frame.discs().size(), layers ? 300U : 1000U); // ink only, or paper as well
     for (std::size_t i = 0; i < frame.discs().size(); ++i) {
         const Disc& disc = frame.discs()[i];
         const std::int64_t at = static_cast<std::int64_t>(i) * stride;
@@ -165,7 +165,7 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
                 reference.push_back(s);
             }
             const auto expected = draw_plainly(reference, size, size, paper);
-            // Bytes round each disc's opacity, and a dozen discs may lie over each other.
+            // Bytes round the opacity of each disc, and up to a dozen discs may overlap.
             EXPECT_LE(largest_difference(picture, expected), scalar == Scalar::float32 ? 0.51 : 6.0);
         }
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes with creases: what of their contours and creases is seen, against plain counts along lines of sight.
+// Tests which parts of contours and creases are visible on shapes with creases, by plain counts along lines of sight.
 #include "features/line_set.h"
 #include "stage.h"
 #include "support/sharp_shapes.h"
@@ -22,7 +22,7 @@ std::unique_ptr<curves::LineSet> line_set(const implicit::Implicit& shape, doubl
                                              settings);
 }
 
-// Contours sheet by sheet, creases that are contours, and the others.
+// A view of a shape with its contours, sheet by sheet, the creases that are contours, and the other creases.
 class SharpScene {
 public:
     SharpScene(const curves::LineSet& set, const Eye& eye)
@@ -75,7 +75,7 @@ public:
     Picture picture;
 };
 
-// The ends of open curves, where they begin or end sheets.
+// Returns the ends of open curves.
 std::vector<glm::dvec3> ends_of(const curves::Curves& curves) {
     std::vector<glm::dvec3> ends;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
@@ -86,7 +86,7 @@ std::vector<glm::dvec3> ends_of(const curves::Curves& curves) {
     return ends;
 }
 
-// Contours end at creases, and where a contour ends a crease begins to be one: each end is an end of another line.
+// Contours end at creases, and there a crease begins to be a contour. So each end is the end of another line, too.
 void expect_joined(const SharpScene& sharp, double within) {
     std::vector<glm::dvec3> ends = ends_of(sharp.parts().folds.curves);
     for (const auto& curves : sharp.contours())
@@ -119,7 +119,7 @@ TEST(CreasesSeen, JoinedBalls) { look_at(*two_balls(true), 0.1, 5.0, 40, 1500); 
 TEST(CreasesSeen, BallsInCommon) { look_at(*two_balls(false), 0.1, 5.0, 40, 1500); }
 TEST(CreasesSeen, CappedCone) { look_at(*capped_cone(), 0.1, 5.0, 40, 1500); }
 
-// Balls, cylinders and half-spaces at random, joined, cut and taken away.
+// A random ball, cylinder or half-space. random_tree() unites, intersects and subtracts them.
 FieldFunction random_leaf(std::uint64_t number) {
     const auto u = base::uniform4(7, number, base::Purpose::probe, 1);
     const auto v = base::uniform4(7, number, base::Purpose::probe, 2);
@@ -143,7 +143,7 @@ Sharp random_tree(std::uint64_t number, int depth) {
 TEST(CreasesSeen, RandomTrees) {
     int compared = 0;
     int wrong = 0;
-    int unsaid = 0; // of these, those that the mesh tells nothing of
+    int unsaid = 0; // wrong ones on meshes that report no fault
     int doubtless = 0;
     std::int64_t lines = 0;
     std::int64_t settled = 0;
@@ -159,7 +159,7 @@ TEST(CreasesSeen, RandomTrees) {
         try {
             set = line_set(shape, 0.08);
         } catch (const Error&) {
-            continue; // nothing is left of it
+            continue; // the shape is empty
         }
         ++shapes;
         const bool doubted = set->mesh().turned > 0 || set->mesh().missed_seeds > 0;
@@ -181,7 +181,7 @@ TEST(CreasesSeen, RandomTrees) {
             }
         }
     }
-    // What is smaller than a cell may be missed; then triangles are turned, or seeds missed.
+    // Parts smaller than a cell may be missed. Then the mesh reports turned triangles or missed seeds.
     EXPECT_GE(shapes, 15);
     EXPECT_GT(compared, 1000);
     EXPECT_EQ(broken, 0);
@@ -191,7 +191,7 @@ TEST(CreasesSeen, RandomTrees) {
     EXPECT_GT(doubtless, 200);
 }
 
-// Nine edges of a cube that is seen from a corner bound its three faces: six of them its outline.
+// A cube that is seen from a corner has nine edges around its three visible faces. Six of them are its outline.
 TEST(CreasesSeen, CubeFromACorner) {
     const auto shape = sharp_cube(glm::dmat3(1.0));
     const auto set = line_set(*shape, 0.23);
@@ -204,7 +204,7 @@ TEST(CreasesSeen, CubeFromACorner) {
     for (const Interval& part : sharp.picture.found->intervals) {
         whole += part.end_at - part.begin_at;
         seen += part.sheets == 0 ? part.end_at - part.begin_at : 0.0;
-        EXPECT_TRUE(part.sheets == 0 || part.sheets == 1); // a face, before edges that show their inside
+        EXPECT_TRUE(part.sheets == 0 || part.sheets == 1); // hidden edges are behind one face
     }
     double nine = 0.0;
     for (std::int64_t l = 0; l < sharp.picture.found->lines.lines.size(); ++l)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings of lines: that all are found, on both curves, and the nearer one by its distance.
+// Tests that all crossings of lines are found, on both curves, and with the nearer curve by distance.
 #include "visibility/image_lines.h"
 
 #include "stage.h"
@@ -19,7 +19,7 @@ base::Runtime& runtime() {
 
 struct Seen3 {
     glm::dvec2 place;
-    double away; // from the eye, or along the direction
+    double away; // distance from the eye, or along the view direction
 };
 
 Seen3 seen_at(const Picture& picture, std::int32_t number, double share) {
@@ -32,8 +32,8 @@ Seen3 seen_at(const Picture& picture, std::int32_t number, double share) {
             eye.w != 0.0 ? glm::distance(in_world, glm::dvec3(eye)) : glm::dot(in_world, glm::dvec3(eye))};
 }
 
-// By brute force: segments of the finer image that cross, but for those of pieces near each other along a
-// line: beside a cusp cubics may cross where their curves do not.
+// Counts by brute force the segments of a finer image that cross. Pieces near each other along a line are skipped:
+// beside a cusp cubics may cross where their curves do not.
 std::int64_t count_crossings(const Picture& picture) {
     const ImageLines lines = draw_lines(runtime(), picture.subjects, 1e-3);
     std::vector<std::int64_t> segments;
@@ -112,8 +112,8 @@ TEST_F(Crossings, OfTwoItems) {
     EXPECT_GT(all, 150);
 }
 
-// A line that comes to the plane of the eye is seen as far away as there are numbers: the others are found all the
-// same.
+// A line that reaches the plane of the eye has image points that are nearly infinite. The crossings of other lines are
+// found all the same.
 TEST_F(Crossings, BesideALineFarOutside) {
     const Eye eye = Eye::at({0.0, 0.0, 1.0}, 4.0, true);
     const test::SquareSphere sphere;
@@ -143,7 +143,7 @@ TEST_F(Crossings, BesideALineFarOutside) {
     expect_right(picture, 20);
 }
 
-// Sorted by farther piece and share, none twice.
+// Crossings are sorted by the farther piece and its share, without duplicates.
 TEST_F(Crossings, AreSorted) {
     const test::Knot knot;
     Stage stage;
@@ -160,7 +160,7 @@ TEST_F(Crossings, AreSorted) {
     }
 }
 
-// Two circles that overlap by less and less: Newton's steps from one of their two crossings may come to the other.
+// Two circles overlap less and less. Newton's steps from one of their two crossings may end at the other.
 TEST(TouchingLines, AddUp) {
     const test::SquareSphere large(1.0, 1.2);
     const test::SquareSphere small(0.7, 1.2);
@@ -182,7 +182,7 @@ TEST(TouchingLines, AddUp) {
     EXPECT_GT(crossed, 10);
 }
 
-// A curve that runs to and fro within a hundredth of a pixel, and one that crosses another far away, in points of both.
+// A curve runs back and forth within a hundredth of a pixel of a line. Far away, two lines of two points cross.
 TEST(Tangles, HaveFewCrossings) {
     base::Memory& memory = runtime().memory;
     curves::Curves lines(memory);

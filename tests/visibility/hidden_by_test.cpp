@@ -17,7 +17,7 @@ struct Ball {
         m[3] = glm::dvec4(centre, 1.0);
         return m;
     }
-    // How far from p, in a direction, its surface is met first; beyond `least`.  < 0: it is not.
+    // Returns the distance from p in a direction to the ball's surface, if it is beyond `least`; negative: none.
     [[nodiscard]] double met(const glm::dvec3& p, const glm::dvec3& way, double least) const {
         const double along = glm::dot(centre - p, way);
         const double beside = glm::dot(centre - p, centre - p) - along * along;
@@ -29,7 +29,7 @@ struct Ball {
 
 const std::vector<Ball> balls{{{0.0, 0.0, 0.0}, 1.0}, {{0.7, 0.31, 0.2}, 0.8}, {{-0.5, 0.9, -0.4}, 0.6}};
 
-// The place in the middle of a part, by its points in the image.
+// Returns the place in the middle of a part, by length in the image.
 glm::dvec3 middle_of(const Picture& picture, const Interval& part) {
     const Line& line = picture.found->lines.lines[part.line];
     const double whole = picture.lengths->whole(line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Images of curves: how near to them, and what is left out behind the eye.
+// Tests images of curves: their accuracy, and which parts behind the eye are left out.
 #include "visibility/image_lines.h"
 
 #include "stage.h"
@@ -24,7 +24,7 @@ double distance_to_chord(const glm::dvec2& p, const glm::dvec2& a, const glm::dv
     return glm::distance(p, a + share * way);
 }
 
-// The farthest that the cubics are seen from the chords that stand for them.
+// Returns the largest image distance of the cubics from the chords that replace them.
 double farthest_off(const Picture& picture, const ImageLines& lines) {
     double farthest = 0.0;
     for (const Line& line : lines.lines)
@@ -43,7 +43,7 @@ double farthest_off(const Picture& picture, const ImageLines& lines) {
     return farthest;
 }
 
-// A line that is nowhere, or as long as numbers go, leaves the others as they are.
+// A line with NaN or huge coordinates does not change the lengths of others.
 TEST(Lengths, OfALineDoNotDependOnOthers) {
     ImageLines lines(runtime().memory);
     const double odd[] = {1.0, 1e300, std::numeric_limits<double>::quiet_NaN()};
@@ -113,14 +113,14 @@ TEST(ImageLines, LengthOfACircle) {
     for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
         const Picture picture(runtime(), stage, eye);
         const ImageLines lines = draw_lines(runtime(), picture.subjects, 0.05);
-        // A cone of sight of the half angle asin(1/3) cuts the image at 750 pixels from the eye.
+        // A cone of sight with the half angle asin(1/3) meets the image plane, which is 750 pixels from the eye.
         const double radius = eye.perspective ? 750.0 * std::tan(std::asin(1.0 / 3.0)) : 250.0;
         EXPECT_NEAR(Lengths(runtime().memory, lines).whole(lines.lines[0]), 2.0 * 3.14159265 * radius, 0.001 * radius);
         for (const ImagePoint& p : lines.points) EXPECT_NEAR(glm::distance(p.place, glm::dvec2(400.0)), radius, 0.01);
     }
 }
 
-// A curve through the eye itself has no image there; all else has one.
+// A curve through the eye itself has no image there. All other curves have one.
 TEST(ImageLines, AreFiniteWhereTheEyeIsOnTheSurface) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sheets before contours, against what is known and against plain counts along lines of sight.
+// Compares the number of sheets in front of contours with known results and with plain counts along lines of sight.
 #include "visibility/invisibility.h"
 
 #include "fit/shapes.h"
@@ -18,7 +18,7 @@ base::Runtime& runtime() {
     return instance;
 }
 
-// Columns, and where the origin goes.
+// Makes a transform of three columns and the image of the origin.
 glm::dmat4 affine(const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z, const glm::dvec3& to) {
     return {glm::dvec4(x, 0.0), glm::dvec4(y, 0.0), glm::dvec4(z, 0.0), glm::dvec4(to, 1.0)};
 }
@@ -38,7 +38,7 @@ TEST(Invisibility, NothingHidesASphere) {
     }
 }
 
-// Each smaller than the one before it: two sheets more before each.
+// Each sphere is smaller than the one in front of it, so each has two more sheets in front.
 TEST(Invisibility, SpheresInARow) {
     const test::SquareSphere sphere;
     for (const Eye& eye : test::eyes(cube_directions(), 6.0)) {
@@ -54,7 +54,7 @@ TEST(Invisibility, SpheresInARow) {
     }
 }
 
-// Two circles in the image: what of the farther one is in the nearer one is known.
+// Two circles overlap in the image. The length of the farther one inside the nearer one is known.
 TEST(Invisibility, CirclesThatOverlap) {
     const test::SquareSphere sphere;
     for (const glm::dvec3& towards : cube_directions()) {
@@ -66,8 +66,8 @@ TEST(Invisibility, CirclesThatOverlap) {
         picture.find();
         ASSERT_EQ(picture.found->crossings.size(), 2);
         EXPECT_EQ(picture.found->crossings[0].change + picture.found->crossings[1].change, 0);
-        const glm::dvec2 middle(400.0 + 0.6 * 200.0, 400.0 + 0.25 * 200.0); // of both centres
-        const double away = 200.0 * std::sqrt(1.0 - 0.65 * 0.65);           // of the crossings from there
+        const glm::dvec2 middle(400.0 + 0.6 * 200.0, 400.0 + 0.25 * 200.0); // the point midway between the centres
+        const double away = 200.0 * std::sqrt(1.0 - 0.65 * 0.65);           // distance of the crossings from there
         for (const Crossing& crossing : picture.found->crossings) {
             EXPECT_NEAR(glm::distance(crossing.place, middle), away, 0.01);
             EXPECT_NEAR(glm::dot(crossing.place - middle, glm::dvec2(1.2, 0.5)), 0.0, 0.01);
@@ -76,7 +76,7 @@ TEST(Invisibility, CirclesThatOverlap) {
         for (const Interval& part : picture.found->intervals) {
             const bool far = picture.found->lines.lines[part.line].subject == 1;
             const double length = part.end_at - part.begin_at;
-            const double inside = 2.0 * std::acos(0.65) * 200.0; // of an arc
+            const double inside = 2.0 * std::acos(0.65) * 200.0; // length of an arc
             const double expected = !far ? 400.0 * pi : part.sheets == 2 ? inside : 400.0 * pi - inside;
             EXPECT_NEAR(length, expected, 0.1);
             EXPECT_TRUE(part.sheets == 0 || (far && part.sheets == 2));
@@ -141,7 +141,7 @@ TEST(Invisibility, TwoHolesFromEverywhere) {
     expect_right_from_everywhere(stage, cube_directions(0.05), 3.0, 45);
 }
 
-// Turned, stretched and mirrored, each partly before and behind the others.
+// The items are turned, stretched and mirrored. Each is partly in front of the others and partly behind them.
 TEST(Invisibility, ItemsWithTransforms) {
     const test::Torus torus(1.0, 0.4);
     const test::Ellipsoid ellipsoid({1.0, 0.6, 0.4});
@@ -160,7 +160,7 @@ TEST(Invisibility, ItemsWithTransforms) {
     expect_right_from_everywhere(stage, cube_directions(0.1), 5.0, 50);
 }
 
-// Each lies before and behind the other.
+// Each torus is partly in front of the other and partly behind it.
 TEST(Invisibility, LinkedItems) {
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -170,8 +170,8 @@ TEST(Invisibility, LinkedItems) {
     expect_right_from_everywhere(stage, cube_directions(0.1), 5.0, 50);
 }
 
-// Swallowtails of a torus, from those that are just born to those that can be seen: four cusps come at once.  What is
-// hidden by one too small to be seen may be shown.
+// Swallowtails of a torus, from just born ones to visible ones: four cusps appear at once. Lines hidden only by a
+// swallowtail too small to be seen may be shown.
 TEST(Invisibility, YoungSwallowtails) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
@@ -213,7 +213,7 @@ TEST(Invisibility, YoungSwallowtails) {
     EXPECT_GT(compared, 1000);
 }
 
-// Where there is no contour of the surface around the eye; it is one sheet before what is beyond it.
+// The surface around the eye has no contour. It is one sheet in front of all that is outside it.
 TEST(Invisibility, EyeInsideASphere) {
     const test::SquareSphere sphere;
     for (const glm::dvec3& towards : cube_directions(0.1)) {
@@ -233,7 +233,7 @@ TEST(Invisibility, EyeInsideASphere) {
     }
 }
 
-// In the hole of a ring: lines come from behind the eye, so none is closed but what is before it.
+// The eye is in the hole of a ring. Lines come from behind the eye, so only those completely in front of it are closed.
 TEST(Invisibility, LinesThatPassBehindTheEye) {
     const test::Torus torus(1.0, 0.4);
     const test::SquareSphere sphere;
@@ -273,7 +273,7 @@ TEST(Invisibility, Fitted) {
     EXPECT_GT(compared, 500);
 }
 
-// A straight line that belongs to no surface, behind a sphere.
+// A straight line that belongs to no surface is behind a sphere.
 TEST(Invisibility, OtherLines) {
     const test::SquareSphere sphere;
     Stage stage;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which parts of contours have nothing beside them, against what is known and against plain counts along lines of sight
-// that pass close by.
+// Compares the parts of contours that have nothing beside them with known results and with plain counts along lines of
+// sight that pass close by.
 #include "visibility/invisibility.h"
 
 #include "stage.h"
@@ -29,7 +29,7 @@ double length_of(const Outline& outline) {
     return sum;
 }
 
-// Sheets of all surfaces on the line of sight through a pixel's place.
+// Counts the sheets of all surfaces on the line of sight through a place in the image.
 std::int32_t sheets_through(const Picture& picture, const Eye& eye, const glm::dvec2& pixel) {
     const glm::dvec2 off = (pixel - 0.5 * Eye::size) / eye.pixels;
     const glm::dvec3 at = off.x * eye.right - off.y * eye.up;
@@ -46,7 +46,7 @@ std::int32_t sheets_through(const Picture& picture, const Eye& eye, const glm::d
     return sheets;
 }
 
-// Nothing if the place is nearer to an end of a part than so many pixels.
+// Tells whether the place is on the outline; nothing if it is within `clear` pixels of a part's end.
 std::optional<bool> says(const Picture& picture, const Outline& outline, const Place& place, double clear) {
     const double whole = picture.lengths->whole(picture.found->lines.lines[place.line]);
     bool in = false;
@@ -62,7 +62,7 @@ std::optional<bool> says(const Picture& picture, const Outline& outline, const P
     return in;
 }
 
-// Beside the curve, on the side where there is less.
+// Tells whether the lines of sight on one side of the curve meet no surface.
 bool is_outline(const Picture& picture, const Eye& eye, const Place& place) {
     constexpr double beside = 0.005; // pixels: beside a cusp the hidden contour is nearer than 0.02
     const Piece& piece = picture.found->lines.pieces[place.piece];
@@ -99,7 +99,7 @@ void expect_right_from_everywhere(const Stage& stage, double turned, double dist
     for (const Eye& eye : test::eyes(cube_directions(turned), distance)) {
         SCOPED_TRACE(named(eye));
         Picture picture(runtime(), stage, eye);
-        InvisibilitySettings fine; // what crosses by less is not seen, but is compared here
+        InvisibilitySettings fine; // crossings by less are invisible, but matter here
         fine.tolerance = 1e-3;
         picture.find(fine);
         const Compared some = expect_outline(picture, eye, places);
@@ -125,7 +125,8 @@ TEST(Outline, ASphereIsAllOfIt) {
     }
 }
 
-// A smaller one before a larger one: the larger one's alone.  Side by side: both.
+// If a smaller sphere is in front of a larger one, the outline is only that of the larger one. Side by side, both
+// count.
 TEST(Outline, OfTwoSpheres) {
     const test::SquareSphere sphere;
     const Eye eye = Eye::at({0.3, 0.2, 1.0}, 9.0, false, 100.0);
@@ -140,7 +141,7 @@ TEST(Outline, OfTwoSpheres) {
     EXPECT_NEAR(length(2.0 * eye.back), 200.0 * pi, 0.1);
     EXPECT_NEAR(length(-2.0 * eye.back), 200.0 * pi, 0.1); // hidden
     EXPECT_NEAR(length(3.0 * eye.right), 300.0 * pi, 0.1);
-    // Half beside it: arcs of circles of radius 100 and 50 whose centres are 100 apart.
+    // The small sphere overlaps in part: arcs of circles of radius 100 and 50 whose centres are 100 apart.
     const double large = 2.0 * std::acos((100.0 * 100.0 + 100.0 * 100.0 - 50.0 * 50.0) / (2.0 * 100.0 * 100.0));
     const double small = 2.0 * std::acos((100.0 * 100.0 + 50.0 * 50.0 - 100.0 * 100.0) / (2.0 * 100.0 * 50.0));
     for (const double before : {2.0, -2.0})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Items that run through each other.
+// Tests items that intersect each other.
 #include "visibility/image_lines.h"
 
 #include "fit/shapes.h"
@@ -18,7 +18,7 @@ base::Runtime& runtime() {
     return instance;
 }
 
-// At every place another surface is met; the line leaves it or enters it, by the eye.
+// Expects each place on the surface of another item. There the line enters or leaves that item.
 void expect_on_surfaces(const Picture& picture) {
     for (const Pierced& place : picture.found->pierced) {
         const Piece& piece = picture.found->lines.pieces[place.piece];
@@ -35,8 +35,8 @@ void expect_on_surfaces(const Picture& picture) {
     }
 }
 
-// All eyes around a stage: nothing is settled by rays, and all counts are the dense ones.  Returns how many places
-// were found.
+// Looks at a stage from all eyes: rays need not settle anything, and all counts equal the dense ones. Returns the
+// number of places found.
 std::int64_t expect_exact(const Stage& stage, const std::vector<Eye>& eyes, int places) {
     std::int64_t pierced = 0;
     int compared = 0;
@@ -60,7 +60,7 @@ TEST(Pierced, SpheresThatOverlap) {
     EXPECT_GT(expect_exact(stage, test::eyes(cube_directions(0.1), 6.0), 20), 100);
 }
 
-// The contour of one sphere, a circle, meets the other in two points that are known.
+// The contour of one sphere, a circle, meets the other sphere in two known points.
 TEST(Pierced, PlacesThatAreKnown) {
     const test::SquareSphere sphere;
     const Eye eye = Eye::at({0.0, 0.0, 1.0}, 6.0, false, 200.0);
@@ -73,7 +73,7 @@ TEST(Pierced, PlacesThatAreKnown) {
     std::int32_t sum = 0;
     for (const Pierced& place : picture.found->pierced) {
         const glm::dvec3 p = cubic(picture.subjects, picture.found->lines.pieces[place.piece]).at(place.share);
-        // x^2 + y^2 = 1 and (x - 0.8)^2 + y^2 + 0.6^2 = 1; of the other sphere's the same from its own centre.
+        // x^2 + y^2 = 1 and (x - 0.8)^2 + y^2 + 0.6^2 = 1. For the other sphere the same holds from its own centre.
         EXPECT_NEAR(p.x, place.item == 1 ? 0.625 : -0.625, 1e-5);
         sum += place.change;
     }
@@ -90,7 +90,7 @@ TEST(Pierced, TorusThroughASphere) {
     EXPECT_GT(expect_exact(stage, test::eyes(cube_directions(0.1), 6.0), 20), 100);
 }
 
-// A flat, wide one through a bumpy fit, both placed obliquely, one mirrored.
+// A flat, wide ellipsoid cuts a bumpy fit. It is placed obliquely and mirrored.
 TEST(Pierced, SlabThroughAFit) {
     const auto cloud = hrbfnpr::test::bumpy(400, 0.3);
     base::Runtime& with = runtime();
@@ -117,7 +117,7 @@ TEST(Pierced, ThreeItems) {
     EXPECT_GT(expect_exact(stage, test::eyes(cube_directions(0.1), 6.0), 20), 200);
 }
 
-// A ball that is smaller than the other's cells.
+// The small ball is smaller than the cells of the large one.
 TEST(Pierced, SmallThroughLarge) {
     const test::SquareSphere sphere;
     for (const Eye& eye : test::eyes({{0.3, 0.2, 1.0}, {-1.0, 0.4, 0.3}}, 6.0)) {
@@ -131,7 +131,7 @@ TEST(Pierced, SmallThroughLarge) {
     }
 }
 
-// Lines of each lie in the surface of the other, as of a picture on a wall: halving them had no end.
+// Lines of each item are in the surface of the other, like a picture on a wall. Halving such lines had no end.
 TEST(Pierced, TwoAtTheSamePlace) {
     const test::SquareSphere sphere;
     Stage stage;

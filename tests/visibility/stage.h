@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Surfaces in a world, what is found of their contours' visibility, and the same by plain dense counting.
+// Surfaces in a world, the visibility of their contours, and the same by plain dense counting.
 #pragma once
 
 #include "base/random.h"
@@ -58,28 +58,28 @@ inline void add(const base::Runtime& runtime, Stage& stage, const implicit::Impl
     stage.push_back(std::make_unique<Actor>(runtime, surface, seeds, side, to_world));
 }
 
-// A place of a line in the image.
+// A place on a line in the image.
 struct Place {
     std::int64_t line, piece;
     double share, at;
 };
 
-// What one eye sees of a stage.
+// The image of a stage from one eye.
 class Picture {
 public:
     Picture(const base::Runtime& runtime, const Stage& stage, const Eye& eye) : runtime_(runtime), eye_(eye) {
         for (const std::unique_ptr<Actor>& actor : stage) trace(*actor);
     }
-    // More than contours.
+    // Adds lines other than contours.
     void add(const Subject& subject) { subjects.push_back(subject); }
     void find(const InvisibilitySettings& settings = {}, const base::Progress& progress = {}) {
         if (!found) given_ = subjects;
         found.emplace(find_invisibility({runtime_, progress}, given_, occluders, settings));
-        subjects.assign(found->subjects.begin(), found->subjects.end()); // with the curves of its lines
+        subjects.assign(found->subjects.begin(), found->subjects.end()); // includes the curves of the lines
         lengths.emplace(runtime_.memory, found->lines);
     }
 
-    // The sum of the changes around each closed line, however small; the largest by amount.
+    // Returns the sum of changes around a closed line that is largest in amount, of all closed lines of any size.
     [[nodiscard]] std::int32_t worst_sum() const {
         const Events events =
             collect_events(runtime_.memory, subjects, found->lines, found->crossings, found->pierced.span(), *lengths);
@@ -97,7 +97,7 @@ public:
         const std::int64_t l = found->lines.pieces[piece].line;
         return {l, piece, u[1], lengths->at(found->lines.lines[l], piece, u[1])};
     }
-    // Of the part that the place is in, unless it is nearer to that part's ends than `beside` pixels.
+    // Returns the sheets of the part that has this place, unless the part's end is within `beside` pixels.
     [[nodiscard]] std::optional<std::int32_t> sheets_at(const Place& place) const {
         const double whole = lengths->whole(found->lines.lines[place.line]);
         for (const Interval& part : found->intervals) {
@@ -108,7 +108,7 @@ public:
         }
         return std::nullopt;
     }
-    // Nearer to a cusp of its line than 0.25 pixels.
+    // Tells whether a cusp of the place's line is within 0.25 pixels.
     [[nodiscard]] bool near_cusp(const Place& place) const {
         const Events events =
             collect_events(runtime_.memory, subjects, found->lines, found->crossings, found->pierced.span(), *lengths);
@@ -117,7 +117,7 @@ public:
             near = near || (e.near_piece < 0 && std::abs(e.at - place.at) < 0.25);
         return near;
     }
-    // In the subject's coordinates, on the curve itself.
+    // Returns the point on the curve itself, in the subject's coordinates.
     [[nodiscard]] glm::dvec3 point_at(const Place& place) const {
         const Piece& piece = found->lines.pieces[place.piece];
         const Subject& subject = subjects[static_cast<std::size_t>(piece.subject)];
@@ -129,7 +129,7 @@ public:
         }
         return p[0].position;
     }
-    // Roots of all surfaces along the line of sight, but for those nearer to the place than 5e-3 sides.
+    // Counts the roots of all surfaces along the line of sight, except those nearer to the place than 5e-3 sides.
     [[nodiscard]] std::int32_t dense_count(const Place& place, int samples) const {
         const Subject& subject = subjects[static_cast<std::size_t>(found->lines.pieces[place.piece].subject)];
         const glm::dvec3 in_world(subject.to_world * glm::dvec4(point_at(place), 1.0));
@@ -179,8 +179,8 @@ private:
     std::vector<std::unique_ptr<curves::Curves>> curves_;
 };
 
-// That all adds up, without asking rays to settle it; and at so many places that the counts are the dense ones.
-// Returns how many places were compared.
+// Expects that all changes add up without rays that settle them, and that the counts equal the dense ones at this
+// number of random places. Returns the number of places compared.
 inline int expect_right(const Picture& picture, int places, int samples = 400) {
     EXPECT_EQ(picture.found->report.contradictions, 0);
     EXPECT_EQ(picture.found->report.settled, 0);

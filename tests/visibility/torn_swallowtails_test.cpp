@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Groups of cusps that are too small to be seen, of events made by hand.
+// Tests groups of cusps that are too small to be seen, with events made by hand.
 #include "visibility/invisibility.h"
 
 #include "support/runtime.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double size = 0.25;
 
-// One line of 100 pieces of a pixel each.
+// A single line of 100 pieces, each one pixel long.
 class TornSwallowtailsOf : public testing::TestWithParam<bool> {
 protected:
     TornSwallowtailsOf() : lines(runtime.memory) {
@@ -25,7 +25,7 @@ protected:
         lines.lines.push_back({0, 0, 0, 100, 0, 101, GetParam()});
     }
     [[nodiscard]] Event cusp(double at, int change) const { return event(at, change, -1); }
-    // The branch before it passes there.
+    // A nearer branch of the line, at `near`, crosses it at `at`.
     [[nodiscard]] Event crossed(double at, int change, double near) const {
         Event e = event(at, change, static_cast<std::int32_t>(near));
         e.near_share = near - e.near_piece;
@@ -58,7 +58,7 @@ TEST_P(TornSwallowtailsOf, KeepsCuspsThatAreApart) {
     EXPECT_EQ(kept({}), At{});
 }
 
-// A whole one: hidden by itself at the crossing, and at both cusps shown again.
+// A complete swallowtail: the crossing hides the line, and the two cusps show it again.
 TEST_P(TornSwallowtailsOf, KeepsWhatAddsUp) {
     EXPECT_EQ(kept({cusp(50.1, 1), cusp(50.3, -1)}), (At{50.1, 50.3}));
     EXPECT_EQ(kept({crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)}), (At{49.9, 50.1, 50.3}));
@@ -71,19 +71,19 @@ TEST_P(TornSwallowtailsOf, DropsWhatDoesNot) {
     EXPECT_EQ(kept({cusp(10.0, 1), cusp(50.1, -1), cusp(50.3, -1), cusp(80.0, 1)}), (At{10.0, 80.0}));
 }
 
-// Of an odd number one remains.
+// If the number of cusps is odd, one remains.
 TEST_P(TornSwallowtailsOf, LeavesACuspOfThree) {
     EXPECT_EQ(kept({cusp(50.1, -1), cusp(50.3, -1), cusp(50.5, 1)}), At{50.5});
     EXPECT_EQ(kept({cusp(50.1, 1), cusp(50.3, -1), cusp(50.5, 1)}), (At{50.1, 50.3, 50.5}));
 }
 
-// Other lines that cross there, and the line itself where it comes from elsewhere.
+// Crossings with other lines, or with a distant branch of the line itself, stay.
 TEST_P(TornSwallowtailsOf, KeepsCrossingsOfOthers) {
     EXPECT_EQ(kept({crossed(50.0, 2, 150.0), cusp(50.1, -1), crossed(50.2, -2, 90.0), cusp(50.3, -1)}),
               (At{50.0, 50.2}));
 }
 
-// A larger swallowtail beside a small one: its crossing is its own.
+// A larger swallowtail beside a small one has a crossing of its own.
 TEST_P(TornSwallowtailsOf, KeepsCrossingsOfTheNextOne) {
     const std::vector<Event> next{crossed(50.8, 2, 52.2), cusp(51.1, -1), cusp(51.9, -1)};
     std::vector<Event> whole{crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)};
@@ -96,7 +96,7 @@ TEST_P(TornSwallowtailsOf, KeepsCrossingsOfTheNextOne) {
 INSTANTIATE_TEST_SUITE_P(Lines, TornSwallowtailsOf, testing::Bool(),
                          [](const auto& of) { return of.param ? "Closed" : "Open"; });
 
-// A group over the end of a closed line, which goes on at its begin.
+// The group spans the end of a closed line, which goes on at its beginning.
 class TornSwallowtailsOfClosed : public TornSwallowtailsOf {};
 INSTANTIATE_TEST_SUITE_P(Lines, TornSwallowtailsOfClosed, testing::Values(true));
 

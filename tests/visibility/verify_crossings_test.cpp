@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Crossings of curves near each other: those that the curves have stay.
+// Tests that true crossings of curves near each other stay.
 #include "visibility/image_lines.h"
 
 #include "stage.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test_stage;
 
-// Four, of pieces that follow each other on one line: these do not cross.
+// Adds four crossings of consecutive pieces of a line, which do not cross.
 void add_wrong_ones(const ImageLines& lines, base::Array<Crossing>& crossings) {
     for (std::int32_t p = 3, left = 4; left > 0; p += 7, --left) {
         while (lines.pieces[p].line != lines.pieces[p + 1].line) ++p;
@@ -30,7 +30,7 @@ TEST(VerifyCrossings, OnlyThoseStayThatTheCurvesHave) {
     add(runtime, stage, torus, {1.4, 0.0, 0.0}, 0.1);
     std::int64_t true_ones = 0;
     for (int i = 0; i < 60; ++i) {
-        const double angle = 0.6755 - 5e-6 * i; // swallowtails are born on the way
+        const double angle = 0.6755 - 5e-6 * i; // swallowtails appear on the way
         Picture picture(runtime, stage, Eye::at({std::cos(angle), 0.013, std::sin(angle)}, 4.0, true));
         picture.find();
         const ImageLines& lines = picture.found->lines;
@@ -49,7 +49,7 @@ TEST(VerifyCrossings, OnlyThoseStayThatTheCurvesHave) {
     EXPECT_GT(true_ones, 10);
 }
 
-// Where the pieces are long, both places may come to the end that these have in common.
+// If pieces are long, both places may move to the end that the pieces share.
 TEST(VerifyCrossings, NoCurveMeetsItself) {
     const base::Runtime runtime = test::with_threads(2);
     const test::Torus torus(1.0, 0.4);

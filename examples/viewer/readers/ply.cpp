@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// PLY: ASCII, and binary in both orders of bytes.
+// PLY: ASCII, and binary in both byte orders.
 #include "shape.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ struct Property {
     std::size_t size = 0; // bytes
     char kind = 'f';      // i signed, u unsigned, f floating
     bool is_list = false;
-    std::size_t count_size = 0; // of a list's length, unsigned
+    std::size_t count_size = 0; // bytes of a list's unsigned length
 };
 
 struct Element {
@@ -30,8 +30,8 @@ struct Element {
 struct Header {
     Form form = Form::ascii;
     std::vector<Element> elements;
-    std::size_t end = 0;   // where the data begins
-    std::size_t lines = 0; // of the header
+    std::size_t end = 0;   // offset of the data
+    std::size_t lines = 0; // number of lines of the header
 };
 
 bool set_type(Property& property, std::string_view type, Lines& lines) {
@@ -99,7 +99,7 @@ Header header_of(const std::string& data) {
     throw Failure("its header has no end: the file is cut off");
 }
 
-// Numbers one after the other, from text or bytes.
+// Reads numbers one after the other, from text or bytes.
 class Source {
 public:
     Source(const std::string& data, const Header& header)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OBJ and STL, and text of columns.
+// OBJ, STL, and text in columns.
 #include "shape.h"
 
 #include <cstring>
@@ -16,7 +16,7 @@ Vec vec_of(const std::vector<std::string_view>& words, std::size_t first, Lines&
     return result;
 }
 
-// The vertex of "7", "7/1", "7//3" or "-1", from 0.
+// Returns the vertex, counted from 0, that "7", "7/1", "7//3" or "-1" names.
 std::int64_t corner_of(std::string_view word, std::size_t count, Lines& lines) {
     std::int64_t number = 0;
     if (!parse_number(word.substr(0, word.find('/')), number) || number == 0)
@@ -48,7 +48,7 @@ Shape read_obj(const std::string& data) {
     Lines lines(data);
     std::string_view line;
     std::vector<std::int64_t> corners;
-    std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> faces; // may name vertices that come later
+    std::vector<std::pair<std::size_t, std::vector<std::int64_t>>> faces; // a face may name vertices that come later
     while (lines.next(line)) {
         const auto words = words_of(line);
         if (words.empty()) continue;
@@ -71,7 +71,8 @@ Shape read_obj(const std::string& data) {
 
 Shape read_stl(const std::string& data) {
     std::uint32_t count = 0;
-    if (data.size() >= 84) std::memcpy(&count, data.data() + 80, 4); // little-endian, as all that this runs on
+    if (data.size() >= 84)
+        std::memcpy(&count, data.data() + 80, 4); // little-endian, as are all machines that this runs on
     const bool is_text = data.rfind("solid", 0) == 0 && data.find("facet") != std::string::npos;
     if (is_text && data.size() != 84 + 50 * std::size_t{count}) return read_ascii_stl(data);
     if (data.size() < 84 + 50 * std::size_t{count} || data.size() < 84)
@@ -101,7 +102,7 @@ Shape read_xyz(const std::string& data) {
         const auto words = words_of(line);
         double number = 0;
         const bool is_title = columns == 0 && !words.empty() && (!parse_number(words[0], number) || words.size() == 1);
-        if (words.empty() || is_title) continue; // names of columns, or how many lines follow
+        if (words.empty() || is_title) continue; // the line has names of columns or the number of lines
         if (columns == 0) columns = words.size();
         if (words.size() != columns)
             lines.refuse(std::to_string(columns) + " numbers are needed, as in the lines before, not " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances that are known: spheres of which one is the mesh and one the surface.
+// Tests known distances between spheres, one of them a mesh and one a surface.
 #include "mesh/fit/compare.h"
 
 #include "curves/surface_mesh.h"
@@ -38,7 +38,7 @@ mesh::Comparison compared(const hrbfnpr::implicit::Implicit& surface, const Tria
     return mesh::compare(runtime, surface, made, tree, support, settings);
 }
 
-// Two balls as one surface: the union's distance.
+// Two balls as one surface: f is that of the union.
 class Two : public hrbfnpr::test::Analytic {
 public:
     explicit Two(const glm::dvec3& centre) : Analytic(hrbfnpr::test::cube(3.0)), a_(1.0), b_(1.0, centre) {}
@@ -71,13 +71,13 @@ TEST(Compare, KnowsTheDistanceBothWays) {
 }
 
 TEST(Compare, FindsWhatIsInventedAndWhatIsMissed) {
-    // The mesh has another ball in its box, so that the second surface is looked for there.
+    // The second ball is only in the mesh, so that its place is inside the box and the surface is searched there.
     const Triangles both = icosphere(4).with(icosphere(4).moved(1.0, 2.6, 0.0, 0.0));
     const mesh::Comparison missed = compared(Sphere(1.0), both, 0.01, 0.05);
     EXPECT_NEAR(missed.mesh.beyond, 0.5, 0.03);
     EXPECT_EQ(missed.surface.beyond, 0.0);
     EXPECT_NEAR(missed.mesh.most, 2.6, 0.05);
-    // A box around one ball and the place of the other.
+    // The mesh is one ball. A speck makes its box large enough for the surface's second ball.
     const Triangles one = icosphere(4).with(icosphere(0).moved(0.02, 2.6, 1.0, 0.0));
     const mesh::Comparison invented = compared(Two({2.0, -0.3, 0.0}), one, 0.01, 0.05);
     EXPECT_GT(invented.surface.beyond, 0.25);
@@ -87,14 +87,14 @@ TEST(Compare, FindsWhatIsInventedAndWhatIsMissed) {
 TEST(Compare, LeavesOutWhatGoesOnBeyondABorder) {
     const auto half = [](double, double, double z) { return z > 0.0; };
     const mesh::Comparison found = compared(Sphere(1.0), icosphere(5).where(half), 0.01, 0.05);
-    // Of the region, which ends 0.05 diagonals below the border.
+    // This is a share of the region, which ends 0.05 diagonals below the border.
     EXPECT_GT(found.left_out, 0.05);
     EXPECT_LT(found.left_out, 0.25);
     EXPECT_EQ(found.surface.share, 1.0);
     EXPECT_EQ(found.genus, -1);
 }
 
-// Between two planes, much nearer to each other than cells are wide.
+// The region between two planes that are much closer than a cell is wide.
 class Plate : public hrbfnpr::test::Analytic {
 public:
     Plate() : Analytic(hrbfnpr::test::cube(1.0)) {}
@@ -133,7 +133,7 @@ TEST(Compare, LeavesOutWhatIsNotSupported) {
 }
 
 TEST(Compare, LooksCloserWhereTheSurfaceIsThin) {
-    // A ball a cell across.
+    // The ball is one cell across.
     const double radius = 0.4 / 128.0 * std::sqrt(12.0);
     const Triangles grains = icosphere(3).moved(radius, 0, 0, 0).with(icosphere(1).moved(0.01, 2, 2, 2));
     const mesh::Comparison found = compared(Sphere(radius), grains, 0.1 * radius, 1.0);
@@ -143,7 +143,7 @@ TEST(Compare, LooksCloserWhereTheSurfaceIsThin) {
 }
 
 TEST(Compare, DoesNotCountWhatOverlaps) {
-    // Two balls that overlap: the part of each inside the other is no part of the mesh.
+    // The balls overlap. The part of each ball inside the other does not count as mesh.
     const Triangles both = icosphere(5).with(icosphere(5).moved(1.0, 1.0, 0.0, 0.0));
     const mesh::Comparison found = compared(Two({1.0, 0.0, 0.0}), both, 0.01, 0.05);
     EXPECT_EQ(found.mesh.share, 1.0);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double limit = 1.5;
 
-// x and y from 0 to 1 and 0 to `width`, z = 0; without the faces that `leave_out` names by their middles.
+// A grid in z = 0, x from 0 to 1, y from 0 to `width`, without the faces whose centre satisfies `leave_out`.
 template <class F>
 Triangles sheet(double width, int cells, F&& leave_out) {
     Triangles made;
@@ -39,14 +39,14 @@ Triangles sheet(double width, int cells, F&& leave_out) {
     return made;
 }
 
-// What a sheet's end samples bear out.
+// A sheet's end samples, and the surface that they support.
 struct Ended {
     explicit Ended(const Triangles& from, int threads = 2)
         : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle),
           closest(0.009 * shape.bounds.diagonal()), samples(mesh::end_samples(runtime, shape, tree, 20000, closest, 1)),
           support(runtime, samples.position, samples.normal, closest) {}
 
-    // How far beyond a place the surface ends, in `closest`.
+    // Returns how far beyond a place the surface ends, in units of `closest`.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& out) const {
         double reach = 0.0;
         while (reach > -2.0 && support.value(place + reach * closest * out, {0.0, 0.0, 1.0}) > limit) reach -= 0.01;
@@ -64,7 +64,7 @@ struct Ended {
 
 const auto none = [](double, double) { return false; };
 
-// Of faces of any size; straight, though the even samples behind the row lie as they come.
+// Faces may have any size. The end is straight, although the even samples behind the border's row are irregular.
 TEST(EndSamples, EndASheetAtItsBorder) {
     for (const int cells : {1, 10, 200}) {
         SCOPED_TRACE(cells);
@@ -73,7 +73,7 @@ TEST(EndSamples, EndASheetAtItsBorder) {
             EXPECT_NEAR(ended.beyond({0.01 * i, 1.0, 0.0}, {0, 1, 0}), 0.0, 0.025);
             EXPECT_NEAR(ended.beyond({0.0, 0.01 * i, 0.0}, {-1, 0, 0}), 0.0, 0.025);
         }
-        for (int i = 0; i < 40000; ++i) { // no hole; corners are round
+        for (int i = 0; i < 40000; ++i) { // the inside has no hole; corners are round
             const glm::dvec3 p(0.00498 * (i % 200) + 0.002, 0.00498 * (i / 200) + 0.002, 0.0);
             const bool corner = std::min(p.x, 1.0 - p.x) + std::min(p.y, 1.0 - p.y) < 0.02;
             if (!corner) {
@@ -83,7 +83,7 @@ TEST(EndSamples, EndASheetAtItsBorder) {
     }
 }
 
-// Strips that have no room for a row stay whole, and end somewhat beyond.
+// Strips that are too narrow for a row of samples have no holes, and end somewhat beyond the border.
 TEST(EndSamples, KeepNarrowStrips) {
     for (const double width : {0.004, 0.01, 0.016, 0.03}) {
         SCOPED_TRACE(width);
@@ -96,7 +96,7 @@ TEST(EndSamples, KeepNarrowStrips) {
     }
 }
 
-// A hole ends there, too, unless it is so small that it stays closed anyway.
+// The surface ends at a hole, too, unless the hole is so small that it stays closed anyway.
 TEST(EndSamples, EndAtLargeHolesOnly) {
     const auto square = [](double x, double y) { return std::abs(x - 0.5) < 0.1 && std::abs(y - 0.5) < 0.1; };
     const Ended large(sheet(1.0, 200, square));

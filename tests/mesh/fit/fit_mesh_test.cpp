@@ -31,7 +31,7 @@ struct Fitted {
 
     [[nodiscard]] const mesh::FitMeshReport& report() const { return result.report; }
     [[nodiscard]] const hrbfnpr::implicit::HrbfData& data() const { return result.fit.data; }
-    // By places that the fit did not go by.
+    // Compares at other samples than those of the fit.
     [[nodiscard]] mesh::Comparison error(std::int64_t points = 10000) const {
         mesh::CompareSettings settings;
         settings.points = points;
@@ -81,7 +81,7 @@ TEST(FitMesh, HoldsTheSurfaceWhereItWouldGoElsewhere) {
     const Fitted ring(wound_ring(300, 40));
     expect_asked(ring, ring.error());
     ASSERT_GT(ring.report().off_surface, 0) << "it tells nothing";
-    // The last centres lie off the mesh, and f is the signed distance there.
+    // The last centres are off the mesh, and f is the signed distance there.
     const hrbfnpr::implicit::HrbfData& data = ring.data();
     const mesh::FitData surface(ring.runtime.instruction_set, data);
     int inside = 0;
@@ -125,7 +125,7 @@ TEST(FitMesh, LeavesOutFacesThatLieInsideAnother) {
     expect_asked(balls, error);
     EXPECT_EQ(error.components, 1);
     EXPECT_LT(balls.report().candidates, 2 * 2 * 20 * 1024);
-    // No centre within the other ball.
+    // Each ball has no centre inside the other one.
     for (std::int64_t i = 0; i < balls.data().count() - balls.report().off_surface; ++i) {
         const double* const p = balls.data().sample_position.data() + 3 * i;
         EXPECT_GT(glm::length(glm::dvec3(p[0], p[1], p[2])), 0.99);
@@ -144,7 +144,7 @@ TEST(FitMesh, RefusesASolidWithoutAnInside) {
         EXPECT_NE(std::string(error.what()).find("the mesh is flat"), std::string::npos) << error.what();
     }
     const Fitted sheet(box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z > 0.4; }));
-    EXPECT_TRUE(sheet.report().supported); // one side of it
+    EXPECT_TRUE(sheet.report().supported); // one side of a box
 }
 
 TEST(FitMesh, DoesNotMindABorder) {
@@ -178,7 +178,7 @@ TEST(FitMesh, EndsAtTheMostCentres) {
 
 TEST(FitMesh, GivesUpOnFacetsThatContradictTheirNormals) {
     mesh::FitMeshSettings tight;
-    tight.tolerance = 5e-4; // facets are 2e-3 off
+    tight.tolerance = 5e-4; // the facets are 2e-3 off
     tight.maximum_centres = 2500;
     const Fitted facets(torus(60, 24, 0.4), tight);
     EXPECT_FALSE(facets.report().reached);

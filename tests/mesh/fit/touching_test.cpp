@@ -19,7 +19,7 @@ using namespace mesh_test;
 
 namespace {
 
-// Asks at so many places.
+// Looks for touching parts with this number of sample places.
 mesh::Touching find(const Triangles& from, double near, std::int64_t places, int threads = 2, bool crossing = true) {
     const auto runtime = with_threads(threads);
     const mesh::Mesh shape = made(runtime, from);
@@ -37,9 +37,10 @@ TEST(Touching, IsFoundWherePartsAreNear) {
     EXPECT_NEAR(found.place.x, 1.0045, 0.0046);
 }
 
-// Where hardly a place lies: by the edges, each end of which is on its own side.
+// Few samples are near the crossing, so it is found from edges whose ends are on different sides of a face.
 TEST(Touching, IsFoundWherePartsCross) {
-    // A corner in a corner, and a bar that goes through two faces and whose edges meet others of its own before.
+    // One corner is inside another, and a bar goes through two faces, though its edges meet faces of the bar itself
+    // before.
     const Triangles bar = box(3.0, 0.02, 0.02, 1).moved(1.0, -1.0, 0.4, 0.3);
     for (const Triangles& two : {cube.with(cube.moved(1.0, 0.999, 0.999, 0.999)), cube.with(bar), bar.with(cube)}) {
         const mesh::Touching found = find(two, 1e-6, 10);
@@ -51,7 +52,7 @@ TEST(Touching, IsFoundWherePartsCross) {
     EXPECT_LT(find(cube.with(cube.moved(1.0, 1.001, 0.999, 0.999)), 1e-6, 10).one, 0);
 }
 
-// Turned about z and then about y.
+// Turns a mesh about z and then about y.
 Triangles turned_by(const Triangles& from, double about_z, double about_y) {
     Triangles result = from;
     for (std::size_t i = 0; i < from.vertices.size(); i += 3) {
@@ -63,7 +64,7 @@ Triangles turned_by(const Triangles& from, double about_z, double about_y) {
     return result;
 }
 
-// Two squares that make a star, whose edges go through each other's: rounding tells whether one goes through a face.
+// Two squares form a star, and their edges cross each other. Only rounding decides whether an edge goes through a face.
 TEST(Touching, IsFoundWherePartsCrossOnEdgesAlone) {
     const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
     const Triangles star = square.with(turned_by(square, 0.25 * std::numbers::pi, 0.0));
@@ -72,12 +73,12 @@ TEST(Touching, IsFoundWherePartsCrossOnEdgesAlone) {
         EXPECT_GE(found.one, 0) << turn;
         EXPECT_EQ(found.one + found.other, 1) << turn;
     }
-    // A hollow is all inside.
+    // A box that is completely inside crosses nothing.
     const Triangles hollow = box(0.4, 0.4, 0.4, 1).moved(1.0, 0.3, 0.3, 0.3);
     EXPECT_LT(find(cube.with(hollow), 1e-6, 200).one, 0);
 }
 
-// Places beside the line that two parts cross in are near to the other part, which is no reason.
+// Samples beside the line where two parts cross are near the other part. They do not count as near.
 TEST(Touching, PartsThatCrossAreNotNear) {
     const Triangles beside = cube.with(cube.moved(1.0, 1.009, 0.0, 0.0));
     const Triangles crossing = cube.with(cube.moved(1.0, 0.5, 0.4, 0.3));

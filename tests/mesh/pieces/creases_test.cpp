@@ -75,7 +75,7 @@ TEST(Creases, OfTurnedShapesAreTheirSteps) {
               12);
 }
 
-// A prism of twelve sides, in single precision: its sides meet at 30 degrees, and a little more or less.
+// A prism of twelve sides in single precision. Its sides meet at 30 degrees, give or take the rounding.
 Triangles twelve_sides(double height, double turn) {
     constexpr std::int32_t sides = 12;
     Triangles prism;
@@ -98,11 +98,12 @@ Triangles twelve_sides(double height, double turn) {
 TEST(Creases, OfAllSidesOfAPrismOrOfNone) {
     for (const double turn : {0.0, 0.1, 0.3, 0.7}) {
         EXPECT_EQ(Found(twelve_sides(8.0, turn)).creases.patches, 3) << turn;
-        EXPECT_EQ(Found(twelve_sides(2.0, turn)).creases.patches, 14) << turn; // so coarse that they are meant
+        EXPECT_EQ(Found(twelve_sides(2.0, turn)).creases.patches, 14)
+            << turn; // so coarse that its edges count as creases
     }
 }
 
-// Every coordinate off by as much as that.
+// Moves every coordinate by up to `off`.
 Triangles roughened(Triangles shape, double off) {
     for (std::size_t i = 0; i < shape.vertices.size(); ++i)
         shape.vertices[i] += off * std::sin(1e4 * static_cast<double>(i));
@@ -118,11 +119,11 @@ TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
     const Found found(roughened(test::icosphere(4), 0.025));
     EXPECT_GT(found.evidence.length, 1.0);
     EXPECT_FALSE(found.evidence.creases);
-    // Coarse: 80 faces that meet at 20 to 40 degrees.
+    // A coarse ball: 80 faces that meet at 20 to 40 degrees.
     EXPECT_FALSE(Found(test::icosphere(1), 20.0).evidence.creases);
 }
 
-// However often a cage is subdivided, and along whichever diagonals its quads are cut.
+// A cage has no creases at any level of subdivision and for any choice of the quads' diagonals.
 TEST(Creases, AreNotThereOnSubdividedCages) {
     const std::vector<verdict::Quads> cages{verdict::cage(verdict::solid_of(verdict::animal()), 15, 2, 0.08, 1),
                                             verdict::cage(verdict::solid_of(verdict::person()), 14, 2, 0.05, 4)};
@@ -138,7 +139,7 @@ TEST(Creases, AreNotThereOnSubdividedCages) {
         }
 }
 
-// Folds bend by any angle, but the mesh turns beside their edges, too.
+// The edges of folds bend by any angle, but the mesh turns beside them, too.
 TEST(Creases, AreNotThereInFolds) {
     for (const Triangles& folded : {verdict::folded(5, 0.25, 0.25, 7.0), verdict::folded(5, 0.15, 0.8, 4.0),
                                     verdict::folded(5, 0.25, 0.8, 3.0)}) {
@@ -149,7 +150,7 @@ TEST(Creases, AreNotThereInFolds) {
     }
 }
 
-// The edges of flat faces stand out beside narrow fillets, which stay round.
+// Flat faces stand out beside narrow fillets, which stay round.
 TEST(Creases, StandOutBesideNarrowFillets) {
     for (const int segments : {2, 3, 5, 8})
         for (const int finer : {0, 2}) {
@@ -160,8 +161,8 @@ TEST(Creases, StandOutBesideNarrowFillets) {
         }
 }
 
-// Edges between narrow walls do not stand out, but are sharp where others do, unless the mesh goes on turning the same
-// way as on a round wall: those of a groove of one row of bent quads, and of a capsule of ten sides.
+// Edges between narrow walls do not stand out, but are sharp where others do. They are round where the mesh goes on
+// turning the same way. Here: a groove of one row of bent quads, and a capsule of ten sides.
 TEST(Creases, AreSharpUnlessTheyAreRound) {
     const auto groove = [](double x, double y) {
         return 1.4 * std::clamp(std::abs(x) - 0.1, 0.0, 0.1) + 0.1 * x * y + 0.01 * y * y;
@@ -178,7 +179,7 @@ TEST(Creases, AreSharpUnlessTheyAreRound) {
     }
 }
 
-// A box, and a pyramid whose faces are too small to be seen.
+// A box, and a pyramid. The creases of the pyramid do not count if its faces are too small to be seen.
 TEST(Creases, OfFacesThatNobodySeesAreNone) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 4);
     for (const double size : {1e-3, 1e-1}) {
@@ -195,7 +196,7 @@ TEST(Creases, OfFacesThatNobodySeesAreNone) {
     }
 }
 
-// A box and something rough: the box has edges.
+// A box and a rough ball: the box has creases.
 TEST(Creases, AreThereWhereOnePartHasSome) {
     const Triangles rough = roughened(test::icosphere(4), 0.025);
     const Found both(test::box(1.0, 1.0, 1.0, 12).with(rough.moved(0.2, 0.5, 0.5, 1.5)));
@@ -205,7 +206,7 @@ TEST(Creases, AreThereWhereOnePartHasSome) {
     EXPECT_FALSE(crumb.evidence.creases);
 }
 
-// An octahedron, and the same with the middles of its edges: flat faces of four triangles each.
+// An octahedron, and the same with its edges halved: each flat face has four triangles.
 TEST(Creases, AreThoseOfAPolyhedron) {
     for (const bool halved : {false, true}) {
         Triangles shape;
@@ -236,7 +237,7 @@ TEST(Creases, AreThoseOfAPolyhedron) {
     EXPECT_TRUE(Found(test::icosphere(0)).evidence.creases);
 }
 
-// A rock: 80 faces whose corners lie at 0.6 to 1.4.
+// A rock: 80 faces whose corners are 0.6 to 1.4 from its centre.
 TEST(Creases, AreThoseOfARock) {
     Triangles rock = test::icosphere(1);
     for (std::size_t i = 0; i < rock.vertices.size(); ++i)
@@ -247,14 +248,14 @@ TEST(Creases, AreThoseOfARock) {
     EXPECT_GT(found.creases.patches, 40);
 }
 
-// A plate whose outline is round but for one corner: the edge there has the same patch on both its sides, and no more
-// than one edge of the mesh.
+// The outline of the plate is round except for one corner. The edge there has the same patch on both sides, and is one
+// mesh edge long.
 TEST(Creases, AtTheOnlyCornerOfAPlate) {
     for (const double thickness : {0.5, 0.02}) {
         Triangles plate;
         constexpr int around = 48;
         std::vector<glm::dvec2> outline{{1.0, 1.0}};
-        for (int i = 0; i <= around; ++i) { // touches the straight sides to the corner
+        for (int i = 0; i <= around; ++i) { // touches the straight sides that lead to the corner
             const double a = (0.5 + 1.5 * i / around) * 3.14159265358979;
             outline.emplace_back(std::cos(a), std::sin(a));
         }
@@ -273,13 +274,13 @@ TEST(Creases, AtTheOnlyCornerOfAPlate) {
             plate.face(count, count + i, count + next);
         }
         const Found found(plate);
-        EXPECT_EQ(found.creases.patches, 4); // the outline is cut once more, where it is round
+        EXPECT_EQ(found.creases.patches, 4); // the round outline is cut once more
         EXPECT_NEAR(found.creases.length, length + thickness, 1e-9);
     }
 }
 
-// The slopes of an eight-sided roof meet at 18 degrees, but its outline has corners of 45: they are facets, as of the
-// ring of a lamp.  Of 32 sides it is round.  Beside a large box it is small enough for either.
+// The slopes of an eight-sided roof meet at 18 degrees, but its outline has corners of 45: they are facets, like those
+// of a lamp's ring. A roof of 32 sides is round. Beside a large box the roof is small enough for either.
 TEST(Creases, AreBetweenCornersOfOthers) {
     const auto roof = [](int sides) {
         return test::ringed({{0.0, 0.0}, {1.0, 0.0}, {0.5, 0.22}, {0.5, 0.6}, {0.0, 0.6}}, sides, 10.0)
@@ -289,14 +290,14 @@ TEST(Creases, AreBetweenCornersOfOthers) {
     EXPECT_EQ(Found(roof(32)).creases.patches, 4 + 6);
 }
 
-// A ridge that fades towards positive x: it is grown to the last edges that bend by 8 degrees, and the patch is cut on
-// from there, smoothly, and shared by both sheets.
+// A ridge that fades towards positive x. Its crease grows to the last edges that bend by 8 degrees. The patch is cut
+// further from there as a smooth border, which both sheets share.
 TEST(Creases, ThatFadeGoOnSmoothly) {
     const auto ridge = [](double x, double y) { return x < 0.0 ? -x * x * std::abs(y) : 0.0; };
     const Found found(test::height_field(40, ridge));
     EXPECT_EQ(found.creases.patches, 2);
     EXPECT_EQ(found.creases.fading, 0.0);
-    EXPECT_NEAR(found.creases.length, 0.75, 0.1); // to where the slope is 0.07
+    EXPECT_NEAR(found.creases.length, 0.75, 0.1); // up to where the slope is 0.07
     std::int64_t smooth = 0;
     for (std::int64_t side = 0; side < found.creases.cut.size(); ++side) {
         if (found.creases.cut[side] != 2) continue;
@@ -309,7 +310,8 @@ TEST(Creases, ThatFadeGoOnSmoothly) {
         EXPECT_NE(shared.patch, found.creases.patch[shared.face]);
 }
 
-// The wall of a step that fades ends in a tip: what is above and below it are two patches, cut on from there.
+// The wall of a fading step ends in a tip. The parts above and below it are two patches, and the cut between them goes
+// on from the tip.
 TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
     const Found found(test::fading_step(40));
     EXPECT_EQ(found.creases.patches, 3);
@@ -320,7 +322,7 @@ TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
         for (std::int64_t other = 0; other < face; ++other) {
             const auto q = found.shape.corners(other);
             const glm::dvec3 its = (q[0] + q[1] + q[2]) / 3.0;
-            if (std::abs(middle.y) < 1e-9 || std::abs(its.y) < 1e-9) continue; // of the wall
+            if (std::abs(middle.y) < 1e-9 || std::abs(its.y) < 1e-9) continue; // skips faces of the wall
             const bool apart = std::min(middle.x, its.x) > 0.0 && (middle.y < 0.0) != (its.y < 0.0);
             EXPECT_FALSE(apart && found.creases.patch[face] == found.creases.patch[other]);
         }
@@ -334,7 +336,7 @@ TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
     EXPECT_GT(found.creases.shared.size(), 20);
 }
 
-// A tube with one crease along it: a patch that meets only itself.
+// A tube with one crease along it. There the patch meets only itself.
 TEST(Creases, AlongATubePartIt) {
     Triangles tube;
     constexpr int around = 48;
@@ -358,7 +360,7 @@ TEST(Creases, AlongATubePartIt) {
     EXPECT_EQ(found.creases.fading, 0.0);
 }
 
-// A box with a fin at an edge, which has three faces.
+// A box with a fin at an edge, so that this edge has three faces.
 TEST(Creases, EndAtEdgesOfMoreThanTwoFaces) {
     const Triangles box = test::box(1.0, 1.0, 1.0, 3);
     const Triangles fin = box.where([](double x, double, double) { return x < 1e-3; });
@@ -367,7 +369,7 @@ TEST(Creases, EndAtEdgesOfMoreThanTwoFaces) {
     EXPECT_EQ(found.creases.patches, 7);
 }
 
-// Bends of 12 degrees make a cylinder, of 28 a prism.
+// Bends of 12 degrees make a cylinder, and bends of 28 degrees a prism.
 TEST(Creases, OfCoarseFacesStayFlat) {
     const std::vector<test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
     EXPECT_EQ(Found(test::ringed(rings, 30, 0.5)).creases.patches, 3);

@@ -29,7 +29,7 @@ struct Planned {
         return mesh::find_planned_creases(runtime, shape, tree, known, settings);
     }
 
-    // Distances are in diagonals.
+    // Distances are in units of the diagonal.
     [[nodiscard]] mesh::EndPlan end(bool reached, double mesh_p99, double surface_most, bool has_creases) const {
         const double diagonal = shape.bounds.diagonal();
         mesh::FitMeshReport report;
@@ -54,8 +54,8 @@ TEST(FitAsPlanned, ABallHasNoCreasesAndABoxHas) {
     ASSERT_TRUE(plan.creases);
     EXPECT_EQ(plan.creases->patches, 6);
     EXPECT_FALSE(box.creases(mesh::Edges::smooth).creases);
-    EXPECT_FALSE(ball.creases(mesh::Edges::sharp, 95.0).creases);   // nothing bends by more
-    EXPECT_TRUE(box.creases(mesh::Edges::automatic, 40.0).creases); // not the evidence that is known
+    EXPECT_FALSE(ball.creases(mesh::Edges::sharp, 95.0).creases);   // no edge bends by more
+    EXPECT_TRUE(box.creases(mesh::Edges::automatic, 40.0).creases); // another angle than that of the known evidence
 }
 
 TEST(FitAsPlanned, EdgesThatDoNotStandOutAreDoubtful) {
@@ -66,7 +66,7 @@ TEST(FitAsPlanned, EdgesThatDoNotStandOutAreDoubtful) {
     EXPECT_EQ(coarse.creases(mesh::Edges::sharp, 16.0).doubtful, 0.0);
 }
 
-// A star has walls that meet in fillets of three chords: those are round, and its outline is sharp.
+// The walls of a star meet in fillets of three chords. These are round, and the outline is sharp.
 TEST(FitAsPlanned, FilletsStaySmooth) {
     const std::vector<glm::dvec2> corners{{1.0, 0.0},  {0.3, 0.3},   {0.0, 1.0},  {-0.3, 0.3},
                                           {-1.0, 0.0}, {-0.3, -0.3}, {0.0, -1.0}, {0.3, -0.3}};
@@ -97,7 +97,7 @@ TEST(FitAsPlanned, SolidsThatCrossAreFittedApart) {
     EXPECT_EQ(crossing.creases->length, 0.0);
     EXPECT_FALSE(Planned(ball.with(ball.moved(1.0, 3.0, 0.0, 0.0))).creases(mesh::Edges::automatic).creases);
     const auto lower = [](double, double, double z) { return z < 0.5; };
-    const Triangles bowl = ball.where(lower); // open parts that cross are one function all the same
+    const Triangles bowl = ball.where(lower); // open parts that cross are still one function
     EXPECT_FALSE(Planned(bowl.with(bowl.moved(1.0, 1.0, 0.0, 0.0))).creases(mesh::Edges::automatic).creases);
 }
 
@@ -113,7 +113,7 @@ TEST(FitAsPlanned, AnOpenSurfaceEndsAtItsBorder) {
     double highest = -1.0;
     for (std::int64_t i = 0; i < places.position.size(); ++i) highest = std::max(highest, places.position[i].z);
     EXPECT_GT(highest, 0.4);
-    // A narrow strip that is met exactly ends nearer: at 0.2 of its width of 0.02, in diagonals of 1.
+    // A narrow strip that is fitted exactly ends nearer: at 0.2 of its width, which is 0.02 diagonals.
     Triangles strip;
     for (const double x : {0.0, 1.0})
         for (const double y : {0.0, 0.02}) static_cast<void>(strip.add(x, y, 0.0));

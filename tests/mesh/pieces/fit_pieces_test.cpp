@@ -41,15 +41,15 @@ struct Fitted {
         f.evaluate({&p.x, &p.y, &p.z, 1}, {&value, {}, {}});
         return value;
     }
-    // Of places on the true edges, by how far along the middle between both normals the surface is.
+    // Returns how far the surface is from a place on a true edge, along the direction midway between both normals.
     [[nodiscard]] double edge_offset(const glm::dvec3& p, const glm::dvec3& out) const {
         const double diagonal = shape.bounds.diagonal();
         for (double reach = 1e-5; reach < 0.02; reach *= 1.3)
             if ((value(p + reach * diagonal * out) > 0.0) != (value(p - reach * diagonal * out) > 0.0)) return reach;
         return 1.0;
     }
-    // How many places have the wrong sign, of random ones in the box and of some beside the mesh, that are farther from
-    // it than 0.1 % of the diagonal.
+    // Counts the wrong signs at random places in the box and beside the mesh. Only places farther from the mesh than
+    // 0.1 % of the diagonal count.
     template <class Inside>
     [[nodiscard]] int wrong_signs(Inside&& inside) const {
         const double diagonal = shape.bounds.diagonal();
@@ -92,14 +92,14 @@ TEST(FitPieces, OfACubeIsTheCube) {
     EXPECT_LT(cube.result.fit.gradient_residual_max, 1e-9);
     EXPECT_EQ(cube.result.fit.samples, cube.result.mesh.candidates);
     const double r = std::sqrt(0.5);
-    for (int i = 1; i < 100; ++i) { // at corners three sides meet
+    for (int i = 1; i < 100; ++i) { // without the corners, where three sides meet
         EXPECT_LT(cube.edge_offset({0.01 * i, 0.0, 1.0}, {0.0, -r, r}), 1.1e-5);
         EXPECT_LT(cube.edge_offset({1.0, 1.0, 0.01 * i}, {r, r, 0.0}), 1.1e-5);
     }
     EXPECT_EQ(cube.wrong_signs([](const glm::dvec3& p) { return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)); }), 0);
 }
 
-// Concave edges, round ones, and a sheet that is one all around.
+// The cube has concave edges and round ones, and a sheet that closes around the hole.
 TEST(FitPieces, OfADrilledCubeIsSharpAroundTheHole) {
     const Fitted drilled(test::drilled_cube(0.5, 96));
     EXPECT_EQ(drilled.result.pieces.sheets, 7);
@@ -150,7 +150,7 @@ TEST(FitPieces, OfAThinPlateHasBothSides) {
     EXPECT_LT(plate.value({0.5, 0.5, 0.5 * thick}), 0.0);
 }
 
-// Parts that are no farther apart than 0.6 % of the diagonal, one inside the other's hull.
+// The parts are 0.6 % of the diagonal apart or less, one inside the other's hull.
 TEST(FitPieces, KeepPartsApart) {
     const Fitted two(test::box(1.0, 1.0, 1.0, 4).with(test::box(1.0, 1.0, 1.0, 4).moved(1.0, 1.015, 0.2, 0.0)));
     EXPECT_EQ(two.wrong_signs([](const glm::dvec3& p) {
@@ -180,7 +180,7 @@ TEST(FitPieces, OfAShellInAShellHasACavity) {
               0);
 }
 
-// A roof: beyond its border the sheets go on.
+// On a roof the sheets go on beyond its border.
 TEST(FitPieces, OfAnOpenSheetGoOnBeyondItsBorder) {
     const Fitted roof(test::height_field(20, [](double, double y) { return -std::abs(y); }));
     EXPECT_EQ(roof.result.pieces.sheets, 2);
@@ -197,7 +197,7 @@ TEST(FitPieces, FollowACreaseThatFades) {
     EXPECT_EQ(fading.result.pieces.smooth_length, 0.0);
     EXPECT_TRUE(fading.result.mesh.reached);
     for (int i = 0; i <= 100; ++i) EXPECT_LT(fading.edge_offset({-0.01 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
-    // On from the crease's end both sheets are one.
+    // From the crease's end on, both sheets agree.
     for (int i = 0; i <= 50; ++i) EXPECT_LT(fading.edge_offset({0.018 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
 }
 
@@ -215,7 +215,7 @@ TEST(FitPieces, KeepChamfersFlatBesideTipsOfCones) {
     }
 }
 
-// A ball of few faces beside a box of many: each gets as many centres as it takes.
+// A ball of few faces beside a box of many. Each part gets as many centres as it needs.
 TEST(FitPieces, AreNotStarvedForHavingFewFaces) {
     const Triangles ball = test::icosphere(3).moved(1.0, 3.0, 0.0, 0.0);
     const Fitted both(test::box(1.0, 1.0, 1.0, 60).with(ball), 2, 400);
@@ -223,7 +223,7 @@ TEST(FitPieces, AreNotStarvedForHavingFewFaces) {
     EXPECT_TRUE(both.result.mesh.reached);
 }
 
-// Both edges of its wall are met up to the tip, where they are 0.03 % of the diagonal apart.
+// The fit meets both edges of the wall up to the tip, where they are 0.03 % of the diagonal apart.
 TEST(FitPieces, FollowAStepThatFades) {
     const Fitted step(test::fading_step(40));
     EXPECT_TRUE(step.result.mesh.reached);
@@ -244,7 +244,7 @@ TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
               0);
 }
 
-// Boxes on each other that share one vertex: a part each, so that there is no wall where the one stands on the other.
+// Boxes on each other that share one vertex become two parts, so no wall is needed where one stands on the other.
 TEST(FitPieces, StandOnEachOtherWhereTheyShareAVertex) {
     const Fitted two(test::box(1.0, 1.0, 1.0, 2).with(test::box(0.7, 0.6, 1.0, 3).moved(1.0, 0.0, 0.0, 1.0)));
     EXPECT_EQ(two.shape.report.components, 2);
@@ -255,8 +255,8 @@ TEST(FitPieces, StandOnEachOtherWhereTheyShareAVertex) {
               0);
 }
 
-// A vertex of the top lies beyond the edge, as in a mesh that somebody has edited: a fold sticks out, faces of which
-// look up, and others down.
+// A vertex of the top is beyond the edge, as in a mesh that was edited. This makes a fold that sticks out, with faces
+// that look up and faces that look down.
 TEST(FitPieces, KnowTheOutsideOfFoldedFaces) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 5);
     int moved = 0;
@@ -271,7 +271,8 @@ TEST(FitPieces, KnowTheOutsideOfFoldedFaces) {
     EXPECT_EQ(folded.wrong_signs([](const glm::dvec3& p) { return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)); }), 0);
 }
 
-// A box whose top is cut otherwise than its sides, and its halves otherwise than each other: no edge there is shared.
+// The top of the box is divided differently from its sides, and its halves differently from each other. They share no
+// edges.
 TEST(FitPieces, BridgeTJunctions) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z < 0.999; });
     const auto half = [&](double low, double high, int cuts) {
@@ -296,7 +297,7 @@ TEST(FitPieces, BridgeTJunctions) {
         EXPECT_LT(tee.edge_offset({0.01 * i, 0.0, 1.0}, std::sqrt(0.5) * glm::dvec3(0.0, -1.0, 1.0)), 1.1e-5);
 }
 
-// Values, gradients and Hessians of places beside the surface and all over the box.
+// Values, gradients and Hessians at places beside the surface and all over the box.
 struct Asked {
     std::vector<double> x, y, z;
     std::vector<std::vector<double>> field;
@@ -326,7 +327,7 @@ struct Asked {
     }
 };
 
-// Zones say where one sheet is f, and leave out sheets that cannot be: nothing but rounding may come of it.
+// Zones know where one sheet is f, and leave out sheets that cannot be f. The results may differ by rounding only.
 TEST(PreparedPieces, AreTheSameFunction) {
     for (const Triangles& shape : {test::box(1.0, 1.0, 1.0, 8), test::gear(16, 3), test::drilled_cube(0.5, 48)}) {
         const Fitted fitted(shape);
@@ -344,7 +345,7 @@ TEST(PreparedPieces, AreTheSameFunction) {
     }
 }
 
-// Whatever stands beside a point in its batch.
+// The result does not depend on the other points in the batch.
 TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
     const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::sheets);
@@ -358,7 +359,7 @@ TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
     }
 }
 
-// Far from creases one sheet is asked, so most places cost that.
+// Far from creases only one sheet is evaluated, so most places cost one evaluation.
 TEST(PreparedPieces, KnowTheOneSheetOfMostPlaces) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
     const implicit::PiecesZones zones(fitted.runtime, fitted.f.data());

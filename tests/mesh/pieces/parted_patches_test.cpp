@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patches that no smooth function goes through, and are parted along edges that bend less.
+// Tests patches that no smooth function fits. They are parted along edges that bend less.
 #include "mesh/meshes.h"
 #include "mesh/pieces/fit_pieces.h"
 #include "support/runtime.h"
@@ -19,10 +19,11 @@ using hrbfnpr::test::Triangles;
 namespace {
 
 constexpr int sides = 6;
-constexpr double slope = 15.0; // degrees, of the bevel, whose faces bend by that and by 14.9 to each other
+constexpr double slope = 15.0; // degrees; the bevel meets the lid at this angle, and its faces meet at 14.9
 constexpr double at_plates = 30.0;
 
-// Around the lid a low and narrow bevel: a patch of facets that, taken as smooth, is far off beside its corners.
+// A low and narrow bevel around the lid. Its facets form one patch, but as a smooth surface they would be far off
+// beside the corners.
 Triangles plate() {
     constexpr double radius = 0.866; // inscribed
     constexpr double lid = 0.95;
@@ -42,7 +43,7 @@ struct Plate {
         settings.edges = edges;
         return mesh::fit_pieces(runtime, shape, tree, creases, settings, {});
     }
-    // Of the bevel and the lid.
+    // Marks the patches of the bevel and the lid.
     [[nodiscard]] hrbfnpr::base::Array<std::uint8_t> on_top() const {
         hrbfnpr::base::Array<std::uint8_t> within(runtime.memory, creases.patches);
         for (std::int64_t face = 0; face < shape.faces(); ++face)

@@ -16,7 +16,7 @@ using hrbfnpr::implicit::PiecesData;
 
 namespace {
 
-// What a program makes of zeros and ones: bit k of `inputs` is function k.
+// Runs a program on zeros and ones: bit k of `inputs` is the value of function k.
 bool run(std::span<const std::int32_t> program, unsigned inputs, std::size_t& operands) {
     std::vector<bool> stack;
     operands = 0;
@@ -35,7 +35,7 @@ bool run(std::span<const std::int32_t> program, unsigned inputs, std::size_t& op
     return stack[0];
 }
 
-// As many as there are series-parallel networks, and no two are the same function.
+// There are as many trees as series-parallel networks, and no two are the same function.
 TEST(ReadOnceTrees, AreAllThatThereAre) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const mesh::ReadOnceTrees trees(runtime.memory);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Patches that wind around beside themselves: threads of screws.
+// Tests patches that wind around beside themselves, such as the threads of screws.
 #include "base/random.h"
 #include "mesh/fit/outer.h"
 #include "mesh/meshes.h"
@@ -32,7 +32,7 @@ struct Cut {
     mesh::Creases creases;
 };
 
-// Two flanks, crest and root, of five turns each: ten halves and more.
+// Two flanks, crest and root have five turns each, so each is cut into ten halves or more.
 TEST(WindingPatches, AreCutIntoPartsOfATurn) {
     for (const test::ThreadProfile& profile : {test::triangular, test::trapezoidal}) {
         const Cut cut(test::screw(5, profile, 48, 2));
@@ -40,13 +40,13 @@ TEST(WindingPatches, AreCutIntoPartsOfATurn) {
         EXPECT_GE(cut.creases.patches, 10 * winding);
         EXPECT_LE(cut.creases.patches, 16 * winding + 5);
         EXPECT_EQ(cut.creases.fading, 0.0);
-        // Both sides of a cut have a band of the other's faces.
+        // Both sides of a cut share a band of each other's faces.
         EXPECT_GT(cut.creases.shared.size(), 0);
         EXPECT_LT(cut.creases.shared.size(), cut.shape.faces());
     }
 }
 
-// Rings meet themselves as soon as they are around, and slivers are a long way of short steps.
+// Rings meet themselves after one turn, and slivers make long paths of short steps. Neither is cut.
 TEST(WindingPatches, AreNoOthers) {
     EXPECT_EQ(Cut(test::gear(16, 3)).creases.patches, 67);
     EXPECT_EQ(Cut(test::gear(16, 12)).creases.patches, 67);
@@ -61,7 +61,7 @@ void expect_close(const Triangles& from) {
     mesh::PiecesFit fit = mesh::fit_pieces(cut.runtime, cut.shape, tree, cut.creases, {}, {});
     EXPECT_TRUE(fit.mesh.reached);
     EXPECT_EQ(fit.pieces.poor_cells, 0);
-    // All but the shaft.
+    // Only the shaft may have more.
     EXPECT_LE(std::ranges::count_if(fit.data.sheet, [](const auto& sheet) { return sheet.count() > 250; }), 1);
     const double unit = 0.01 * cut.shape.bounds.diagonal();
     EXPECT_LE(fit.mesh.surface.most, 0.3 * unit);
@@ -83,7 +83,7 @@ void expect_close(const Triangles& from) {
             wrong += std::abs(distance) > 0.1 * unit && (value > 0.0) != (distance > 0.0) ? 1 : 0;
         }
     }
-    // Vertices are on the surface, faces are chords of it.
+    // Vertices are on the surface; faces are chords of it.
     for (const glm::dvec3& place : cut.shape.vertex) {
         double value = 0.0;
         glm::dvec3 g;
