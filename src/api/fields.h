@@ -197,7 +197,7 @@ template <class Struct>
 template <class... Fields>
 class FieldTable {
 public:
-    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // of all fields together
+    static constexpr std::size_t bytes = (Fields::bytes + ... + 0); // the sum over all fields
 
     constexpr explicit FieldTable(Fields... fields) noexcept : fields_(fields...) {}
 

@@ -82,7 +82,7 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_mesh_fit = 0.95; // of the progress; the trim follows
+constexpr double end_of_mesh_fit = 0.95; // share of the progress; the trim follows
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 

@@ -88,7 +88,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         surface; // std::monostate in a trimmed model: see whole()
     // These two are valid in whole() only.
     hrbfnpr::fit::FitReport report;
-    hrbfnpr::base::Array<double> history; // of a fit's residual; empty if the model is not a fit
+    hrbfnpr::base::Array<double> history; // the residuals of a fit's iterations; empty if the model is not a fit
 
 private:
     // The number of ways to prepare. Way 0 prepares an HRBF, or the zones of pieces; way 1 their zones and sheets.

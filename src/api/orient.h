@@ -12,7 +12,7 @@ namespace hrbfnpr::api {
 // Tells whether a HRBFNPR_NORMALS_... mode needs no normals.
 [[nodiscard]] bool may_lack_normals(std::uint32_t mode) noexcept;
 
-// Owns the normals that a mode makes, and reports what was found.
+// Owns the normals that a mode makes, and reports the findings.
 class NormalsOfFit {
 public:
     // Puts the normals into `input`.
@@ -23,7 +23,7 @@ public:
     void report(fit::FitReport& report) const noexcept;
 
 private:
-    static constexpr double share = 0.5; // of the progress, for the normals
+    static constexpr double share = 0.5; // the share of the progress that the normals take
 
     bool made_ = false;
     bool inward_ = false;

@@ -699,7 +699,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     }
     const double same = curve_tuning.close * side;
     const geometry::PointGrid grid(places, same);
-    Curves runs(memory); // of one point each
+    Curves runs(memory); // each has one point
     for (std::int64_t i = 0; i < fresh.size(); ++i) {
         bool first = true;
         grid.around(places[i], [&](std::int64_t at) {

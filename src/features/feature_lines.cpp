@@ -700,7 +700,7 @@ ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& impli
         if (edges.empty() || shaped.mesh.triangles() + 2 * edges.size() > feature_tuning.most_triangles ||
             !halve_edges(part.part(0.0, 0.3), implicit, edges, feature_tuning.farthest_middle, true, shaped.mesh))
             break;
-        geometry::VecArray position(work.memory), gradient(work.memory); // of the new vertices
+        geometry::VecArray position(work.memory), gradient(work.memory); // at the new vertices
         for (std::int64_t i = shaped.shape.size(); i < shaped.mesh.vertices(); ++i) {
             position.push_back(shaped.mesh.position[i]);
             gradient.push_back(shaped.mesh.gradient[i]);

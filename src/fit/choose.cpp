@@ -62,8 +62,8 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
         centres.resize(std::unique(centres.begin(), centres.end()) - centres.begin());
     }
 
-    std::optional<geometry::PointTree> tree; // of the samples
-    Distances distances(work.memory);        // of all samples, from the last fit that was measured
+    std::optional<geometry::PointTree> tree; // holds the samples
+    Distances distances(work.memory);        // from all samples to the surface of the last fit that was measured
     Smoothing smoothing{input.regularization, input.regularization};
     int settling = automatic ? 1 : choice_tuning.settling_fits;
     const auto smooth = [&](const AdaptiveFit& now) {

@@ -11,7 +11,7 @@ namespace hrbfnpr::fit {
 struct Choice {
     CentreFit fit;
     base::Array<std::int64_t> centres; // indices of samples, ascending
-    Distances distances;               // of all samples from the surface
+    Distances distances;               // from all samples to the surface
     std::int32_t rounds = 0;           // the number of fits; 0 if all samples are centres
     double seconds_before = 0.0;       // the time of all rounds but the last
 };

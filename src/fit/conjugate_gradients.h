@@ -11,8 +11,9 @@ namespace hrbfnpr::fit {
 struct CgOutcome {
     bool converged = false;
     std::int32_t iterations = 0;
-    double residual = 0.0;  // the relative residual that the recursion updates
-    double condition = 0.0; // of the preconditioned matrix, from the recursion's coefficients (Lanczos)
+    double residual = 0.0; // the relative residual that the recursion updates
+    double condition =
+        0.0; // condition number of the preconditioned matrix, from the recursion's coefficients (Lanczos)
 };
 
 // The state that the iterations improve: w, which is orthogonal to the polynomials, c, and r = h - A w - P c, which is

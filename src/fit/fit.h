@@ -72,7 +72,7 @@ struct FitReport {
     double seconds_choose = 0.0;
     double seconds_precondition = 0.0;
     std::int64_t peak_bytes = 0;
-    // What the caller of fit() did to the normals before the fit.
+    // The repairs of the normals before the fit, by the caller of fit().
     std::uint32_t normals_found = 0;
     bool normals_inward = false;
     std::int64_t normals_turned = 0;

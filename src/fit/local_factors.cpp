@@ -245,7 +245,7 @@ HWY_INLINE void last_columns(const Triangle& l, int blocks, double* columns) {
     }
 }
 
-// Computes what the expansions add at the reference: -sum_j T_j^T X_j.
+// Computes the contribution of the expansions at the reference: -sum_j T_j^T X_j.
 HWY_INLINE void reference_columns(const Place* p, int blocks, const double* columns, double* reference) {
     Block sum;
     for (int r = 0; r < 4; ++r)

@@ -13,7 +13,7 @@ struct Samples {
     explicit Samples(base::Memory& memory) noexcept : position(memory), normal(memory), value(memory) {}
 
     geometry::VecArray position; // in the caller's coordinates
-    geometry::VecArray normal;   // of unit length
+    geometry::VecArray normal;   // unit length
     base::Array<double> value;   // the value of f, in the caller's unit; empty: 0, as on the surface
     geometry::Bounds bounds;
     double spacing = 0.0; // mean distance to the nearest other sample; 0 for one sample

@@ -10,11 +10,11 @@ namespace hrbfnpr::fit {
 struct SolveOptions {
     SolverKind solver = SolverKind::automatic;
     std::int32_t refinement_steps = 2;
-    double tolerance = 0.0;         // of the iterative solver: relative residual, 2-norm; 0 = automatic
+    double tolerance = 0.0;         // relative residual (2-norm) at which the iterative solver stops; 0 = automatic
     double acceptable = 1e-6;       // accepted where rounding or an approximate product stops the iterations
     double product_tolerance = 0.0; // the tolerance that a fast product is made for; 0: `tolerance`
     std::int32_t iterations = 200;
-    std::int32_t neighbours = 0; // of the preconditioner; 0 = automatic
+    std::int32_t neighbours = 0; // number that the preconditioner uses for each sample; 0 = automatic
 };
 
 // If the iterations end with a relative residual above this, samples contradict each other, as slivers of a mesh do in
@@ -29,9 +29,9 @@ struct Solution {
     base::Array<double> misfit;
     SolverKind solver = SolverKind::direct;
     SolverReason reason = SolverReason::requested;
-    double residual = 0.0;       // of the whole system, relative, 2-norm
+    double residual = 0.0;       // relative residual of the whole system, 2-norm
     double condition = 0.0;      // direct: 1-norm estimate for the factored matrix; iterative: 2-norm, preconditioned
-    std::int32_t iterations = 0; // of the refinement, or of CG
+    std::int32_t iterations = 0; // number of steps of the refinement, or of CG
     bool fallback = false;
     double value_diagonal = 0.0; // regularization used where 0 was requested and did not work
     bool converged = false;      // the iterative solver reached its tolerance

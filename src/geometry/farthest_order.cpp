@@ -47,7 +47,7 @@ private:
     }
 
     PointTree tree_;
-    base::Array<double> squared_distance_; // of each point in the tree's order from the picked points
+    base::Array<double> squared_distance_; // from each point, in the tree's order, to the picked points
     base::Array<Node> nodes_;              // in heap order
 };
 

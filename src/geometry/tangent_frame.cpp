@@ -28,7 +28,7 @@ glm::dvec3 any_perpendicular(const glm::dvec3& n) noexcept {
 TangentFrame stipple_frame(const glm::dvec3& n) noexcept {
     // R turns by 90 degrees about this axis. The axis is off the coordinate axes to keep the two singular points away
     // from the poles of symmetric models.
-    constexpr glm::dvec3 axis(0.36, 0.48, 0.80); // of unit length
+    constexpr glm::dvec3 axis(0.36, 0.48, 0.80); // unit length
     const glm::dvec3 turned = glm::cross(axis, n) + axis * glm::dot(axis, n);
     const glm::dvec3 u = glm::cross(n, turned);
     const double length = glm::length(u);

@@ -46,7 +46,7 @@ struct CsgPlace {
     glm::dmat3 to_local{1.0};
     glm::dvec3 shift{0.0};
     double scale = 1.0; // negative: turned inside out
-    CsgShape shape;     // of a model: the box that it ends at
+    CsgShape shape;     // for a model: the box that it ends at
     std::int32_t model = -1;
     std::int32_t model_sheets = 0;
     glm::dvec3 centre{0.0}; // centre of that box

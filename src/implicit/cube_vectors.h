@@ -23,9 +23,9 @@ public:
     [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
     [[nodiscard]] int count() const noexcept { return count_; }
     [[nodiscard]] const double* in() const noexcept { return in_.data(); }
-    // Results of vectors beyond count() are written to `nobody`.
-    [[nodiscard]] double* const* out(double* nobody) noexcept {
-        std::fill(out_.begin() + count_, out_.end(), nobody);
+    // Results of vectors beyond count() are written to `unused`.
+    [[nodiscard]] double* const* out(double* unused) noexcept {
+        std::fill(out_.begin() + count_, out_.end(), unused);
         return out_.data();
     }
     void clear() noexcept { count_ = 0; }

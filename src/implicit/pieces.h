@@ -40,8 +40,8 @@ public:
     [[nodiscard]] base::InstructionSet instruction_set() const noexcept { return set_; }
 
 protected:
-    // All must outlive this. zones: null: there are none. prepared: for each sheet, null where it is not prepared;
-    // empty: none is.
+    // All arguments must outlive this. `zones` is null for data without zones. `prepared` has one entry for each sheet,
+    // null if the sheet is not prepared; it is empty if no sheet is.
     PiecesOf(base::InstructionSet set, const PiecesData& data, const PiecesZones* zones = nullptr,
              const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
         : set_(set), data_(data), zones_(zones), prepared_(prepared) {}

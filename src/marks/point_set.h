@@ -133,7 +133,7 @@ struct Turn {
 
 // The bounds of some marks' places and normals. Lengths and curvatures are in the set's unit.
 struct Extent {
-    float radius = 0.0F; // of the ball around the centre that holds all marks
+    float radius = 0.0F; // radius of the ball around the centre that holds all marks
     std::array<float, 3> centre{};
     Cone cone; // holds all normals
 };

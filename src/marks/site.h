@@ -136,7 +136,7 @@ struct Marks {
     base::Array<std::array<float, 3>> curvature; // k1, k2, confidence; may be empty
     base::Array<double> bend;                    // curvature strokes only: the normal curvature along the direction
     base::Array<std::uint64_t> key;    // the mark's identity, whatever marks were dropped; keys random numbers
-    base::Array<std::uint32_t> stroke; // of a stroke: 2 * seed + set; of a stipple: its seed
+    base::Array<std::uint32_t> stroke; // for a stroke: 2 * seed + set; for a stipple: its seed
     base::Array<std::int32_t> place;   // the place along the stroke, in finest steps from the seed
     base::Array<std::uint8_t> level;
     base::Array<float> rank;  // may be empty: assemble() makes them. If not, marks are in their final order

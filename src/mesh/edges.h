@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::int32_t count() const noexcept { return count_; }
 
 private:
-    base::Array<std::int32_t> number_; // of each name, plus 1; 0: the name has not come yet
+    base::Array<std::int32_t> number_; // the number of each name, plus 1; 0: the name has not come yet
     std::int32_t count_ = 0;
 };
 

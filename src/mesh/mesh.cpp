@@ -131,7 +131,7 @@ void check_extent(const Welded& welded) {
 // within the crease angle, weighted by their angles at the vertex.
 void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh) {
     const base::Groups corners = corners_at_vertices(mesh, work);
-    base::Array<glm::dvec3> normal(work.memory);   // of the faces
+    base::Array<glm::dvec3> normal(work.memory);   // normals of the faces
     base::Array<glm::dvec3> weighted(work.memory); // the face normal times the corner's angle, for each corner
     normal.resize_for_overwrite(mesh.faces());
     weighted.resize_for_overwrite(3 * mesh.faces());

@@ -40,7 +40,7 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
         rims.join(low_end(*first), high_end(*first));
     });
     if (!open) return;
-    base::Array<glm::dvec4> rim(work.memory, vertex.size()); // of a rim: the sum and number of its ends
+    base::Array<glm::dvec4> rim(work.memory, vertex.size()); // for each rim: the sum and number of its ends
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
         for (const std::int32_t end : {low_end(*first), high_end(*first)})

@@ -543,7 +543,7 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
 void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
                    const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
-    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // of each vertex: the set that keeps it, plus 1
+    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // for each vertex: the set that keeps it, plus 1
     base::Array<std::int32_t> own(memory, 3 * welded.triangle.size());
     for (const std::int64_t corner : progress.over(own.size())) {
         std::int32_t& at = welded.triangle[corner / 3][static_cast<std::size_t>(corner % 3)];

@@ -32,8 +32,8 @@ struct Ray {
 
     glm::dvec3 start{0.0};     // start of the search
     glm::dvec3 direction{0.0}; // unit
-    double length = 1.0;       // of the caller's direction
-    double offset = 0.0;       // of start from the caller's origin
+    double length = 1.0;       // length of the caller's direction
+    double offset = 0.0;       // distance from the caller's origin to the start
     double end = 0.0;          // s at the end of the search
     double lipschitz = 0.0;
     double at = 0.0;    // s up to which the search is complete

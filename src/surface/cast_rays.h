@@ -22,7 +22,7 @@ struct RaySettings {
     double t_max = std::numeric_limits<double>::infinity();
     double lipschitz = 0.0;      // bound on |grad f| in the search region; 0 = lipschitz_estimate()
     double smallest_step = 1e-4; // in diagonals
-    double tolerance = 1e-9;     // of a root's position, in diagonals
+    double tolerance = 1e-9;     // accuracy of a root's position, in diagonals
 };
 
 // Directions are finite and not zero. They need not be unit vectors.

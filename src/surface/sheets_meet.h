@@ -34,7 +34,7 @@ struct Meeting {
 
 struct MeetingPlace {
     glm::dvec3 position{0.0};
-    std::array<glm::dvec3, 3> gradient{}; // of the sheets at `position`
+    std::array<glm::dvec3, 3> gradient{}; // gradients of the sheets at `position`
     bool found = false;
 };
 

@@ -60,10 +60,9 @@ ONLY_IN = [
 # What makes a comment hard to read, and what to write in its place.
 HARD_WORDS = [
     (r"^[Oo]f ", "begin with the subject: 'For a closed chain, ...'"),
-    (r"\.\.\.", "end the sentence; a sentence does not run over several declarations"),
-    (r"\b[Ss]o (many|much|far|near|little|long|short)\b", "name the number or the distance"),
-    (r"\b[Ww]hat (is|are|was|of|lies|has|they|it|a|the)\b", "use a noun: 'the points outside', 'NaN'"),
-    (r"\bbehind\b", "write 'after', or 'farther away'"),
+    (r"^\.\.\. |(?<![,_])(?<!, )\.\.\.$", "end the sentence; a sentence does not run over several declarations"),
+    (r"\b[Ss]o (many|much)\b", "name the number or the distance"),
+    (r"\b[Ww]hat (is|are|was|of|lies|has)\b", "use a noun: 'the points outside', 'NaN'"),
     (r"\b(there (is|are) none|is none|are none)\b", "name the thing that is missing"),
     (r"\b[Nn]obody\b|\b[Ww]hoever\b", "name the code that does it"),
 ]

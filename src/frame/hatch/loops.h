@@ -33,7 +33,7 @@ enum class HatchRow : std::int64_t {
     side_y,
     distance,
     darkness,    // n . l at first, then the darkness
-    width,       // of the line, pixels
+    width,       // line width, pixels
     leg,         // distance from the mark before, pixels; 0 if one of both has no place
     tone_margin, // the line is drawn where none of these four is negative
     level_margin,

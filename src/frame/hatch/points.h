@@ -34,7 +34,7 @@ struct HatchMark {
     float x, y; // pixels
     float window, depth;
     float side_x, side_y; // x and y of the unit normal, eye space
-    float width;          // of the line, pixels
+    float width;          // line width, pixels
     float way;            // distance from the mark before, pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
@@ -93,12 +93,12 @@ struct HatchView {
 struct HatchSample {
     float x, y, window, depth;
     float side_x, side_y;                    // as in HatchMark
-    float width;                             // of the line, pixels: the mean over half a step to either side
+    float width;                             // line width, pixels: the mean over half a step to either side
     float overshoot;                         // how far a hand runs on past the end of the line's tone, pixels
     std::array<float, hatch_margins> margin; // as in HatchMark
     float pixels_per_unit;
     std::array<float, 2> unused;
-    std::uint32_t id; // of the nearest mark
+    std::uint32_t id; // the number of the nearest mark
 
     // The direction in the picture across a contour that would be here, with any length.
     [[nodiscard]] glm::vec2 across_rim() const noexcept { return {side_x, -side_y}; }

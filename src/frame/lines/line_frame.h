@@ -66,7 +66,7 @@ public:
 private:
     const base::Runtime& runtime_;
     LineStrokes strokes_;
-    ContourList contours_; // of the last frame; tracing begins with them where the camera moved little
+    ContourList contours_; // contours of the last frame; tracing begins with them where the camera moved little
     KnownLines known_;
 };
 

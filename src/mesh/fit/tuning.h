@@ -105,8 +105,8 @@ struct FitMeshTuning {
     // Beyond a border, surface whose support by the candidates (s of surface/support.h) is above this limit is left
     // out.
     double support_limit = 3.0;
-    // Each look at the surface adds at most this many centres off it. Each centre moves the surface around it, so many
-    // more would be wasted. Larger: fewer rounds, and centres that were not needed.
+    // Each look at the surface adds at most this many centres off it. Each centre moves the surface around it, which
+    // makes others near it needless. Larger: fewer rounds, and centres that were not needed.
     std::int64_t most_held = 200;
     // The distance between centres off the surface, as a share of their distance from the mesh. Larger: fewer of them.
     double held_apart = 0.7;

@@ -119,10 +119,10 @@ private:
 
     const Mesh& mesh_;
     const FaceTree& tree_;
-    base::Array<glm::dvec3> normal_;   // of each face, unit
-    base::Array<glm::dvec3> edge_;     // of each side: the sum of the normals of the faces at the edge
-    base::Array<glm::dvec3> vertex_;   // of each vertex: the sum of the face normals, weighted by angles
-    base::Array<std::uint8_t> folded_; // of each vertex: 1 if a face there is folded upon another
+    base::Array<glm::dvec3> normal_;   // for each face, unit
+    base::Array<glm::dvec3> edge_;     // for each side: the sum of the normals of the faces at the edge
+    base::Array<glm::dvec3> vertex_;   // for each vertex: the sum of the face normals, weighted by angles
+    base::Array<std::uint8_t> folded_; // for each vertex: 1 if a face there is folded upon another
     double off_ = 0.0;
     bool solid_ = false;
     bool by_rays_ = false;
@@ -533,7 +533,7 @@ void continue_surface(const base::Work& work, const Sides& sides, const geometry
 } // namespace
 
 ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memory), code_(memory) {
-    base::List<Programs> trees(memory); // of `set` and `top`, at 2 set + top
+    base::List<Programs> trees(memory); // the programs of `set` and `top`, at 2 set + top
     const auto topped = [&](std::uint32_t set, std::uint32_t top) -> const Programs& { return trees[2 * set + top]; };
     for (std::uint32_t set = 0; set < 1U << most; ++set)
         for (std::uint32_t top = 0; top < 2; ++top) {

@@ -56,7 +56,7 @@ struct Bend {
 struct Bends {
     base::Array<Bend> edge;
     base::Groups at;                  // the numbers of the bends at each vertex
-    base::Array<std::int32_t> degree; // of each vertex: the number of creases and patch borders there
+    base::Array<std::int32_t> degree; // for each vertex: the number of creases and patch borders there
 
     void sharpen(std::int64_t i) noexcept {
         HRBFNPR_ASSERT(!edge[i].sharp);
@@ -262,7 +262,8 @@ bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
         ++faces[creases.patch[face]];
         area[creases.patch[face]] += 0.5 * glm::length(doubled_area(task.mesh.corners(face)));
     }
-    base::Array<std::int64_t> flattest(memory, creases.patches); // of each patch: the number of a bend, from 1; 0: none
+    base::Array<std::int64_t> flattest(memory,
+                                       creases.patches); // for each patch: the number of a bend, from 1; 0: none
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
         const Bend& bend = bends.edge[i];
         if (!bend.sharp || is_fading(creases, bend)) continue;

@@ -16,7 +16,7 @@ struct Crease {
 struct Creases {
     explicit Creases(base::Memory& memory) noexcept : patch(memory), edge(memory), cut(memory), shared(memory) {}
 
-    base::Array<std::int32_t> patch; // of each face, numbered from 0 in the order of their first faces
+    base::Array<std::int32_t> patch; // for each face, numbered from 0 in the order of their first faces
     std::int32_t patches = 0;
     base::Array<Crease> edge;
     // For each side of the faces, 3 face + k: 1 if a crease or no face lies beyond it, 2 if another patch joins

@@ -118,7 +118,7 @@ MeshSamples end_places(const base::Work& work, const Mesh& mesh, const FaceTree&
 
 PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const CreaseEvidence& known,
                           const FitMeshSettings& settings, const fit::FitInput& options, bool may_end) {
-    constexpr double end_of_fit = 0.95; // of the progress
+    constexpr double end_of_fit = 0.95; // share of the progress
     const base::Work of_fit = work.part(0.0, end_of_fit);
     const PlannedCreases planned = find_planned_creases(work, mesh, tree, known, settings);
     log_doubt(work, planned, settings.crease_angle);

@@ -122,10 +122,10 @@ struct Sheets {
     }
 
     const Creases& creases;
-    base::Groups faces;                      // of each patch, followed by its shared faces beyond smooth cuts
+    base::Groups faces;                      // for each patch, followed by its shared faces beyond smooth cuts
     base::List<std::optional<SheetFit>> fit; // the fit of each patch
-    base::Array<std::int32_t> lent; // of each patch: the patch of the other sheets from which its fit was taken, or -1
-    base::Array<std::uint8_t> unsettled; // of each patch: 1 if too many of its samples are outside their tolerance
+    base::Array<std::int32_t> lent; // for each patch: the patch of the other sheets from which its fit was taken, or -1
+    base::Array<std::uint8_t> unsettled; // for each patch: 1 if too many of its samples are outside their tolerance
     double unsettled_area = 0.0;         // the area of these patches, weighted by the share of samples outside
     base::Array<double> chord;           // chord_errors() of the vertices
 };
@@ -380,7 +380,7 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
 
 PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
                      const FitMeshSettings& settings, const fit::FitInput& options) {
-    constexpr double end_of_first = 0.7; // of the progress
+    constexpr double end_of_first = 0.7; // share of the progress
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;

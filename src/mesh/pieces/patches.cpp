@@ -41,7 +41,7 @@ using Fan = std::span<const std::int32_t>; // corners, in rising order
 [[nodiscard]] base::Groups fans_of(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                    const base::Groups& corners) {
     base::Array<std::int32_t> name(
-        runtime.memory); // of each corner: another corner of its fan; at the end the same one for the whole fan
+        runtime.memory); // for each corner: another corner of its fan; at the end the same one for the whole fan
     name.resize_for_overwrite(3 * mesh.faces());
     const auto root = [&](std::int32_t corner) {
         while (name[corner] != corner) corner = name[corner];
@@ -74,10 +74,10 @@ using Fan = std::span<const std::int32_t>; // corners, in rising order
 struct Flats {
     explicit Flats(base::Memory& memory) noexcept : region(memory), area(memory), normal(memory), bulge(memory) {}
 
-    base::Array<std::int32_t> region; // of each face
-    base::Array<double> area;         // of each region
+    base::Array<std::int32_t> region; // for each face
+    base::Array<double> area;         // for each region
     base::Array<glm::dvec3> normal;
-    base::Array<double> bulge; // of each region: the largest chord_error() of its faces with the mean normals
+    base::Array<double> bulge; // for each region: the largest chord_error() of its faces with the mean normals
 };
 
 // Grows regions across edges that are no crease, starting at the largest faces, whose normals are the most exact.
@@ -269,7 +269,7 @@ void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std
 PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, double tolerance) {
     HRBFNPR_ASSERT(creases.cut.size() == 3 * mesh.faces() && creases.patch.size() == mesh.faces());
     const base::Groups corners = corners_at_vertices(mesh, {});
-    base::Array<glm::dvec3> weighted(runtime.memory); // of each corner: the face normal times its area and angle
+    base::Array<glm::dvec3> weighted(runtime.memory); // for each corner: the face normal times its area and angle
     weighted.resize_for_overwrite(3 * mesh.faces());
     runtime.parallel.for_chunks(mesh.faces(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) {

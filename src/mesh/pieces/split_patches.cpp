@@ -50,7 +50,7 @@ struct Seeds {
     explicit Seeds(base::Memory& memory, std::int64_t vertices) : face(memory), on_crease(memory, vertices) {}
 
     base::Array<std::int32_t> face;      // faces beside creases with the same patch on both sides
-    base::Array<std::uint8_t> on_crease; // of each vertex: 1 on these creases, except at their ends
+    base::Array<std::uint8_t> on_crease; // for each vertex: 1 on these creases, except at their ends
 };
 
 // Adds seeds at tips. Where a step in a patch fades, its wall ends in a tip, and the patch goes around the tip from one
@@ -65,7 +65,7 @@ void add_tips(const Patched& patched, const base::Array<std::int32_t>& cuts, See
     std::fill(edge.begin(), edge.end(), std::array<std::int32_t, 2>{-1, -1});
     for (std::int32_t i = 0; i < creases.edge.size(); ++i)
         for (const std::int32_t v : {creases.edge[i].from, creases.edge[i].to}) edge[v] = {i, edge[v][0]};
-    base::Array<std::uint8_t> is_between_two(memory, vertices); // of each vertex: 1 if exactly two patches meet there
+    base::Array<std::uint8_t> is_between_two(memory, vertices); // for each vertex: 1 if exactly two patches meet there
     for (std::int64_t v = 0; v < vertices; ++v) {
         if (cuts[v] != 4 || edge[v][1] < 0) continue;
         const auto pair = patched.pair_of(creases.edge[edge[v][0]]);
@@ -178,8 +178,8 @@ struct Labels {
         std::fill(distance.begin(), distance.end(), infinite);
     }
 
-    base::Array<std::int32_t> label; // of each face: the nearest side of a crease; -1: none
-    base::Array<double> distance;    // of each face: the distance from there
+    base::Array<std::int32_t> label; // for each face: the nearest side of a crease; -1: none
+    base::Array<double> distance;    // for each face: the distance from there
 };
 
 Labels spread_labels(const Patched& patched, const Seeds& seeds) {
@@ -232,7 +232,7 @@ base::Array<Creases::Shared> shared_bands(const Patched& patched, const Labels& 
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
     base::Array<double> from_cut(memory);
-    base::Array<std::int32_t> other(memory); // of each face: the part beyond the near cut, or -1
+    base::Array<std::int32_t> other(memory); // for each face: the part beyond the near cut, or -1
     from_cut.resize_for_overwrite(mesh.faces());
     other.resize_for_overwrite(mesh.faces());
     std::fill(from_cut.begin(), from_cut.end(), infinite);
@@ -348,8 +348,8 @@ void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
         for (std::int32_t face = 0; face < mesh.faces(); ++face) put(creases.patch[face], face);
     });
     base::Array<double> to_vertex(work.memory, mesh.vertex.size());
-    base::Array<double> way(work.memory, mesh.faces());        // of each face: the way from one end of its patch
-    base::Array<std::int32_t> part(work.memory, mesh.faces()); // of each face: the part of its patch
+    base::Array<double> way(work.memory, mesh.faces());        // for each face: the way from one end of its patch
+    base::Array<std::int32_t> part(work.memory, mesh.faces()); // for each face: the part of its patch
     bool any = false;
     for (std::int32_t p = 0; p < creases.patches; ++p) {
         work.check();

@@ -36,7 +36,7 @@ inline constexpr double capitals_of_size = 0.716;
 // The width of a plotter's pen if no pen gives one, mm.
 inline constexpr double plotter_pen = 0.3;
 
-// ---- What the stages exchange
+// ---- Data that the stages exchange
 
 struct PagePoint {
     double x, y;
@@ -67,12 +67,12 @@ struct PagePath {
 struct PageDot {
     double x, y, radius;
     double opacity; // multiplies the alpha of the group's ink
-    bool is_paper;  // the dot has the paper's colour and hides what was drawn before it
+    bool is_paper;  // the dot has the paper's colour and hides all marks drawn before it
 };
 
 struct PageText {
     double x, y;   // the start of the first baseline
-    double height; // of its capitals
+    double height; // height of its capitals
     const char* text;
 };
 
