@@ -87,7 +87,7 @@ Undisturbed run_undisturbed(hrbfnpr_context* context, const bench::LongCall& cal
 
 struct Latency {
     double wall = 0.0;
-    double processor = 0.0; // of all threads
+    double processor = 0.0; // summed over all threads
 };
 
 // Cancels the call after a while; returns false if the call had ended by then.

@@ -52,7 +52,7 @@ public:
     [[nodiscard]] double undecided() const { return undecided_; } // pixels of allowed lines that need not be drawn
 
 private:
-    static constexpr double margin = 0.02;      // of strengths: near `lower`, neither answer is wrong
+    static constexpr double margin = 0.02;      // in strengths: near `lower`, neither answer is wrong
     static constexpr double upper_margin = 0.1; // near `upper`: the strongest place may be between a line's points
 
     [[nodiscard]] PlaceValue value_of(const PlaceShape& shape, const glm::dvec3& place) const {
@@ -202,7 +202,7 @@ private:
 // Compares drawn and reference lines; lengths beside contours are left out.
 struct FeatureMatch {
     Nearness drawn, wanted;
-    Nearness zeros;         // of drawn lines against all zero lines, including weak ones
+    Nearness zeros;         // distances of drawn lines from all zero lines, including weak ones
     double left_out = 0.0;  // pixels of both beside contours
     double undecided = 0.0; // pixels of reference lines that may be drawn or not
 

@@ -148,7 +148,7 @@ void measure_bound(hrbfnpr_context* context, const std::vector<NamedCloud>& clou
 }
 
 struct OnThickWalls {
-    double share = 0.0; // of all points
+    double share = 0.0; // share of all points
     double right = 1.0; // share of these with a right normal
 };
 

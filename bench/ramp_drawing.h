@@ -13,7 +13,7 @@ namespace bench {
 // Returns the column of a world position.
 [[nodiscard]] inline double ramp_column(float x) { return (double{x} + 2.0) / 4.0 * ramp_width; }
 
-inline constexpr double ramp_radius = 1.5; // of marks, pixels
+inline constexpr double ramp_radius = 1.5; // radius of the marks, pixels
 
 // Draws black discs on white; `tone` gives the share of marks.
 [[nodiscard]] inline Style ramp_style(hrbfnpr_tone_fn tone) {

@@ -13,7 +13,7 @@ namespace bench {
 
 // One mark in one frame.
 struct MarkInk {
-    float width = 0.0F;  // of the line drawn there, pixels; 0: none
+    float width = 0.0F;  // width of the line drawn there, pixels; 0: no line
     bool counts = false; // it faces the eye, away from contours, and is in the picture
 };
 

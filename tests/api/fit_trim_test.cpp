@@ -76,7 +76,7 @@ TEST(FitTrim, LeavesASurfaceThatCurvesBound) {
     const std::vector<float> stipples = stipples_of(context, sections);
     float farthest = 0.0F;
     for (std::size_t i = 0; i < stipples.size(); i += 3) farthest = std::max(farthest, std::abs(stipples[i]));
-    EXPECT_GT(farthest, 3.85F); // of 4; the box of the samples ends at 3, and margins at 3.6
+    EXPECT_GT(farthest, 3.85F); // at most 4; the box of the samples ends at 3, and margins at 3.6
 }
 
 TEST(FitTrim, EndsAnOpenSurfaceThatCurvesBound) {

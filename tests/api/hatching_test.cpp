@@ -14,7 +14,7 @@ TEST_F(HatchingTest, MarkResultsAreThoseOfItsLines) {
     style.tone = HRBFNPR_TONE_NONE;
     layers[0].shape = layers[1].shape = HRBFNPR_SHAPE_HATCH;
     const Drawing drawing = drawn();
-    std::map<std::uint32_t, float> radius; // of each id that a point has
+    std::map<std::uint32_t, float> radius; // for each id that a point has
     for (const Vertex& v : vertices_of(drawing, HRBFNPR_PRIMITIVE_POINTS).vertex) radius[v.id] = v.radius;
     for (const Vertex& v : vertices_of(drawing, HRBFNPR_PRIMITIVE_LINE_STRIPS).vertex)
         radius[v.id] = std::max(radius[v.id], v.radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests queries and marks of so many points that the model prepares itself for them. The reference is the sum over all
+// Tests queries and marks of enough points for the model to prepare itself. The reference is the sum over all
 // centres, which queries of few points use.
 #include "fixture.h"
 

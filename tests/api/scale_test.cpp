@@ -225,7 +225,7 @@ TEST(Scale, LargeSpheresGetAllTheirMarks) {
         Generation desc = small_desc();
         desc.layer[by_curvature].flags = HRBFNPR_LAYER_WITH_CURVATURE;
         const PointSet set = generate(context, sphere_of(context, radius), desc);
-        EXPECT_GE(layer_info(set, stipples).marks, 294) << radius; // of 300
+        EXPECT_GE(layer_info(set, stipples).marks, 294) << radius; // the set has 300
         const auto curvature = attribute<float>(set, by_curvature, HRBFNPR_MARK_ATTRIBUTE_CURVATURE);
         EXPECT_FALSE(curvature.empty());
         for (const float x : curvature) ASSERT_TRUE(std::isfinite(x));

@@ -10,7 +10,7 @@ namespace {
 using namespace test_traced;
 
 constexpr double side = 0.1;
-constexpr double width = 0.35; // of the bump's Gaussian
+constexpr double width = 0.35; // width of the bump's Gaussian
 constexpr double height = 0.3;
 const double steepest = height / width * std::exp(-0.5);
 

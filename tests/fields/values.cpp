@@ -109,7 +109,7 @@ void add_element(std::vector<Change>& changes, const FieldLayout& field, std::st
         add_numbers<double>(changes, offset, place);
     else if (type == "float")
         add_numbers<float>(changes, offset, place);
-    else if (name == "width" || name == "height") // of an image, whose pixels must exist
+    else if (name == "width" || name == "height") // the size of an image, whose pixels must exist
         for (const std::int32_t size : {0, 1, 2, -1, 32769, std::numeric_limits<std::int32_t>::min()})
             add(changes, offset, place, size);
     else if (type == "int32_t")

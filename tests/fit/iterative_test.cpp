@@ -216,7 +216,7 @@ TEST(Solver, AutomaticFallsBackToTheDirectOne) {
     EXPECT_LE(report.solver_residual, 1e-10);
     EXPECT_LE(report.value_residual_max, 1e-10);
     EXPECT_LE(report.gradient_residual_max, 1e-10);
-    EXPECT_GT(report.condition_estimate, 1e3); // of the factored matrix
+    EXPECT_GT(report.condition_estimate, 1e3); // condition number of the factored matrix
 }
 
 // The faces of a box with samples that crowd towards its edges: rounding stops the iterations before they reach the

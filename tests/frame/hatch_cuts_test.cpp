@@ -28,7 +28,7 @@ protected:
                     half * (2.0 * (glm::dvec2(i, j) + 0.25 + 0.5 * glm::dvec2(u[0], u[1])) / double{side} - 1.0);
                 add_stipple(front_, {at.x, at.y, 0.25}, {0.0, 0.0, 1.0});
                 add_stipple(front_, {at.x, at.y, 0.24},
-                            {0.0, 0.0, -1.0}); // so that it hides what is just behind the front
+                            {0.0, 0.0, -1.0}); // so that it hides points just behind the front
             }
         }
         front_.spacing = 2.0 * half / side;

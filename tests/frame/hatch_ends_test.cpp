@@ -108,7 +108,7 @@ TEST_F(Hatch, LinesNarrowToTheirEnds) {
     EXPECT_EQ(points.front().radius, 0.0F);
     EXPECT_NEAR(points.front().x, 50.0, 0.01);
     const double middle = radius_at(points, 200.0);
-    EXPECT_NEAR(middle, 0.5 * 0.6 * 4.0, 1e-3); // of a period of 4 pixels
+    EXPECT_NEAR(middle, 0.5 * 0.6 * 4.0, 1e-3); // half the share of a period of 4 pixels
     for (const double away : {2.5, 7.5, 15.0})
         EXPECT_NEAR(radius_at(points, end - away), middle * std::sqrt(away / 20.0), 0.03 * middle) << away;
     for (const double away : {1.5, 3.0, 5.0})

@@ -35,7 +35,7 @@ struct HatchWidths {
     std::int32_t full = 0;
     float width = 0.0F;
     float fading = 0.0F;
-    float margin = 0.0F; // of the level that fades in: the level is drawn if this is positive, and is full at 1
+    float margin = 0.0F; // margin of the level that fades in: the level is drawn if this is positive, and is full at 1
 };
 
 // A line that fades in is drawn if its width should be at least this, in pens.

@@ -271,7 +271,7 @@ TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
 TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
     const auto wedge = test::fading_wedge();
     struct Case {
-        double slope, y; // of the line of sight: slopes of 0.16 and 0.26 are creases of 18 and 29 degrees
+        double slope, y; // line of sight: slopes of 0.16 and 0.26 are creases of 18 and 29 degrees
         float radius;
     };
     for (const auto [slope, y, expected] : {Case{0.26, 0.3, 1.5F}, {0.16, 0.3, 0.0F}, {0.16, -0.3, 1.5F}}) {

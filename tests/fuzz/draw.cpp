@@ -8,7 +8,7 @@
 namespace fuzz {
 namespace {
 
-constexpr int side = 32; // of the picture, in pixels
+constexpr int side = 32; // side of the picture, in pixels
 
 // The set's box fills the picture. If the box has no size, that of a unit ball is used.
 hrbfnpr_camera camera_for(const hrbfnpr_point_set* set) {

@@ -48,7 +48,7 @@ inline Bytes signed_file(const std::uint8_t* data, std::size_t size) {
     return file;
 }
 
-// A number that decides what is tried with a file. It leaves out the last bytes: the checksum of a payload with its own
+// A number that chooses the trial of a file. It leaves out the last bytes: the checksum of a payload with its own
 // checksum at the end is always the same.
 inline std::uint32_t choice_of(const Bytes& file) { return checksum(std::span(file).first(file.size() - 4)); }
 

@@ -37,7 +37,7 @@ public:
 
 private:
     static constexpr int none = -1;
-    static constexpr double seconds = 1.0; // of processor time, for one call
+    static constexpr double seconds = 1.0; // processor time for one call
 
     static std::int32_t progress(void* user, double progress) {
         auto& self = *static_cast<Operation*>(user);

@@ -97,7 +97,7 @@ TEST(ProcessState, FloatingPointStateIsTheHosts) {
 }
 #endif
 
-// Captures what is written to a file descriptor during the object's lifetime.
+// Captures the output to a file descriptor during the object's lifetime.
 class Captured {
 public:
     explicit Captured(int descriptor) : descriptor_(descriptor), file_(std::tmpfile()) {

@@ -62,8 +62,8 @@ HARD_WORDS = [
     (r"^[Oo]f ", "begin with the subject: 'For a closed chain, ...'"),
     (r"^\.\.\. |(?<![,_])(?<!, )\.\.\.$", "end the sentence; a sentence does not run over several declarations"),
     (r"\b[Ss]o (many|much)\b", "name the number or the distance"),
-    (r"\b[Ww]hat (is|are|was|of|lies|has)\b", "use a noun: 'the points outside', 'NaN'"),
-    (r"\b(there (is|are) none|is none|are none)\b", "name the thing that is missing"),
+    (r"\b[Ww]hat (is|are|was|of|has)\b", "use a noun: 'the points outside', 'NaN'"),
+    (r"\b(where|as|that) there (is|are) none\b", "name the thing that is missing"),
     (r"\b[Nn]obody\b|\b[Ww]hoever\b", "name the code that does it"),
 ]
 NO_COMMENT = re.compile(r"SPDX|NOLINT")
@@ -227,7 +227,7 @@ def comments(text):
 
 def words(root):
     """Comments are sentences that a reader understands without parsing them twice."""
-    for path in source_files(root, ["src"], (".h", ".cpp")):
+    for path in source_files(root, ["src", "bench", "examples", "tests"], (".h", ".cpp", ".c")):
         for number, comment in comments(path.read_text(encoding="utf-8")):
             for pattern, remedy in HARD_WORDS:
                 if found := re.search(pattern, comment):

@@ -61,7 +61,7 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
                           static_cast<float>(static_cast<double>(places.position[mark + k]) / unit));
                 ASSERT_EQ(n[static_cast<int>(k)], places.normal[mark + k]);
             }
-            // The tolerance is what is lost where the centre is rounded.
+            // The tolerance is the rounding of the centre.
             const float rounded = 1.1e-7F * (1.0F + glm::length(vector_of(cluster.centre)));
             ASSERT_LE(glm::distance(p, vector_of(cluster.centre)), cluster.radius + rounded);
             ASSERT_GE(glm::dot(n, vector_of(cluster.cone.axis)), cluster.cone.cosine - 1e-6F);

@@ -47,7 +47,7 @@ TEST(OrientCurves, IsRightWithNoise) {
     for (const double noise : {0.01, 0.02, 0.045}) expect_right(test::torus_wires(0.05), noise, 20.0);
 }
 
-// Of more than 6000 points, fewer are enough. With noise of four spacings every sixteenth point still follows the
+// A part of more than 6000 points is enough. With noise of four spacings every sixteenth point still follows the
 // wires.
 TEST(OrientCurves, IsRightOfMany) {
     const Samples wires = test::torus_wires(0.005);

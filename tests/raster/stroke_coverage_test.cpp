@@ -226,7 +226,7 @@ TEST_F(StrokeCoverage, OfThreefoldOverlapsIsTheUnion) {
     }
 }
 
-// Random strokes whose width varies from point to point, and one with so many lines that a row is sampled evenly
+// Random strokes whose width varies from point to point, and one with enough lines for a row to be sampled evenly
 // instead.
 TEST_F(StrokeCoverage, OfScribblesIsTheUnion) {
     const auto number = [](int k, int i, std::size_t which) {

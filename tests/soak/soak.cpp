@@ -59,7 +59,7 @@ constexpr int warm_up = 3; // rounds in which caches are filled
 // 0.5 to 7 MiB, which become rarer with time. This limit hides a leak of less than 1 kB per call in two minutes, and of
 // 0.3 kB in half an hour.
 constexpr std::int64_t room_for_growth = 24LL << 20LL;
-constexpr std::int64_t room_for_pieces = 256LL << 20LL; // of resident memory, which allocation fragments
+constexpr std::int64_t room_for_pieces = 256LL << 20LL; // resident memory, which allocation fragments
 
 std::array<Kind, 7> kinds{{{"model", soak_model, {}},
                            {"point_set", soak_point_set, {}},

@@ -24,7 +24,7 @@ struct PartSamples {
     }
 };
 
-// Of `count` even samples of the unit sphere, those with z > above.
+// Returns those of `count` even samples of the unit sphere that have z > above.
 inline PartSamples sphere_cap(int count, double above) {
     PartSamples samples;
     for (int i = 0; i < count; ++i) {

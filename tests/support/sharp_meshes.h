@@ -214,7 +214,7 @@ inline Triangles chamfered_plate(int cuts) {
 // A step along y = 0 of height x^2 / 4 that fades at x = 0. The side y > 0 is higher. n: squares along each axis.
 inline Triangles fading_step(int n) {
     Triangles mesh;
-    std::vector<std::int32_t> vertex[2]; // of each half
+    std::vector<std::int32_t> vertex[2]; // for each half
     const auto height = [](double x) { return x > 0.0 ? 0.25 * x * x : 0.0; };
     for (int upper = 0; upper < 2; ++upper)
         for (int j = 0; j <= n / 2; ++j)

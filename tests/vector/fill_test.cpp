@@ -46,7 +46,7 @@ std::vector<bool> painted(const std::vector<KeptPath>& paths) {
 struct Filled {
     Sorted sorted;
     double missing = 0.0, excess = 0.0; // shares of the line's area
-    double area = 0.0, length = 0.0;    // of all strokes
+    double area = 0.0, length = 0.0;    // sums over all strokes
 };
 
 Filled filled(const GroupInput& input) {

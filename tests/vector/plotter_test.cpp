@@ -224,7 +224,7 @@ TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
         std::int64_t segments = 0;
         for (const Line& line : result.plotted.lines) segments += static_cast<std::int64_t>(line.size()) - 1;
         EXPECT_EQ(result.counts.segments, segments);
-        EXPECT_LT(segments, tolerance > 0.1 ? 800 : 2000); // of 5850 segments
+        EXPECT_LT(segments, tolerance > 0.1 ? 800 : 2000); // the page has 5850 segments
     }
 }
 

@@ -11,7 +11,7 @@ namespace viewer {
 
 struct Shape {
     std::vector<Vec> points;
-    std::vector<Vec> normals;                           // of a point cloud: one for each point, or empty
+    std::vector<Vec> normals;                           // for a point cloud: one for each point, or empty
     std::vector<std::array<std::int32_t, 3>> triangles; // empty for a point cloud
     std::string format;
 };

@@ -55,9 +55,9 @@ Stage& add(std::vector<Stage>& stages, const std::string& name, Call call, std::
 
 // The amount of work.
 struct StageSizes {
-    int samples = 40;       // of a fit
+    int samples = 40;       // samples of a fit
     int dense_samples = 50; // from which centres are chosen
-    int half_samples = 80;  // of a sphere, of which one half has samples
+    int half_samples = 80;  // samples of a sphere that has them on one half
     int cloud = 9;          // points without normals
     std::int64_t marks = 60;
     std::int64_t places = 100; // points of queries

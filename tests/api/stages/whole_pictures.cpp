@@ -8,7 +8,7 @@
 namespace api_test {
 namespace {
 
-constexpr std::int64_t most_refusals = 8; // of stages that ask for memory thousands of times
+constexpr std::int64_t most_refusals = 8; // for stages that ask for memory thousands of times
 
 // The memory is allocated before the call, so that no request within the call is the test's own.
 struct Sink {
