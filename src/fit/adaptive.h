@@ -10,6 +10,7 @@
 //                     from each other
 #pragma once
 
+#include "base/work.h"
 #include "fit/distance.h"
 #include "fit/fit_centres.h"
 #include "geometry/neighbours.h"

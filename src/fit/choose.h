@@ -2,6 +2,7 @@
 // Chooses which samples become centres: all of them, or a few that represent them.
 #pragma once
 
+#include "base/work.h"
 #include "fit/distance.h"
 #include "fit/fit_centres.h"
 #include "fit/noise.h"

@@ -2,6 +2,7 @@
 // Finds faults in measured samples, and repairs those that the caller wants repaired.
 #pragma once
 
+#include "base/work.h"
 #include "fit/fit.h"
 #include "fit/samples.h"
 

@@ -2,6 +2,7 @@
 // Solves the Hermite system by a dense factorisation and polishes the solution.
 #pragma once
 
+#include "base/work.h"
 #include "fit/solve.h"
 
 namespace hrbfnpr::fit {

@@ -2,6 +2,7 @@
 // One fit with every given sample as a centre.
 #pragma once
 
+#include "base/work.h"
 #include "fit/fit.h"
 #include "fit/samples.h"
 

@@ -7,6 +7,7 @@
 // which is as accurate as the preconditioned system is near the identity.
 #pragma once
 
+#include "base/work.h"
 #include "fit/preconditioner.h"
 
 #include <memory>

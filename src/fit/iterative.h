@@ -2,6 +2,7 @@
 // Solves the Hermite system by preconditioned conjugate gradients, in O(N) memory.
 #pragma once
 
+#include "base/work.h"
 #include "fit/solve.h"
 
 namespace hrbfnpr::fit {

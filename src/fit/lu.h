@@ -3,6 +3,7 @@
 // null space of its side constraints.
 #pragma once
 
+#include "base/work.h"
 #include "fit/system.h"
 
 namespace hrbfnpr::fit {

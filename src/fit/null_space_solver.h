@@ -2,6 +2,7 @@
 // Solves the Hermite system by Cholesky on the null space of its side constraints.
 #pragma once
 
+#include "base/work.h"
 #include "fit/cholesky.h"
 #include "fit/null_space.h"
 

@@ -3,6 +3,7 @@
 // polynomial that explains a residual best.
 #pragma once
 
+#include "base/work.h"
 #include "fit/system.h"
 
 #include <Eigen/Core>

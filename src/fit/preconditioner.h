@@ -7,6 +7,7 @@
 // 2021; for Green's functions Chen, Schaefer, Desbrun, ACM TOG 43, 2024.
 #pragma once
 
+#include "base/work.h"
 #include "fit/system.h"
 #include "geometry/point_tree.h"
 

@@ -2,6 +2,7 @@
 // The product y = A x of a Hermite system, without A. Pairs where the kernel is 0, or below rounding, are left out.
 #pragma once
 
+#include "base/work.h"
 #include "fit/system.h"
 #include "implicit/far_field.h"
 #include "implicit/hermite_sums.h"

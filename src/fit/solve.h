@@ -2,6 +2,7 @@
 // Solves the Hermite system, by the solver that the options or the number of samples ask for.
 #pragma once
 
+#include "base/work.h"
 #include "fit/solver_kind.h"
 #include "fit/system.h"
 

@@ -57,7 +57,6 @@ private:
     const Octree& tree_;
     OctreeInteractions& lists_;
     const base::Progress& progress_;
-    std::int64_t walked_ = 0;
 };
 
 void add_up(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
