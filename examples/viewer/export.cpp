@@ -14,7 +14,7 @@ bool ends_with(const std::string& path, const std::string& ending) {
 }
 
 int page_format(const std::string& path) {
-    static const char* const endings[] = {".svg", ".pdf", ".hpgl", ".gcode"}; // in the order of HRBFNPR_PAGE_FORMAT_...
+    static const char* const endings[] = {".svg", ".pdf", ".hpgl", ".gcode"}; // in the order of HRBFNPR_PAGE_FORMAT_*
     for (int format = 0; format < 4; ++format)
         if (ends_with(path, endings[format])) return format;
     return -1;

@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::api {
 
-// Tells whether a HRBFNPR_NORMALS_... mode needs no normals.
+// Tells whether a HRBFNPR_NORMALS_* mode needs no normals.
 [[nodiscard]] bool may_lack_normals(std::uint32_t mode) noexcept;
 
 // Owns the normals that a mode makes, and reports the findings.

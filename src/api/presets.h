@@ -17,7 +17,7 @@ struct Preset {
     std::span<const hrbfnpr_layer_desc> marks;
 };
 
-// All presets, in the order of the HRBFNPR_PRESET_... constants.
+// All presets, in the order of the HRBFNPR_PRESET_* constants.
 [[nodiscard]] std::span<const Preset> presets() noexcept;
 
 namespace rule {

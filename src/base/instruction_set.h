@@ -6,7 +6,7 @@
 
 namespace hrbfnpr::base {
 
-// Same numbers as HRBFNPR_INSTRUCTION_SET_...; `automatic` is a request, never an answer.
+// Same numbers as HRBFNPR_INSTRUCTION_SET_*; `automatic` is a request, never an answer.
 enum class InstructionSet : std::uint32_t { automatic = 0, baseline = 1, avx2 = 2, avx512 = 3, neon = 4 };
 
 // Returns the best instruction set that both processor and build have, no higher than `highest`.

@@ -7,7 +7,7 @@
 
 namespace hrbfnpr {
 
-// Same numbers as HRBFNPR_STATUS_... in hrbfnpr.h (src/api checks it at compile time).
+// Same numbers as HRBFNPR_STATUS_* in hrbfnpr.h (src/api checks it at compile time).
 enum class Status : std::int32_t {
     ok = 0,
     invalid_argument = -1,

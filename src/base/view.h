@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::base {
 
-// Same numbers as HRBFNPR_SCALAR_...
+// Same numbers as HRBFNPR_SCALAR_*
 enum class Scalar : std::uint32_t { float32 = 1, float64 = 2, uint8 = 3, uint32 = 4, int32 = 5, int64 = 6 };
 
 [[nodiscard]] constexpr std::int64_t size_of(Scalar scalar) noexcept {

@@ -33,7 +33,7 @@ public:
         return tiles_data_.data() + offset(i, j);
     }
 
-    // The row and column of the tile with running number t, in the order (0,0), (1,0), (1,1), (2,0), ...
+    // The row and column of tile t. Tiles are numbered row by row: (0,0) is 0, (1,0) is 1, (1,1) is 2.
     struct Position {
         std::int64_t i, j;
     };

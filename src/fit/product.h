@@ -20,7 +20,7 @@ public:
 
     // Vectors have 4 numbers per sample: value, x, y, z. x and y must not overlap.
     void multiply(const double* x, double* y, const base::Progress& progress);
-    // Returns the elements of the exact product for samples 0, stride, 2 stride, ...
+    // Returns the elements of the exact product for every stride-th sample, from sample 0 on.
     [[nodiscard]] base::Array<double> multiply_some(const double* x, std::int64_t stride,
                                                     const base::Progress& progress);
     // Adds to y what regularization adds to the product.

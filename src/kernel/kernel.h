@@ -6,7 +6,7 @@
 
 namespace hrbfnpr::kernel {
 
-// The numbers equal those of HRBFNPR_KERNEL_...
+// The numbers equal those of HRBFNPR_KERNEL_*
 enum class Kind : std::uint32_t { triharmonic = 0, gaussian = 1, wendland_c2 = 2 };
 
 // psi(d) = phi(|d|) and its derivatives are combinations of four radial functions:

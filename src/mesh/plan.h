@@ -141,7 +141,7 @@ struct FittedEdges {
 // Tells whether make_mesh() keeps a component.
 [[nodiscard]] bool is_kept(const Component& component, bool is_largest, Parts parts) noexcept;
 
-// Tells whether a part has so little of the area that it is lost if it is far away.
+// Tells whether a part is too small in area to be kept if it is far away.
 [[nodiscard]] bool is_crumb(double area, double whole) noexcept;
 // Tells whether a crumb is lost. Its distance from the rest is in diagonals of the rest.
 [[nodiscard]] bool is_lost(double distance) noexcept;

@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::surface {
 
-// The numbers equal those of HRBFNPR_RAY_...
+// The numbers equal those of HRBFNPR_RAY_*
 enum class RayStatus : std::uint8_t { hit = 0, miss = 1, truncated = 2, evaluation_limit = 3, not_finite = 4 };
 
 struct RaySettings {

@@ -14,7 +14,7 @@
 
 namespace hrbfnpr::surface {
 
-// The numbers equal those of HRBFNPR_PROJECTION_...
+// The numbers equal those of HRBFNPR_PROJECTION_*
 enum class ProjectionStatus : std::uint8_t { converged = 0, not_converged = 1, zero_gradient = 2, not_finite = 3 };
 
 struct ProjectionSettings {

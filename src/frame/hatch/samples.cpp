@@ -374,9 +374,9 @@ bool has_seam(const HatchStroke& seen) noexcept {
            seen.range.span().back().end == seen.first + seen.count;
 }
 
-// Marks of a gap count as near, too, if the gap is so short in the picture that the line may go on over it. Where marks
-// were left out, the straight distance counts. In a closed stroke, the marks before the first near one and after the
-// last form one gap.
+// Marks of a gap count as near, too, if the gap is short enough in the picture for the line to go on over it. Where
+// marks were left out, the straight distance counts. In a closed stroke, the marks before the first near one and after
+// the last form one gap.
 void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::near];
