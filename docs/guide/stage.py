@@ -29,10 +29,13 @@ QUICKSTARTS = (("c", "C", "c"), ("cpp", "C++", "cpp"), ("csharp", "C#", "cs"))
 
 
 def figure(match):
-    """Pictures of HTML as Sphinx's own, which are copied into the guide."""
+    """Pictures of HTML as Sphinx's own, which are copied into the guide; several in one paragraph become tiles."""
+    tags = [dict(re.findall(r'(\w+)="([^"]*)"', tag)) for tag in re.findall(r"<img [^>]*>", match.group(0))]
+    if len(tags) > 1:
+        tiles = "\n".join(f"![{of.get('alt', '')}]({of['src']})" for of in tags)
+        return f":::{{container}} tiles\n{tiles}\n:::"
     made = ""
-    for tag in re.findall(r"<img [^>]*>", match.group(0)):
-        of = dict(re.findall(r'(\w+)="([^"]*)"', tag))
+    for of in tags:
         width = f":width: {of['width']}px\n" if of.get("width", "").isdigit() else ""
         alt = json.dumps(of.get("alt", ""), ensure_ascii=False)
         made += f"\n```{{image}} {of['src']}\n:alt: {alt}\n{width}:align: center\n```\n"
@@ -86,16 +89,11 @@ def write(path, text):
 
 
 def index(names):
-    """The first page; pages that its lists of contents lack stand at the end of those on use."""
-    text = (HERE / "index.md").read_text(encoding="utf-8")
-    left = sorted(name for name in names.values() if not re.search(rf"^{re.escape(name)}$", text, re.MULTILINE))
-    return text.replace("\nfile-format\n", "\n" + "\n".join(["file-format", *left]) + "\n")
-
-
-def torus(folder):
-    """The picture of the quick start."""
-    text = (ROOT / "examples/quickstart.py").read_text(encoding="utf-8").replace('"torus.png"', repr(str(folder / "torus.png")))
-    exec(compile(text, "quickstart.py", "exec"), {})
+    """The first page: README.md, and the lists of contents.  The list of how-to pages ends with pages that no list names."""
+    lists = (HERE / "index.md").read_text(encoding="utf-8")
+    left = sorted(name for name in names.values() if not re.search(rf"^{re.escape(name)}$", lists, re.MULTILINE))
+    lists = lists.replace("\nbuilding\n", "\n" + "\n".join(["building", *left]) + "\n")
+    return staged(ROOT / "README.md", names).replace("docs/images/", "images/") + "\n" + lists
 
 
 def quickstarts(target):
@@ -120,10 +118,7 @@ def main():
         write(target / f"{name}.md", staged(ROOT / relative, names))
     shutil.copytree(ROOT / "docs/images", target / "images")
     shutil.copytree(HERE / "static", target / "static")
-    torus(target / "images")
     quickstarts(target)
-    (target / "files").mkdir()
-    shutil.copy(ROOT / "examples/quickstart.py", target / "files")
     write(target / "index.md", index(names))
     for name, text in c_reference.pages(ROOT / "bindings/api.json"):
         write(target / "c" / f"{name}.rst", text)

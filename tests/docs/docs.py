@@ -6,10 +6,11 @@
     docs.py names ROOT                      names of the C interface, of the build and of files that documents name are there
     docs.py presets ROOT                    docs/presets.md has a section and a picture for each named style of the header
     docs.py pictures ROOT                   pictures in docs/images are small, and shown somewhere
+    docs.py readme ROOT                     README.md can be read in five minutes
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
-        README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
-        (or, for a .py, the file itself) leaves a drawing in the current folder; docs/tutorial.md contains steps.c
+        PROGRAM (for a .py, the file itself) leaves a drawing in the current folder.  README.md contains
+        quickstart.c and quickstart.py to the letter, except the licence line; docs/tutorial.md contains steps.c
     docs.py agree ROOT PROGRAM...           the programs write the same torus.svg, and Python does of the same samples
     docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
     docs.py cookbook ROOT                   the same of docs/cookbook.md
@@ -29,7 +30,9 @@ from pathlib import Path
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 LARGEST = {".png": 250_000, ".gif": 1_000_000}  # bytes of a picture
-LANGUAGES = {".c": "c", ".cpp": "cpp", ".py": "python"}
+LANGUAGES = {".c": "c", ".py": "python"}
+LISTED_IN = {"quickstart.c": "README.md", "quickstart.py": "README.md", "steps.c": "docs/tutorial.md"}
+LONGEST_README = 7000  # bytes
 
 
 def documents(root):
@@ -180,6 +183,12 @@ def wrong_pictures(root):
             yield f"docs/{name} is shown by no document"
 
 
+def wrong_readme(root):
+    size = (root / "README.md").stat().st_size
+    if size > LONGEST_README:
+        yield f"README.md has {size} bytes, and may have {LONGEST_README}: move details to a page in docs/"
+
+
 def wrong_versions(root):
     cmake = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     version = re.search(r"^\s*VERSION (\d+\.\d+\.\d+)$", cmake, re.MULTILINE).group(1)
@@ -235,10 +244,11 @@ def drawn_badly(name, path):
 
 def quickstart(root, name, program):
     example = (root / "examples" / name).read_text(encoding="utf-8")
-    document = "docs/tutorial.md" if name.startswith("steps") else "README.md"
-    blocks = code_blocks((root / document).read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
-    if re.sub(r"\A.*SPDX-License-Identifier: MIT.*\n", "", example) not in blocks:
-        yield f"{document} does not contain examples/{name} to the letter"
+    document = LISTED_IN.get(name)
+    if document:
+        blocks = code_blocks((root / document).read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
+        if re.sub(r"\A.*SPDX-License-Identifier: MIT.*\n", "", example) not in blocks:
+            yield f"{document} does not contain examples/{name} to the letter"
     if not program:
         skip_without("cffi", "numpy", "PIL")
     command = program or [sys.executable, str(root / "examples" / name)]
@@ -357,7 +367,7 @@ def guide(root, folder):
 
 CHECKS = {
     "links": broken_links, "glossary": wrong_glossary, "names": wrong_names, "presets": wrong_presets,
-    "pictures": wrong_pictures, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook, "guide": guide,
+    "pictures": wrong_pictures, "readme": wrong_readme, "versions": wrong_versions, "tutorial": tutorial, "cookbook": cookbook, "guide": guide,
 }  # fmt: skip
 
 

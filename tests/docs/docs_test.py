@@ -95,6 +95,7 @@ BREAKS = [
     ("presets", "include/hrbfnpr.h", "= 0", "= 0, HRBFNPR_PRESET_WASH = 1"),
     ("presets", "include/hrbfnpr.h", "PRESET", "PRE"),
     ("pictures", "docs/images/presets/x-ray.png", "a picture", "a" * 250_001),
+    ("readme", "README.md", "afar", "afar " * 1400),
     ("pictures", "docs/presets.md", 'src="images/presets/x-ray.png"', 'src="images/presets/xray.png"'),
     ("names", "docs/glossary.md", "change.", "change, such as hrbfnpr_invented."),
 ]
