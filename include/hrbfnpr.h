@@ -1,14 +1,14 @@
 /*
  * hrbfnpr.h: Hermite RBF implicit surfaces, drawn in pen and ink.
  *
- * A few point-and-normal samples become a smooth implicit surface; marks are
- * placed on it; each frame draws the marks into a caller's image, or hands
- * them over as vertex arrays.  The method is that of
+ * The library fits a smooth implicit surface to points with normals, places
+ * marks on the surface, and draws the marks into an image of the caller or
+ * hands them over as vertex arrays.  The method is that of
  *
  *   Vital Brazil, Macedo, Sousa, Velho, de Figueiredo: "A Few Good Samples:
  *   Shape & Tone Depiction for Hermite RBF Implicits", NPAR 2010,
  *
- * cited below as [NPAR] with a section number.
+ * which the comments below cite as [NPAR] with a section number.
  *
  * SPDX-License-Identifier: MIT
  */
@@ -22,78 +22,93 @@
  * 0  CONTRACTS that hold for every function below
  * ==========================================================================
  *
- * Handles.  A handle is an opaque pointer.  A call that takes `const T*` may
- *   run at the same time on several threads with the same handle; a call that
- *   takes `T*` needs the handle for itself.  Exceptions are named where they
- *   stand (retain, release and hrbfnpr_operation_cancel run on any thread).
- *   A context may serve calls of several threads at the same time; its
- *   callbacks are then called by as many.
+ * Handles.  A handle is an opaque pointer.  Several threads may call functions
+ *   that take `const T*` with the same handle at the same time.  A function
+ *   that takes `T*` must be the only one that uses the handle.  Comments name
+ *   the exceptions: _retain, _release and hrbfnpr_operation_cancel run on any
+ *   thread at any time.  Several threads may use one context at the same time;
+ *   its callbacks then run on all these threads.
  *
  * Ownership.  `_create`, `_fit`, `_generate` and `_load` return a handle with
- *   one reference, `_retain` adds one, `_release` takes one away and accepts
- *   NULL.  A child keeps what it needs of its parent alive, so handles may be
- *   released in any order.  Input arrays are read during the call only; no
- *   call keeps a pointer to caller memory unless it says so.  Nothing that
- *   this library returns has to be freed by the caller.
+ *   one reference.  `_retain` adds a reference.  `_release` removes one; the
+ *   last one destroys the object.  Both ignore NULL.  A handle keeps alive
+ *   whatever it needs of other handles, so handles may be released in any
+ *   order.  A call reads input arrays before it returns and keeps no pointer to
+ *   the caller's memory, unless its comment says so.  The caller never frees
+ *   memory that the library returns.
  *
- * Descriptors.  A struct whose first field is `struct_size` is set up with
- *   its `_init(desc, sizeof *desc)` function, which fills in every default.
- *   Structs only ever grow at their end.  A shorter (older) struct gets the
- *   defaults for the fields it lacks; a longer (newer) one is refused with
- *   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
- *   zero.  Output structs (`_info`) are filled up to their `struct_size`.
- *   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
- *   caller's arrays; the numbers in them are written where there is room.
- *   A struct_size below 8 or above 65536 was never set up, and is refused
- *   with the same status; `_init` of NULL is INVALID_ARGUMENT.
- *   Fields named `reserved` must be zero.
+ * Descriptors.  A struct whose first field is `struct_size` must be set up with
+ *   its function `_init(desc, sizeof *desc)`, which sets every field to its
+ *   default.  New versions of the library add fields at the end of a struct
+ *   only.  An older caller's struct is shorter: the missing fields have their
+ *   defaults.  A newer caller's struct is longer: it is refused with
+ *   UNSUPPORTED_STRUCT if the unknown fields are not all zero.  A struct_size
+ *   below 8 or above 65536 is refused with the same status, because the struct
+ *   was not set up.  `_init` of NULL returns INVALID_ARGUMENT.  Fields named
+ *   `reserved` must be zero.
  *
- * Lists.  A list of structs is a pointer, a count and a stride: bytes from one
- *   element to the next, 0 = the first one's struct_size.  Each element is a
- *   descriptor with a struct_size of its own.  Lists have no largest length
- *   but the one that a message names.
+ * Results.  Output structs (`_info`) are filled up to their struct_size.
+ *   Result structs (_projection, _curvature, _ray_hits) describe arrays of the
+ *   caller that a call fills; the numbers in them are written if struct_size
+ *   has room for them.
  *
- * Failure.  Calls that can fail return a status and take, last, a nullable
- *   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
- *   untouched, sets `*out_handle` to NULL, and says in the message which
- *   argument was wrong, how, and what would be right.  No C++ exception, no
- *   abort and no signal leaves the library; it prints nothing.  One
- *   exception is stated: a CANCELLED or failed batch call (evaluate, project,
- *   curvature, cast_rays, contains) may already have written a part of its arrays.
+ * Lists.  A list of structs is a pointer, a count and a stride.  The stride is
+ *   the number of bytes from one element to the next; 0 = the struct_size of
+ *   the first element.  Each element is a descriptor with its own struct_size.
+ *   If a list is too long, the message names the largest length.
  *
- * Arrays.  Strides are in bytes and may be negative or larger than the
- *   element; 0 means packed.  Elements need no alignment beyond one byte.
- *   count * stride is checked for overflow before anything is touched.
- *   Input and output arrays of one call must not overlap unless the call
- *   says that they may.
+ * Failure.  A call that can fail returns a status.  Its last parameter is an
+ *   hrbfnpr_error, which may be NULL.  A failed call leaves the caller's arrays
+ *   and output structs untouched and sets `*out_handle` to NULL.  The message
+ *   names the wrong argument, says what is wrong, and says what to do.  No C++
+ *   exception, abort or signal leaves the library, and it prints nothing.  One
+ *   exception: if one of the calls evaluate, project, curvature, cast_rays and
+ *   contains fails or is cancelled, it may already have written a part of its
+ *   arrays.
  *
- * Geometry.  Frames are right-handed.  Matrices are column-major, 16 doubles,
- *   and act on column vectors (OpenGL's layout).  Pixel (i, j) covers
- *   [i, i+1) x [j, j+1), its centre at (i + 0.5, j + 0.5); j grows downward
- *   from the first row that is given.  Lengths are in the unit of the caller's
- *   samples unless a comment says pixels.  Normals point outward.  "Diagonal"
- *   always means the length of the diagonal of the samples' bounding box.
+ * Common errors.  Comments list the errors that are special to a call.  In
+ *   addition, every call may return INVALID_ARGUMENT (a needed pointer is NULL,
+ *   or an argument is out of its range), UNSUPPORTED_STRUCT (see Descriptors),
+ *   OUT_OF_MEMORY, CANCELLED (if it takes an operation) and CALLBACK (a custom
+ *   function or run_tasks of the caller failed).
  *
- * Determinism.  The same input gives the same bits for any thread count and from
- *   every thread backend, on one build and instruction set.
+ * Arrays.  Strides are in bytes.  They may be negative or larger than the
+ *   element; 0 = packed.  Elements need no alignment.  Every call checks
+ *   count * stride for overflow before it touches the array.  Input and output
+ *   arrays of one call must not overlap, unless the comment of the call allows
+ *   it.
  *
- * Threads.  A context starts its threads with the first call that needs them and
- *   ends them with the last reference to it; with thread_count 1 or a `run_tasks`
- *   hook it starts none.  They take no signals of the host's.  A forked child may
- *   go on with contexts of its parent, which start threads anew in it, but not in
- *   the middle of a call (from a callback).  Unloaded while a context has threads,
- *   the library stays in memory.  Callbacks run only on the thread that entered
- *   the library, unless flagged thread-safe.  No call changes the caller's
+ * Geometry.  Coordinate systems are right-handed.  A matrix has 16 doubles in
+ *   column-major order and acts on column vectors, as in OpenGL.  Pixel (i, j)
+ *   covers [i, i+1) x [j, j+1); its centre is at (i + 0.5, j + 0.5), and j
+ *   grows downward from the first row.  Lengths are in the unit of the caller's
+ *   samples, unless a comment says otherwise.  Normals point outward.
+ *   "Diagonal" is the length of the diagonal of the samples' bounding box; for
+ *   a model without samples, that of its bounds.  The "search box" of a model
+ *   is the box of its bounds, enlarged by 0.05 diagonals on every side.
+ *
+ * Determinism.  The same input gives the same bits for every number of threads
+ *   and every thread backend, on one build and one instruction set.
+ *
+ * Threads.  A context starts its threads in the first call that needs them and
+ *   ends them with the last reference to it.  With thread_count 1 or a
+ *   `run_tasks` callback it starts none.  The library's threads take no signals
+ *   of the host.  After fork() the child may go on with the parent's contexts,
+ *   which start new threads in it, but the fork must not happen inside a call
+ *   (in a callback).  If the library is unloaded while a context has threads, it
+ *   stays in memory.  Callbacks run only on the thread that called the library,
+ *   unless they are flagged thread-safe.  No call changes the caller's
  *   floating-point state, locale or OpenMP settings.
  *
- * Stacks.  Every call but hrbfnpr_model_fit, _fit_mesh and hrbfnpr_orient does with a
- *   thread's stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
- *   three need 512 KiB, on the thread that calls them and, with a `run_tasks` hook,
- *   on those that run their tasks.  No stack depends on the number of samples or marks.
+ * Stacks.  Every call except hrbfnpr_model_fit, hrbfnpr_model_fit_mesh and
+ *   hrbfnpr_orient runs on a thread stack of 64 KiB; 12 KiB of them are for the
+ *   caller's own frames and callbacks.  These three calls need 512 KiB on the
+ *   calling thread and, with `run_tasks`, on the threads that run their tasks.
+ *   The stack does not grow with the number of samples or marks.
  *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or
- *   call back into the library with the same non-const handle.  It runs in the
- *   default floating-point state (round to nearest, nothing trapped).
+ *   call the library with the same non-const handle.  It runs in the default
+ *   floating-point state (round to nearest, no traps).
  */
 
 #if defined(_WIN32)
@@ -120,8 +135,8 @@ extern "C" {
  * ==========================================================================
  */
 
-/* The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
- * library's SONAME; it moves only when an existing binary would break. */
+/* The version of this header.  HRBFNPR_ABI_VERSION is the number in the SONAME
+ * of the shared library.  It changes only when an existing binary would break. */
 enum {
     HRBFNPR_VERSION_MAJOR = 0,
     HRBFNPR_VERSION_MINOR = 1,
@@ -129,13 +144,13 @@ enum {
     HRBFNPR_ABI_VERSION = 1
 };
 
-/* The library's version as major * 10000 + minor * 100 + patch. */
+/* Returns the library's version as major * 10000 + minor * 100 + patch. */
 HRBFNPR_API uint32_t hrbfnpr_version(void);
 
-/* The library's ABI version; compare it with HRBFNPR_ABI_VERSION. */
+/* Returns the library's ABI version.  Compare it with HRBFNPR_ABI_VERSION. */
 HRBFNPR_API uint32_t hrbfnpr_abi_version(void);
 
-/* "major.minor.patch", static, UTF-8, never NULL. */
+/* Returns the library's version as "major.minor.patch": static, UTF-8, never NULL. */
 HRBFNPR_API const char* hrbfnpr_version_string(void);
 
 /*
@@ -144,204 +159,239 @@ HRBFNPR_API const char* hrbfnpr_version_string(void);
  * ==========================================================================
  */
 
-/* 0 is success, negative numbers are failures; numbers are fixed for ever.
- * Treat a number that is not in this list like INTERNAL. */
+/* The result of a call.  0 is success, negative numbers are failures.  The
+ * numbers never change.  Treat a number that is not in the list like INTERNAL. */
 typedef int32_t hrbfnpr_status;
 
 enum {
-    HRBFNPR_STATUS_OK = 0,
-    HRBFNPR_STATUS_INVALID_ARGUMENT = -1,   /* the message names the argument and the remedy */
-    HRBFNPR_STATUS_OUT_OF_MEMORY = -2,      /* the allocator said no */
-    HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3,   /* the needed size has been written, nothing else */
-    HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, /* struct_size too small, or an unknown tail is not zero */
-    HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,    /* the fit has no (numerically) unique solution */
-    HRBFNPR_STATUS_NOT_CONVERGED = -6,      /* an iteration ended short of its goal */
-    HRBFNPR_STATUS_CANCELLED = -7,          /* by hrbfnpr_operation_cancel */
+    HRBFNPR_STATUS_OK = 0,                  /* success */
+    HRBFNPR_STATUS_INVALID_ARGUMENT = -1,   /* an argument is wrong: the message names it and says what to do */
+    HRBFNPR_STATUS_OUT_OF_MEMORY = -2,      /* the allocator returned NULL */
+    HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3,   /* only the needed size has been written */
+    HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, /* struct_size is out of range, or unknown fields are not zero */
+    HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,    /* the fit has no numerically unique solution */
+    HRBFNPR_STATUS_NOT_CONVERGED = -6,      /* an iteration ended before it reached its goal */
+    HRBFNPR_STATUS_CANCELLED = -7,          /* hrbfnpr_operation_cancel or a progress callback ended the call */
     HRBFNPR_STATUS_IO = -8,                 /* a read or write callback failed */
-    HRBFNPR_STATUS_CORRUPT_DATA = -9,       /* a stream is not ours, truncated or damaged */
-    HRBFNPR_STATUS_VERSION_MISMATCH = -10,  /* a stream, or the caller's header, is too new */
-    HRBFNPR_STATUS_CALLBACK = -11,          /* a caller's callback returned non-zero */
+    HRBFNPR_STATUS_CORRUPT_DATA = -9,       /* a stream is of another format, truncated or damaged */
+    HRBFNPR_STATUS_VERSION_MISMATCH = -10,  /* a stream, or the caller's header, is newer than the library */
+    HRBFNPR_STATUS_CALLBACK = -11,          /* a callback of the caller returned non-zero or gave invalid results */
     HRBFNPR_STATUS_INTERNAL = -99           /* a bug in the library: please report it */
 };
 
-/* Name of a status, such as "INVALID_ARGUMENT"; "UNKNOWN" for a number that is
- * not in the list.  Static, never NULL. */
+/* Returns the name of a status, such as "INVALID_ARGUMENT", or "UNKNOWN" for a
+ * number that is not in the list.  The text is static and never NULL. */
 HRBFNPR_API const char* hrbfnpr_status_name(hrbfnpr_status status);
 
-/* A failure in words.  The caller owns it and sets struct_size (by
- * hrbfnpr_error_init) before the first use; it can be used again and again.
- * A successful call leaves it untouched. */
+/* Describes a failure in words.  The caller owns it, sets it up once with
+ * hrbfnpr_error_init, and may use it for any number of calls.  A successful
+ * call leaves it untouched, and so does a call if struct_size is below 256. */
 typedef struct hrbfnpr_error {
-    uint32_t struct_size;
-    hrbfnpr_status status;
-    char message[248]; /* UTF-8, always terminated, cut at a character where it does not fit */
+    uint32_t struct_size;  /* bytes; set by hrbfnpr_error_init */
+    hrbfnpr_status status; /* the status that the failed call returned */
+    char message[248];     /* UTF-8, zero-terminated; a longer message is cut between two characters */
 } hrbfnpr_error;
 
-/* Sets struct_size, OK and an empty message.
- * INVALID_ARGUMENT if `error` is NULL, UNSUPPORTED_STRUCT if struct_size < 256. */
+/* Sets struct_size, the status OK and an empty message.
+ *
+ * Errors: INVALID_ARGUMENT: `error` is NULL.  UNSUPPORTED_STRUCT: struct_size is
+ * below 256. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
 
-/* What this build is, as one JSON object: version, abi, compiler,
- * instruction_sets, thread_backends, dependencies.  Writes up to `capacity`
- * bytes with a terminating zero; `*needed` (nullable) gets the bytes needed.
- * BUFFER_TOO_SMALL writes nothing to `destination`.  destination may be NULL
- * when capacity is 0. */
+/* Writes what this build of the library is, as one JSON object with the keys
+ * version, abi, compiler, instruction_sets, thread_backends and dependencies.
+ *
+ * destination:   receives the text with a terminating zero; may be NULL if capacity is 0
+ * capacity:      the size of destination in bytes, 0 or more
+ * needed:        receives the bytes that the text needs, with its zero; may be NULL
+ *
+ * Errors: BUFFER_TOO_SMALL: capacity is below *needed; only *needed is written. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
 
-/* How this build lays out a struct, such as "hrbfnpr_fit_desc", as one JSON
- * object: name, size, align, and fields, a list of objects with name, type,
- * offset and size (bytes) in the header's order; of NULL a list of all structs.
- * A binding can compare its own structs with it before the first call.  Static,
- * UTF-8; NULL where there is no struct of that name. */
+/* Returns how this build lays out a struct, such as "hrbfnpr_fit_desc", as one
+ * JSON object.  Its keys are name, size, align and fields: a list of objects with
+ * name, type, offset and size (bytes), in the order of the header.  For NULL it
+ * returns a list of all structs.  A binding can compare its own structs with it
+ * before the first call.  The text is static and UTF-8.  The result is NULL if
+ * there is no struct of that name. */
 HRBFNPR_API const char* hrbfnpr_layout(const char* name);
 
 /*
  * ==========================================================================
- * 3  VIEWS of caller's memory
+ * 3  VIEWS of the caller's memory
  * ==========================================================================
  */
 
+/* The type of the numbers in an array. */
 enum {
-    HRBFNPR_SCALAR_FLOAT32 = 1,
-    HRBFNPR_SCALAR_FLOAT64 = 2,
-    HRBFNPR_SCALAR_UINT8 = 3,
-    HRBFNPR_SCALAR_UINT32 = 4,
-    HRBFNPR_SCALAR_INT32 = 5,
-    HRBFNPR_SCALAR_INT64 = 6
+    HRBFNPR_SCALAR_FLOAT32 = 1, /* float */
+    HRBFNPR_SCALAR_FLOAT64 = 2, /* double */
+    HRBFNPR_SCALAR_UINT8 = 3,   /* uint8_t */
+    HRBFNPR_SCALAR_UINT32 = 4,  /* uint32_t */
+    HRBFNPR_SCALAR_INT32 = 5,   /* int32_t */
+    HRBFNPR_SCALAR_INT64 = 6    /* int64_t */
 };
 
-/* `count` elements of `components` scalars each, `stride` bytes apart.
- * An array with data NULL and count 0 is "not given".  Never owns. */
+/* A view of an array that a call reads: `count` elements of `components` scalars
+ * each, `stride` bytes apart.  It does not own the memory.  An array with data
+ * NULL and count 0 is "not given". */
 typedef struct hrbfnpr_array {
-    const void* data;
-    int64_t count;
-    int64_t stride;      /* bytes from one element to the next; 0 = packed; may be negative */
-    uint32_t scalar;     /* HRBFNPR_SCALAR_... */
-    uint32_t components; /* scalars in an element, packed side by side */
+    const void* data;    /* the first element */
+    int64_t count;       /* number of elements */
+    int64_t stride;      /* bytes from one element to the next; may be negative; 0 = packed */
+    uint32_t scalar;     /* HRBFNPR_SCALAR_...: the type of each scalar */
+    uint32_t components; /* number of scalars in an element, packed side by side */
 } hrbfnpr_array;
 
-/* The same for memory that a call writes. */
+/* A view of an array that a call writes.  The fields are those of hrbfnpr_array. */
 typedef struct hrbfnpr_array_out {
-    void* data;
-    int64_t count;
-    int64_t stride;
-    uint32_t scalar;
-    uint32_t components;
+    void* data;          /* the first element */
+    int64_t count;       /* number of elements */
+    int64_t stride;      /* bytes from one element to the next; may be negative; 0 = packed */
+    uint32_t scalar;     /* HRBFNPR_SCALAR_...: the type of each scalar */
+    uint32_t components; /* number of scalars in an element, packed side by side */
 } hrbfnpr_array_out;
 
-/* Channels in the order of memory, 8 bits each, or floats.  PREMULTIPLIED:
- * colour times alpha.  Colours are sRGB-encoded. */
+/* The format of an image's pixels.  The name gives the order of the channels in
+ * memory.  A channel has 8 bits or is a float.  Colours are sRGB-encoded.
+ * PREMULTIPLIED: colours are multiplied by alpha. */
 enum {
-    HRBFNPR_FORMAT_RGBA8 = 1,
-    HRBFNPR_FORMAT_BGRA8 = 2,
-    HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,
-    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4,
-    HRBFNPR_FORMAT_RGBA32F = 5,               /* FLOAT32 in [0,1], aligned to 4 bytes */
-    HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6,
-    HRBFNPR_FORMAT_COVERAGE8 = 7              /* one byte: how much of the pixel ink covers, whatever its colour */
+    HRBFNPR_FORMAT_RGBA8 = 1,                 /* 4 bytes */
+    HRBFNPR_FORMAT_BGRA8 = 2,                 /* 4 bytes */
+    HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,   /* 4 bytes */
+    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4,   /* 4 bytes */
+    HRBFNPR_FORMAT_RGBA32F = 5,               /* 4 FLOAT32 from 0 to 1, aligned to 4 bytes */
+    HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6, /* 4 FLOAT32 from 0 to 1, aligned to 4 bytes */
+    HRBFNPR_FORMAT_COVERAGE8 = 7              /* one byte: the share of the pixel that ink covers, of any colour */
 };
 
-/* An image of the caller's.  `pixels` is the top-left pixel, whatever the sign
- * of row_stride; a bottom-up image passes its last row and a negative stride. */
+/* An image of the caller.  `pixels` is the top-left pixel for either sign of
+ * row_stride: for an image that is stored bottom-up, pass the address of its
+ * last row and a negative row_stride. */
 typedef struct hrbfnpr_image {
     uint32_t struct_size;
-    uint32_t format; /* HRBFNPR_FORMAT_... */
-    int32_t width;   /* pixels, 1 .. 32768 */
-    int32_t height;
-    void* pixels;
-    int64_t row_stride; /* bytes from a row to the one below; 0 = packed; |row_stride| >= a row's bytes */
+    uint32_t format;    /* HRBFNPR_FORMAT_...; default RGBA8 */
+    int32_t width;      /* pixels; 1 to 32768 */
+    int32_t height;     /* pixels; 1 to 32768 */
+    void* pixels;       /* the top-left pixel */
+    int64_t row_stride; /* bytes from a row to the row below; at least a row's bytes, or their negative; 0 = packed */
 } hrbfnpr_image;
 
+/* Sets every field to its default; the size and the pixels are the caller's to set. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
 
 /*
  * ==========================================================================
- * 4  CONTEXT: allocator, threads, log.  Everything else hangs on one.
+ * 4  CONTEXT: allocator, threads and log, which everything else needs
  * ==========================================================================
  */
 
+/* A handle that holds the allocator, the threads and the log.  All other handles
+ * are made from a context. */
 typedef struct hrbfnpr_context hrbfnpr_context;
 
-/* Returns `size` bytes aligned to `alignment` (a power of two), or NULL.
- * Called from any thread that runs the library's work. */
+/* Allocates `size` bytes with an alignment of `alignment` bytes, a power of two.
+ * It returns NULL if there is no memory; the call then fails with OUT_OF_MEMORY.
+ * It runs on every thread that does the library's work. */
 typedef void* (*hrbfnpr_allocate_fn)(void* user, uint64_t size, uint64_t alignment);
-/* Gives back what allocate returned, with the same size and alignment. */
+/* Frees memory that the allocate function returned.  size and alignment are
+ * those of the allocation. */
 typedef void (*hrbfnpr_deallocate_fn)(void* user, void* memory, uint64_t size, uint64_t alignment);
 
-enum { HRBFNPR_LOG_DEBUG = 0, HRBFNPR_LOG_INFO = 1, HRBFNPR_LOG_WARNING = 2 };
+/* The level of a message in the log. */
+enum {
+    HRBFNPR_LOG_DEBUG = 0,  /* details for developers of the library */
+    HRBFNPR_LOG_INFO = 1,   /* what a call did, with counts and times */
+    HRBFNPR_LOG_WARNING = 2 /* the result may not be what the caller expects */
+};
 
-/* Runs on the thread that entered the library.  `message` is UTF-8 and lives
- * for the call only. */
+/* Receives a message of the log.  `message` is UTF-8 and valid only during the
+ * callback, which runs on the thread that called the library. */
 typedef void (*hrbfnpr_log_fn)(void* user, int32_t level, const char* message);
 
-/* One task of the library's: call it once for every index in [0, count). */
+/* A task of the library, which the caller's hrbfnpr_run_tasks_fn calls once for
+ * every index in [0, count). */
 typedef void (*hrbfnpr_task_fn)(void* task_context, int64_t index);
-/* The host's job runner: calls task(task_context, i) once for every
- * i in [0, task_count), on any threads, in any order, and returns when all
- * have ended.  It may be called again from inside a task's thread.  A call that
- * finds tasks left out or run twice fails with CALLBACK and says how many. */
+/* Runs tasks on the caller's job system: it calls task(task_context, i) once for
+ * every i in [0, task_count), on any threads and in any order, and returns when
+ * all calls have ended.  The library may call it again on a thread that runs a
+ * task.  If tasks were left out or ran twice, the library call fails with
+ * CALLBACK, and the message gives their number. */
 typedef void (*hrbfnpr_run_tasks_fn)(void* user, hrbfnpr_task_fn task, void* task_context,
                                      int64_t task_count);
 
-/* Instruction sets, for `highest_instruction_set` and `instruction_set`. */
+/* Instruction sets of processors, for `highest_instruction_set` and `instruction_set`. */
 enum {
-    HRBFNPR_INSTRUCTION_SET_AUTO = 0,     /* the best that build and processor have */
-    HRBFNPR_INSTRUCTION_SET_BASELINE = 1, /* what the library was compiled for */
-    HRBFNPR_INSTRUCTION_SET_AVX2 = 2,
-    HRBFNPR_INSTRUCTION_SET_AVX512 = 3,
-    HRBFNPR_INSTRUCTION_SET_NEON = 4
+    HRBFNPR_INSTRUCTION_SET_AUTO = 0,     /* the best one that both the build and the processor have */
+    HRBFNPR_INSTRUCTION_SET_BASELINE = 1, /* the one that the library was compiled for */
+    HRBFNPR_INSTRUCTION_SET_AVX2 = 2,     /* x86: 256 bits */
+    HRBFNPR_INSTRUCTION_SET_AVX512 = 3,   /* x86: 512 bits */
+    HRBFNPR_INSTRUCTION_SET_NEON = 4      /* Arm: 128 bits */
 };
 
-/* Who runs the library's tasks.  The results are the same bits from all. */
+/* Which threads run the library's tasks.  The choice does not change the bits of
+ * any result.  docs/hosts.md compares them. */
 enum {
-    HRBFNPR_THREAD_BACKEND_AUTO = 0,      /* RUN_TASKS where that is given, else POOL */
-    HRBFNPR_THREAD_BACKEND_POOL = 1,      /* threads of the context's own.  The calling thread takes part and waits
-                                             only for tasks that others have begun, so a processor that is busy
-                                             elsewhere costs little; idle threads sleep (docs/hosts.md) */
-    HRBFNPR_THREAD_BACKEND_OPENMP = 2,    /* the OpenMP runtime's, shared with a host that uses it; serial in a forked
-                                             child.  For processors that nobody else wants.  INVALID_ARGUMENT in a
-                                             build without it (hrbfnpr_build_info: thread_backends) */
-    HRBFNPR_THREAD_BACKEND_RUN_TASKS = 3, /* the host's job system */
+    HRBFNPR_THREAD_BACKEND_AUTO = 0,      /* RUN_TASKS if run_tasks is given, else POOL */
+    HRBFNPR_THREAD_BACKEND_POOL = 1,      /* threads that the context owns.  The calling thread takes part and waits
+                                             only for tasks that others have begun, so a processor that is busy with
+                                             other work costs little.  Idle threads sleep */
+    HRBFNPR_THREAD_BACKEND_OPENMP = 2,    /* the threads of the OpenMP runtime, shared with a host that uses it; serial
+                                             in a forked child.  Use it only if no other work needs the processors.
+                                             INVALID_ARGUMENT in a build without OpenMP (hrbfnpr_build_info lists
+                                             thread_backends) */
+    HRBFNPR_THREAD_BACKEND_RUN_TASKS = 3, /* the host's job system, through run_tasks */
     HRBFNPR_THREAD_BACKEND_SERIAL = 4     /* the calling thread alone, as with thread_count 1 */
 };
 
+/* How a context works. */
 typedef struct hrbfnpr_context_desc {
     uint32_t struct_size;
-    uint32_t abi_version;  /* _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
-    int32_t thread_count;  /* 0 = all processors (default), 1 = serial; at most 256 are used */
+    uint32_t abi_version;  /* set by _init to HRBFNPR_ABI_VERSION.  Another number is VERSION_MISMATCH */
+    int32_t thread_count;  /* number of threads; 0 or more; default 0 = one for each processor; 1 = serial.  At most 256
+                              are used */
     uint32_t flags;        /* must be 0 */
-    uint32_t thread_backend;          /* HRBFNPR_THREAD_BACKEND_...; AUTO */
-    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; AUTO */
-    hrbfnpr_allocate_fn allocate;     /* both or none; none = aligned operator new */
-    hrbfnpr_deallocate_fn deallocate;
-    void* allocator_user;
-    hrbfnpr_log_fn log; /* may be NULL */
-    void* log_user;
-    int32_t log_level;  /* HRBFNPR_LOG_...: less than this is not reported; DEBUG */
+    uint32_t thread_backend;          /* HRBFNPR_THREAD_BACKEND_...; default AUTO */
+    uint32_t highest_instruction_set; /* HRBFNPR_INSTRUCTION_SET_...; default AUTO.  A cap: better ones are not used */
+    hrbfnpr_allocate_fn allocate;     /* NULL (default) = aligned operator new.  Give both functions or neither */
+    hrbfnpr_deallocate_fn deallocate; /* NULL (default) = operator delete */
+    void* allocator_user;             /* passed to allocate and deallocate */
+    hrbfnpr_log_fn log; /* receives messages; NULL (default) = no log */
+    void* log_user;     /* passed to log */
+    int32_t log_level;  /* HRBFNPR_LOG_...; default DEBUG.  Messages below this level are not reported */
     uint32_t reserved;
-    hrbfnpr_run_tasks_fn run_tasks; /* may be NULL; only with thread_backend AUTO or RUN_TASKS */
-    void* run_tasks_user;
+    hrbfnpr_run_tasks_fn run_tasks; /* the host's job system; NULL (default) = none.  Needs thread_backend AUTO or
+                                       RUN_TASKS */
+    void* run_tasks_user;           /* passed to run_tasks */
 } hrbfnpr_context_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size);
 
-/* `desc` may be NULL for all defaults.  The callbacks and their user pointers
- * must outlive the context and everything that was made from it. */
+/* Creates a context.  `desc` NULL = all defaults.  The callbacks and their user
+ * pointers must stay valid until the context and everything that was made from
+ * it are released.
+ *
+ * Errors: VERSION_MISMATCH: the header and the library have different ABI
+ * versions. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc,
                                                   hrbfnpr_context** out_context, hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_context_retain(hrbfnpr_context* context);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_context_release(hrbfnpr_context* context); /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_context_retain(hrbfnpr_context* context);  /* Adds a reference.  Any thread. */
+HRBFNPR_API void hrbfnpr_context_release(hrbfnpr_context* context); /* Removes a reference.  Any thread. */
 
+/* The settings that a context uses, and its memory. */
 typedef struct hrbfnpr_context_info {
     uint32_t struct_size;
-    int32_t thread_count;     /* threads that a large call will use */
+    int32_t thread_count;     /* number of threads that a large call uses */
     uint32_t instruction_set; /* the one in use */
     uint32_t thread_backend;  /* HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL */
-    int64_t bytes_now;  /* allocated through this context at present */
-    int64_t bytes_peak; /* the most there ever were */
+    int64_t bytes_now;  /* bytes that are allocated through this context now */
+    int64_t bytes_peak; /* the largest number of bytes that were ever allocated at the same time */
 } hrbfnpr_context_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size);
+/* Fills `info` with the settings in use and the memory of a context. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context,
                                                     hrbfnpr_context_info* info, hrbfnpr_error* error);
 
@@ -350,603 +400,683 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* conte
  * 5  OPERATION: progress and cancelling of one long call
  * ==========================================================================
  *
- * Pass one to a long call; poll and cancel it from any thread.  It may serve
- * one call at a time, and further calls one after the other: each resets the
- * progress to 0.  A cancelled operation stays cancelled and makes each further
- * call that it is passed to return CANCELLED at once.
+ * Pass an operation to a long call, then poll and cancel it from any thread.  An
+ * operation serves one call at a time; a second call at the same time fails with
+ * INVALID_ARGUMENT.  It may serve other calls afterwards: each sets the progress
+ * back to 0.  A cancelled operation stays cancelled, and every later call that
+ * takes it returns CANCELLED at once.
  */
 
+/* A handle through which one long call reports its progress and is cancelled. */
 typedef struct hrbfnpr_operation hrbfnpr_operation;
 
-/* Runs on the thread that entered the long call, at irregular intervals, with
- * a progress in [0,1] that never falls within a call.  Return 0 to go on,
- * anything else to cancel (the call then returns CANCELLED). */
+/* Receives the progress of a call, from 0 to 1, at irregular intervals.  The
+ * progress never falls within a call.  The callback runs on the thread that made
+ * the call.  Return 0 to go on; any other number cancels the call, which then
+ * returns CANCELLED. */
 typedef int32_t (*hrbfnpr_progress_fn)(void* user, double progress);
 
+/* Creates an operation. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context,
                                                     hrbfnpr_operation** out_operation,
                                                     hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_operation_retain(hrbfnpr_operation* operation);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation); /* any thread; NULL is ignored */
-/* Any thread, any time, more than once; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_operation_retain(hrbfnpr_operation* operation);  /* Adds a reference.  Any thread. */
+HRBFNPR_API void hrbfnpr_operation_release(hrbfnpr_operation* operation); /* Removes a reference.  Any thread. */
+/* Cancels the call that uses the operation, and all later ones.  Any thread, any
+ * time, any number of times.  NULL is ignored. */
 HRBFNPR_API void hrbfnpr_operation_cancel(hrbfnpr_operation* operation);
-/* 1 after a cancel, else 0.  Any thread. */
+/* Returns 1 after a cancel, else 0.  Any thread.  NULL gives 0. */
 HRBFNPR_API int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation);
-/* Progress of the call in [0,1].  Any thread. */
+/* Returns the progress of the call, from 0 to 1.  Any thread.  NULL gives 0. */
 HRBFNPR_API double hrbfnpr_operation_progress(const hrbfnpr_operation* operation);
-/* Not while a call that uses the operation runs.  `callback` NULL removes it. */
+/* Sets the function that receives the progress; `callback` NULL removes it.
+ *
+ * Errors: INVALID_ARGUMENT: a call uses the operation at present. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation,
                                                           hrbfnpr_progress_fn callback, void* user,
                                                           hrbfnpr_error* error);
 
 /*
- * Streams, for saving and loading.  Both run on the thread that entered.
+ * Streams save and load models and point sets.  Both callbacks run on the thread
+ * that called the library.
  */
 
-/* Writes all `size` bytes; returns 0, or anything else for failure (IO). */
+/* Writes all `size` bytes of `data`.  Return 0 on success; any other number fails
+ * the call with IO. */
 typedef int32_t (*hrbfnpr_write_fn)(void* user, const void* data, uint64_t size);
-/* Reads up to `size` bytes into `data` and returns how many, 0 at the end,
- * negative for failure (IO). */
+/* Reads up to `size` bytes into `data`.  Return the number of bytes read, 0 at the
+ * end of the stream, or a negative number, which fails the call with IO. */
 typedef int64_t (*hrbfnpr_read_fn)(void* user, void* data, uint64_t size);
 
 /*
  * ==========================================================================
  * 6  MODEL: an implicit surface f = 0, immutable          [NPAR 4]
  * ==========================================================================
+ *
+ * A model is a function f of the place x.  The surface is where f = 0, the inside
+ * is where f < 0.  Four calls make models: hrbfnpr_model_fit from samples,
+ * hrbfnpr_model_fit_mesh from triangles (such a model may consist of several
+ * smooth "sheets" that meet in creases), hrbfnpr_model_create_custom from a
+ * function of the caller, and hrbfnpr_model_create_csg from other models and
+ * primitives.
  */
 
+/* A handle to an implicit surface.  It never changes. */
 typedef struct hrbfnpr_model hrbfnpr_model;
 
 /* Radial functions phi(r) [NPAR 4.1]. */
 enum {
-    HRBFNPR_KERNEL_TRIHARMONIC = 0, /* r^3 (default); no parameter */
-    HRBFNPR_KERNEL_GAUSSIAN = 1,    /* exp(-r^2 / 2 radius^2) */
-    HRBFNPR_KERNEL_WENDLAND_C2 = 2, /* (1 - r/radius)^4_+ (4 r/radius + 1) */
-    HRBFNPR_KERNEL_CUSTOM = 3,      /* reported for a model made by _create_custom */
-    HRBFNPR_KERNEL_CSG = 4          /* reported for a model made by _create_csg */
+    HRBFNPR_KERNEL_TRIHARMONIC = 0, /* r^3, without a parameter; the default */
+    HRBFNPR_KERNEL_GAUSSIAN = 1,    /* exp(-r^2 / (2 radius^2)) */
+    HRBFNPR_KERNEL_WENDLAND_C2 = 2, /* (1 - r/radius)^4 (4 r/radius + 1) for r < radius, else 0 */
+    HRBFNPR_KERNEL_CUSTOM = 3,      /* not for fits: reported for a model made by _create_custom */
+    HRBFNPR_KERNEL_CSG = 4          /* not for fits: reported for a model made by _create_csg */
 };
 
+/* How the linear system of a fit is solved.  docs/fitting.md gives times and memory. */
 enum {
-    HRBFNPR_SOLVER_AUTO = 0,
-    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures */
-    HRBFNPR_SOLVER_ITERATIVE = 2 /* conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer,
-                                    Katzfuss, Owhadi 2021), with a fast multipole method for many samples; memory
-                                    O(N).  TRIHARMONIC needs polynomial_degree >= 1 */
+    HRBFNPR_SOLVER_AUTO = 0,   /* DIRECT for few samples, ITERATIVE for many */
+    HRBFNPR_SOLVER_DIRECT = 1, /* dense factorization: memory grows with N^2, time with N^3 */
+    HRBFNPR_SOLVER_ITERATIVE = 2 /* preconditioned conjugate gradients: memory grows with N.  TRIHARMONIC needs
+                                    polynomial_degree 1 or more [Schaefer, Katzfuss, Owhadi 2021] */
 };
 
-/* Why the solver that was used is the one. */
+/* Why a fit used the solver that it used. */
 enum {
     HRBFNPR_SOLVER_REASON_REQUESTED = 0,     /* the caller named it */
-    HRBFNPR_SOLVER_REASON_SMALL = 1,         /* AUTO: DIRECT is the faster one */
-    HRBFNPR_SOLVER_REASON_LARGE = 2,         /* AUTO: DIRECT would take too much memory or time */
-    HRBFNPR_SOLVER_REASON_NOT_CONVERGED = 3, /* ITERATIVE did not reach its tolerance */
-    HRBFNPR_SOLVER_REASON_NOT_DEFINITE = 4   /* ITERATIVE needs a definite system */
+    HRBFNPR_SOLVER_REASON_SMALL = 1,         /* AUTO took DIRECT, which is faster for few samples */
+    HRBFNPR_SOLVER_REASON_LARGE = 2,         /* AUTO took ITERATIVE: DIRECT would need too much memory or time */
+    HRBFNPR_SOLVER_REASON_NOT_CONVERGED = 3, /* AUTO took DIRECT, because ITERATIVE did not reach its tolerance */
+    HRBFNPR_SOLVER_REASON_NOT_DEFINITE = 4   /* AUTO took DIRECT, because ITERATIVE needs a definite system */
 };
 
-/* What becomes of samples that look wrong; they are counted in any case. */
+/* What a fit does with samples that look wrong.  It counts them in any case. */
 enum {
-    HRBFNPR_REPAIR_KEEP = 0,
-    HRBFNPR_REPAIR_DROP = 1,
-    HRBFNPR_REPAIR_REORIENT = 2 /* of flipped normals only: turned round */
+    HRBFNPR_REPAIR_KEEP = 0,    /* uses them as they are */
+    HRBFNPR_REPAIR_DROP = 1,    /* leaves them out */
+    HRBFNPR_REPAIR_REORIENT = 2 /* turns their normals round; for flipped normals only */
 };
 
+/* Where the regularization of a fit comes from. */
 enum {
     HRBFNPR_REGULARIZATION_GIVEN = 0, /* the field `regularization` */
-    HRBFNPR_REGULARIZATION_AUTO = 1   /* from the noise of the samples */
+    HRBFNPR_REGULARIZATION_AUTO = 1   /* the measured noise of the samples; 0 for samples without noise */
 };
 
-/* What is known of given normals, for a fit and for hrbfnpr_orient. */
+/* How far the given normals can be trusted, for a fit and for hrbfnpr_orient. */
 enum {
-    HRBFNPR_NORMALS_GIVEN = 0,      /* they are right, and point outward */
-    HRBFNPR_NORMALS_NONE = 1,       /* there are none, or none to go by */
-    HRBFNPR_NORMALS_UNORIENTED = 2, /* directions are right, signs are not */
-    HRBFNPR_NORMALS_MIXED = 3,      /* most signs are right, too; some patches are turned */
-    HRBFNPR_NORMALS_INWARD = 4,     /* right, but for all pointing inward */
-    HRBFNPR_NORMALS_AUTO = 5        /* find out which of these it is, and do what that calls for */
+    HRBFNPR_NORMALS_GIVEN = 0,      /* they are correct and point outward */
+    HRBFNPR_NORMALS_NONE = 1,       /* there are none, or they are useless: all are made */
+    HRBFNPR_NORMALS_UNORIENTED = 2, /* the directions are correct, the signs are not */
+    HRBFNPR_NORMALS_MIXED = 3,      /* the directions and most signs are correct; some patches are turned */
+    HRBFNPR_NORMALS_INWARD = 4,     /* they are consistent, but all point inward */
+    HRBFNPR_NORMALS_AUTO = 5        /* find out which of these holds, and repair accordingly */
 };
 
-/* Whether a fitted surface ends where its samples do, all that were given (hrbfnpr_model_trim). */
+/* Whether a fitted surface ends where its samples end (see hrbfnpr_model_trim). */
 enum {
-    HRBFNPR_TRIM_NEVER = 0, /* it goes on, to the end of the search box */
-    HRBFNPR_TRIM_AUTO = 1   /* that of an open surface does; a closed one, and one of fewer than ten samples, which tell too
-                               little, stays as it is.  hrbfnpr_model_get_trim_info tells */
+    HRBFNPR_TRIM_NEVER = 0, /* the surface goes on to the end of the search box */
+    HRBFNPR_TRIM_AUTO = 1   /* an open surface ends where all given samples end, not only the chosen centres.  A closed
+                               surface stays whole, and so does one of fewer than ten samples.
+                               hrbfnpr_model_get_trim_info says what was done */
 };
 
-/* What to fit: N points with N outward normals.
+/* What to fit: N points with N outward normals, and how.  docs/fitting.md
+ * explains the methods.
  *
- * The fit is in double precision, in normalised coordinates (centred, mean
- * sample spacing 1), whatever the caller's unit.  Accepted repairs, counted in
- * hrbfnpr_model_info: normals that are not of unit length are normalised;
- * samples that coincide (within 1e-9 diagonals) and agree in their normal
- * (within 1 degree) are merged, and so are, of 33 samples and more, near
- * duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
- * Many samples that contradict each other so much (slivers of a mesh in single
- * precision) that the iterations break down get a little regularization and a
- * larger solver tolerance (docs/fitting.md); the log and
- * hrbfnpr_model_info.regularization say so.
- * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
- * indices, as are NaN, infinity, zero normals, and an empty or mismatched
- * array; so are coordinates beyond 1e100, and samples less than 1e-100 across.
- * One sample is a plane.
+ * Repairs.  The fit accepts and counts (hrbfnpr_model_info) the following.
+ * Normals that are not of unit length are normalized.  Samples at the same place
+ * (within 1e-9 diagonals) with the same normal (within 1 degree) are merged.  Of
+ * 33 samples or more, near duplicates are merged: closer than 1e-3 of the local
+ * spacing, normals within 15 degrees.  If many samples contradict each other so
+ * much that the iterations break down, the fit adds a little regularization and
+ * raises the solver tolerance; the log and hrbfnpr_model_info.regularization say
+ * so.
  *
- * Measured samples.  Of 33 and more, those that do not fit to the 16 nearest
- * others are counted, and repaired only if asked for:
- * - outliers: three times as far from their neighbours as these from theirs,
- *   or far above the tangent planes of most of them; and of near duplicates
- *   that disagree, the one that agrees less with those around it;
- * - flipped normals: opposite to 7 of 8 neighbours at least, which agree with
- *   each other, lie on the same sheet, and all around.
+ * Refused samples.  INVALID_ARGUMENT: samples at the same place with different
+ * normals (the message gives both indices); NaN, infinity, zero normals;
+ * coordinates beyond 1e100; samples less than 1e-100 across; empty arrays, or
+ * arrays of different counts.  One sample is enough: its surface is a plane.
  *
- * Choosing.  With a tolerance or maximum_centres, samples are chosen as
- * centres: some by farthest-point order, then, in rounds, those worst off the
- * fit to the ones before, until every sample is within the tolerance (to first
- * order, |f| / |grad f|), or there are maximum_centres.  An end short of the
- * tolerance is no error: hrbfnpr_model_info says what was reached, and the log
- * warns.  With regularization, what has to be within the tolerance, less two
- * standard deviations of the noise (but not less than half), is the mean
- * over a sample and its 16 neighbours, so that centres do not follow noise.
+ * Outliers and flipped normals.  Of 33 samples or more, the fit counts samples
+ * that do not agree with the 16 nearest others, and repairs them if `outliers`
+ * or `flipped_normals` says so.  Outliers are far from their neighbours or from
+ * their neighbours' tangent planes, or are the worse of two near duplicates with
+ * different normals.  A flipped normal is opposite to nearly all neighbours'
+ * normals on the same sheet.
  *
- * Automatic regularization.  The noise is measured by how far each sample is
- * from the planes of its neighbours, where that does not vanish with their
- * distance.  The fit is then the most likely function for it: regularization
- * is the noise's variance over that of the function, which maximum likelihood
- * gives (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
- * 2006, 5.4), with a value of its own for the normals.  Samples without noise
- * are interpolated.
+ * Choosing centres.  With `tolerance` or `maximum_centres` the fit chooses some
+ * samples as centres: first evenly spread ones, then in rounds those that the
+ * last fit missed most.  It ends when every sample is within the tolerance
+ * (|f| / |grad f|) or maximum_centres is reached.  If the tolerance is not
+ * reached, the call still succeeds: hrbfnpr_model_info gives what was reached,
+ * and the log warns.  With regularization, the tolerance applies to means over a
+ * sample and its 16 neighbours, so that centres do not follow noise.
  *
- * Normals.  With a normal_mode other than GIVEN the normals are first made by
- * hrbfnpr_orient with its defaults; hrbfnpr_model_info says what was found.
- * Normals as given that all point into a closed surface are fitted as they
- * are, but the log warns, and hrbfnpr_model_info.normals_inward is 1. */
+ * Normals.  With a normal_mode other than GIVEN, the fit first makes or repairs
+ * the normals as hrbfnpr_orient with its defaults does.  With GIVEN, normals that
+ * all point into a closed surface are fitted as they are; the log warns, and
+ * hrbfnpr_model_info.normals_inward is 1. */
 typedef struct hrbfnpr_fit_desc {
     uint32_t struct_size;
-    uint32_t kernel;         /* HRBFNPR_KERNEL_...; TRIHARMONIC */
-    hrbfnpr_array points;    /* N x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64, outward; normal_mode says otherwise */
-    double kernel_radius;    /* sigma or rho, in units of the points; 0 = from the sample spacing */
-    int32_t polynomial_degree; /* -1 (none) .. 3; 1.  TRIHARMONIC is well-posed from 1 on
-                                  (Duchon 1977); below that a pivoted LU is tried. */
-    uint32_t regularization_mode; /* HRBFNPR_REGULARIZATION_...; GIVEN.  AUTO needs regularization 0 */
-    double regularization;   /* >= 0; 0 interpolates.  Added to the diagonal of the system in
-                                coordinates whose diagonal is 1: larger is smoother */
-    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; KEEP */
-    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; KEEP */
-    double tolerance;        /* > 0: samples are chosen as centres until all lie this near to the
-                                surface, in units of the points; 0: no such end */
-    int64_t maximum_centres; /* > 0: no more samples than this are chosen as centres; 0: no limit.
-                                With tolerance 0, too, every sample is a centre */
-    uint32_t solver;          /* HRBFNPR_SOLVER_...; AUTO */
-    int32_t refinement_steps; /* of iterative refinement after a DIRECT solve, 0 .. 20; 2 */
-    double solver_tolerance;  /* relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and
-                                 fewer 1e-10; or, where rounding allows no more, 1e-6, with a warning */
-    int32_t iteration_limit;  /* most iterations of ITERATIVE, 1 .. 1000000; 200 */
-    uint32_t preconditioner_neighbours; /* of ITERATIVE, 1 .. 48: more are fewer iterations and more setup;
-                                           0 = by kernel and number of samples */
-    uint32_t normal_mode;     /* HRBFNPR_NORMALS_...; GIVEN.  NONE, and AUTO, need no normals */
-    uint32_t trim;            /* HRBFNPR_TRIM_...; AUTO */
+    uint32_t kernel;         /* HRBFNPR_KERNEL_...: the radial function; TRIHARMONIC, GAUSSIAN or WENDLAND_C2; default
+                                TRIHARMONIC */
+    hrbfnpr_array points;    /* N x 3, FLOAT32 or FLOAT64: the places of the samples */
+    hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64: outward normals of any length; normal_mode may say
+                                otherwise */
+    double kernel_radius;    /* radius of GAUSSIAN and WENDLAND_C2, in the unit of the points; 0 or more; default 0 =
+                                from the sample spacing.  A larger radius fills larger gaps, but makes the system worse
+                                conditioned */
+    int32_t polynomial_degree; /* degree of the polynomial that is added to the kernels; -1 (none) to 3; default 1.
+                                  TRIHARMONIC is well-posed from 1 on [Duchon 1977]; below that the fit may fail with
+                                  SINGULAR_SYSTEM */
+    uint32_t regularization_mode; /* HRBFNPR_REGULARIZATION_...; default GIVEN.  AUTO needs regularization 0 */
+    double regularization;   /* smoothing of the fit, added to the diagonal of the system in coordinates in which the
+                                samples' diagonal is 1; 0 or more; default 0 = pass through every sample.  Larger values
+                                give a smoother surface that keeps a distance from noisy samples */
+    uint32_t outliers;        /* HRBFNPR_REPAIR_KEEP or DROP; default KEEP */
+    uint32_t flipped_normals; /* HRBFNPR_REPAIR_...; default KEEP */
+    double tolerance;        /* largest distance of a sample from the surface at which no more centres are chosen, in
+                                the unit of the points; 0 or more; default 0 = none.  Smaller values give more
+                                centres */
+    int64_t maximum_centres; /* largest number of samples that are chosen as centres; 0 or more; default 0 = no limit.
+                                If tolerance is 0, too, every sample is a centre */
+    uint32_t solver;          /* HRBFNPR_SOLVER_...; default AUTO */
+    int32_t refinement_steps; /* steps of iterative refinement after a DIRECT solve; 0 to 20; default 2.  More steps
+                                 give smaller residuals */
+    double solver_tolerance;  /* relative residual at which ITERATIVE ends; 0 to 0.1; default 0 = 1e-10 up to 2048
+                                 centres, 1e-8 beyond, or, if rounding allows no more, up to 1e-6 with a warning in the
+                                 log */
+    int32_t iteration_limit;  /* largest number of iterations of ITERATIVE; 1 to 1000000; default 200 */
+    uint32_t preconditioner_neighbours; /* neighbours of each sample in the preconditioner of ITERATIVE; 1 to 48;
+                                           default 0 = by the kernel and the number of samples.  More neighbours give
+                                           fewer iterations and a longer setup */
+    uint32_t normal_mode;     /* HRBFNPR_NORMALS_...: how far `normals` can be trusted; default GIVEN.  NONE and AUTO
+                                 work without normals */
+    uint32_t trim;            /* HRBFNPR_TRIM_...; default AUTO */
 } hrbfnpr_fit_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size);
 
-/* Fits f with f(x_i) = 0 and grad f(x_i) = n_i, so that f < 0 inside, f > 0
- * outside and |grad f| is near 1 at the surface [NPAR 4.1, equations 1, 2].
- * operation may be NULL.
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY (the message gives the bytes),
- * SINGULAR_SYSTEM, NOT_CONVERGED (the message gives the residual reached),
- * CANCELLED. */
+/* Fits f with f(x_i) = 0 and grad f(x_i) = n_i at the samples, so that f < 0
+ * inside, f > 0 outside, and |grad f| is near 1 at the surface [NPAR 4.1,
+ * equations 1, 2].  The fit works in double precision and in coordinates in which
+ * the mean sample spacing is 1, whatever the caller's unit.
+ *
+ * desc:        what to fit
+ * operation:   may be NULL
+ *
+ * Errors: INVALID_ARGUMENT: see hrbfnpr_fit_desc.  OUT_OF_MEMORY: the message gives
+ * the bytes that are needed.  SINGULAR_SYSTEM: the system has no unique solution;
+ * the message says how to change it.  NOT_CONVERGED: ITERATIVE did not reach its
+ * tolerance; the message gives the residual. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc,
                                              hrbfnpr_operation* operation, hrbfnpr_model** out_model,
                                              hrbfnpr_error* error);
 
-/* Points that want normals, or whose normals may be wrong: N of them.
+/* The points of hrbfnpr_orient: N points without normals, or with normals that may
+ * be wrong.  docs/fitting.md explains the method.
  *
- * Normals are the unit vectors that need the least energy of a Hermite fit
- * (kernel r^3) with f = 0 at all points (VIPSS: Huang, Carr, Ju, "Variational
- * implicit point set surfaces", 2019), found from several starts: planes
- * through neighbours, whose signs are chosen by the same energy, cluster by
- * cluster.  The energy is a sparse sum of squares (docs/fitting.md), so that
- * time and memory grow with N.  Noise is measured first, and allowed for.
+ * Outward.  For a closed surface, outward is the side that it does not enclose.
+ * For an open surface it is the convex side, if the surface encloses one side more
+ * than the other.  For other surfaces, such as a terrain, it is the side of `up`,
+ * or of the viewpoint if that is given.  A closed surface inside another one bounds
+ * a hole: its normals point into the hole.
  *
- * Outward is, of a closed surface, where its winding number is 0; of an open
- * one the side on which it is the smaller, which is the convex one; and where
- * that tells nothing, as of terrain, the side that `up` or, if given, the
- * viewpoint is on for most points.  Of closed surfaces in one another the
- * inner ones bound holes: their normals point into these.
- *
- * Points that coincide (within 1/100 of the spacing) get the same normal.
- * INVALID_ARGUMENT that names the argument: fewer than 4 different points, or
- * all on one line; NaN or infinity; with a mode that goes by given normals,
- * none of them.  A normal that is zero is one that is not known: it is made. */
+ * Points that coincide (within 1/100 of the spacing) get the same normal. */
 typedef struct hrbfnpr_orient_desc {
     uint32_t struct_size;
-    uint32_t mode;         /* HRBFNPR_NORMALS_...; AUTO.  GIVEN only looks: no normal is changed */
+    uint32_t mode;         /* HRBFNPR_NORMALS_...: how far `normals` can be trusted; default AUTO.  GIVEN only looks: it
+                              changes no normal */
     hrbfnpr_array points;  /* N x 3, FLOAT32 or FLOAT64 */
-    hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length; or none, with NONE and AUTO */
-    double up[3];          /* of any length; (0, 0, 1) */
-    double viewpoint[3];   /* where the points were seen from, with has_viewpoint; 0 */
-    uint32_t has_viewpoint; /* 1: open surfaces are turned to it; 0 */
+    hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length; a zero normal is unknown and is made.  Not
+                              needed with NONE and AUTO */
+    double up[3];          /* the direction that decides for surfaces like a terrain; of any length, not 0; default (0,
+                              0, 1) */
+    double viewpoint[3];   /* the place from which the points were seen; used with has_viewpoint; default (0, 0, 0) */
+    uint32_t has_viewpoint; /* 1: normals of open surfaces point to the side of the viewpoint; 0: `up` decides; default
+                               0 */
     uint32_t reserved;
 } hrbfnpr_orient_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint32_t struct_size);
 
-/* How it was decided which side is outward. */
+/* How hrbfnpr_orient decided which side is outward. */
 enum {
-    HRBFNPR_OUTWARD_INSIDE = 0,    /* the other side is inside */
-    HRBFNPR_OUTWARD_UP = 1,        /* the side that `up` points to */
-    HRBFNPR_OUTWARD_VIEWPOINT = 2, /* the side that is seen */
-    HRBFNPR_OUTWARD_AS_GIVEN = 3   /* most given normals say so */
+    HRBFNPR_OUTWARD_INSIDE = 0,    /* the surface encloses the other side */
+    HRBFNPR_OUTWARD_UP = 1,        /* `up` points to this side */
+    HRBFNPR_OUTWARD_VIEWPOINT = 2, /* the viewpoint is on this side */
+    HRBFNPR_OUTWARD_AS_GIVEN = 3   /* most given normals point to this side */
 };
 
+/* What hrbfnpr_orient found and did. */
 typedef struct hrbfnpr_orient_info {
     uint32_t struct_size;
-    uint32_t found;         /* HRBFNPR_NORMALS_...: what the given normals turned out to be; NONE also if they
-                               have nothing to do with the points, as colours have not */
-    int64_t turned;         /* normals that were given and have been turned round */
-    int64_t made;           /* normals that were not given, or zero, or not to go by */
-    int64_t merged;         /* points that coincide with another */
-    double direction_change; /* mean angle between the lines of given and resulting normals, in degrees; NaN if
-                                there are none */
-    double noise;           /* standard deviation of the points off their surface, in their unit; 0 if none is seen */
-    double spacing;         /* median distance of a point to its nearest neighbour */
-    double energy;          /* of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that
-                               the points resolve; 0.026 is that of points without any order */
-    double confidence;      /* 0 .. 1: how far starts with energies as low agree, and how low that is, less for
-                               noise.  A heuristic: above 0.9 results were right (docs/fitting.md), below look */
-    uint32_t closed;        /* 1: the points are all around a solid, or several */
-    uint32_t outward_by;    /* HRBFNPR_OUTWARD_... */
-    int64_t components;     /* pieces that lie apart by more than their spacing */
-    double seconds;
+    uint32_t found;         /* HRBFNPR_NORMALS_...: how far the given normals could be trusted; NONE also if they have
+                               nothing to do with the points, as colours have not */
+    int64_t turned;         /* number of given normals that were turned round */
+    int64_t made;           /* number of normals that were made, because they were missing, zero or useless */
+    int64_t merged;         /* number of points that coincide with another one */
+    double direction_change; /* mean angle between the lines of the given and the resulting normals, in degrees; NaN if
+                                no normals are given */
+    double noise;           /* standard deviation of the points from their surface, in their unit; 0 if no noise is
+                               seen */
+    double spacing;         /* median distance of a point to its nearest neighbour, in the unit of the points */
+    double energy;          /* bending energy of the result per degree of freedom, in spacings.  Below 0.006: the points
+                               resolve the surface; 0.026: points without any order */
+    double confidence;      /* how sure the result is; 0 to 1.  A heuristic: results above 0.9 were right in the tests
+                               of docs/fitting.md; look at results below that */
+    uint32_t closed;        /* 1: the points surround one or several solids */
+    uint32_t outward_by;    /* HRBFNPR_OUTWARD_...: how the outward side was decided */
+    int64_t components;     /* number of pieces that lie apart by more than their spacing */
+    double seconds;         /* time of the call */
 } hrbfnpr_orient_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint32_t struct_size);
 
-/* Finds the outward unit normals of points, or repairs given ones.
- * out_normals: N x 3, FLOAT32 or FLOAT64; may be the given normals themselves.
- *   Given normals that stay are written as they were, bit for bit where the
- *   scalars are the same; turned ones are only that.
- * info:        may be NULL.  operation: may be NULL.
- * A confidence that is low is no error: the log warns.
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+/* Finds outward unit normals for points, or repairs given normals.  A low
+ * confidence is no error; the log warns.  Time and memory grow with N.
+ * [VIPSS: Huang, Carr, Ju, "Variational implicit point set surfaces", 2019]
+ *
+ * out_normals:   receives N x 3 normals, FLOAT32 or FLOAT64; may be the given normals' memory.  Given
+ *                normals that stay keep their bits (if the scalar types agree); turned ones change their sign only
+ * info:          may be NULL
+ * operation:     may be NULL
+ *
+ * Errors: INVALID_ARGUMENT: fewer than 4 different points; all points are on one
+ * line; NaN or infinity; no normals with a mode that needs them; `up` is 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnpr_orient_desc* desc,
                                           hrbfnpr_operation* operation, const hrbfnpr_array_out* out_normals,
                                           hrbfnpr_orient_info* info, hrbfnpr_error* error);
 
-/* The image of a depth camera (Kinect, RealSense, time of flight, stereo): columns x rows points.
+/* The image of a depth camera (Kinect, RealSense, time of flight, stereo): one
+ * point for each of columns x rows pixels.
  *
- * The camera is in the origin and looks along z, or against it; x / z goes
- * with the column and y / z with the row, either way.  Of an image of depths
- * with focal lengths f and a centre c, in pixels, those are
+ * The camera is at the origin and looks along +z or -z.  x / z grows or falls with
+ * the column, y / z with the row.  For an image of depths z with the focal lengths
+ * f and the centre c in pixels, the points are
  * x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
  *
- * The sensor's errors are as large everywhere in 1 / z, so that they grow with
- * z^2, and planes are linear in it.  A plane is fitted in 1 / z to the pixels
- * around each, those that are within 6.5 standard deviations of it: what lies
- * beyond an edge does not count.  The point moves along its ray onto the plane,
- * whose normal is the normal.  The radius is 12 sqrt(s f) pixels, for a standard
- * deviation of s z in the depth, and from 2 to 48.  Points with hardly any others on
- * their plane, as between an edge and what is behind it, are left out. */
+ * docs/fitting.md explains the method. */
 typedef struct hrbfnpr_depth_image_desc {
     uint32_t struct_size;
-    int32_t columns;       /* 8 .. 65535 */
-    int32_t rows;          /* 8 .. 65535 */
-    uint32_t keep_points;  /* 1: points stay where they are, and get normals; 0 */
-    hrbfnpr_array points;  /* rows * columns x 3, row by row, FLOAT32 or FLOAT64; NaN, infinity or z = 0:
-                              nothing was seen there */
-    double noise;          /* standard deviation of 1 / z, in 1 / unit of the points; 0 = measured */
-    double smoothing;      /* factor of the radius, > 0 .. 100; 1 */
+    int32_t columns;       /* pixels in a row; 8 to 65535 */
+    int32_t rows;          /* number of rows; 8 to 65535 */
+    uint32_t keep_points;  /* 1: the points stay where they are and only get normals; 0: they are smoothed; default 0 */
+    hrbfnpr_array points;  /* rows * columns x 3, row by row, FLOAT32 or FLOAT64.  NaN, infinity or z = 0: nothing was
+                              seen at the pixel */
+    double noise;          /* standard deviation of 1 / z, in 1 / (unit of the points); 0 or more; default 0 =
+                              measured */
+    double smoothing;      /* factor of the radius over which pixels are averaged; above 0, at most 100; default 1.
+                              Larger values remove more noise and more small shapes */
 } hrbfnpr_depth_image_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint32_t struct_size);
 
+/* What hrbfnpr_smooth_depth_image found and did. */
 typedef struct hrbfnpr_depth_image_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t seen;         /* pixels that have a point */
-    int64_t left_out;     /* of these, without enough others on their plane */
+    int64_t seen;         /* number of pixels with a point */
+    int64_t left_out;     /* number of these that are left out, because too few other pixels lie on their plane */
     double noise;         /* standard deviation of 1 / z, as given or measured */
-    double focal_length;  /* in pixels: the mean of both directions' */
-    double depth;         /* median distance |z| of the points */
-    double radius;        /* smoothed over at this depth, in pixels */
-    double seconds;
+    double focal_length;  /* mean of the focal lengths in both directions, in pixels */
+    double depth;         /* median of |z| over the points */
+    double radius;        /* radius of the smoothing at this depth, in pixels */
+    double seconds;       /* time of the call */
 } hrbfnpr_depth_image_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_depth_image_info_init(hrbfnpr_depth_image_info* info, uint32_t struct_size);
 
-/* Takes the sensor's noise off the image of a depth camera, and finds normals.
- * out_points:  rows * columns x 3, FLOAT32 or FLOAT64; may be desc.points' memory, or NULL.  NaN where
- *   nothing was seen, and for points that are left out.
- * out_normals: of the same size, towards the camera, of unit length; 0 where out_points is NaN.  May be NULL.
- * info:        may be NULL.  operation: may be NULL.
- * To choose some of the points, as even in the image as they can be, pass x / z,
- * y / z and log |z| to hrbfnpr_farthest_points.
- * Errors: INVALID_ARGUMENT (the points are no such image), OUT_OF_MEMORY, CANCELLED. */
+/* Removes the sensor's noise from the image of a depth camera, and finds normals.
+ * To choose some of the points, evenly spread over the image, pass x / z, y / z and
+ * log |z| to hrbfnpr_farthest_points.
+ *
+ * out_points:    receives rows * columns x 3 points, FLOAT32 or FLOAT64; NaN where nothing was seen and for points that
+ *                are left out, such as those between an edge and what it hides; may be the memory of desc->points; may
+ *                be NULL
+ * out_normals:   receives as many unit normals, which point to the camera; 0 where out_points is NaN; may be NULL
+ * info:          may be NULL
+ * operation:     may be NULL
+ *
+ * Errors: INVALID_ARGUMENT: the points are not such an image. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_smooth_depth_image(hrbfnpr_context* context, const hrbfnpr_depth_image_desc* desc,
                                                       hrbfnpr_operation* operation,
                                                       const hrbfnpr_array_out* out_points,
                                                       const hrbfnpr_array_out* out_normals,
                                                       hrbfnpr_depth_image_info* info, hrbfnpr_error* error);
 
-/* Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
- * Fills `value` (count), and, where the pointer is not NULL, `gradient`
- * (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or
- * anything else to fail the whole call with CALLBACK. */
+/* Evaluates the caller's function at `count` points.  Return 0 on success; any other
+ * number fails the whole call with CALLBACK.
+ *
+ * points:     count x 3: x, y, z
+ * value:      receives count values of f
+ * gradient:   receives count x 3 derivatives; may be NULL
+ * hessian:    receives count x 6 derivatives, xx xy xz yy yz zz; may be NULL */
 typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value,
                                        double* gradient, double* hessian);
 
+/* What a custom function can do.  Without a flag, the library computes the
+ * derivatives by differences and passes NULL for them. */
 enum {
-    HRBFNPR_CUSTOM_HAS_GRADIENT = 1, /* else gradient is always NULL and differenced */
-    HRBFNPR_CUSTOM_HAS_HESSIAN = 2,  /* else hessian is always NULL and differenced */
-    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* may be called from several threads at once; else one calls at a time */
+    HRBFNPR_CUSTOM_HAS_GRADIENT = 1, /* the function fills `gradient` */
+    HRBFNPR_CUSTOM_HAS_HESSIAN = 2,  /* the function fills `hessian` */
+    HRBFNPR_CUSTOM_THREAD_SAFE = 4   /* the function may run on several threads at the same time; else it runs on one at
+                                        a time, on the thread that called the library */
 };
 
-/* Any implicit function in place of a fit: every operator below works on it
- * [NPAR 8].  It should be negative inside and of a gradient near 1 at the
- * surface; it must be finite inside twice the bounds.  Where it is not, or its
- * gradient is shorter than 1e-150 or longer than 1e150, no point is projected
- * and no mark placed.  The bounds' diagonal is 1e-100 .. 1e100; they
- * should fit the surface: tolerances, differences and the cells in which marks
- * are placed are parts of the diagonal. */
+/* An implicit function of the caller, in place of a fit [NPAR 8].
+ *
+ * The function should be negative inside and have a gradient of a length near 1 at
+ * the surface.  It must be finite in a box twice as wide as the bounds.  Where it is
+ * not finite, or where its gradient is shorter than 1e-150 or longer than 1e150, no
+ * point is projected and no mark is placed.
+ *
+ * The diagonal of the bounds must be from 1e-100 to 1e100.  Make the bounds fit the
+ * surface closely: tolerances, differences and the cells in which marks are placed
+ * are shares of the diagonal. */
 typedef struct hrbfnpr_custom_desc {
     uint32_t struct_size;
-    uint32_t flags; /* HRBFNPR_CUSTOM_..., or-ed; 0 */
-    hrbfnpr_implicit_fn function;
-    void* user;
-    void (*release)(void* user); /* may be NULL; called once, with the last reference, on the
-                                    thread that releases it; not called when creation fails */
-    double bounds_min[3];        /* the box that the surface lies in */
-    double bounds_max[3];
-    double difference_step;      /* for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal */
+    uint32_t flags; /* HRBFNPR_CUSTOM_... flags, or-ed; default 0 */
+    hrbfnpr_implicit_fn function; /* the function; must be given */
+    void* user;                   /* passed to function and release */
+    void (*release)(void* user); /* called once, on the thread that releases the last reference; NULL (default) =
+                                    nothing to do.  It is not called if the model cannot be created */
+    double bounds_min[3];        /* lower corner of the box that holds the surface */
+    double bounds_max[3];        /* upper corner of the box */
+    double difference_step;      /* step of the differences, in the unit of the points; 0 or more; default 0 = 1e-4
+                                    diagonals for gradients, 1e-3 for Hessians */
 } hrbfnpr_custom_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size);
+/* Creates a model from a function of the caller.
+ *
+ * Errors: INVALID_ARGUMENT: no function, or bounds that span no box. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context,
                                                        const hrbfnpr_custom_desc* desc,
                                                        hrbfnpr_model** out_model, hrbfnpr_error* error);
 
-HRBFNPR_API void hrbfnpr_model_retain(const hrbfnpr_model* model);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_model_release(const hrbfnpr_model* model); /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_model_retain(const hrbfnpr_model* model);  /* Adds a reference.  Any thread. */
+HRBFNPR_API void hrbfnpr_model_release(const hrbfnpr_model* model); /* Removes a reference.  Any thread. */
 
+/* What a fit found and did.  Lengths are in the unit of the points.  A custom model
+ * and a solid have bounds, kernel and bytes only. */
 typedef struct hrbfnpr_model_info {
     uint32_t struct_size;
-    uint32_t kernel;
-    int32_t polynomial_degree;
-    int32_t choice_rounds;    /* fits made to choose the centres; 0 if all samples are centres */
-    int64_t samples;          /* as given */
-    int64_t centres;          /* after merging, cleaning and choosing */
-    int64_t merged_samples;   /* samples that were merged into another */
-    int64_t near_duplicates;  /* samples much nearer to another than the spacing, merged into it */
-    int64_t rescaled_normals; /* normals whose length was off 1 by more than 1e-4 */
-    int64_t outliers_found;
-    int64_t outliers_dropped;
-    int64_t flipped_found;    /* normals against those of their neighbours */
-    int64_t flipped_repaired; /* of these, dropped or turned round */
-    double bounds_min[3];     /* of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it
-                                 closes within a third of a diagonal around them */
-    double bounds_max[3];
+    uint32_t kernel;          /* HRBFNPR_KERNEL_...: the one used */
+    int32_t polynomial_degree; /* the one used; -1 = none */
+    int32_t choice_rounds;    /* number of fits that were made to choose the centres; 0 if all samples are centres */
+    int64_t samples;          /* number of samples as given */
+    int64_t centres;          /* number of centres, after merging, repairing and choosing */
+    int64_t merged_samples;   /* number of samples that were merged into another one at the same place */
+    int64_t near_duplicates;  /* number of samples that were merged into another one much nearer than the spacing */
+    int64_t rescaled_normals; /* number of normals whose length differed from 1 by more than 1e-4 */
+    int64_t outliers_found;   /* number of samples far from all others, or from the tangent planes around them */
+    int64_t outliers_dropped; /* number of these that were left out */
+    int64_t flipped_found;    /* number of normals that are opposite to those of their neighbours */
+    int64_t flipped_repaired; /* number of these that were left out or turned round */
+    double bounds_min[3];     /* lower corner of the samples' box.  For up to 20 000 samples along curves, the box also
+                                 holds the surface, if that closes within a third of a diagonal around the samples */
+    double bounds_max[3];     /* upper corner of the box */
     double spacing;           /* mean distance of a sample to its nearest neighbour */
-    double kernel_radius;     /* as used */
-    double regularization;    /* as used; of AUTO, that of the values */
-    double noise_estimate;    /* standard deviation of the samples off their surface, in units of the
-                                 points; 0 if none is seen, NaN if nobody asked (regularization GIVEN) */
-    double value_residual_max;    /* max |f(x_i)|, in units of the points */
-    double value_residual_rms;
-    double gradient_residual_max; /* max |grad f(x_i) - n_i| */
-    double gradient_residual_rms;
-    double input_distance_max;    /* of all samples but dropped ones from the surface, |f| / |grad f| */
-    double input_distance_rms;
-    double input_share_within;    /* share of all samples that lie within the tolerance; a dropped one
-                                     counts as outside; NaN with tolerance 0 */
-    uint32_t solver;              /* the one used */
-    uint32_t solver_reason;       /* HRBFNPR_SOLVER_REASON_... */
-    int32_t iterations;           /* refinement steps of DIRECT, steps of ITERATIVE */
-    uint32_t fallback;            /* 1: the matrix was not definite and a pivoted LU was used */
-    double solver_residual;       /* relative residual of the linear system, 2-norm */
-    double condition_estimate;    /* DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
-    double seconds_clean;
-    double seconds_choose;        /* of all rounds but the last fit */
-    double seconds_assemble;
-    double seconds_precondition;
-    double seconds_solve;
-    double seconds_total;
-    int64_t bytes;      /* kept by the model */
-    int64_t peak_bytes; /* most that the context's allocator had given out at a time, up to the fit's end */
-    uint32_t normals_found;    /* of a fit with a normal_mode: hrbfnpr_orient_info.found; GIVEN otherwise */
-    uint32_t normals_inward;   /* 1: normals as given (normal_mode GIVEN) that all point into a closed surface */
+    double kernel_radius;     /* the one used; 0 for TRIHARMONIC */
+    double regularization;    /* the one used; with AUTO, that of the values */
+    double noise_estimate;    /* standard deviation of the samples from their surface; 0 if no noise is seen, NaN with
+                                 regularization GIVEN */
+    double value_residual_max;    /* largest |f(x_i)| at the centres */
+    double value_residual_rms;    /* root mean square of |f(x_i)| */
+    double gradient_residual_max; /* largest |grad f(x_i) - n_i| at the centres */
+    double gradient_residual_rms; /* root mean square of |grad f(x_i) - n_i| */
+    double input_distance_max;    /* largest distance |f| / |grad f| of a sample from the surface; dropped ones do not
+                                     count */
+    double input_distance_rms;    /* root mean square of these distances */
+    double input_share_within;    /* share of all samples that lie within the tolerance; a dropped sample counts as
+                                     outside; NaN with tolerance 0 */
+    uint32_t solver;              /* HRBFNPR_SOLVER_...: the one used */
+    uint32_t solver_reason;       /* HRBFNPR_SOLVER_REASON_...: why it was used */
+    int32_t iterations;           /* number of refinement steps of DIRECT, or of steps of ITERATIVE */
+    uint32_t fallback;            /* 1: the matrix was not definite, and LU with pivoting was used */
+    double solver_residual;       /* relative residual of the linear system, in the 2-norm */
+    double condition_estimate;    /* condition of the matrix in the 1-norm (DIRECT), or of the preconditioned matrix in
+                                     the 2-norm (ITERATIVE) */
+    double seconds_clean;         /* time of finding duplicates, outliers, flipped normals and noise */
+    double seconds_choose;        /* time of all rounds that chose centres, without the last fit */
+    double seconds_assemble;      /* time of reading the samples and assembling the matrix */
+    double seconds_precondition;  /* time of making the preconditioner */
+    double seconds_solve;         /* time of solving */
+    double seconds_total;         /* time of the whole fit */
+    int64_t bytes;      /* memory that the model keeps */
+    int64_t peak_bytes; /* largest number of bytes allocated at the same time through the context, up to the fit's
+                           end */
+    uint32_t normals_found;    /* hrbfnpr_orient_info.found, if the fit had a normal_mode; else GIVEN */
+    uint32_t normals_inward;   /* 1: the given normals (normal_mode GIVEN) all point into a closed surface */
     int64_t normals_turned;    /* hrbfnpr_orient_info.turned */
     double normals_confidence; /* hrbfnpr_orient_info.confidence; NaN without a normal_mode */
-    double seconds_orient;
+    double seconds_orient;     /* time of making the normals */
 } hrbfnpr_model_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
+/* Fills `info` with what is known of a model. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info,
                                                   hrbfnpr_error* error);
 
+/* The arrays of a model that hrbfnpr_model_view shows. */
 enum {
-    HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, /* the centres; of a model of sheets places all over the surface, FLOAT64 x 3 */
-    HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,   /* their unit normals, FLOAT64 x 3 */
-    HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 /* relative residual after each iteration of ITERATIVE,
-                                                    FLOAT64 x 1; empty after DIRECT or loading */
+    HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, /* FLOAT64 x 3: the centres; for a model of sheets, places all over the
+                                             surface */
+    HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,   /* FLOAT64 x 3: the unit normals at these places */
+    HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 /* FLOAT64: the relative residual after each iteration of ITERATIVE;
+                                                    empty after DIRECT and after loading */
 };
 
-/* A zero-copy view of the merged samples or of the last fit's residuals, valid while the model lives.
- * Empty for a custom model. */
+/* Gives a view of an array of the model, without a copy.  The view is valid while
+ * the model lives.  It is empty for a custom model and a solid. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute,
                                               hrbfnpr_array* out_view, hrbfnpr_error* error);
 
-/* f, grad f and the Hessian at n points.
- * points:   n x 3, FLOAT32 or FLOAT64, finite, and within 1e50 diagonals of the
- *           model's bounds, here and in _project and _curvature.
- * value:    n x 1, gradient: n x 3, hessian: n x 6 (xx xy xz yy yz zz), each
- *           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
- *           that sample's own (direction-dependent, zero-mean) term.
- * A finite answer that does not fit into a FLOAT32 array, of whatever call, is
- * INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
+/* Evaluates f, its gradient and its Hessian at n points.
  *
- * Preparing.  Where there are so many points that it pays, the first such call
- * of a model takes longer, to sum up what is far into polynomials, which the
- * model keeps (docs/accuracy.md: when, how long, how much memory; the log says
- * how much, and what values and gradients are off by, which is measured); after
- * that a point hardly costs more with more centres.  f is then within 1e-9
- * diagonals of the sum over all centres, its gradient within 1e-7; of rough,
- * uneven samples within 200 times that, 5000 where rounding leaves no more, or
- * all centres are summed.  What a call
- * gives depends on its n, in the last bits on whether Hessians are asked for,
- * never on calls before it.  _project, _curvature and
- * hrbfnpr_point_set_generate do the same. */
+ * points:      n x 3, FLOAT32 or FLOAT64; finite, and within 1e50 diagonals of the model's bounds
+ * value:       receives n values, FLOAT32 or FLOAT64; may be NULL
+ * gradient:    receives n x 3, FLOAT32 or FLOAT64; may be NULL
+ * hessian:     receives n x 6, xx xy xz yy yz zz, FLOAT32 or FLOAT64; may be NULL.  At a sample it leaves out the
+ *              sample's own term, which depends on the direction and has the mean 0
+ * operation:   may be NULL
+ *
+ * The first call with many points prepares the model for faster evaluation: it
+ * takes longer, and the model keeps the prepared data (docs/accuracy.md gives the
+ * threshold, the times and the memory).  Prepared values of f are within 1e-9
+ * diagonals of the exact sum, gradients within 1e-7.  For rough, uneven samples the
+ * errors may be 200 times as large, or 5000 times where rounding allows no less;
+ * otherwise the exact sum is used.  The log gives the measured errors.  The bits of
+ * a result depend on n, and in the last bits on whether Hessians are asked for, but
+ * not on earlier calls.  hrbfnpr_model_project, hrbfnpr_model_curvature and
+ * hrbfnpr_point_set_generate prepare the model in the same way.
+ *
+ * Errors: INVALID_ARGUMENT: a point is not finite or too far away, or a finite
+ * result does not fit into a FLOAT32 array.  Non-finite values of a custom function
+ * are passed on. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                   const hrbfnpr_array_out* value,
                                                   const hrbfnpr_array_out* gradient,
                                                   const hrbfnpr_array_out* hessian,
                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
 
+/* What became of a projected point. */
 enum {
-    HRBFNPR_PROJECTION_CONVERGED = 0,
-    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* evaluation limit, or no step lowers f^2 */
-    HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* stuck at a critical point off the surface */
-    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient was not finite, or the latter above 1e150 */
+    HRBFNPR_PROJECTION_CONVERGED = 0,     /* the point is on the surface, within the tolerance */
+    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, /* the evaluation limit was reached, or no step lowers f^2 */
+    HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, /* the point is stuck off the surface, where the gradient vanishes */
+    HRBFNPR_PROJECTION_NOT_FINITE = 3     /* f or its gradient is not finite, or the gradient is longer than 1e150 */
 };
 
+/* How points are projected. */
 typedef struct hrbfnpr_project_desc {
     uint32_t struct_size;
-    int32_t evaluation_limit; /* of f at each point, 1 .. 1000; 50 */
-    double tolerance;        /* stop when |f| / |grad f| <= tolerance * diagonal; 1e-9 */
-    double armijo_slope;     /* sigma in (0, 0.5); 1e-4 */
-    double armijo_factor;    /* beta in (0, 1); 0.5 */
+    int32_t evaluation_limit; /* largest number of evaluations of f for each point; 1 to 1000; default 50 */
+    double tolerance;        /* largest distance |f| / |grad f| from the surface at which the projection ends, in
+                                diagonals; above 0; default 1e-9 */
+    double armijo_slope;     /* sigma of Armijo's rule: the share of the expected decrease that a step must reach;
+                                between 0 and 0.5; default 1e-4 */
+    double armijo_factor;    /* beta of Armijo's rule: the factor by which a step is shortened; between 0 and 1; default
+                                0.5 */
 } hrbfnpr_project_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
 
-/* Where _project puts its results: arrays of the caller's, each of n elements,
- * or not given (all zero). */
+/* The results of hrbfnpr_model_project: arrays of the caller with n elements each.
+ * An array that is all zero is not wanted. */
 typedef struct hrbfnpr_projection {
     uint32_t struct_size;
     uint32_t reserved;
-    hrbfnpr_array_out position; /* n x 3, FLOAT32 or FLOAT64; may be the points themselves */
-    hrbfnpr_array_out normal;   /* n x 3, FLOAT32 or FLOAT64: the unit gradient */
+    hrbfnpr_array_out position; /* n x 3, FLOAT32 or FLOAT64: the projected points; may be the memory of the points */
+    hrbfnpr_array_out normal;   /* n x 3, FLOAT32 or FLOAT64: the unit gradients; 0 where there is none */
     hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_... */
-    int64_t converged;          /* written: how many points converged */
+    int64_t converged;          /* receives the number of points that converged */
 } hrbfnpr_projection;
 
+/* Sets up the struct with no array given. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size);
 
-/* Projects n points on the surface by steepest descent on f^2 with Armijo's
- * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
- * points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
- * Of models with creases, and where a bound on |grad f| is known, a point that
- * descent leaves off the surface is searched a surface for around it, in the
- * search box, with up to 2000 more evaluations.
- * A point that fails keeps its last iterate. */
+/* Projects n points onto the surface, by steepest descent on f^2 with Armijo's rule
+ * [NPAR 4.2].  A point that fails keeps its last place; its status says why, and the
+ * call succeeds.  For models with creases, and where a bound on |grad f| is known,
+ * points that descent leaves off the surface are searched for the surface around
+ * them, within the search box: this takes up to 2000 more evaluations for each.
+ *
+ * points:       n x 3, FLOAT32 or FLOAT64; as for hrbfnpr_model_evaluate
+ * desc:         NULL = all defaults
+ * projection:   the arrays that receive the results
+ * operation:    may be NULL */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_project(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                  const hrbfnpr_project_desc* desc, hrbfnpr_projection* projection,
                                                  hrbfnpr_operation* operation, hrbfnpr_error* error);
 
-/* Where _curvature puts its results: arrays of the caller's, each of n
- * elements, FLOAT32 or FLOAT64, or not given (all zero). */
+/* The results of hrbfnpr_model_curvature: arrays of the caller with n elements each,
+ * FLOAT32 or FLOAT64.  An array that is all zero is not wanted. */
 typedef struct hrbfnpr_curvature {
     uint32_t struct_size;
     uint32_t reserved;
-    hrbfnpr_array_out k1; /* n x 1: the larger principal curvature */
-    hrbfnpr_array_out k2; /* n x 1 */
-    hrbfnpr_array_out d1; /* n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign */
-    hrbfnpr_array_out d2;
-    hrbfnpr_array_out confidence; /* n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1] */
+    hrbfnpr_array_out k1; /* n x 1: the larger principal curvature, in 1 / unit of length */
+    hrbfnpr_array_out k2; /* n x 1: the smaller principal curvature */
+    hrbfnpr_array_out d1; /* n x 3: the direction of k1: unit, tangent, of arbitrary sign */
+    hrbfnpr_array_out d2; /* n x 3: the direction of k2: unit, tangent, perpendicular to d1, of arbitrary sign */
+    hrbfnpr_array_out confidence; /* n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), from 0 to 1 */
 } hrbfnpr_curvature;
 
+/* Sets up the struct with no array given. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 
-/* Principal curvatures and directions of the level set through each of n
- * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
- * G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
- * from its normal (a sphere with outward normals) has negative curvature,
- * -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
- * fall back to a smooth field.  Where the gradient vanishes all are 0. */
+/* Computes the principal curvatures and directions of the level set through each of n
+ * points: the tangent eigenpairs of G = -P H P / |grad f|, where P = I - n n^T
+ * [NPAR 5.3; Kindlmann et al. 2003].  k1 >= k2.  A surface that bends away from its
+ * normal has negative curvature: a sphere with outward normals has -1/radius.  At
+ * umbilics and on planes the confidence is 0, and d1 and d2 follow a smooth field.
+ * Where the gradient vanishes, all results are 0.
+ *
+ * points:      n x 3, FLOAT32 or FLOAT64; as for hrbfnpr_model_evaluate
+ * curvature:   the arrays that receive the results
+ * operation:   may be NULL */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                    hrbfnpr_curvature* curvature, hrbfnpr_operation* operation,
                                                    hrbfnpr_error* error);
 
+/* What became of a ray. */
 enum {
-    HRBFNPR_RAY_HIT = 0,             /* one hit or more */
-    HRBFNPR_RAY_MISS = 1,            /* none */
-    HRBFNPR_RAY_TRUNCATED = 2,       /* maximum_hits of 2 or more, and there is a further one */
-    HRBFNPR_RAY_EVALUATION_LIMIT = 3, /* given up on; what was found before is kept */
-    HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient was not finite; what was found before is kept */
+    HRBFNPR_RAY_HIT = 0,             /* it has one or several hits */
+    HRBFNPR_RAY_MISS = 1,            /* it has no hit */
+    HRBFNPR_RAY_TRUNCATED = 2,       /* it has more hits than maximum_hits, which is 2 or more */
+    HRBFNPR_RAY_EVALUATION_LIMIT = 3, /* the search ended at the evaluation limit; earlier hits are kept */
+    HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient is not finite; earlier hits are kept */
 };
 
+/* How rays are cast. */
 typedef struct hrbfnpr_cast_desc {
     uint32_t struct_size;
-    int32_t maximum_hits;    /* to find on a ray, 1 .. 256; 1: the first */
-    int32_t evaluation_limit; /* of f on each ray, 1 .. 1000000; 20000 */
+    int32_t maximum_hits;    /* largest number of hits to find on a ray; 1 to 256; default 1 = only the first one */
+    int32_t evaluation_limit; /* largest number of evaluations of f for each ray; 1 to 1000000; default 20000 */
     uint32_t reserved;
-    double t_min;            /* where a ray begins and ends, in lengths of its direction: t_min finite, 0 */
-    double t_max;            /* not below t_min; infinity */
-    double lipschitz;        /* bound on |grad f| in the search box; 0 = hrbfnpr_model_lipschitz's */
-    double smallest_step;    /* in diagonals, above 0, at most 0.1; 1e-4 */
-    double tolerance;        /* on the place of a hit along the ray, in diagonals, above 0; 1e-9 */
+    double t_min;            /* where a ray begins, in lengths of its direction; finite; default 0 */
+    double t_max;            /* where a ray ends, in lengths of its direction; t_min or more; default infinity */
+    double lipschitz;        /* a bound on |grad f| in the search box; 0 or more; default 0 = that of
+                                hrbfnpr_model_lipschitz.  A bound that is too small may miss hits; one that is too large
+                                only takes time */
+    double smallest_step;    /* smallest step along a ray, in diagonals; above 0, at most 0.1; default 1e-4.  Smaller
+                                steps find thinner sheets and take more time */
+    double tolerance;        /* accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9 */
 } hrbfnpr_cast_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
 
-/* Where _cast_rays puts its results: arrays of the caller's, each of n
- * elements, or not given (all zero).  h = maximum_hits; of each ray its hits
- * in order. */
+/* The results of hrbfnpr_model_cast_rays: arrays of the caller with n elements each.
+ * An array that is all zero is not wanted.  h is maximum_hits; the hits of a ray are
+ * in the order of t. */
 typedef struct hrbfnpr_ray_hits {
     uint32_t struct_size;
     uint32_t reserved;
-    hrbfnpr_array_out count;    /* n x 1, UINT32: how many were found, 0 .. h */
-    hrbfnpr_array_out t;        /* n x h, FLOAT32 or FLOAT64; infinity after the last */
-    hrbfnpr_array_out position; /* n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0
-                                   after the last.  From far origins it is more exact than t, which is rounded */
-    hrbfnpr_array_out normal;   /* n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last */
-    hrbfnpr_array_out entering; /* n x h, UINT8: 1 where f goes from + to - along the ray, else 0 */
+    hrbfnpr_array_out count;    /* n x 1, UINT32: number of hits; 0 to h */
+    hrbfnpr_array_out t;        /* n x h, FLOAT32 or FLOAT64: places of the hits, in lengths of the direction; infinity
+                                   after the last hit */
+    hrbfnpr_array_out position; /* n x 3h, FLOAT32 or FLOAT64: x, y, z of the first hit, then of the second; 0 after the
+                                   last hit.  For far origins it is more exact than t, which is rounded */
+    hrbfnpr_array_out normal;   /* n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last hit */
+    hrbfnpr_array_out entering; /* n x h, UINT8: 1 where the ray enters the inside (f changes from + to -), else 0 */
     hrbfnpr_array_out status;   /* n x 1, UINT8 or UINT32: HRBFNPR_RAY_... */
-    int64_t hit_rays;           /* written: how many rays have a hit */
+    int64_t hit_rays;           /* receives the number of rays that have a hit */
 } hrbfnpr_ray_hits;
 
+/* Sets up the struct with no array given. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size);
 
-/* Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
- * steps that it cannot lie within [Hart 1996, "Sphere tracing"].
+/* Finds where n rays origin + t direction, t_min <= t <= t_max, meet the surface in the
+ * search box, by sphere tracing [Hart 1996].
  *
- * The surface is looked for in the search box: the bounds, grown by 0.05
- * diagonals on every side.  From a place where f is known the next is |f| /
- * lipschitz away, but not less than smallest_step.  A change of sign between
- * two places brackets a hit, which Newton's method along the ray, safeguarded
- * by bisection, finds to the tolerance.  What changes no sign from one place to
- * the next is missed: grazing rays that are inside, and sheets that are thick,
- * for less than smallest_step.  So are hits that follow each other that
- * closely, in pairs.  A hit at the very ends of the range may or may not be
- * found.  A bound that is too small may miss more; a step that shows it to be
- * is taken back, and the bound raised for that ray.  One that is too large
- * costs time only.
+ * The search may miss: two hits that are closer than smallest_step along the ray, such
+ * as those of a grazing ray or a thin sheet; and a hit exactly at t_min or t_max.  A
+ * ray that starts on the surface may or may not have a hit there: start beyond it, with
+ * t_min.  Rays may start inside.
  *
- * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
- *            length but zero, and not so short that the t of a hit is infinite.
- *            Rays may start inside.
- * desc may be NULL.  A ray that starts on the surface may or may not meet it
- * there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
- * numbers of directions and origins that differ, and fields out of their range
- * are INVALID_ARGUMENT. */
+ * origins:      n x 3, FLOAT32 or FLOAT64, finite
+ * directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
+ * desc:         NULL = all defaults
+ * hits:         the arrays that receive the results
+ * operation:    may be NULL
+ *
+ * Errors: INVALID_ARGUMENT: NaN, infinity, a zero direction, different counts of
+ * origins and directions, or a direction so short that the t of a hit is infinite. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_cast_rays(const hrbfnpr_model* model, const hrbfnpr_array* origins,
                                                    const hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc,
                                                    hrbfnpr_ray_hits* hits, hrbfnpr_operation* operation,
                                                    hrbfnpr_error* error);
 
-/* The bound that _cast_rays takes where none is given: the largest |grad f| at
- * 24^3 points of the search box, times 1.5.  An estimate, and no proof; of a tree
- * of primitives (hrbfnpr_csg_info.lipschitz) a bound that holds.  A
- * program that casts few rays at a time asks for it once and passes it on:
- * otherwise each call evaluates those points. */
+/* Computes the bound on |grad f| that hrbfnpr_model_cast_rays uses if none is given.
+ * For a solid of primitives it is a true bound (hrbfnpr_csg_info.lipschitz).  For other
+ * models it is an estimate: 1.5 times the largest |grad f| at 24^3 points of the search
+ * box.  A program that casts few rays in each call should ask for the bound once and
+ * pass it on, because each call without it evaluates these points.
+ *
+ * lipschitz:   receives the bound
+ * operation:   may be NULL */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz,
                                                    hrbfnpr_operation* operation, hrbfnpr_error* error);
 
-/* Which of n points lie inside the surface.
- * points: n x 3, FLOAT32 or FLOAT64, finite.
- * inside: n x 1, UINT8, or NULL: 1 where f < 0 and the point lies in the search
- *         box (the bounds, grown by 0.05 diagonals on every side), else 0.
- *         Beyond it, where f means nothing, it is not evaluated.
- * inside_count (nullable) gets the number of ones.
- * Of a surface with a border, which bounds nothing, it is the side that f says. */
+/* Tells which of n points lie inside the surface: f < 0, and within the search box.
+ * Points beyond the box are outside; f is not evaluated there.  A surface with a border
+ * bounds nothing: the result then tells the side by the sign of f.
+ *
+ * points:         n x 3, FLOAT32 or FLOAT64, finite
+ * inside:         receives n x 1 UINT8: 1 inside, else 0; may be NULL
+ * inside_count:   receives the number of points inside; may be NULL
+ * operation:      may be NULL */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points,
                                                   const hrbfnpr_array_out* inside, int64_t* inside_count,
                                                   hrbfnpr_operation* operation, hrbfnpr_error* error);
@@ -954,190 +1084,239 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, co
 /*
  * --------------------------------------------------------------------------
  * Where a surface ends.  A fitted surface goes on where its samples end: that of
- * one view of a scan, or of a terrain, to the end of the search box; and it may
- * grow sheets where no sample ever was.  Trimming leaves these out:
+ * one view of a scan, or of a terrain, goes on to the end of the search box.  It
+ * may also have sheets where there never was a sample.  Trimming leaves both out.
  *
- *     s(x) = 3 (|c|^2 - ln sum_j w_j),     c = sum_j w_j q_j / sum_j w_j
- *     w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,     q_j = (x - p_j) / (0.9 h_j)
- *
- * tells how well the samples bear out a place x of the surface; p_j: the 24 samples
- * nearest to x, with normals n_j and the spacing h_j around them (as far as the
- * sixth neighbour), m: the surface's normal at x; c: how far x is from the middle
- * of its neighbours (Adamson and Alexa 2004).  A connected part of the surface
- * where s exceeds `limit` is left out if it reaches the end of the search box, or
- * if it is too far from all samples to be a hole between them (`hole`).  Other
- * parts stay: a hole that is closed so is no error.  Samples along curves, as of
- * wires and cross sections, have no holes between them: what reaches the end of
- * the box is left out, and nothing else.
+ * A number s(x) tells how badly the samples support the surface at the place x.
+ * It is near -4.7 among samples and grows away from them, and where they face
+ * another way (docs/lines.md gives the formula).  Trimming looks at the connected
+ * parts of the surface where s is above `limit`.  It leaves out a part that
+ * reaches the end of the search box.  It also leaves out a part that is somewhere
+ * farther than `hole` from all samples and has an s of 6 or more (with `closest`
+ * above 0, the distance is enough).  Other parts are holes between samples, and
+ * stay: the surface closes them.  Samples along curves, such as wires and cross
+ * sections, have no holes between them: only parts that reach the end of the box
+ * are left out.
  */
 
+/* How a surface is trimmed. */
 typedef struct hrbfnpr_trim_desc {
     uint32_t struct_size;
-    uint32_t reserved;     /* 0 */
-    double limit;          /* of s, > 0; 1.5.  The surface ends some 0.7 spacings beyond its last samples, with 3
-                              some 0.9 */
-    double hole;           /* >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed */
-    double closest;        /* 0 to 1, diagonals; 0: no spacing h_j is taken to be less.  For samples that are much denser
-                              than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
-                              than about 0.01 diagonals off them, and every part that is farther than `hole` from all of
-                              them; with 0 such a part also needs a place where s is 6 and more */
-    hrbfnpr_array points;  /* FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres.  All points
-                              of a scan tell better than the centres chosen from them where it ends */
-    hrbfnpr_array normals; /* FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the
-                              surface's own there */
+    uint32_t reserved;     /* must be 0 */
+    double limit;          /* the surface ends where s is above this; 0.001 to 1000; default 1.5.  Larger values end it
+                              later: 1.5 about 0.7 spacings beyond its last samples, 3 about 0.9 */
+    double hole;           /* holes whose points are all within this distance of a sample stay closed, in diagonals; 0
+                              or more; default 0.05.  Larger values keep larger holes closed */
+    double closest;        /* samples closer to each other than this are treated as this far apart, in diagonals; 0 to
+                              1; default 0.  Use it for samples that are much denser than the surface is accurate, such
+                              as many points of a mesh: 0.01 leaves out whatever is more than about 0.01 diagonals off
+                              them, and every part that is somewhere farther than `hole` from all samples */
+    hrbfnpr_array points;  /* N x 3, FLOAT32 or FLOAT64, finite: the samples; not given = the model's centres.  All
+                              points of a scan show better than the chosen centres where it ends */
+    hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length but 0: one normal for each of `points`; not given
+                              = those of the centres, or of the surface at the given points */
 } hrbfnpr_trim_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint32_t struct_size);
 
-/* The same model with a surface that ends where its samples do: marks, line sets
- * and rays of the new model do.  f, projections, curvatures and _contains are
- * those of `model`, which it keeps.  Trimming a trimmed model begins with the
- * whole one again.  A surface of which nothing is to be left out stays whole, and
- * what is made from it is bit for bit that of `model`.
- * desc NULL = defaults.  operation may be NULL.
- * Files of models hold where they end.
- * Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
- * part of the surface is near the samples; one sample has no spacing),
- * OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+/* Makes the same model with a surface that ends where its samples end.  Marks, line sets
+ * and rays of the new model end there.  f, projections, curvatures and
+ * hrbfnpr_model_contains stay those of `model`, which the new model keeps alive.
+ * Trimming a trimmed model starts from the whole model.  If nothing is to be left out,
+ * the surface stays whole, and all results are bit for bit those of `model`.  Files of
+ * models store the trim.
+ *
+ * desc:        NULL = all defaults
+ * operation:   may be NULL
+ *
+ * Errors: INVALID_ARGUMENT: the model is not a fit, and no points are given.
+ * NOT_CONVERGED: no part of the surface is near the samples, or a single sample has no
+ * spacing. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const hrbfnpr_trim_desc* desc,
                                               hrbfnpr_operation* operation, hrbfnpr_model** out_model,
                                               hrbfnpr_error* error);
 
+/* What trimming left out. */
 typedef struct hrbfnpr_trim_info {
     uint32_t struct_size;
-    uint32_t is_trimmed;  /* 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing */
-    int64_t samples;      /* that tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told */
-    int64_t parts;        /* of the surface, connected, that are left out */
-    int64_t parts_to_end; /* of these, those that reach the end of the search box: the samples are open there */
-    double share;         /* of the surface's area in the box that is left out, 0 to 1, within some percent */
-    double farthest;      /* place left out from the samples, units of the model */
-    double spacing;       /* of the samples, the median of h_j */
+    uint32_t is_trimmed;  /* 1: the surface ends somewhere; 0: it is whole, and all fields but samples and spacing are
+                             0 */
+    int64_t samples;      /* number of samples that were looked at; 0 if trimming was not asked for, if the model is a
+                             fit to a closed mesh, or if the end could not be found */
+    int64_t parts;        /* number of connected parts of the surface that are left out */
+    int64_t parts_to_end; /* number of these that reach the end of the search box: the samples are open there */
+    double share;         /* share of the surface's area in the box that is left out; 0 to 1; accurate to some
+                             percent */
+    double farthest;      /* largest distance of a place that is left out from the samples, in the model's unit */
+    double spacing;       /* spacing of the samples: the median distance to the sixth neighbour */
 } hrbfnpr_trim_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint32_t struct_size);
+/* Fills `info` with what the last trim of a model left out. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info,
                                                        hrbfnpr_error* error);
 
 /*
  * --------------------------------------------------------------------------
- * Solids put together from others (constructive solid geometry): a tree of
- * unions, intersections and differences, with a crease where parts meet or with
- * a blend, whose leaves are primitives and models of any kind.  f is negative
- * inside, in units of length:
+ * Solids (constructive solid geometry).  A solid is a tree of unions,
+ * intersections, differences and other operations.  Its leaves are primitives and
+ * models of any kind.  Where parts meet, there is a crease or a blend.  f is
+ * negative inside and has units of length:
  *
  *   union          min(a, b)
  *   intersection   max(a, b)
  *   difference     max(a, -b): the first child without all others
  *   complement     -a
  *   offset         a - distance
- *   shell          max(a, -a - distance): what is less than `distance` inside
+ *   shell          max(a, -a - distance): a wall of this thickness inside the surface
  *
- * Primitives lie about the origin and the z axis of their own coordinates; the
- * transforms of a node and of those above it put them where they are.  f of a
- * half-space, a sphere and a torus is the signed distance.  A box, a cylinder and a
- * cone are the largest of the distances from their sides: the distance inside,
- * and outside where a side is nearest; less beside edges and corners.
+ * Primitives lie around the origin and along the z axis of their own coordinates.
+ * The transforms of a node and of its parents move them to their places.  For a
+ * half-space, a sphere and a torus f is the signed distance to the surface.  For a
+ * box, a cylinder and a cone it is the largest of the distances from their sides:
+ * the distance inside, and outside where one side is nearest; less beside edges
+ * and corners.
  *
- * A blend rounds where parts meet, within its radius: where both are nearer than that to
- * their surfaces.  Children are blended one after the other, in their order.
- *   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b): twice
- *                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
- *                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
- *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
- *                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
- *                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
+ * A blend rounds the place where parts meet.  It acts where both parts are nearer
+ * than the radius R to their surfaces.  Children are blended one after the other,
+ * in their order.  For a union:
  *
- * A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
- * beyond it is outside, whatever its f is.  One that is a tree itself becomes part
- * of the new one, without bounds that were given for it.  A trimmed model bounds no
- * solid and is refused: fit it with trim NEVER.
+ *   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b)
+ *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b)
+ *
+ * Exponent 0 is twice continuously differentiable everywhere; at a right angle it
+ * begins at the distance R from the edge [after Barthe, Wyvill & de Groot 2004].
+ * Exponent 2 gives an arc of radius R at a right angle, and larger exponents are
+ * sharper [Ricci 1973].  Such a blend is smooth where f < R only, so do not offset
+ * it by R or more; |grad f| may grow by the factor 2^(1/p).
+ *
+ * A model as a leaf ends at its search box: everything beyond is outside, whatever
+ * f is there.  A leaf that is itself a solid becomes part of the new tree, and the
+ * bounds that were given for it are ignored.  A trimmed model bounds no solid and is
+ * refused: fit it with trim NEVER.
+ *
+ * The kinds of nodes are:
  */
 enum {
-    HRBFNPR_CSG_UNION = 0,
-    HRBFNPR_CSG_INTERSECTION = 1,
-    HRBFNPR_CSG_DIFFERENCE = 2,
-    HRBFNPR_CSG_COMPLEMENT = 3,  /* this and the next two: of one child */
-    HRBFNPR_CSG_OFFSET = 4,      /* by `distance`: outward, or inward if negative.  Exact where f is the distance */
-    HRBFNPR_CSG_SHELL = 5,       /* `distance` is its thickness: the surface stays, and has a wall inside */
-    HRBFNPR_CSG_MODEL = 6,       /* this and those below have no children */
-    HRBFNPR_CSG_HALF_SPACE = 7,  /* z <= 0 */
-    HRBFNPR_CSG_BOX = 8,         /* of `size`, its middle at 0 */
-    HRBFNPR_CSG_SPHERE = 9,      /* of `radius` about 0 */
-    HRBFNPR_CSG_CYLINDER = 10,   /* of `radius`, z from -height/2 to height/2 */
-    HRBFNPR_CSG_CONE = 11,       /* the same, its radius `radius` at the lower end and `second_radius` at the upper */
-    HRBFNPR_CSG_TORUS = 12       /* about z: a tube of `second_radius` around a circle of `radius` */
+    HRBFNPR_CSG_UNION = 0,        /* everything inside any child */
+    HRBFNPR_CSG_INTERSECTION = 1, /* everything inside all children */
+    HRBFNPR_CSG_DIFFERENCE = 2,   /* the first child without all others */
+    HRBFNPR_CSG_COMPLEMENT = 3,  /* everything outside its child; has one child */
+    HRBFNPR_CSG_OFFSET = 4,      /* its child, grown outward by `distance`, or inward if that is negative; has one
+                                    child. Exact where f is the distance */
+    HRBFNPR_CSG_SHELL = 5,       /* its child as a hollow body with a wall of thickness `distance` inside the surface;
+                                    has one child */
+    HRBFNPR_CSG_MODEL = 6,       /* the field `model`; a leaf */
+    HRBFNPR_CSG_HALF_SPACE = 7,  /* z <= 0; a leaf */
+    HRBFNPR_CSG_BOX = 8,         /* a box of the sides `size`, centred at the origin; a leaf */
+    HRBFNPR_CSG_SPHERE = 9,      /* a ball of `radius` around the origin; a leaf */
+    HRBFNPR_CSG_CYLINDER = 10,   /* a cylinder of `radius` around the z axis, z from -height/2 to height/2; a leaf */
+    HRBFNPR_CSG_CONE = 11,       /* a cone around the z axis, z from -height/2 to height/2, with `radius` at the lower
+                                    end and `second_radius` at the upper end; a leaf */
+    HRBFNPR_CSG_TORUS = 12       /* a tube of `second_radius` around a circle of `radius` around the z axis; a leaf */
 };
 
-/* What a kind has no use for is not looked at. */
+/* A node of a solid's tree.  Fields that its kind does not use are ignored. */
 typedef struct hrbfnpr_csg_node {
     uint32_t struct_size;
-    uint32_t kind;               /* HRBFNPR_CSG_...; UNION */
-    int64_t parent;              /* the index of a node before this one; of the first, the root, -1; -1.  Children are
-                                    in the order of the list */
-    const hrbfnpr_model* model;  /* of MODEL; kept */
-    double transform[16];        /* of all that is here and below, affine: a place here to one in the parent; the
-                                    identity.  It may turn, mirror and stretch.  Where it stretches unevenly lengths
-                                    are measured by its least stretch, so that |grad f| does not grow; the most may be
-                                    1e4 times the least */
-    double size[3];              /* of BOX, > 0; 1 */
-    double radius;               /* > 0; of CONE 0 or more, and one of both is not 0; 1 */
-    double second_radius;        /* of CONE, 0 or more; of TORUS, > 0 and less than the radius; 0.5 */
-    double height;               /* of CYLINDER and CONE, > 0; 1 */
-    double distance;             /* of OFFSET, finite; of SHELL, > 0; 0 */
-    double blend;                /* radius R of UNION, INTERSECTION and DIFFERENCE, 0 or more; 0 = a crease */
-    double exponent;             /* of the blend: 0, or 2 .. 64; 0 */
+    uint32_t kind;               /* HRBFNPR_CSG_...; default UNION */
+    int64_t parent;              /* index of the parent, which comes earlier in the list; default -1 = none, for the
+                                    first node, which is the root.  Children have the order of the list */
+    const hrbfnpr_model* model;  /* the model of MODEL, which the solid keeps alive; not trimmed */
+    double transform[16];        /* affine map from the node's coordinates to the parent's; default the identity.  It
+                                    applies to the node and all below, and may turn, mirror and stretch.  The largest
+                                    stretch may be 1e4 times the least.  If it stretches unevenly, lengths are measured
+                                    by the least stretch, so that |grad f| does not grow */
+    double size[3];              /* sides of BOX; above 0; default 1 */
+    double radius;               /* radius of SPHERE, CYLINDER, CONE and TORUS; above 0, but 0 or more for CONE, of
+                                    which one radius must be above 0; default 1 */
+    double second_radius;        /* upper radius of CONE, 0 or more; tube radius of TORUS, above 0 and below `radius`;
+                                    default 0.5 */
+    double height;               /* height of CYLINDER and CONE; above 0; default 1 */
+    double distance;             /* growth of OFFSET, finite; wall thickness of SHELL, above 0; default 0 */
+    double blend;                /* radius R of the blend of UNION, INTERSECTION and DIFFERENCE; 0 or more; default 0 =
+                                    a crease.  Larger values round more */
+    double exponent;             /* exponent of the blend; 0, or 2 to 64; default 0.  From 2 on, larger values are
+                                    sharper */
 } hrbfnpr_csg_node;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint32_t struct_size);
 
+/* A solid to make. */
 typedef struct hrbfnpr_csg_desc {
     uint32_t struct_size;
     uint32_t reserved;
-    const hrbfnpr_csg_node* nodes; /* a list: a tree of any depth.  1 .. 65536 nodes, counting those of trees that are
-                                      leaves of this one */
-    int64_t node_count;
-    int64_t node_stride;
-    double bounds_min[3];          /* the box that the surface lies in: what is beyond is not seen.  All 0 = found from
-                                      the tree */
-    double bounds_max[3];
+    const hrbfnpr_csg_node* nodes; /* the list of nodes: a tree of any depth; 1 to 65536 nodes, with those of solids
+                                      that are leaves */
+    int64_t node_count;            /* number of nodes in the list */
+    int64_t node_stride;           /* bytes from one node to the next; 0 = the first one's struct_size */
+    double bounds_min[3];          /* lower corner of the box in which the surface is looked for; both corners all 0
+                                      (default) = found from the tree */
+    double bounds_max[3];          /* upper corner of the box */
 } hrbfnpr_csg_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint32_t struct_size);
 
-/* Every operator works on the result; derivatives are those of what f is there.
- * It can be saved if its leaves can.  It keeps them, and is for as many threads at
- * a time as all of them are.
- * Errors: INVALID_ARGUMENT (also: the surface has no end, or there is none: give
- * bounds), UNSUPPORTED_STRUCT, OUT_OF_MEMORY. */
+/* Makes a solid.  Every function of this section works on it.  Derivatives are those of
+ * the part that is active at a place.  A solid can be saved if its leaves can.  It keeps
+ * its leaves alive.  It runs on several threads if all custom functions among its leaves
+ * are thread-safe.
+ *
+ * Errors: INVALID_ARGUMENT: a node is wrong (the message gives its index); the surface
+ * may have no end (intersect it with a box, or give bounds); nothing is left of the
+ * solid. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_create_csg(hrbfnpr_context* context, const hrbfnpr_csg_desc* desc,
                                                     hrbfnpr_model** out_model, hrbfnpr_error* error);
 
+/* What a solid is made of.  All fields are 0 for a model that is not a solid. */
 typedef struct hrbfnpr_csg_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t nodes;    /* with those of trees that became part of it; 0: the model is no tree, and so is all else */
-    int64_t depth;    /* nodes from the root to the deepest leaf, both counted */
-    int64_t models;   /* leaves that are models, each once */
-    int64_t sheets;   /* smooth functions that it is made of: sides of primitives and of boxes that models end at; a
-                         blend has one for each pair of those that it joins */
-    double lipschitz; /* a bound on |grad f| that holds everywhere; 0: models have none that is known */
+    int64_t nodes;    /* number of nodes, with those of solids that became part of it */
+    int64_t depth;    /* number of nodes from the root to the deepest leaf, both included */
+    int64_t models;   /* number of different models among the leaves */
+    int64_t sheets;   /* number of smooth functions that it consists of: sides of primitives, sides of the boxes at
+                         which models end, and one for each pair of those that a blend joins */
+    double lipschitz; /* a bound on |grad f| that holds everywhere; 0 if none is known, because leaves are models */
 } hrbfnpr_csg_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_csg_info_init(hrbfnpr_csg_info* info, uint32_t struct_size);
+/* Fills `info` with what a solid is made of. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_get_csg_info(const hrbfnpr_model* model, hrbfnpr_csg_info* info,
                                                       hrbfnpr_error* error);
 
-/* Saving and loading.  The stream is little-endian, versioned and checksummed;
- * a loaded model evaluates to the same bits.  A custom model cannot be saved, nor
- * a tree with one in it (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
- * that is too small is BUFFER_TOO_SMALL and writes nothing else. */
+/* Saves a model to a stream.  The stream is little-endian, has a version and a
+ * checksum, and is described in docs/file-format.md.  A loaded model evaluates to the
+ * same bits.
+ *
+ * Errors: INVALID_ARGUMENT: a custom model, or a solid with one among its leaves, cannot
+ * be saved.  IO: `write` failed. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write,
                                               void* user, hrbfnpr_error* error);
+/* Saves a model to memory.
+ *
+ * destination:   receives the stream; may be NULL if capacity is 0
+ * capacity:      the size of destination in bytes, 0 or more
+ * size:          receives the bytes that the stream needs; must be given
+ *
+ * Errors: those of hrbfnpr_model_save.  BUFFER_TOO_SMALL: capacity is below *size; only
+ * *size is written. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination,
                                                      int64_t capacity, int64_t* size,
                                                      hrbfnpr_error* error);
+/* Loads a model from a stream.
+ *
+ * Errors: IO: `read` failed.  CORRUPT_DATA: the stream is no model, truncated or
+ * damaged.  VERSION_MISMATCH: a newer library wrote it. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
                                               hrbfnpr_model** out_model, hrbfnpr_error* error);
+/* Loads a model from `size` bytes of memory.  Errors: those of hrbfnpr_model_load,
+ * without IO. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data,
                                                      int64_t size, hrbfnpr_model** out_model,
                                                      hrbfnpr_error* error);
@@ -1147,355 +1326,395 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, c
  * 7  POINT SET: layers of marks on a surface, immutable   [NPAR 4.2, 5]
  * ==========================================================================
  *
- * A point set is a list of layers.  A layer is a list of marks of one kind,
- * made in one way and drawn in one style; its number is its place in the
- * list, from 0.  The marks of some layers form strokes.
+ * A point set is a list of layers.  A layer is a list of marks of one kind, which
+ * are made in one way and drawn in one style.  The number of a layer is its place
+ * in the list, from 0.  The marks of some layers form strokes.
  */
 
+/* A handle to a set of marks.  It never changes. */
 typedef struct hrbfnpr_point_set hrbfnpr_point_set;
 
-/* What the marks of a layer are.  More kinds may come: treat one that is not
- * in this list like OWN. */
+/* The kind of a layer's marks.  Later versions may add kinds: treat an unknown one
+ * like OWN. */
 enum {
-    HRBFNPR_LAYER_KIND_ANY = 0,       /* in styles only: layers of every kind */
+    HRBFNPR_LAYER_KIND_ANY = 0,       /* for styles only: layers of every kind */
     HRBFNPR_LAYER_KIND_STIPPLES = 1,  /* scattered marks */
-    HRBFNPR_LAYER_KIND_HATCH = 2,     /* lines along a field of directions, which `guide` or the caller's
-                                         direction_function gives.  BLUE_NOISE lays evenly spaced lines along the
-                                         smoothest such field, nested: marks of level 0 are on the coarsest lines, and
-                                         lines of each further level lie midway between all before; around a fork a
-                                         line changes its level [Knoeppel et al. 2015].  PUBLISHED grows strokes from
-                                         seeds, along the directions and across them [NPAR 5] */
-    HRBFNPR_LAYER_KIND_OWN = 3        /* the caller's marks or strokes */
+    HRBFNPR_LAYER_KIND_HATCH = 2,     /* lines along a field of directions, which `guide` or direction_function gives.
+                                         With BLUE_NOISE they are evenly spaced and nested: lines of level 0 are the
+                                         coarsest, and lines of each further level lie midway between all before
+                                         [Knoeppel et al. 2015].  With PUBLISHED they are strokes that grow from seeds,
+                                         along the directions and across them [NPAR 5] */
+    HRBFNPR_LAYER_KIND_OWN = 3        /* marks or strokes of the caller */
 };
 
+/* How marks are distributed over a surface. */
 enum {
-    /* Stipples evenly spread over the area in a progressive order, each prefix
-     * of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
-     * budget may be missed by some marks in a thousand where the surface bends
-     * within their spacing.  Lines of HATCH are evenly spaced and nested.
-     * The default. */
-    HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
-    /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
-     * drawn independently at random [NPAR 5, 6.2]. */
-    HRBFNPR_DISTRIBUTION_PUBLISHED = 1
+    HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, /* stipples are evenly spread in a progressive order, every prefix of which is
+                                            evenly spread; lines of HATCH are evenly spaced and nested; the default.
+                                            Where the surface bends within the spacing of stipples, a layer may miss its
+                                            budget by some marks in a thousand (docs/quality.md) */
+    HRBFNPR_DISTRIBUTION_PUBLISHED = 1   /* the published recursion: each level has 5 times as many stipples, or 3 times
+                                            as many marks of strokes, and ranks are random [NPAR 5, 6.2] */
 };
 
-/* What the lines of HATCH follow where no direction_function is given.  Each guide is a direction without a sign at every
- * place, and a confidence: where that is low, the smoothest field between decides.  PUBLISHED takes CURVATURE, COMBING
- * or a direction_function; another guide is INVALID_ARGUMENT. */
+/* The directions that lines of HATCH follow without a direction_function.  Where the
+ * directions have a low confidence, lines follow the smoothest field between.
+ * PUBLISHED takes CURVATURE, COMBING or a direction_function; another guide is
+ * INVALID_ARGUMENT. */
 enum {
-    HRBFNPR_HATCH_GUIDE_CURVATURE = 0, /* the direction in which the surface bends most, where it bends unevenly.
-                                          PUBLISHED: strokes along both principal directions, d1 and d2 */
+    HRBFNPR_HATCH_GUIDE_CURVATURE = 0, /* the direction in which the surface bends most.  PUBLISHED: strokes along both
+                                          principal directions, d1 and d2 */
     HRBFNPR_HATCH_GUIDE_COMBING = 1,   /* Stark's combing direction r.  PUBLISHED: strokes along r and u [NPAR 5.3] */
-    HRBFNPR_HATCH_GUIDE_SECTIONS = 2,  /* the surface's sections by planes across `axis` */
+    HRBFNPR_HATCH_GUIDE_SECTIONS = 2,  /* sections of the surface by planes perpendicular to `axis` */
     HRBFNPR_HATCH_GUIDE_LIGHT = 3,     /* the tangent part of guide_direction, which points to the light */
-    HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 /* what is conjugate to guide_direction, which points to the eye: near where
-                                          that grazes the surface lines run as the silhouette does */
+    HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 /* the direction conjugate to guide_direction, which points to the eye: near the
+                                          silhouette, lines run along it */
 };
 
+/* The seeds from which marks start. */
 enum {
-    HRBFNPR_SEED_AUTO = 0,    /* SAMPLES if the model has well-spread ones, else BOX */
-    HRBFNPR_SEED_SAMPLES = 1, /* the model's samples; INVALID_ARGUMENT for a custom model */
-    HRBFNPR_SEED_BOX = 2,     /* jittered grid in the bounds, projected */
-    HRBFNPR_SEED_POINTS = 3   /* seed_points, projected */
+    HRBFNPR_SEED_AUTO = 0,    /* the samples, if the model has them (for PUBLISHED: well-spread ones), else BOX */
+    HRBFNPR_SEED_SAMPLES = 1, /* the model's samples; INVALID_ARGUMENT for a model without samples */
+    HRBFNPR_SEED_BOX = 2,     /* a jittered grid in the bounds, projected onto the surface */
+    HRBFNPR_SEED_POINTS = 3   /* seed_points, projected onto the surface */
 };
 
 /* Where the strokes of PUBLISHED start. */
 enum {
-    HRBFNPR_STROKE_START_SEEDS = 0,   /* from the seeds */
-    HRBFNPR_STROKE_START_STIPPLES = 1 /* from the stipples up to level start_level */
+    HRBFNPR_STROKE_START_SEEDS = 0,   /* at the seeds */
+    HRBFNPR_STROKE_START_STIPPLES = 1 /* at the stipples up to level start_level */
 };
 
+/* How densely the stipples of BLUE_NOISE lie. */
 enum {
-    HRBFNPR_DENSITY_UNIFORM = 0,   /* as many stipples per area everywhere */
-    HRBFNPR_DENSITY_CURVATURE = 1, /* more where the surface bends: 1 - s + s c / (c + mean of c), s =
-                                      density_strength, c = sqrt((k1^2 + k2^2) / 2) */
-    HRBFNPR_DENSITY_CALLBACK = 2   /* density_function */
+    HRBFNPR_DENSITY_UNIFORM = 0,   /* the same number of stipples per area everywhere */
+    HRBFNPR_DENSITY_CURVATURE = 1, /* more stipples where the surface bends: 1 - s + s c / (c + mean of c), where s is
+                                      density_strength and c = sqrt((k1^2 + k2^2) / 2) */
+    HRBFNPR_DENSITY_CALLBACK = 2   /* the density of density_function */
 };
 
-/* A density on the surface: fills density (count) from absolute positions and
- * unit normals (count x 3 each), 1 where marks are to be densest, 0 where none
- * are wanted; clamped to 1, negative or NaN is CALLBACK, and one that leaves no
- * mark at all INVALID_ARGUMENT.  Called with some
- * thousand places at a time, on the thread that called _generate.  Non-zero
- * fails it with CALLBACK. */
+/* Gives a density on the surface: 1 where marks lie closest, 0 where there are none.
+ * Larger numbers count as 1.  A negative number or NaN fails the call with CALLBACK, and
+ * so does a result other than 0.  A density without any mark is INVALID_ARGUMENT.  The
+ * function gets some thousand places at a time, on the thread that called _generate.
+ *
+ * positions:   count x 3, absolute
+ * normals:     count x 3, unit
+ * density:     receives count numbers */
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions,
                                       const double* normals, double* density);
 
-/* A field of directions on the surface: fills directions (count x 3) from
- * absolute positions and unit normals (count x 3 each).  A direction is taken
- * into the tangent plane, its sign and length count nothing; where there is
- * none it may be 0, 0, 0, and lines follow the smoothest field between
- * those that there are.  NaN or infinity is CALLBACK.  Called with some
- * thousand places at a time, on the thread that called _generate.  Non-zero
- * fails it with CALLBACK. */
+/* Gives a field of directions on the surface.  Only the tangent part of a direction
+ * counts; its sign and length do not.  (0, 0, 0) means no direction: lines follow the
+ * smoothest field between the others.  NaN or infinity fails the call with CALLBACK, and
+ * so does a result other than 0.  The function gets some thousand places at a time, on
+ * the thread that called _generate.
+ *
+ * positions:    count x 3, absolute
+ * normals:      count x 3, unit
+ * directions:   receives count x 3 */
 typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions,
                                         const double* normals, double* directions);
 
+/* The tones in which layers appear, if they have no tone range of their own. */
 enum {
-    HRBFNPR_TONE_RANGES_FULL = 0,   /* each layer's ranks cover all tones */
-    HRBFNPR_TONE_RANGES_IN_TURN = 1 /* one after the other in the order of the list, the first direction of a layer
-                                       of strokes before the second, each over an equal part of the tones:
+    HRBFNPR_TONE_RANGES_FULL = 0,   /* each layer covers all tones */
+    HRBFNPR_TONE_RANGES_IN_TURN = 1 /* the layers follow each other in the order of the list, each over an equal part of
+                                       the tones (of PUBLISHED strokes the first direction, then the second):
                                        cross-hatching builds up from light to dark */
 };
 
+/* What else is made for a layer. */
 enum {
-    HRBFNPR_LAYER_WITH_CURVATURE = 1 /* fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always do */
+    HRBFNPR_LAYER_WITH_CURVATURE = 1 /* fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always have
+                                        it */
 };
 
-/* How one layer is made.
+/* How one layer of marks is made.
  *
- * The darkness 1 - tau at which the first mark of the layer is shown is
- * tone_begin, that at which all are tone_end: rank u becomes 1 - begin -
- * (1 - u) (end - begin), 0 <= begin < end <= 1.  Both 0: as
- * hrbfnpr_generate_desc.tone_ranges says. */
+ * tone_begin is the darkness (1 - tone) at which the first mark of the layer is shown,
+ * tone_end the darkness at which all are shown: the rank u becomes
+ * 1 - begin - (1 - u) (end - begin), with 0 <= begin < end <= 1.  If both are 0,
+ * hrbfnpr_generate_desc.tone_ranges decides. */
 typedef struct hrbfnpr_layer_desc {
     uint32_t struct_size;
-    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES or HATCH; STIPPLES */
-    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples" or "hatch" */
-    int64_t budget;      /* the most marks; at most 100000000 for BLUE_NOISE; 40000.
-                            0 = no limit, for PUBLISHED and for lines with a separation.  PUBLISHED thins the
-                            level that exceeds it at random and stops there; lines of BLUE_NOISE come near
-                            to it, and do not ask for it where they have a separation.  Not used with a
-                            shared_budget */
-    float tone_begin;    /* of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0 */
-    float tone_end;
-    float second_tone_begin; /* of PUBLISHED strokes of the second direction; 0 and 0 */
-    float second_tone_end;
-    uint32_t flags;      /* HRBFNPR_LAYER_WITH_...; 0 */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES or HATCH; default STIPPLES */
+    const char* name;    /* name for styles; UTF-8, 1 to 63 bytes, copied; default NULL = "stipples" or "hatch" */
+    int64_t budget;      /* largest number of marks; 0 or more, at most 100000000 for BLUE_NOISE; default 40000.  0 = no
+                            limit, for PUBLISHED and for lines with a separation.  PUBLISHED thins the level that
+                            exceeds the budget at random and stops there.  Lines of BLUE_NOISE have about this number of
+                            marks, and ignore the budget if they have a separation.  shared_budget replaces it */
+    float tone_begin;    /* darkness at which the first mark is shown; 0 to 1; default 0.  For PUBLISHED strokes, those
+                            of the first direction */
+    float tone_end;      /* darkness at which all marks are shown; 0 to 1; default 0 */
+    float second_tone_begin; /* the same as tone_begin, for PUBLISHED strokes of the second direction; default 0 */
+    float second_tone_end;   /* the same as tone_end, for PUBLISHED strokes of the second direction; default 0 */
+    uint32_t flags;      /* HRBFNPR_LAYER_WITH_... flags, or-ed; default 0 */
 
-    /* Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
-     * uniform order, divided by the density, is too high. */
-    uint32_t density;        /* HRBFNPR_DENSITY_...; UNIFORM */
-    double density_strength; /* of CURVATURE, 0 .. 1; 0.5 */
-    hrbfnpr_density_fn density_function; /* for CALLBACK.  Where its mean is below 1/16 of 1, fewer
-                                            marks than the budget are made */
-    void* density_user;
+    /* Stipples of BLUE_NOISE.  They keep their evenness: a mark is left out if its place in the uniform
+     * order, divided by the density, is too high. */
+    uint32_t density;        /* HRBFNPR_DENSITY_...; default UNIFORM */
+    double density_strength; /* strength of CURVATURE; 0 to 1; default 0.5.  0 = uniform; larger values put more
+                                stipples where the surface bends */
+    hrbfnpr_density_fn density_function; /* the function of CALLBACK.  If its mean is below 1/16, the layer has fewer
+                                            marks than its budget */
+    void* density_user;                  /* passed to density_function */
 
-    /* HATCH.  Lengths are in object units; separation and step are 0, or 1e-12 .. 1e9 diagonals. */
-    hrbfnpr_direction_fn direction_function; /* NULL = by `guide` */
-    void* direction_user;
-    uint32_t guide;          /* HRBFNPR_HATCH_GUIDE_...; CURVATURE */
+    /* HATCH. */
+    hrbfnpr_direction_fn direction_function; /* the directions that lines follow; default NULL = those of `guide` */
+    void* direction_user;                    /* passed to direction_function */
+    uint32_t guide;          /* HRBFNPR_HATCH_GUIDE_...; default CURVATURE */
 
     /* HATCH of PUBLISHED. */
-    uint32_t start;          /* HRBFNPR_STROKE_START_...; SEEDS */
-    int32_t start_level;     /* with STROKE_START_STIPPLES: the last stippling level used; 0 */
-    int32_t levels;          /* of stipples, too: refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which
-                                then have 3^levels marks; -1 */
+    uint32_t start;          /* HRBFNPR_STROKE_START_...; default SEEDS */
+    int32_t start_level;     /* last level of stipples at which strokes start, with STROKE_START_STIPPLES; 0 to 12;
+                                default 0 */
+    int32_t levels;          /* number of refinement steps, for stipples of PUBLISHED, too; 0 to 12; default -1 = 4 for
+                                stipples, 3 for strokes.  Strokes have 3^levels marks.  A larger number gives longer
+                                strokes and more stipples */
 
     /* HATCH of BLUE_NOISE. */
-    double separation;       /* mean distance of neighbouring lines; 0 = as many lines as make about the budget's
-                                marks */
-    double step;             /* distance of the marks of a line; 0 = 0.4 of the separation */
-    double angle;            /* by which lines are turned in the tangent plane, counter-clockwise as seen from outside;
-                                degrees; 0 */
-    double smoothing;        /* of directions: the distance over which they are evened out; diagonals, > 0, 1 at most;
-                                0.04 */
-    double axis[3];          /* where curvature says little lines run around this; not 0; (0, 1, 0) */
-    double axis_weight;      /* against curvature; >= 0; 0.06 */
-    double guide_direction[3]; /* of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1) */
-    double guide_weight;     /* of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1.  Lines are
-                                blended as exp(2 i angle) */
+    double separation;       /* mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals;
+                                default 0 = by the budget.  Smaller values give more lines */
+    double step;             /* distance between the marks of a line, in the unit of the samples; 1e-12 to 1e9
+                                diagonals; default 0 = 0.4 of the separation */
+    double angle;            /* angle by which lines are turned in the tangent plane, counter-clockwise as seen from
+                                outside, in degrees; -360 to 360; default 0 */
+    double smoothing;        /* length over which directions are smoothed, in diagonals; 1e-6 to 1; default 0.04.
+                                Larger values give calmer lines that follow the form less */
+    double axis[3];          /* axis around which lines run where curvature has a low confidence; not 0; default (0, 1,
+                                0) */
+    double axis_weight;      /* weight of the axis against curvature; 0 to 1000; default 0.06.  Larger values make more
+                                lines run around the axis */
+    double guide_direction[3]; /* direction to the light (LIGHT) or to the eye (SILHOUETTE), in the model's coordinates;
+                                  not 0; default (0, 0, 1) */
+    double guide_weight;     /* weight of a guide other than CURVATURE; curvature has the rest; 0 to 1; default 1.
+                                Directions are blended as exp(2 i angle) */
 
-    /* Of all kinds. */
-    double tone_smoothing;   /* over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
-                                that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH of BLUE_NOISE,
-                                0 for others; -1 */
+    /* All kinds. */
+    double tone_smoothing;   /* length over which the attribute TONE_NORMAL is averaged, in diagonals; 0 to 0.1; 0 =
+                                none: tone follows NORMAL; default -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others.
+                                Larger values keep the grain of a rough surface out of the tone */
 } hrbfnpr_layer_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 
+/* The layers of marks to make. */
 typedef struct hrbfnpr_generate_desc {
     uint32_t struct_size;
-    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
-    const hrbfnpr_layer_desc* layers; /* a list; NULL and 0 = one layer of stipples */
-    int64_t layer_count;
-    int64_t layer_stride;
-    int64_t shared_budget;   /* the most marks of all layers together: each gets its part of the
-                                tones; 0 = each layer has its own budget */
-    uint32_t tone_ranges;    /* HRBFNPR_TONE_RANGES_...; FULL */
-    uint32_t seed_source;    /* HRBFNPR_SEED_...; AUTO */
-    hrbfnpr_array seed_points; /* for POINTS: n x 3, FLOAT32 or FLOAT64 */
-    double box_jitter;       /* alpha: in cell sides, 0 .. 0.5; 0.25 */
-    uint32_t box_resolution; /* R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
+    uint32_t distribution;   /* HRBFNPR_DISTRIBUTION_...; default BLUE_NOISE */
+    const hrbfnpr_layer_desc* layers; /* the list of layers; default NULL, with layer_count 0 = one layer of stipples */
+    int64_t layer_count;     /* number of layers; 0 to 65536; default 0 */
+    int64_t layer_stride;    /* bytes from one layer to the next; 0 = the first one's struct_size */
+    int64_t shared_budget;   /* largest number of marks of all layers together, which they share in proportion to the
+                                lengths of their tone ranges; 0 or more; default 0 = each layer has its own budget */
+    uint32_t tone_ranges;    /* HRBFNPR_TONE_RANGES_...; default FULL */
+    uint32_t seed_source;    /* HRBFNPR_SEED_...; default AUTO */
+    hrbfnpr_array seed_points; /* n x 3, FLOAT32 or FLOAT64: the seeds of POINTS, within 1e4 diagonals of the bounds */
+    double box_jitter;       /* alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default
+                                0.25 */
+    uint32_t box_resolution; /* R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8
+                                [NPAR 4.2].  More cells give more seeds and miss fewer sheets */
     uint32_t reserved;
-    double initial_step;     /* rho_0, 0 or 1e-12 .. 1e9 diagonals; 0 = voxel diameter for BOX, mean empty-ball
-                                diameter of the seeds for others [NPAR 5.1].  PUBLISHED only */
-    double projection_tolerance; /* as in hrbfnpr_project_desc; 1e-7 */
-    uint64_t random_seed;    /* any number; 1 */
+    double initial_step;     /* rho_0: first step of PUBLISHED, in the unit of the samples; 1e-12 to 1e9 diagonals;
+                                default 0 = the diameter of a cell for BOX, the mean diameter of empty balls between the
+                                seeds for others [NPAR 5.1] */
+    double projection_tolerance; /* as in hrbfnpr_project_desc; above 0; default 1e-7 */
+    uint64_t random_seed;    /* start of the random numbers; any number; default 1.  Another number gives other marks */
 } hrbfnpr_generate_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size);
 
-/* Places marks on the surface.  desc may be NULL, operation may be NULL.
- * Marks whose projection fails or strays are dropped and counted
- * (hrbfnpr_placement_info); a set whose seeds are all dropped is an error
- * (NOT_CONVERGED), and so is one whose marks are, or that no stroke of a given
- * separation or step fits into.
+/* Places marks on the surface of a model.  Marks whose projection fails or lands too far
+ * away are dropped and counted (hrbfnpr_placement_info).
  *
- * Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
- * 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
- * scaled by a power of two are the same ones, scaled; a curvature that does not
- * fit a float is the largest that does.  Custom bounds may be up to 500 times
- * as wide as the surface, seed_points within 1e4 diagonals of the bounds.
- * Everything else is INVALID_ARGUMENT, and so is a budget that is too large,
- * before any mark is placed.
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK. */
+ * desc:        NULL = all defaults
+ * operation:   may be NULL
+ *
+ * Sizes.  Marks are stored as floats, so the diagonal of the model's bounds must be from
+ * 1e-33 to 1e33.  Scaling a model by a power of two scales its marks if the diagonal is
+ * beyond 1e-9 to 1e9; curvatures that do not fit into a float become the largest float.
+ * The bounds of a custom model may be up to 500 times as wide as its surface.
+ *
+ * Errors: INVALID_ARGUMENT, before any mark is placed: a size or a budget is out of its
+ * range.  NOT_CONVERGED: no seed or no mark could be placed, or no stroke has room with the
+ * given separation or step.  CALLBACK: a density or direction function failed. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_generate(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                       const hrbfnpr_generate_desc* desc,
                                                       hrbfnpr_operation* operation,
                                                       hrbfnpr_point_set** out_point_set,
                                                       hrbfnpr_error* error);
 
-/* What is known of each mark of a layer, and of each of its S strokes. */
+/* The arrays of a layer, with one element for each mark or for each of its S strokes. */
 enum {
-    HRBFNPR_MARK_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
-    HRBFNPR_MARK_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3, unit, outward */
-    HRBFNPR_MARK_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none
-                                             the u of its basis [NPAR 5.2] */
-    HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
-    HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is
-                                             shown where u >= tau.  All marks of a line of BLUE_NOISE
-                                             have the same */
-    HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
-                                             HATCH of BLUE_NOISE: see HRBFNPR_LAYER_KIND_HATCH */
-    HRBFNPR_MARK_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the
-                                             mark's place along it.  PUBLISHED: the number is the seed's, places are
-                                             0 .. 3^levels - 1, the seed in the middle.  Else 0 .. n - 1 from end
-                                             to end.  For a mark of no stroke: 2 * its number (PUBLISHED: its
-                                             seed's), and 0 */
-    HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7,     /* FLOAT32, relative, in (0,1]: 1 in the middle of a stroke,
-                                             less towards its tapered ends.  The ink of front marks has
-                                             this much of the style's radius.  Count 0 = all 1 */
-    HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8, /* UINT32, S + 1 elements: stroke s has the marks
-                                                order[first[s]] .. order[first[s + 1] - 1] from end to end, order
-                                                being STROKE_ORDER.  Count 0 = a layer without strokes */
+    HRBFNPR_MARK_ATTRIBUTE_POSITION = 0,  /* FLOAT32 x 3: the place, relative to hrbfnpr_point_set_info.origin */
+    HRBFNPR_MARK_ATTRIBUTE_NORMAL = 1,    /* FLOAT32 x 3: the normal; unit, outward */
+    HRBFNPR_MARK_ATTRIBUTE_DIRECTION = 2, /* FLOAT32 x 3: the direction along the stroke; unit, tangent.  For a mark
+                                             without a stroke: the u of its basis [NPAR 5.2] */
+    HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2 and confidence, as hrbfnpr_model_curvature gives
+                                             them */
+    HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the rank u of [NPAR 6.2], in [0, 1): a mark is shown where u >=
+                                             tone. All marks of a line of BLUE_NOISE have the same rank */
+    HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed the mark; 0 = a seed.  For HATCH of
+                                             BLUE_NOISE: the level of its line there (see HRBFNPR_LAYER_KIND_HATCH) */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's
+                                             place along it.  PUBLISHED: the number is that of the seed, and places are
+                                             0 to 3^levels - 1 with the seed in the middle.  Others: places are 0 to n -
+                                             1 from end to end.  For a mark without a stroke: 2 * its number (PUBLISHED:
+                                             of its seed), and 0 */
+    HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7,     /* FLOAT32: the width as a factor of the style's radius, in (0, 1]; 1 in the
+                                             middle of a stroke, less towards its tapered ends; for front marks.  Count
+                                             0 = all 1 */
+    HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST = 8, /* UINT32, S + 1 elements: stroke s has the marks order[first[s]] to
+                                                order[first[s + 1] - 1] from end to end, where order is STROKE_ORDER.
+                                                Count 0 = a layer without strokes */
     HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER = 9, /* UINT32: numbers of marks, stroke by stroke.  Count 0 = the marks
-                                                stand stroke by stroke already: every layer but those of PUBLISHED */
-    HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL = 10  /* FLOAT32 x 3, unit: the normal that tone goes by with DEPTH_LAYERS,
-                                                averaged over hrbfnpr_layer_desc.tone_smoothing of the same sheet.
-                                                What faces the eye goes by NORMAL.  Count 0 = NORMAL */
+                                                themselves are in this order, as in every layer except those of
+                                                PUBLISHED */
+    HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL = 10  /* FLOAT32 x 3: the unit normal that sets the tone with DEPTH_LAYERS,
+                                                averaged over hrbfnpr_layer_desc.tone_smoothing on the same sheet.
+                                                NORMAL decides whether the mark faces the eye.  Count 0 = NORMAL */
 };
 
-/* A layer of ready-made marks.  Types and components as in the list above,
- * FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
- * may be left empty. */
+/* A layer of N ready-made marks.  position and normal must be given; the other arrays may be
+ * empty.  Scalars are those of HRBFNPR_MARK_ATTRIBUTE_POSITION and the like; FLOAT64 is
+ * accepted for FLOAT32. */
 typedef struct hrbfnpr_layer_arrays {
     uint32_t struct_size;
-    uint32_t kind;              /* HRBFNPR_LAYER_KIND_... but ANY; OWN */
-    const char* name;           /* UTF-8, 1 .. 63 bytes, copied; NULL = as in hrbfnpr_layer_desc, "own" for OWN */
-    hrbfnpr_array position;     /* absolute, not relative to an origin */
-    hrbfnpr_array normal;       /* unit, outward */
-    hrbfnpr_array stroke_first; /* UINT32, S + 1 elements, rising from 0 to the number of marks: stroke s has the
-                                   marks first[s] .. first[s + 1] - 1 from end to end.  Empty = no strokes */
-    hrbfnpr_array stroke_direction; /* UINT8, S elements: 0 the first direction, 1 the second.  Empty = 0 */
-    hrbfnpr_array direction;    /* empty = along the stroke; of a mark of none its basis */
-    hrbfnpr_array curvature;    /* empty = not known */
-    hrbfnpr_array rank;         /* empty = random, the same for all marks of a stroke */
-    hrbfnpr_array level;        /* empty = 0 */
-    hrbfnpr_array width;        /* in (0,1]; empty = 1 */
+    uint32_t kind;              /* HRBFNPR_LAYER_KIND_..., except ANY; default OWN */
+    const char* name;           /* name for styles; UTF-8, 1 to 63 bytes, copied; default NULL = that of the kind */
+    hrbfnpr_array position;     /* absolute places, not relative to an origin; N x 3 */
+    hrbfnpr_array normal;       /* outward normals of any length but 0; N x 3 */
+    hrbfnpr_array stroke_first; /* UINT32, S + 1 elements that rise from 0 to N: stroke s has the marks first[s] to
+                                   first[s + 1] - 1 from end to end.  Empty = no strokes */
+    hrbfnpr_array stroke_direction; /* UINT8, S elements: 0 = the first direction, 1 = the second.  Empty = 0 */
+    hrbfnpr_array direction;    /* directions of any length, not along the normal; N x 3.  Empty = along the stroke, or
+                                   the u of the basis for a mark without a stroke */
+    hrbfnpr_array curvature;    /* k1, k2 and confidence; N x 3.  Empty = not known */
+    hrbfnpr_array rank;         /* ranks in [0, 1); N x 1.  Empty = random, the same for all marks of a stroke */
+    hrbfnpr_array level;        /* refinement steps, UINT8; N x 1.  Empty = 0 */
+    hrbfnpr_array width;        /* widths in (0, 1]; N x 1.  Empty = 1 */
 } hrbfnpr_layer_arrays;
 
+/* Sets every field to its default; no array is given. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint32_t struct_size);
 
+/* A set of ready-made marks to make. */
 typedef struct hrbfnpr_point_set_desc {
     uint32_t struct_size;
     uint32_t reserved;
-    const hrbfnpr_point_set* base; /* its layers come first; NULL = none.  Copied */
-    const hrbfnpr_layer_arrays* layers; /* a list: the layers that follow */
-    int64_t layer_count;
-    int64_t layer_stride;
-    uint64_t random_seed; /* for ranks that are not given; 1 */
+    const hrbfnpr_point_set* base; /* a set whose layers come first, copied; default NULL = none */
+    const hrbfnpr_layer_arrays* layers; /* the list of layers that follow */
+    int64_t layer_count;  /* number of layers in the list; 0 to 65536; default 0 */
+    int64_t layer_stride; /* bytes from one layer to the next; 0 = the first one's struct_size */
+    uint64_t random_seed; /* start of the random numbers for ranks that are not given; any number; default 1 */
 } hrbfnpr_point_set_desc;
 
+/* Sets every field to its default. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size);
-/* A set of the caller's marks, or of another set's layers and the caller's.
- * They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
- * origin, distribution and area: the spacing is smaller only where a new layer
- * has more marks than all before.
- * Errors: INVALID_ARGUMENT naming the layer, the array and the index,
- * OUT_OF_MEMORY. */
+/* Creates a point set from marks of the caller, or from the layers of another set and marks
+ * of the caller.  The marks must be from 1e-33 to 1e33 across, or all at one place.  A set
+ * with a base keeps the base's origin and distribution.  It keeps its spacing, too, unless
+ * a new layer has more marks than each layer before: the same area then holds more marks.
+ *
+ * Errors: INVALID_ARGUMENT: there is no mark, or a number is wrong; the message names the
+ * layer, the array and the index. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
                                                     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 
-HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set);  /* Adds a reference.  Any thread. */
+HRBFNPR_API void hrbfnpr_point_set_release(const hrbfnpr_point_set* set); /* Removes a reference.  Any thread. */
 
+/* What a point set holds, and how long it took.  Lengths are in the unit of the samples. */
 typedef struct hrbfnpr_point_set_info {
     uint32_t struct_size;
-    uint32_t distribution;
-    uint32_t seed_source;   /* the one used */
+    uint32_t distribution;  /* HRBFNPR_DISTRIBUTION_...: the one used */
+    uint32_t seed_source;   /* the seed source used */
     uint32_t reserved;
-    int64_t layers;         /* how many */
-    int64_t marks;          /* in all layers */
-    double origin[3];       /* add to POSITION */
-    double bounds_min[3];   /* of all marks, absolute */
-    double bounds_max[3];
-    double spacing;         /* sqrt(area per mark) of the largest layer, estimated: what a frame
-                               uses as the size of a mark's piece of surface */
-    double seconds_seeds;
-    double seconds_total;
-    int64_t bytes;          /* kept by the set */
+    int64_t layers;         /* number of layers */
+    int64_t marks;          /* number of marks in all layers */
+    double origin[3];       /* add it to the attribute POSITION to get absolute places */
+    double bounds_min[3];   /* lower corner of the box around all marks, absolute */
+    double bounds_max[3];   /* upper corner of the box */
+    double spacing;         /* square root of the area per mark of the largest layer, estimated.  A frame takes it as
+                               the size of a mark's piece of surface */
+    double seconds_seeds;   /* time of finding the seeds */
+    double seconds_total;   /* time of the whole call */
+    int64_t bytes;          /* memory that the set keeps */
 } hrbfnpr_point_set_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size);
+/* Fills `info` with what a point set holds. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set,
                                                       hrbfnpr_point_set_info* info, hrbfnpr_error* error);
 
+/* What a layer holds. */
 typedef struct hrbfnpr_layer_info {
     uint32_t struct_size;
     uint32_t kind;         /* HRBFNPR_LAYER_KIND_... */
-    char name[64];         /* UTF-8, always terminated */
-    int64_t marks;
-    int64_t strokes;       /* 0: its marks form none */
-    int64_t full_count;    /* what `marks` would be if nothing had been dropped */
-    int32_t levels;        /* refinement steps taken; HATCH of BLUE_NOISE: the highest level */
+    char name[64];         /* the layer's name; UTF-8, zero-terminated */
+    int64_t marks;         /* number of marks */
+    int64_t strokes;       /* number of strokes that the marks form; 0 = none */
+    int64_t full_count;    /* number of marks that there would be if none had been dropped */
+    int32_t levels;        /* number of refinement steps taken; for HATCH of BLUE_NOISE the highest level */
     uint32_t reserved;
-    double step;           /* initial step rho_0 used; HATCH of BLUE_NOISE: the separation */
-    double seconds;
+    double step;           /* initial step rho_0 used, in the unit of the samples; for HATCH of BLUE_NOISE the
+                              separation */
+    double seconds;        /* time of making the layer */
 } hrbfnpr_layer_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size);
-/* layer: 0 .. hrbfnpr_point_set_info.layers - 1. */
+/* Fills `info` with what a layer holds.  layer: 0 to hrbfnpr_point_set_info.layers - 1. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer,
                                                             hrbfnpr_layer_info* info, hrbfnpr_error* error);
 
-/* What became of candidates for marks: attempted = placed + all dropped. */
+/* What became of the candidates for marks: attempted = placed + all dropped. */
 typedef struct hrbfnpr_placement_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t attempted;
-    int64_t placed;
-    int64_t dropped_not_converged; /* projection ended short of the tolerance */
-    int64_t dropped_strayed;       /* landed farther away than a cell diagonal or the step, or beyond the end of a
-                                      trimmed model; or cut off the rest of its stroke by one that was dropped */
-    int64_t dropped_degenerate;    /* zero gradient or not finite */
-    int64_t dropped_budget;        /* over the layer's budget */
+    int64_t attempted;             /* number of candidates */
+    int64_t placed;                /* number of candidates that became marks */
+    int64_t dropped_not_converged; /* number of candidates whose projection did not reach the tolerance */
+    int64_t dropped_strayed;       /* number of candidates that landed farther away than a cell's diagonal or the step,
+                                      lie beyond the end of a trimmed model, or lost the connection to their stroke
+                                      because a mark between was dropped */
+    int64_t dropped_degenerate;    /* number of candidates where the gradient is 0 or not finite */
+    int64_t dropped_budget;        /* number of candidates over the layer's budget */
 } hrbfnpr_placement_info;
 
+/* Clears the struct before its first use. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size);
-/* Of the seeds. */
+/* Fills `info` with what became of the seeds. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set,
                                                                 hrbfnpr_placement_info* info,
                                                                 hrbfnpr_error* error);
-/* Of one level of one layer; level: 0 .. hrbfnpr_layer_info.levels. */
+/* Fills `info` with what became of the candidates of one level of one layer.
+ * level: 0 to hrbfnpr_layer_info.levels. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer,
                                                            int32_t level, hrbfnpr_placement_info* info,
                                                            hrbfnpr_error* error);
 
-/* A zero-copy view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer,
- * valid while the set lives.  An empty layer, or an attribute that it has not,
- * gives count 0. */
+/* Gives a view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer, without a copy.
+ * The view is valid while the set lives.  Its count is 0 for an empty layer, and for an
+ * attribute that the layer does not have. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer,
                                                   uint32_t attribute, hrbfnpr_array* out_view,
                                                   hrbfnpr_error* error);
 
-/* The visual feedback for choosing the initial step [NPAR 5.1, Figure 5]:
- * `patch_count` squares of side 2 * initial_step in tangent planes of randomly
- * chosen seeds.  corners: patch_count x 12 (four corners, counter-clockwise
- * seen from outside), FLOAT32 or FLOAT64, absolute.  The seeds and, if
- * desc->initial_step is 0, the estimate are those that _generate with the same
- * desc would use; *step (nullable) gets the step.  desc may be NULL. */
+/* Makes squares that show how large the initial step of PUBLISHED is [NPAR 5.1, Figure 5].
+ * Each square has sides of 2 * initial_step and lies in the tangent plane of a random seed.
+ * The seeds, and the estimate if initial_step is 0, are those that
+ * hrbfnpr_point_set_generate uses with the same desc.
+ *
+ * desc:        NULL = all defaults
+ * corners:     receives n x 12, FLOAT32 or FLOAT64: four corners for each square, absolute, counter-clockwise as seen
+ *              from outside
+ * step:        receives the initial step; may be NULL
+ * operation:   may be NULL */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context,
                                                           const hrbfnpr_model* model,
                                                           const hrbfnpr_generate_desc* desc,
@@ -1503,15 +1722,26 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* conte
                                                           hrbfnpr_operation* operation,
                                                           hrbfnpr_error* error);
 
-/* As for models. */
+/* Saves a point set to a stream, like hrbfnpr_model_save.
+ *
+ * Errors: IO: `write` failed. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write,
                                                   void* user, hrbfnpr_error* error);
+/* Saves a point set to memory, like hrbfnpr_model_save_memory.
+ *
+ * Errors: BUFFER_TOO_SMALL: capacity is below *size; only *size is written. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void* destination,
                                                          int64_t capacity, int64_t* size,
                                                          hrbfnpr_error* error);
+/* Loads a point set from a stream.
+ *
+ * Errors: IO: `read` failed.  CORRUPT_DATA: the stream is no point set, truncated or
+ * damaged.  VERSION_MISMATCH: a newer library wrote it. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read,
                                                   void* user, hrbfnpr_point_set** out_point_set,
                                                   hrbfnpr_error* error);
+/* Loads a point set from `size` bytes of memory.  Errors: those of
+ * hrbfnpr_point_set_load, without IO. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data,
                                                          int64_t size, hrbfnpr_point_set** out_point_set,
                                                          hrbfnpr_error* error);

@@ -27,15 +27,15 @@ class ContextInfo:
     Attributes
     ----------
     thread_count : int
-        Threads that a large call will use.
+        Number of threads that a large call uses.
     thread_backend : str
         Who runs the tasks of a large call: "pool", "openmp", "run_tasks" or "serial".
     instruction_set : str
         The one in use, such as "avx2".
     bytes_now : int
-        Allocated through this context at present.
+        Bytes that are allocated through this context now.
     bytes_peak : int
-        The most there ever were.
+        The largest number of bytes that were ever allocated at the same time.
     """
 
     thread_count: int
@@ -55,73 +55,84 @@ class ModelInfo:
     polynomial_degree : int
         As used.
     choice_rounds : int
-        Fits made to choose the centres; 0 if all samples are centres.
+        Number of fits that were made to choose the centres; 0 if all samples are centres.
     samples : int
-        As given.
+        Number of samples as given.
     centres : int
-        After merging, cleaning and choosing.
+        Number of centres, after merging, repairing and choosing.
     merged_samples : int
-        Samples that were merged into another.
+        Number of samples that were merged into another one at the same place.
     near_duplicates : int
-        Samples much nearer to another than the spacing, merged into it.
+        Number of samples that were merged into another one much nearer than the spacing.
     rescaled_normals : int
-        Normals whose length was off 1 by more than 1e-4.
+        Number of normals whose length differed from 1 by more than 1e-4.
     outliers_found : int
         Samples far from all others, or from the plane of those around them.
     outliers_dropped : int
         Of these, left out.
     flipped_found : int
-        Normals against those of their neighbours.
+        Number of normals that are opposite to those of their neighbours.
     flipped_repaired : int
-        Of these, dropped or turned round.
+        Number of these that were left out or turned round.
     bounds_min : tuple of float
-        Of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it closes within a
-        third of a diagonal around them.
+        Lower corner of the samples' box. For up to 20 000 samples along curves, the box also holds the surface, if
+        that closes within a third of a diagonal around the samples.
     bounds_max : tuple of float
         The box's other corner.
     spacing : float
         Mean distance of a sample to its nearest neighbour.
     kernel_radius : float
-        As used.
+        The one used; 0 for "triharmonic".
     regularization : float
-        As used; of "auto", that of the values.
+        The one used; with "auto", that of the values.
     noise_estimate : float or None
         Standard deviation of the samples off their surface; 0 if none is seen, None if nobody asked.
     value_residual_max : float
-        Max abs(f(x_i)), in units of the points.
+        Largest abs(f(x_i)) at the centres.
     value_residual_rms : float
         Root mean square of the same.
     gradient_residual_max : float
-        Max abs(grad f(x_i) - n_i).
+        Largest abs(grad f(x_i) - n_i) at the centres.
     gradient_residual_rms : float
         Root mean square of the same.
     input_distance_max : float
-        Of all samples but dropped ones from the surface, abs(f) / abs(grad f).
+        Largest distance abs(f) / abs(grad f) of a sample from the surface; dropped ones do not count.
     input_distance_rms : float
         Root mean square of the same.
     input_share_within : float or None
-        Share of all samples that lie within the tolerance; a dropped one counts as outside; None with tolerance 0.
+        Share of all samples that lie within the tolerance; a dropped sample counts as outside; None with tolerance
+        0.
     solver : {"auto", "direct", "iterative"}
         The one used.
     solver_reason : {"requested", "small", "large", "not_converged", "not_definite"}
+        Why it was used.
     iterations : int
-        Refinement steps of "direct", steps of "iterative".
+        Number of refinement steps of "direct", or of steps of "iterative".
     fallback : bool
-        Whether the matrix was not definite and a pivoted LU was used.
+        Whether the matrix was not definite, and LU with pivoting was used.
     solver_residual : float
-        Relative residual of the linear system, 2-norm.
+        Relative residual of the linear system, in the 2-norm.
     condition_estimate : float
-        "direct": of the matrix, 1-norm; "iterative": of the preconditioned one, 2-norm.
+        Condition of the matrix in the 1-norm ("direct"), or of the preconditioned matrix in the 2-norm
+        ("iterative").
     seconds_clean : float
+        Time of finding duplicates, outliers, flipped normals and noise.
     seconds_choose : float
-        Of all rounds but the last fit.
-    seconds_assemble, seconds_precondition, seconds_solve, seconds_total : float
+        Time of all rounds that chose centres, without the last fit.
+    seconds_assemble : float
+        Time of reading the samples and assembling the matrix.
+    seconds_precondition : float
+        Time of making the preconditioner.
+    seconds_solve : float
+        Time of solving.
+    seconds_total : float
+        Time of the whole fit.
     bytes : int
-        Kept by the model.
+        Memory that the model keeps.
     peak_bytes : int
-        Most that the context's allocator had given out at a time, up to the fit's end.
+        Largest number of bytes allocated at the same time through the context, up to the fit's end.
     normals_found : {"given", "none", "unoriented", "mixed", "inward", "auto"}
-        Of a fit with a normal_mode: `OrientInfo.found`; "given" otherwise.
+        `OrientInfo.found`, if the fit had a normal_mode; else "given".
     normals_inward : bool
         Whether normals as given all point into a closed surface.
     normals_turned : int
@@ -129,6 +140,7 @@ class ModelInfo:
     normals_confidence : float or None
         `OrientInfo.confidence`; None without a normal_mode.
     seconds_orient : float
+        Time of making the normals.
     """
 
     kernel: str
@@ -185,13 +197,14 @@ class TrimInfo:
     is_trimmed : bool
         Whether the surface ends somewhere; if not, all else is 0 but `samples` and `spacing`.
     samples : int
-        That tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told.
+        Number of samples that were looked at; 0 if trimming was not asked for, if the model is a fit to a closed
+        mesh, or if the end could not be found.
     parts : int
-        Of the surface, connected, that are left out.
+        Number of connected parts of the surface that are left out.
     parts_to_end : int
-        Of these, those that reach the end of the search box: the samples are open there.
+        Number of these that reach the end of the search box: the samples are open there.
     share : float
-        Of the surface's area in the box that is left out, 0 to 1, within some percent.
+        Share of the surface's area in the box that is left out; 0 to 1; accurate to some percent.
     farthest : float
         Of the places left out from the samples, in units of the model.
     spacing : float
@@ -213,33 +226,35 @@ class OrientInfo:
     Attributes
     ----------
     found : {"given", "none", "unoriented", "mixed", "inward", "auto"}
-        What the given normals turned out to be; "none" also if they have nothing to do with the points, as colours
-        have not.
+        How far the given normals could be trusted; "none" also if they have nothing to do with the points, as
+        colours have not.
     turned : int
-        Normals that were given and have been turned round.
+        Number of given normals that were turned round.
     made : int
-        Normals that were not given, or zero, or not to go by.
+        Number of normals that were made, because they were missing, zero or useless.
     merged : int
-        Points that coincide with another.
+        Number of points that coincide with another one.
     direction_change : float or None
-        Mean angle between the lines of given and resulting normals, in degrees; None if there are none.
+        Mean angle between the lines of the given and the resulting normals, in degrees; None if no normals are
+        given.
     noise : float
-        Standard deviation of the points off their surface, in their unit; 0 if none is seen.
+        Standard deviation of the points from their surface, in their unit; 0 if no noise is seen.
     spacing : float
-        Median distance of a point to its nearest neighbour.
+        Median distance of a point to its nearest neighbour, in the unit of the points.
     energy : float
-        Of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that the points resolve;
-        0.026 is that of points without any order.
+        Bending energy of the result per degree of freedom, in spacings. Below 0.006: the points resolve the
+        surface; 0.026: points without any order.
     confidence : float
-        0 to 1: how far starts with energies as low agree, and how low that is, less for noise. A heuristic: above
-        0.9 results were right (docs/fitting.md), below look.
+        How sure the result is; 0 to 1. A heuristic: results above 0.9 were right in the tests of docs/fitting.md;
+        look at results below that.
     closed : bool
-        Whether the points are all around a solid, or several.
+        Whether the points surround one or several solids.
     outward_by : str
         What decided which side is outward.
     components : int
-        Pieces that lie apart by more than their spacing.
+        Number of pieces that lie apart by more than their spacing.
     seconds : float
+        Time of the call.
     """
 
     found: str
@@ -263,18 +278,19 @@ class DepthImageInfo:
     Attributes
     ----------
     seen : int
-        Pixels that have a point.
+        Number of pixels with a point.
     left_out : int
-        Of these, without enough others on their plane.
+        Number of these that are left out, because too few other pixels lie on their plane.
     noise : float
         Standard deviation of 1 / z, as given or measured.
     focal_length : float
-        In pixels: the mean of both directions'.
+        Mean of the focal lengths in both directions, in pixels.
     depth : float
-        Median distance abs(z) of the points.
+        Median of abs(z) over the points.
     radius : float
-        Smoothed over at this depth, in pixels.
+        Radius of the smoothing at this depth, in pixels.
     seconds : float
+        Time of the call.
     """
 
     seen: int
@@ -292,16 +308,16 @@ class CsgInfo:
     Attributes
     ----------
     nodes : int
-        With those of trees that became part of it; 0: the model is no tree, and so is all else.
+        Number of nodes, with those of solids that became part of it.
     depth : int
-        Nodes from the root to the deepest leaf, both counted.
+        Number of nodes from the root to the deepest leaf, both included.
     models : int
-        Leaves that are models, each once.
+        Number of different models among the leaves.
     sheets : int
-        Smooth functions that it is made of: sides of primitives and of boxes that models end at; a blend has one
-        for each pair of those that it joins.
+        Number of smooth functions that it consists of: sides of primitives, sides of the boxes at which models end,
+        and one for each pair of those that a blend joins.
     lipschitz : float
-        A bound on abs(grad f) that holds everywhere; 0: models have none that is known.
+        A bound on abs(grad f) that holds everywhere; 0 if none is known, because leaves are models.
     """
 
     nodes: int
@@ -319,23 +335,26 @@ class PointSetInfo:
     distribution : str
         As used.
     seed_source : {"auto", "samples", "box", "points"}
-        The one used.
+        The seed source used.
     layers : int
-        How many.
+        Number of layers.
     marks : int
-        In all layers.
+        Number of marks in all layers.
     origin : tuple of float
         Add it to positions.
     bounds_min : tuple of float
-        Of all marks, absolute.
+        Lower corner of the box around all marks, absolute.
     bounds_max : tuple of float
         The box's other corner.
     spacing : float
-        sqrt(area per mark) of the largest layer, estimated: what a frame uses as the size of a mark's piece of
-        surface.
-    seconds_seeds, seconds_total : float
+        Square root of the area per mark of the largest layer, estimated. A frame takes it as the size of a mark's
+        piece of surface.
+    seconds_seeds : float
+        Time of finding the seeds.
+    seconds_total : float
+        Time of the whole call.
     bytes : int
-        Kept by the set.
+        Memory that the set keeps.
     """
 
     distribution: str
@@ -360,15 +379,17 @@ class LayerInfo:
     name : str
         As it was given, or its kind.
     marks : int
+        Number of marks.
     strokes : int
         That the marks form; 0 for stipples.
     full_count : int
-        What `marks` would be if nothing had been dropped.
+        Number of marks that there would be if none had been dropped.
     levels : int
-        Refinement steps taken; "hatch" of "blue_noise": the highest level.
+        Number of refinement steps taken; for "hatch" of "blue_noise" the highest level.
     step : float
-        Initial step rho_0 used; "hatch" of "blue_noise": the separation.
+        Initial step rho_0 used, in the unit of the samples; for "hatch" of "blue_noise" the separation.
     seconds : float
+        Time of making the layer.
     """
 
     kind: str
@@ -386,16 +407,19 @@ class PlacementInfo:
 
     Attributes
     ----------
-    attempted, placed : int
+    attempted : int
+        Number of candidates.
+    placed : int
+        Number of candidates that became marks.
     dropped_not_converged : int
-        Projection ended short of the tolerance.
+        Number of candidates whose projection did not reach the tolerance.
     dropped_strayed : int
-        Landed farther away than a cell diagonal or the step, or beyond the end of a trimmed model; or cut off the
-        rest of its stroke by one that was dropped.
+        Number of candidates that landed farther away than a cell's diagonal or the step, lie beyond the end of a
+        trimmed model, or lost the connection to their stroke because a mark between was dropped.
     dropped_degenerate : int
-        Zero gradient or not finite.
+        Number of candidates where the gradient is 0 or not finite.
     dropped_budget : int
-        Over the layer's budget.
+        Number of candidates over the layer's budget.
     """
 
     attempted: int
@@ -1072,9 +1096,9 @@ class OwnLayerFields:
     Attributes
     ----------
     positions : array of float, shape (n, 3)
-        Absolute, not relative to an origin.
+        Absolute places, not relative to an origin; N x 3.
     normals : array of float, shape (n, 3)
-        Unit, outward.
+        Outward normals of any length but 0; N x 3.
     name : str, optional
         As styles and `PointSet.layer` call it; the kind if None.
     kind : str
@@ -1134,7 +1158,8 @@ class LayerFields:
         "uniform", "curvature" or a function: where "blue_noise" stipples are denser. A function gets positions and
         unit normals, shape (n, 3) each, and returns n numbers from 0 (none) to 1 (densest).
     density_strength : float
-        Of "curvature", 0 to 1; 0.5.
+        Strength of "curvature"; 0 to 1; default 0.5. 0 = uniform; larger values put more stipples where the surface
+        bends.
     separation : float
         Mean distance of neighbouring lines of "hatch", in the unit of the model; 0 = as many lines as make about
         the budget's marks.

@@ -2,8 +2,8 @@
 // Made by bindings/generate from bindings/api.json; do not edit.
 
 /**
- * The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
- * library's SONAME; it moves only when an existing binary would break.
+ * The version of this header.  HRBFNPR_ABI_VERSION is the number in the SONAME
+ * of the shared library.  It changes only when an existing binary would break.
  */
 export declare const VERSION: {
   readonly VERSION_MAJOR: 0;
@@ -15,28 +15,29 @@ export declare const VERSION: {
 export type VersionName = "version-major" | "version-minor" | "version-patch" | "abi-version";
 
 export declare const STATUS: {
+  /** success */
   readonly OK: 0;
-  /** the message names the argument and the remedy */
+  /** an argument is wrong: the message names it and says what to do */
   readonly INVALID_ARGUMENT: -1;
-  /** the allocator said no */
+  /** the allocator returned NULL */
   readonly OUT_OF_MEMORY: -2;
-  /** the needed size has been written, nothing else */
+  /** only the needed size has been written */
   readonly BUFFER_TOO_SMALL: -3;
-  /** struct_size too small, or an unknown tail is not zero */
+  /** struct_size is out of range, or unknown fields are not zero */
   readonly UNSUPPORTED_STRUCT: -4;
-  /** the fit has no (numerically) unique solution */
+  /** the fit has no numerically unique solution */
   readonly SINGULAR_SYSTEM: -5;
-  /** an iteration ended short of its goal */
+  /** an iteration ended before it reached its goal */
   readonly NOT_CONVERGED: -6;
-  /** by hrbfnpr_operation_cancel */
+  /** hrbfnpr_operation_cancel or a progress callback ended the call */
   readonly CANCELLED: -7;
   /** a read or write callback failed */
   readonly IO: -8;
-  /** a stream is not ours, truncated or damaged */
+  /** a stream is of another format, truncated or damaged */
   readonly CORRUPT_DATA: -9;
-  /** a stream, or the caller's header, is too new */
+  /** a stream, or the caller's header, is newer than the library */
   readonly VERSION_MISMATCH: -10;
-  /** a caller's callback returned non-zero */
+  /** a callback of the caller returned non-zero or gave invalid results */
   readonly CALLBACK: -11;
   /** a bug in the library: please report it */
   readonly INTERNAL: -99;
@@ -46,72 +47,96 @@ export type StatusName = "ok" | "invalid-argument" | "out-of-memory" | "buffer-t
   "singular-system" | "not-converged" | "cancelled" | "io" | "corrupt-data" | "version-mismatch" | "callback" |
   "internal";
 
+/** The type of the numbers in an array. */
 export declare const SCALAR: {
+  /** float */
   readonly FLOAT32: 1;
+  /** double */
   readonly FLOAT64: 2;
+  /** uint8_t */
   readonly UINT8: 3;
+  /** uint32_t */
   readonly UINT32: 4;
+  /** int32_t */
   readonly INT32: 5;
+  /** int64_t */
   readonly INT64: 6;
 };
 /** A constant of SCALAR as options spell it. */
 export type ScalarName = "float32" | "float64" | "uint8" | "uint32" | "int32" | "int64";
 
 /**
- * Channels in the order of memory, 8 bits each, or floats.  PREMULTIPLIED:
- * colour times alpha.  Colours are sRGB-encoded.
+ * The format of an image's pixels.  The name gives the order of the channels in
+ * memory.  A channel has 8 bits or is a float.  Colours are sRGB-encoded.
+ * PREMULTIPLIED: colours are multiplied by alpha.
  */
 export declare const FORMAT: {
+  /** 4 bytes */
   readonly RGBA8: 1;
+  /** 4 bytes */
   readonly BGRA8: 2;
+  /** 4 bytes */
   readonly RGBA8_PREMULTIPLIED: 3;
+  /** 4 bytes */
   readonly BGRA8_PREMULTIPLIED: 4;
-  /** FLOAT32 in [0,1], aligned to 4 bytes */
+  /** 4 FLOAT32 from 0 to 1, aligned to 4 bytes */
   readonly RGBA32F: 5;
+  /** 4 FLOAT32 from 0 to 1, aligned to 4 bytes */
   readonly RGBA32F_PREMULTIPLIED: 6;
-  /** one byte: how much of the pixel ink covers, whatever its colour */
+  /** one byte: the share of the pixel that ink covers, of any colour */
   readonly COVERAGE8: 7;
 };
 /** A constant of FORMAT as options spell it. */
 export type FormatName = "rgba8" | "bgra8" | "rgba8-premultiplied" | "bgra8-premultiplied" | "rgba32f" |
   "rgba32f-premultiplied" | "coverage8";
 
+/** The level of a message in the log. */
 export declare const LOG: {
+  /** details for developers of the library */
   readonly DEBUG: 0;
+  /** what a call did, with counts and times */
   readonly INFO: 1;
+  /** the result may not be what the caller expects */
   readonly WARNING: 2;
 };
 /** A constant of LOG as options spell it. */
 export type LogName = "debug" | "info" | "warning";
 
-/** Instruction sets, for `highest_instruction_set` and `instruction_set`. */
+/** Instruction sets of processors, for `highest_instruction_set` and `instruction_set`. */
 export declare const INSTRUCTION_SET: {
-  /** the best that build and processor have */
+  /** the best one that both the build and the processor have */
   readonly AUTO: 0;
-  /** what the library was compiled for */
+  /** the one that the library was compiled for */
   readonly BASELINE: 1;
+  /** x86: 256 bits */
   readonly AVX2: 2;
+  /** x86: 512 bits */
   readonly AVX512: 3;
+  /** Arm: 128 bits */
   readonly NEON: 4;
 };
 /** A constant of INSTRUCTION_SET as options spell it. */
 export type InstructionSetName = "auto" | "baseline" | "avx2" | "avx512" | "neon";
 
-/** Who runs the library's tasks.  The results are the same bits from all. */
+/**
+ * Which threads run the library's tasks.  The choice does not change the bits of
+ * any result.  docs/hosts.md compares them.
+ */
 export declare const THREAD_BACKEND: {
-  /** RUN_TASKS where that is given, else POOL */
+  /** RUN_TASKS if run_tasks is given, else POOL */
   readonly AUTO: 0;
   /**
-   * threads of the context's own. The calling thread takes part and waits only for tasks that others have begun,
-   * so a processor that is busy elsewhere costs little; idle threads sleep (docs/hosts.md)
+   * threads that the context owns. The calling thread takes part and waits only for tasks that others have begun,
+   * so a processor that is busy with other work costs little. Idle threads sleep
    */
   readonly POOL: 1;
   /**
-   * the OpenMP runtime's, shared with a host that uses it; serial in a forked child. For processors that nobody
-   * else wants. INVALID_ARGUMENT in a build without it (hrbfnpr_build_info: thread_backends)
+   * the threads of the OpenMP runtime, shared with a host that uses it; serial in a forked child. Use it only if
+   * no other work needs the processors. INVALID_ARGUMENT in a build without OpenMP (hrbfnpr_build_info lists
+   * thread_backends)
    */
   readonly OPENMP: 2;
-  /** the host's job system */
+  /** the host's job system, through run_tasks */
   readonly RUN_TASKS: 3;
   /** the calling thread alone, as with thread_count 1 */
   readonly SERIAL: 4;
@@ -121,157 +146,173 @@ export type ThreadBackendName = "auto" | "pool" | "openmp" | "run-tasks" | "seri
 
 /** Radial functions phi(r) [NPAR 4.1]. */
 export declare const KERNEL: {
-  /** r^3 (default); no parameter */
+  /** r^3, without a parameter; the default */
   readonly TRIHARMONIC: 0;
-  /** exp(-r^2 / 2 radius^2) */
+  /** exp(-r^2 / (2 radius^2)) */
   readonly GAUSSIAN: 1;
-  /** (1 - r/radius)^4_+ (4 r/radius + 1) */
+  /** (1 - r/radius)^4 (4 r/radius + 1) for r < radius, else 0 */
   readonly WENDLAND_C2: 2;
-  /** reported for a model made by _create_custom */
+  /** not for fits: reported for a model made by _create_custom */
   readonly CUSTOM: 3;
-  /** reported for a model made by _create_csg */
+  /** not for fits: reported for a model made by _create_csg */
   readonly CSG: 4;
 };
 /** A constant of KERNEL as options spell it. */
 export type KernelName = "triharmonic" | "gaussian" | "wendland-c2" | "custom" | "csg";
 
+/** How the linear system of a fit is solved.  docs/fitting.md gives times and memory. */
 export declare const SOLVER: {
+  /** DIRECT for few samples, ITERATIVE for many */
   readonly AUTO: 0;
-  /** dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures */
+  /** dense factorization: memory grows with N^2, time with N^3 */
   readonly DIRECT: 1;
   /**
-   * conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer, Katzfuss, Owhadi 2021), with
-   * a fast multipole method for many samples; memory O(N). TRIHARMONIC needs polynomial_degree >= 1
+   * preconditioned conjugate gradients: memory grows with N. TRIHARMONIC needs polynomial_degree 1 or more
+   * [Schaefer, Katzfuss, Owhadi 2021]
    */
   readonly ITERATIVE: 2;
 };
 /** A constant of SOLVER as options spell it. */
 export type SolverName = "auto" | "direct" | "iterative";
 
-/** Why the solver that was used is the one. */
+/** Why a fit used the solver that it used. */
 export declare const SOLVER_REASON: {
   /** the caller named it */
   readonly REQUESTED: 0;
-  /** AUTO: DIRECT is the faster one */
+  /** AUTO took DIRECT, which is faster for few samples */
   readonly SMALL: 1;
-  /** AUTO: DIRECT would take too much memory or time */
+  /** AUTO took ITERATIVE: DIRECT would need too much memory or time */
   readonly LARGE: 2;
-  /** ITERATIVE did not reach its tolerance */
+  /** AUTO took DIRECT, because ITERATIVE did not reach its tolerance */
   readonly NOT_CONVERGED: 3;
-  /** ITERATIVE needs a definite system */
+  /** AUTO took DIRECT, because ITERATIVE needs a definite system */
   readonly NOT_DEFINITE: 4;
 };
 /** A constant of SOLVER_REASON as options spell it. */
 export type SolverReasonName = "requested" | "small" | "large" | "not-converged" | "not-definite";
 
-/** What becomes of samples that look wrong; they are counted in any case. */
+/** What a fit does with samples that look wrong.  It counts them in any case. */
 export declare const REPAIR: {
+  /** uses them as they are */
   readonly KEEP: 0;
+  /** leaves them out */
   readonly DROP: 1;
-  /** of flipped normals only: turned round */
+  /** turns their normals round; for flipped normals only */
   readonly REORIENT: 2;
 };
 /** A constant of REPAIR as options spell it. */
 export type RepairName = "keep" | "drop" | "reorient";
 
+/** Where the regularization of a fit comes from. */
 export declare const REGULARIZATION: {
   /** the field `regularization` */
   readonly GIVEN: 0;
-  /** from the noise of the samples */
+  /** the measured noise of the samples; 0 for samples without noise */
   readonly AUTO: 1;
 };
 /** A constant of REGULARIZATION as options spell it. */
 export type RegularizationName = "given" | "auto";
 
-/** What is known of given normals, for a fit and for hrbfnpr_orient. */
+/** How far the given normals can be trusted, for a fit and for hrbfnpr_orient. */
 export declare const NORMALS: {
-  /** they are right, and point outward */
+  /** they are correct and point outward */
   readonly GIVEN: 0;
-  /** there are none, or none to go by */
+  /** there are none, or they are useless: all are made */
   readonly NONE: 1;
-  /** directions are right, signs are not */
+  /** the directions are correct, the signs are not */
   readonly UNORIENTED: 2;
-  /** most signs are right, too; some patches are turned */
+  /** the directions and most signs are correct; some patches are turned */
   readonly MIXED: 3;
-  /** right, but for all pointing inward */
+  /** they are consistent, but all point inward */
   readonly INWARD: 4;
-  /** find out which of these it is, and do what that calls for */
+  /** find out which of these holds, and repair accordingly */
   readonly AUTO: 5;
 };
 /** A constant of NORMALS as options spell it. */
 export type NormalsName = "given" | "none" | "unoriented" | "mixed" | "inward" | "auto";
 
-/** Whether a fitted surface ends where its samples do, all that were given (hrbfnpr_model_trim). */
+/** Whether a fitted surface ends where its samples end (see hrbfnpr_model_trim). */
 export declare const TRIM: {
-  /** it goes on, to the end of the search box */
+  /** the surface goes on to the end of the search box */
   readonly NEVER: 0;
   /**
-   * that of an open surface does; a closed one, and one of fewer than ten samples, which tell too little, stays as
-   * it is. hrbfnpr_model_get_trim_info tells
+   * an open surface ends where all given samples end, not only the chosen centres. A closed surface stays whole,
+   * and so does one of fewer than ten samples. hrbfnpr_model_get_trim_info says what was done
    */
   readonly AUTO: 1;
 };
 /** A constant of TRIM as options spell it. */
 export type TrimName = "never" | "auto";
 
-/** How it was decided which side is outward. */
+/** How hrbfnpr_orient decided which side is outward. */
 export declare const OUTWARD: {
-  /** the other side is inside */
+  /** the surface encloses the other side */
   readonly INSIDE: 0;
-  /** the side that `up` points to */
+  /** `up` points to this side */
   readonly UP: 1;
-  /** the side that is seen */
+  /** the viewpoint is on this side */
   readonly VIEWPOINT: 2;
-  /** most given normals say so */
+  /** most given normals point to this side */
   readonly AS_GIVEN: 3;
 };
 /** A constant of OUTWARD as options spell it. */
 export type OutwardName = "inside" | "up" | "viewpoint" | "as-given";
 
+/**
+ * What a custom function can do.  Without a flag, the library computes the
+ * derivatives by differences and passes NULL for them.
+ */
 export declare const CUSTOM: {
-  /** else gradient is always NULL and differenced */
+  /** the function fills `gradient` */
   readonly HAS_GRADIENT: 1;
-  /** else hessian is always NULL and differenced */
+  /** the function fills `hessian` */
   readonly HAS_HESSIAN: 2;
-  /** may be called from several threads at once; else one calls at a time */
+  /**
+   * the function may run on several threads at the same time; else it runs on one at a time, on the thread that
+   * called the library
+   */
   readonly THREAD_SAFE: 4;
 };
 /** A constant of CUSTOM as options spell it. */
 export type CustomName = "has-gradient" | "has-hessian" | "thread-safe";
 
+/** The arrays of a model that hrbfnpr_model_view shows. */
 export declare const MODEL_ATTRIBUTE: {
-  /** the centres; of a model of sheets places all over the surface, FLOAT64 x 3 */
+  /** FLOAT64 x 3: the centres; for a model of sheets, places all over the surface */
   readonly POSITION: 0;
-  /** their unit normals, FLOAT64 x 3 */
+  /** FLOAT64 x 3: the unit normals at these places */
   readonly NORMAL: 1;
-  /** relative residual after each iteration of ITERATIVE, FLOAT64 x 1; empty after DIRECT or loading */
+  /** FLOAT64: the relative residual after each iteration of ITERATIVE; empty after DIRECT and after loading */
   readonly RESIDUAL_HISTORY: 2;
 };
 /** A constant of MODEL_ATTRIBUTE as options spell it. */
 export type ModelAttributeName = "position" | "normal" | "residual-history";
 
+/** What became of a projected point. */
 export declare const PROJECTION: {
+  /** the point is on the surface, within the tolerance */
   readonly CONVERGED: 0;
-  /** evaluation limit, or no step lowers f^2 */
+  /** the evaluation limit was reached, or no step lowers f^2 */
   readonly NOT_CONVERGED: 1;
-  /** stuck at a critical point off the surface */
+  /** the point is stuck off the surface, where the gradient vanishes */
   readonly ZERO_GRADIENT: 2;
-  /** f or its gradient was not finite, or the latter above 1e150 */
+  /** f or its gradient is not finite, or the gradient is longer than 1e150 */
   readonly NOT_FINITE: 3;
 };
 /** A constant of PROJECTION as options spell it. */
 export type ProjectionName = "converged" | "not-converged" | "zero-gradient" | "not-finite";
 
+/** What became of a ray. */
 export declare const RAY: {
-  /** one hit or more */
+  /** it has one or several hits */
   readonly HIT: 0;
-  /** none */
+  /** it has no hit */
   readonly MISS: 1;
-  /** maximum_hits of 2 or more, and there is a further one */
+  /** it has more hits than maximum_hits, which is 2 or more */
   readonly TRUNCATED: 2;
-  /** given up on; what was found before is kept */
+  /** the search ended at the evaluation limit; earlier hits are kept */
   readonly EVALUATION_LIMIT: 3;
-  /** f or its gradient was not finite; what was found before is kept */
+  /** f or its gradient is not finite; earlier hits are kept */
   readonly NOT_FINITE: 4;
 };
 /** A constant of RAY as options spell it. */
@@ -279,61 +320,77 @@ export type RayName = "hit" | "miss" | "truncated" | "evaluation-limit" | "not-f
 
 /**
  * --------------------------------------------------------------------------
- * Solids put together from others (constructive solid geometry): a tree of
- * unions, intersections and differences, with a crease where parts meet or with
- * a blend, whose leaves are primitives and models of any kind.  f is negative
- * inside, in units of length:
+ * Solids (constructive solid geometry).  A solid is a tree of unions,
+ * intersections, differences and other operations.  Its leaves are primitives and
+ * models of any kind.  Where parts meet, there is a crease or a blend.  f is
+ * negative inside and has units of length:
  *
  *   union          min(a, b)
  *   intersection   max(a, b)
  *   difference     max(a, -b): the first child without all others
  *   complement     -a
  *   offset         a - distance
- *   shell          max(a, -a - distance): what is less than `distance` inside
+ *   shell          max(a, -a - distance): a wall of this thickness inside the surface
  *
- * Primitives lie about the origin and the z axis of their own coordinates; the
- * transforms of a node and of those above it put them where they are.  f of a
- * half-space, a sphere and a torus is the signed distance.  A box, a cylinder and a
- * cone are the largest of the distances from their sides: the distance inside,
- * and outside where a side is nearest; less beside edges and corners.
+ * Primitives lie around the origin and along the z axis of their own coordinates.
+ * The transforms of a node and of its parents move them to their places.  For a
+ * half-space, a sphere and a torus f is the signed distance to the surface.  For a
+ * box, a cylinder and a cone it is the largest of the distances from their sides:
+ * the distance inside, and outside where one side is nearest; less beside edges
+ * and corners.
  *
- * A blend rounds where parts meet, within its radius: where both are nearer than that to
- * their surfaces.  Children are blended one after the other, in their order.
- *   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b): twice
- *                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
- *                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
- *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
- *                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
- *                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
+ * A blend rounds the place where parts meet.  It acts where both parts are nearer
+ * than the radius R to their surfaces.  Children are blended one after the other,
+ * in their order.  For a union:
  *
- * A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
- * beyond it is outside, whatever its f is.  One that is a tree itself becomes part
- * of the new one, without bounds that were given for it.  A trimmed model bounds no
- * solid and is refused: fit it with trim NEVER.
+ *   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b)
+ *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b)
+ *
+ * Exponent 0 is twice continuously differentiable everywhere; at a right angle it
+ * begins at the distance R from the edge [after Barthe, Wyvill & de Groot 2004].
+ * Exponent 2 gives an arc of radius R at a right angle, and larger exponents are
+ * sharper [Ricci 1973].  Such a blend is smooth where f < R only, so do not offset
+ * it by R or more; |grad f| may grow by the factor 2^(1/p).
+ *
+ * A model as a leaf ends at its search box: everything beyond is outside, whatever
+ * f is there.  A leaf that is itself a solid becomes part of the new tree, and the
+ * bounds that were given for it are ignored.  A trimmed model bounds no solid and is
+ * refused: fit it with trim NEVER.
+ *
+ * The kinds of nodes are:
  */
 export declare const CSG: {
+  /** everything inside any child */
   readonly UNION: 0;
+  /** everything inside all children */
   readonly INTERSECTION: 1;
+  /** the first child without all others */
   readonly DIFFERENCE: 2;
-  /** this and the next two: of one child */
+  /** everything outside its child; has one child */
   readonly COMPLEMENT: 3;
-  /** by `distance`: outward, or inward if negative. Exact where f is the distance */
+  /**
+   * its child, grown outward by `distance`, or inward if that is negative; has one child. Exact where f is the
+   * distance
+   */
   readonly OFFSET: 4;
-  /** `distance` is its thickness: the surface stays, and has a wall inside */
+  /** its child as a hollow body with a wall of thickness `distance` inside the surface; has one child */
   readonly SHELL: 5;
-  /** this and those below have no children */
+  /** the field `model`; a leaf */
   readonly MODEL: 6;
-  /** z <= 0 */
+  /** z <= 0; a leaf */
   readonly HALF_SPACE: 7;
-  /** of `size`, its middle at 0 */
+  /** a box of the sides `size`, centred at the origin; a leaf */
   readonly BOX: 8;
-  /** of `radius` about 0 */
+  /** a ball of `radius` around the origin; a leaf */
   readonly SPHERE: 9;
-  /** of `radius`, z from -height/2 to height/2 */
+  /** a cylinder of `radius` around the z axis, z from -height/2 to height/2; a leaf */
   readonly CYLINDER: 10;
-  /** the same, its radius `radius` at the lower end and `second_radius` at the upper */
+  /**
+   * a cone around the z axis, z from -height/2 to height/2, with `radius` at the lower end and `second_radius` at
+   * the upper end; a leaf
+   */
   readonly CONE: 11;
-  /** about z: a tube of `second_radius` around a circle of `radius` */
+  /** a tube of `second_radius` around a circle of `radius` around the z axis; a leaf */
   readonly TORUS: 12;
 };
 /** A constant of CSG as options spell it. */
@@ -341,39 +398,38 @@ export type CsgName = "union" | "intersection" | "difference" | "complement" | "
   "half-space" | "box" | "sphere" | "cylinder" | "cone" | "torus";
 
 /**
- * What the marks of a layer are.  More kinds may come: treat one that is not
- * in this list like OWN.
+ * The kind of a layer's marks.  Later versions may add kinds: treat an unknown one
+ * like OWN.
  */
 export declare const LAYER_KIND: {
-  /** in styles only: layers of every kind */
+  /** for styles only: layers of every kind */
   readonly ANY: 0;
   /** scattered marks */
   readonly STIPPLES: 1;
   /**
-   * lines along a field of directions, which `guide` or the caller's direction_function gives. BLUE_NOISE lays
-   * evenly spaced lines along the smoothest such field, nested: marks of level 0 are on the coarsest lines, and
-   * lines of each further level lie midway between all before; around a fork a line changes its level [Knoeppel et
-   * al. 2015]. PUBLISHED grows strokes from seeds, along the directions and across them [NPAR 5]
+   * lines along a field of directions, which `guide` or direction_function gives. With BLUE_NOISE they are evenly
+   * spaced and nested: lines of level 0 are the coarsest, and lines of each further level lie midway between all
+   * before [Knoeppel et al. 2015]. With PUBLISHED they are strokes that grow from seeds, along the directions and
+   * across them [NPAR 5]
    */
   readonly HATCH: 2;
-  /** the caller's marks or strokes */
+  /** marks or strokes of the caller */
   readonly OWN: 3;
 };
 /** A constant of LAYER_KIND as options spell it. */
 export type LayerKindName = "any" | "stipples" | "hatch" | "own";
 
+/** How marks are distributed over a surface. */
 export declare const DISTRIBUTION: {
   /**
-   * Stipples evenly spread over the area in a progressive order, each prefix
-   * of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
-   * budget may be missed by some marks in a thousand where the surface bends
-   * within their spacing.  Lines of HATCH are evenly spaced and nested.
-   * The default.
+   * stipples are evenly spread in a progressive order, every prefix of which is evenly spread; lines of HATCH are
+   * evenly spaced and nested; the default. Where the surface bends within the spacing of stipples, a layer may
+   * miss its budget by some marks in a thousand (docs/quality.md)
    */
   readonly BLUE_NOISE: 0;
   /**
-   * The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
-   * drawn independently at random [NPAR 5, 6.2].
+   * the published recursion: each level has 5 times as many stipples, or 3 times as many marks of strokes, and
+   * ranks are random [NPAR 5, 6.2]
    */
   readonly PUBLISHED: 1;
 };
@@ -381,41 +437,35 @@ export declare const DISTRIBUTION: {
 export type DistributionName = "blue-noise" | "published";
 
 /**
- * What the lines of HATCH follow where no direction_function is given.  Each guide is a direction without a sign
- * at every
- * place, and a confidence: where that is low, the smoothest field between decides.  PUBLISHED takes CURVATURE,
- * COMBING
- * or a direction_function; another guide is INVALID_ARGUMENT.
+ * The directions that lines of HATCH follow without a direction_function.  Where the
+ * directions have a low confidence, lines follow the smoothest field between.
+ * PUBLISHED takes CURVATURE, COMBING or a direction_function; another guide is
+ * INVALID_ARGUMENT.
  */
 export declare const HATCH_GUIDE: {
-  /**
-   * the direction in which the surface bends most, where it bends unevenly. PUBLISHED: strokes along both
-   * principal directions, d1 and d2
-   */
+  /** the direction in which the surface bends most. PUBLISHED: strokes along both principal directions, d1 and d2 */
   readonly CURVATURE: 0;
   /** Stark's combing direction r. PUBLISHED: strokes along r and u [NPAR 5.3] */
   readonly COMBING: 1;
-  /** the surface's sections by planes across `axis` */
+  /** sections of the surface by planes perpendicular to `axis` */
   readonly SECTIONS: 2;
   /** the tangent part of guide_direction, which points to the light */
   readonly LIGHT: 3;
-  /**
-   * what is conjugate to guide_direction, which points to the eye: near where that grazes the surface lines run as
-   * the silhouette does
-   */
+  /** the direction conjugate to guide_direction, which points to the eye: near the silhouette, lines run along it */
   readonly SILHOUETTE: 4;
 };
 /** A constant of HATCH_GUIDE as options spell it. */
 export type HatchGuideName = "curvature" | "combing" | "sections" | "light" | "silhouette";
 
+/** The seeds from which marks start. */
 export declare const SEED: {
-  /** SAMPLES if the model has well-spread ones, else BOX */
+  /** the samples, if the model has them (for PUBLISHED: well-spread ones), else BOX */
   readonly AUTO: 0;
-  /** the model's samples; INVALID_ARGUMENT for a custom model */
+  /** the model's samples; INVALID_ARGUMENT for a model without samples */
   readonly SAMPLES: 1;
-  /** jittered grid in the bounds, projected */
+  /** a jittered grid in the bounds, projected onto the surface */
   readonly BOX: 2;
-  /** seed_points, projected */
+  /** seed_points, projected onto the surface */
   readonly POINTS: 3;
 };
 /** A constant of SEED as options spell it. */
@@ -423,85 +473,98 @@ export type SeedName = "auto" | "samples" | "box" | "points";
 
 /** Where the strokes of PUBLISHED start. */
 export declare const STROKE_START: {
-  /** from the seeds */
+  /** at the seeds */
   readonly SEEDS: 0;
-  /** from the stipples up to level start_level */
+  /** at the stipples up to level start_level */
   readonly STIPPLES: 1;
 };
 /** A constant of STROKE_START as options spell it. */
 export type StrokeStartName = "seeds" | "stipples";
 
+/** How densely the stipples of BLUE_NOISE lie. */
 export declare const DENSITY: {
-  /** as many stipples per area everywhere */
+  /** the same number of stipples per area everywhere */
   readonly UNIFORM: 0;
-  /** more where the surface bends: 1 - s + s c / (c + mean of c), s = density_strength, c = sqrt((k1^2 + k2^2) / 2) */
+  /**
+   * more stipples where the surface bends: 1 - s + s c / (c + mean of c), where s is density_strength and c =
+   * sqrt((k1^2 + k2^2) / 2)
+   */
   readonly CURVATURE: 1;
-  /** density_function */
+  /** the density of density_function */
   readonly CALLBACK: 2;
 };
 /** A constant of DENSITY as options spell it. */
 export type DensityName = "uniform" | "curvature" | "callback";
 
+/** The tones in which layers appear, if they have no tone range of their own. */
 export declare const TONE_RANGES: {
-  /** each layer's ranks cover all tones */
+  /** each layer covers all tones */
   readonly FULL: 0;
   /**
-   * one after the other in the order of the list, the first direction of a layer of strokes before the second,
-   * each over an equal part of the tones: cross-hatching builds up from light to dark
+   * the layers follow each other in the order of the list, each over an equal part of the tones (of PUBLISHED
+   * strokes the first direction, then the second): cross-hatching builds up from light to dark
    */
   readonly IN_TURN: 1;
 };
 /** A constant of TONE_RANGES as options spell it. */
 export type ToneRangesName = "full" | "in-turn";
 
+/** What else is made for a layer. */
 export declare const LAYER_WITH: {
-  /** fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always do */
+  /** fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always have it */
   readonly CURVATURE: 1;
 };
 /** A constant of LAYER_WITH as options spell it. */
 export type LayerWithName = "curvature";
 
-/** What is known of each mark of a layer, and of each of its S strokes. */
+/** The arrays of a layer, with one element for each mark or for each of its S strokes. */
 export declare const MARK_ATTRIBUTE: {
-  /** FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
+  /** FLOAT32 x 3: the place, relative to hrbfnpr_point_set_info.origin */
   readonly POSITION: 0;
-  /** FLOAT32 x 3, unit, outward */
+  /** FLOAT32 x 3: the normal; unit, outward */
   readonly NORMAL: 1;
-  /** FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2] */
+  /**
+   * FLOAT32 x 3: the direction along the stroke; unit, tangent. For a mark without a stroke: the u of its basis
+   * [NPAR 5.2]
+   */
   readonly DIRECTION: 2;
-  /** FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
+  /** FLOAT32 x 3: k1, k2 and confidence, as hrbfnpr_model_curvature gives them */
   readonly CURVATURE: 3;
   /**
-   * FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a line of BLUE_NOISE have
-   * the same
+   * FLOAT32: the rank u of [NPAR 6.2], in [0, 1): a mark is shown where u >= tone. All marks of a line of
+   * BLUE_NOISE have the same rank
    */
   readonly RANK: 4;
-  /** UINT8: the refinement step that placed it, 0 = a seed. HATCH of BLUE_NOISE: see HRBFNPR_LAYER_KIND_HATCH */
+  /**
+   * UINT8: the refinement step that placed the mark; 0 = a seed. For HATCH of BLUE_NOISE: the level of its line
+   * there (see HRBFNPR_LAYER_KIND_HATCH)
+   */
   readonly LEVEL: 5;
   /**
    * UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's place along it. PUBLISHED: the
-   * number is the seed's, places are 0 .. 3^levels - 1, the seed in the middle. Else 0 .. n - 1 from end to end.
-   * For a mark of no stroke: 2 * its number (PUBLISHED: its seed's), and 0
+   * number is that of the seed, and places are 0 to 3^levels - 1 with the seed in the middle. Others: places are 0
+   * to n - 1 from end to end. For a mark without a stroke: 2 * its number (PUBLISHED: of its seed), and 0
    */
   readonly STROKE: 6;
   /**
-   * FLOAT32, relative, in (0,1]: 1 in the middle of a stroke, less towards its tapered ends. The ink of front
-   * marks has this much of the style's radius. Count 0 = all 1
+   * FLOAT32: the width as a factor of the style's radius, in (0, 1]; 1 in the middle of a stroke, less towards its
+   * tapered ends; for front marks. Count 0 = all 1
    */
   readonly WIDTH: 7;
   /**
-   * UINT32, S + 1 elements: stroke s has the marks order[first[s]] .. order[first[s + 1] - 1] from end to end,
-   * order being STROKE_ORDER. Count 0 = a layer without strokes
+   * UINT32, S + 1 elements: stroke s has the marks order[first[s]] to order[first[s + 1] - 1] from end to end,
+   * where order is STROKE_ORDER. Count 0 = a layer without strokes
    */
   readonly STROKE_FIRST: 8;
   /**
-   * UINT32: numbers of marks, stroke by stroke. Count 0 = the marks stand stroke by stroke already: every layer
-   * but those of PUBLISHED
+   * UINT32: numbers of marks, stroke by stroke. Count 0 = the marks themselves are in this order, as in every
+   * layer except those of PUBLISHED
    */
   readonly STROKE_ORDER: 9;
   /**
-   * FLOAT32 x 3, unit: the normal that tone goes by with DEPTH_LAYERS, averaged over
-   * hrbfnpr_layer_desc.tone_smoothing of the same sheet. What faces the eye goes by NORMAL. Count 0 = NORMAL
+   * FLOAT32 x 3: the unit normal that sets the tone with DEPTH_LAYERS, averaged over
+   * hrbfnpr_layer_desc.tone_smoothing on the same sheet. NORMAL decides whether the mark faces the eye. Count 0 =
+   * NORMAL
    */
   readonly TONE_NORMAL: 10;
 };

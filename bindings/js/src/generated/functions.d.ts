@@ -9,197 +9,221 @@ export interface Functions {
   /**
    * uint32_t hrbfnpr_version(void)
    *
-   * The library's version as major * 10000 + minor * 100 + patch.
+   * Returns the library's version as major * 10000 + minor * 100 + patch.
    */
   hrbfnpr_version(): number;
   /**
    * uint32_t hrbfnpr_abi_version(void)
    *
-   * The library's ABI version; compare it with HRBFNPR_ABI_VERSION.
+   * Returns the library's ABI version.  Compare it with HRBFNPR_ABI_VERSION.
    */
   hrbfnpr_abi_version(): number;
   /**
    * const char* hrbfnpr_version_string(void)
    *
-   * "major.minor.patch", static, UTF-8, never NULL.
+   * Returns the library's version as "major.minor.patch": static, UTF-8, never NULL.
    */
   hrbfnpr_version_string(): Pointer;
   /**
    * const char* hrbfnpr_status_name(hrbfnpr_status status)
    *
-   * Name of a status, such as "INVALID_ARGUMENT"; "UNKNOWN" for a number that is
-   * not in the list.  Static, never NULL.
+   * Returns the name of a status, such as "INVALID_ARGUMENT", or "UNKNOWN" for a
+   * number that is not in the list.  The text is static and never NULL.
    */
   hrbfnpr_status_name(status: number): Pointer;
   /**
    * hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size)
    *
-   * Sets struct_size, OK and an empty message.
-   * INVALID_ARGUMENT if `error` is NULL, UNSUPPORTED_STRUCT if struct_size < 256.
+   * Sets struct_size, the status OK and an empty message.
+   *
+   * Errors: INVALID_ARGUMENT: `error` is NULL.  UNSUPPORTED_STRUCT: struct_size is
+   * below 256.
    */
   hrbfnpr_error_init(error: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed)
    *
-   * What this build is, as one JSON object: version, abi, compiler,
-   * instruction_sets, thread_backends, dependencies.  Writes up to `capacity`
-   * bytes with a terminating zero; `*needed` (nullable) gets the bytes needed.
-   * BUFFER_TOO_SMALL writes nothing to `destination`.  destination may be NULL
-   * when capacity is 0.
+   * Writes what this build of the library is, as one JSON object with the keys
+   * version, abi, compiler, instruction_sets, thread_backends and dependencies.
+   *
+   * destination:   receives the text with a terminating zero; may be NULL if capacity is 0
+   * capacity:      the size of destination in bytes, 0 or more
+   * needed:        receives the bytes that the text needs, with its zero; may be NULL
+   *
+   * Errors: BUFFER_TOO_SMALL: capacity is below *needed; only *needed is written.
    */
   hrbfnpr_build_info(destination: Pointer, capacity: number, needed: Pointer): number;
   /**
    * const char* hrbfnpr_layout(const char* name)
    *
-   * How this build lays out a struct, such as "hrbfnpr_fit_desc", as one JSON
-   * object: name, size, align, and fields, a list of objects with name, type,
-   * offset and size (bytes) in the header's order; of NULL a list of all structs.
-   * A binding can compare its own structs with it before the first call.  Static,
-   * UTF-8; NULL where there is no struct of that name.
+   * Returns how this build lays out a struct, such as "hrbfnpr_fit_desc", as one
+   * JSON object.  Its keys are name, size, align and fields: a list of objects with
+   * name, type, offset and size (bytes), in the order of the header.  For NULL it
+   * returns a list of all structs.  A binding can compare its own structs with it
+   * before the first call.  The text is static and UTF-8.  The result is NULL if
+   * there is no struct of that name.
    */
   hrbfnpr_layout(name: Pointer): Pointer;
   /**
    * hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default; the size and the pixels are the caller's to set.
    */
   hrbfnpr_image_init(image: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_context_desc_init(hrbfnpr_context_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_context_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_context_create(const hrbfnpr_context_desc* desc, hrbfnpr_context** out_context,
    * hrbfnpr_error* error)
    *
-   * `desc` may be NULL for all defaults.  The callbacks and their user pointers
-   * must outlive the context and everything that was made from it.
+   * Creates a context.  `desc` NULL = all defaults.  The callbacks and their user
+   * pointers must stay valid until the context and everything that was made from
+   * it are released.
+   *
+   * Errors: VERSION_MISMATCH: the header and the library have different ABI
+   * versions.
    */
   hrbfnpr_context_create(desc: Pointer, out_context: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_context_retain(hrbfnpr_context* context)
    *
-   * any thread; NULL is ignored
+   * Adds a reference. Any thread.
    */
   hrbfnpr_context_retain(context: Pointer): void;
   /**
    * void hrbfnpr_context_release(hrbfnpr_context* context)
    *
-   * any thread; NULL is ignored
+   * Removes a reference. Any thread.
    */
   hrbfnpr_context_release(context: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_context_info_init(hrbfnpr_context_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_context_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_context_get_info(const hrbfnpr_context* context, hrbfnpr_context_info* info,
    * hrbfnpr_error* error)
    *
-   *
+   * Fills `info` with the settings in use and the memory of a context.
    */
   hrbfnpr_context_get_info(context: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_operation_create(hrbfnpr_context* context, hrbfnpr_operation** out_operation,
    * hrbfnpr_error* error)
    *
-   *
+   * Creates an operation.
    */
   hrbfnpr_operation_create(context: Pointer, out_operation: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_operation_retain(hrbfnpr_operation* operation)
    *
-   * any thread; NULL is ignored
+   * Adds a reference. Any thread.
    */
   hrbfnpr_operation_retain(operation: Pointer): void;
   /**
    * void hrbfnpr_operation_release(hrbfnpr_operation* operation)
    *
-   * any thread; NULL is ignored
+   * Removes a reference. Any thread.
    */
   hrbfnpr_operation_release(operation: Pointer): void;
   /**
    * void hrbfnpr_operation_cancel(hrbfnpr_operation* operation)
    *
-   * Any thread, any time, more than once; NULL is ignored.
+   * Cancels the call that uses the operation, and all later ones.  Any thread, any
+   * time, any number of times.  NULL is ignored.
    */
   hrbfnpr_operation_cancel(operation: Pointer): void;
   /**
    * int32_t hrbfnpr_operation_is_cancelled(const hrbfnpr_operation* operation)
    *
-   * 1 after a cancel, else 0.  Any thread.
+   * Returns 1 after a cancel, else 0.  Any thread.  NULL gives 0.
    */
   hrbfnpr_operation_is_cancelled(operation: Pointer): number;
   /**
    * double hrbfnpr_operation_progress(const hrbfnpr_operation* operation)
    *
-   * Progress of the call in [0,1].  Any thread.
+   * Returns the progress of the call, from 0 to 1.  Any thread.  NULL gives 0.
    */
   hrbfnpr_operation_progress(operation: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbfnpr_progress_fn callback,
    * void* user, hrbfnpr_error* error)
    *
-   * Not while a call that uses the operation runs.  `callback` NULL removes it.
+   * Sets the function that receives the progress; `callback` NULL removes it.
+   *
+   * Errors: INVALID_ARGUMENT: a call uses the operation at present.
    */
   hrbfnpr_operation_set_callback(operation: Pointer, callback: Pointer, user: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_fit_desc_init(hrbfnpr_fit_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_fit_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_desc* desc, hrbfnpr_operation*
    * operation, hrbfnpr_model** out_model, hrbfnpr_error* error)
    *
-   * Fits f with f(x_i) = 0 and grad f(x_i) = n_i, so that f < 0 inside, f > 0
-   * outside and |grad f| is near 1 at the surface [NPAR 4.1, equations 1, 2].
-   * operation may be NULL.
-   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY (the message gives the bytes),
-   * SINGULAR_SYSTEM, NOT_CONVERGED (the message gives the residual reached),
-   * CANCELLED.
+   * Fits f with f(x_i) = 0 and grad f(x_i) = n_i at the samples, so that f < 0
+   * inside, f > 0 outside, and |grad f| is near 1 at the surface [NPAR 4.1,
+   * equations 1, 2].  The fit works in double precision and in coordinates in which
+   * the mean sample spacing is 1, whatever the caller's unit.
+   *
+   * desc:        what to fit
+   * operation:   may be NULL
+   *
+   * Errors: INVALID_ARGUMENT: see hrbfnpr_fit_desc.  OUT_OF_MEMORY: the message gives
+   * the bytes that are needed.  SINGULAR_SYSTEM: the system has no unique solution;
+   * the message says how to change it.  NOT_CONVERGED: ITERATIVE did not reach its
+   * tolerance; the message gives the residual.
    */
   hrbfnpr_model_fit(context: Pointer, desc: Pointer, operation: Pointer, out_model: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_orient_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_orient_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnpr_orient_desc* desc, hrbfnpr_operation*
    * operation, const hrbfnpr_array_out* out_normals, hrbfnpr_orient_info* info, hrbfnpr_error* error)
    *
-   * Finds the outward unit normals of points, or repairs given ones.
-   * out_normals: N x 3, FLOAT32 or FLOAT64; may be the given normals themselves.
-   *   Given normals that stay are written as they were, bit for bit where the
-   *   scalars are the same; turned ones are only that.
-   * info:        may be NULL.  operation: may be NULL.
-   * A confidence that is low is no error: the log warns.
-   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+   * Finds outward unit normals for points, or repairs given normals.  A low
+   * confidence is no error; the log warns.  Time and memory grow with N.
+   * [VIPSS: Huang, Carr, Ju, "Variational implicit point set surfaces", 2019]
+   *
+   * out_normals:   receives N x 3 normals, FLOAT32 or FLOAT64; may be the given normals' memory.  Given
+   *                normals that stay keep their bits (if the scalar types agree); turned ones change their sign
+   * only
+   * info:          may be NULL
+   * operation:     may be NULL
+   *
+   * Errors: INVALID_ARGUMENT: fewer than 4 different points; all points are on one
+   * line; NaN or infinity; no normals with a mode that needs them; `up` is 0.
    */
   hrbfnpr_orient(context: Pointer, desc: Pointer, operation: Pointer, out_normals: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_depth_image_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_depth_image_info_init(hrbfnpr_depth_image_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_depth_image_info_init(info: Pointer, struct_size: number): number;
   /**
@@ -207,60 +231,69 @@ export interface Functions {
    * hrbfnpr_operation* operation, const hrbfnpr_array_out* out_points, const hrbfnpr_array_out* out_normals,
    * hrbfnpr_depth_image_info* info, hrbfnpr_error* error)
    *
-   * Takes the sensor's noise off the image of a depth camera, and finds normals.
-   * out_points:  rows * columns x 3, FLOAT32 or FLOAT64; may be desc.points' memory, or NULL.  NaN where
-   *   nothing was seen, and for points that are left out.
-   * out_normals: of the same size, towards the camera, of unit length; 0 where out_points is NaN.  May be NULL.
-   * info:        may be NULL.  operation: may be NULL.
-   * To choose some of the points, as even in the image as they can be, pass x / z,
-   * y / z and log |z| to hrbfnpr_farthest_points.
-   * Errors: INVALID_ARGUMENT (the points are no such image), OUT_OF_MEMORY, CANCELLED.
+   * Removes the sensor's noise from the image of a depth camera, and finds normals.
+   * To choose some of the points, evenly spread over the image, pass x / z, y / z and
+   * log |z| to hrbfnpr_farthest_points.
+   *
+   * out_points:    receives rows * columns x 3 points, FLOAT32 or FLOAT64; NaN where nothing was seen and for
+   * points that
+   *                are left out, such as those between an edge and what it hides; may be the memory of
+   * desc->points; may
+   *                be NULL
+   * out_normals:   receives as many unit normals, which point to the camera; 0 where out_points is NaN; may be
+   * NULL
+   * info:          may be NULL
+   * operation:     may be NULL
+   *
+   * Errors: INVALID_ARGUMENT: the points are not such an image.
    */
   hrbfnpr_smooth_depth_image(context: Pointer, desc: Pointer, operation: Pointer, out_points: Pointer, out_normals: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_custom_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_create_custom(hrbfnpr_context* context, const hrbfnpr_custom_desc* desc,
    * hrbfnpr_model** out_model, hrbfnpr_error* error)
    *
+   * Creates a model from a function of the caller.
    *
+   * Errors: INVALID_ARGUMENT: no function, or bounds that span no box.
    */
   hrbfnpr_model_create_custom(context: Pointer, desc: Pointer, out_model: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_model_retain(const hrbfnpr_model* model)
    *
-   * any thread; NULL is ignored
+   * Adds a reference. Any thread.
    */
   hrbfnpr_model_retain(model: Pointer): void;
   /**
    * void hrbfnpr_model_release(const hrbfnpr_model* model)
    *
-   * any thread; NULL is ignored
+   * Removes a reference. Any thread.
    */
   hrbfnpr_model_release(model: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_model_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error*
    * error)
    *
-   *
+   * Fills `info` with what is known of a model.
    */
   hrbfnpr_model_get_info(model: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute, hrbfnpr_array* out_view,
    * hrbfnpr_error* error)
    *
-   * A zero-copy view of the merged samples or of the last fit's residuals, valid while the model lives.
-   * Empty for a custom model.
+   * Gives a view of an array of the model, without a copy.  The view is valid while
+   * the model lives.  It is empty for a custom model and a solid.
    */
   hrbfnpr_model_view(model: Pointer, attribute: number, out_view: Pointer, error: Pointer): number;
   /**
@@ -268,38 +301,41 @@ export interface Functions {
    * hrbfnpr_array_out* value, const hrbfnpr_array_out* gradient, const hrbfnpr_array_out* hessian,
    * hrbfnpr_operation* operation, hrbfnpr_error* error)
    *
-   * f, grad f and the Hessian at n points.
-   * points:   n x 3, FLOAT32 or FLOAT64, finite, and within 1e50 diagonals of the
-   *           model's bounds, here and in _project and _curvature.
-   * value:    n x 1, gradient: n x 3, hessian: n x 6 (xx xy xz yy yz zz), each
-   *           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
-   *           that sample's own (direction-dependent, zero-mean) term.
-   * A finite answer that does not fit into a FLOAT32 array, of whatever call, is
-   * INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
+   * Evaluates f, its gradient and its Hessian at n points.
    *
-   * Preparing.  Where there are so many points that it pays, the first such call
-   * of a model takes longer, to sum up what is far into polynomials, which the
-   * model keeps (docs/accuracy.md: when, how long, how much memory; the log says
-   * how much, and what values and gradients are off by, which is measured); after
-   * that a point hardly costs more with more centres.  f is then within 1e-9
-   * diagonals of the sum over all centres, its gradient within 1e-7; of rough,
-   * uneven samples within 200 times that, 5000 where rounding leaves no more, or
-   * all centres are summed.  What a call
-   * gives depends on its n, in the last bits on whether Hessians are asked for,
-   * never on calls before it.  _project, _curvature and
-   * hrbfnpr_point_set_generate do the same.
+   * points:      n x 3, FLOAT32 or FLOAT64; finite, and within 1e50 diagonals of the model's bounds
+   * value:       receives n values, FLOAT32 or FLOAT64; may be NULL
+   * gradient:    receives n x 3, FLOAT32 or FLOAT64; may be NULL
+   * hessian:     receives n x 6, xx xy xz yy yz zz, FLOAT32 or FLOAT64; may be NULL.  At a sample it leaves out
+   * the
+   *              sample's own term, which depends on the direction and has the mean 0
+   * operation:   may be NULL
+   *
+   * The first call with many points prepares the model for faster evaluation: it
+   * takes longer, and the model keeps the prepared data (docs/accuracy.md gives the
+   * threshold, the times and the memory).  Prepared values of f are within 1e-9
+   * diagonals of the exact sum, gradients within 1e-7.  For rough, uneven samples the
+   * errors may be 200 times as large, or 5000 times where rounding allows no less;
+   * otherwise the exact sum is used.  The log gives the measured errors.  The bits of
+   * a result depend on n, and in the last bits on whether Hessians are asked for, but
+   * not on earlier calls.  hrbfnpr_model_project, hrbfnpr_model_curvature and
+   * hrbfnpr_point_set_generate prepare the model in the same way.
+   *
+   * Errors: INVALID_ARGUMENT: a point is not finite or too far away, or a finite
+   * result does not fit into a FLOAT32 array.  Non-finite values of a custom function
+   * are passed on.
    */
   hrbfnpr_model_evaluate(model: Pointer, points: Pointer, value: Pointer, gradient: Pointer, hessian: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_project_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_projection_init(hrbfnpr_projection* projection, uint32_t struct_size)
    *
-   *
+   * Sets up the struct with no array given.
    */
   hrbfnpr_projection_init(projection: Pointer, struct_size: number): number;
   /**
@@ -307,43 +343,50 @@ export interface Functions {
    * hrbfnpr_project_desc* desc, hrbfnpr_projection* projection, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)
    *
-   * Projects n points on the surface by steepest descent on f^2 with Armijo's
-   * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
-   * points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
-   * Of models with creases, and where a bound on |grad f| is known, a point that
-   * descent leaves off the surface is searched a surface for around it, in the
-   * search box, with up to 2000 more evaluations.
-   * A point that fails keeps its last iterate.
+   * Projects n points onto the surface, by steepest descent on f^2 with Armijo's rule
+   * [NPAR 4.2].  A point that fails keeps its last place; its status says why, and the
+   * call succeeds.  For models with creases, and where a bound on |grad f| is known,
+   * points that descent leaves off the surface are searched for the surface around
+   * them, within the search box: this takes up to 2000 more evaluations for each.
+   *
+   * points:       n x 3, FLOAT32 or FLOAT64; as for hrbfnpr_model_evaluate
+   * desc:         NULL = all defaults
+   * projection:   the arrays that receive the results
+   * operation:    may be NULL
    */
   hrbfnpr_model_project(model: Pointer, points: Pointer, desc: Pointer, projection: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size)
    *
-   *
+   * Sets up the struct with no array given.
    */
   hrbfnpr_curvature_init(curvature: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
    * hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error)
    *
-   * Principal curvatures and directions of the level set through each of n
-   * points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
-   * G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
-   * from its normal (a sphere with outward normals) has negative curvature,
-   * -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
-   * fall back to a smooth field.  Where the gradient vanishes all are 0.
+   * Computes the principal curvatures and directions of the level set through each of n
+   * points: the tangent eigenpairs of G = -P H P / |grad f|, where P = I - n n^T
+   * [NPAR 5.3; Kindlmann et al. 2003].  k1 >= k2.  A surface that bends away from its
+   * normal has negative curvature: a sphere with outward normals has -1/radius.  At
+   * umbilics and on planes the confidence is 0, and d1 and d2 follow a smooth field.
+   * Where the gradient vanishes, all results are 0.
+   *
+   * points:      n x 3, FLOAT32 or FLOAT64; as for hrbfnpr_model_evaluate
+   * curvature:   the arrays that receive the results
+   * operation:   may be NULL
    */
   hrbfnpr_model_curvature(model: Pointer, points: Pointer, curvature: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_cast_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_ray_hits_init(hrbfnpr_ray_hits* hits, uint32_t struct_size)
    *
-   *
+   * Sets up the struct with no array given.
    */
   hrbfnpr_ray_hits_init(hits: Pointer, struct_size: number): number;
   /**
@@ -351,166 +394,183 @@ export interface Functions {
    * hrbfnpr_array* directions, const hrbfnpr_cast_desc* desc, hrbfnpr_ray_hits* hits, hrbfnpr_operation*
    * operation, hrbfnpr_error* error)
    *
-   * Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
-   * steps that it cannot lie within [Hart 1996, "Sphere tracing"].
+   * Finds where n rays origin + t direction, t_min <= t <= t_max, meet the surface in the
+   * search box, by sphere tracing [Hart 1996].
    *
-   * The surface is looked for in the search box: the bounds, grown by 0.05
-   * diagonals on every side.  From a place where f is known the next is |f| /
-   * lipschitz away, but not less than smallest_step.  A change of sign between
-   * two places brackets a hit, which Newton's method along the ray, safeguarded
-   * by bisection, finds to the tolerance.  What changes no sign from one place to
-   * the next is missed: grazing rays that are inside, and sheets that are thick,
-   * for less than smallest_step.  So are hits that follow each other that
-   * closely, in pairs.  A hit at the very ends of the range may or may not be
-   * found.  A bound that is too small may miss more; a step that shows it to be
-   * is taken back, and the bound raised for that ray.  One that is too large
-   * costs time only.
+   * The search may miss: two hits that are closer than smallest_step along the ray, such
+   * as those of a grazing ray or a thin sheet; and a hit exactly at t_min or t_max.  A
+   * ray that starts on the surface may or may not have a hit there: start beyond it, with
+   * t_min.  Rays may start inside.
    *
-   * origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
-   *            length but zero, and not so short that the t of a hit is infinite.
-   *            Rays may start inside.
-   * desc may be NULL.  A ray that starts on the surface may or may not meet it
-   * there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
-   * numbers of directions and origins that differ, and fields out of their range
-   * are INVALID_ARGUMENT.
+   * origins:      n x 3, FLOAT32 or FLOAT64, finite
+   * directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
+   * desc:         NULL = all defaults
+   * hits:         the arrays that receive the results
+   * operation:    may be NULL
+   *
+   * Errors: INVALID_ARGUMENT: NaN, infinity, a zero direction, different counts of
+   * origins and directions, or a direction so short that the t of a hit is infinite.
    */
   hrbfnpr_model_cast_rays(model: Pointer, origins: Pointer, directions: Pointer, desc: Pointer, hits: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipschitz, hrbfnpr_operation*
    * operation, hrbfnpr_error* error)
    *
-   * The bound that _cast_rays takes where none is given: the largest |grad f| at
-   * 24^3 points of the search box, times 1.5.  An estimate, and no proof; of a tree
-   * of primitives (hrbfnpr_csg_info.lipschitz) a bound that holds.  A
-   * program that casts few rays at a time asks for it once and passes it on:
-   * otherwise each call evaluates those points.
+   * Computes the bound on |grad f| that hrbfnpr_model_cast_rays uses if none is given.
+   * For a solid of primitives it is a true bound (hrbfnpr_csg_info.lipschitz).  For other
+   * models it is an estimate: 1.5 times the largest |grad f| at 24^3 points of the search
+   * box.  A program that casts few rays in each call should ask for the bound once and
+   * pass it on, because each call without it evaluates these points.
+   *
+   * lipschitz:   receives the bound
+   * operation:   may be NULL
    */
   hrbfnpr_model_lipschitz(model: Pointer, lipschitz: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, const hrbfnpr_array* points, const
    * hrbfnpr_array_out* inside, int64_t* inside_count, hrbfnpr_operation* operation, hrbfnpr_error* error)
    *
-   * Which of n points lie inside the surface.
-   * points: n x 3, FLOAT32 or FLOAT64, finite.
-   * inside: n x 1, UINT8, or NULL: 1 where f < 0 and the point lies in the search
-   *         box (the bounds, grown by 0.05 diagonals on every side), else 0.
-   *         Beyond it, where f means nothing, it is not evaluated.
-   * inside_count (nullable) gets the number of ones.
-   * Of a surface with a border, which bounds nothing, it is the side that f says.
+   * Tells which of n points lie inside the surface: f < 0, and within the search box.
+   * Points beyond the box are outside; f is not evaluated there.  A surface with a border
+   * bounds nothing: the result then tells the side by the sign of f.
+   *
+   * points:         n x 3, FLOAT32 or FLOAT64, finite
+   * inside:         receives n x 1 UINT8: 1 inside, else 0; may be NULL
+   * inside_count:   receives the number of points inside; may be NULL
+   * operation:      may be NULL
    */
   hrbfnpr_model_contains(model: Pointer, points: Pointer, inside: Pointer, inside_count: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_trim_desc_init(hrbfnpr_trim_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_trim_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const hrbfnpr_trim_desc* desc,
    * hrbfnpr_operation* operation, hrbfnpr_model** out_model, hrbfnpr_error* error)
    *
-   * The same model with a surface that ends where its samples do: marks, line sets
-   * and rays of the new model do.  f, projections, curvatures and _contains are
-   * those of `model`, which it keeps.  Trimming a trimmed model begins with the
-   * whole one again.  A surface of which nothing is to be left out stays whole, and
-   * what is made from it is bit for bit that of `model`.
-   * desc NULL = defaults.  operation may be NULL.
-   * Files of models hold where they end.
-   * Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
-   * part of the surface is near the samples; one sample has no spacing),
-   * OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   * Makes the same model with a surface that ends where its samples end.  Marks, line sets
+   * and rays of the new model end there.  f, projections, curvatures and
+   * hrbfnpr_model_contains stay those of `model`, which the new model keeps alive.
+   * Trimming a trimmed model starts from the whole model.  If nothing is to be left out,
+   * the surface stays whole, and all results are bit for bit those of `model`.  Files of
+   * models store the trim.
+   *
+   * desc:        NULL = all defaults
+   * operation:   may be NULL
+   *
+   * Errors: INVALID_ARGUMENT: the model is not a fit, and no points are given.
+   * NOT_CONVERGED: no part of the surface is near the samples, or a single sample has no
+   * spacing.
    */
   hrbfnpr_model_trim(model: Pointer, desc: Pointer, operation: Pointer, out_model: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_trim_info_init(hrbfnpr_trim_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_trim_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_trim_info* info, hrbfnpr_error*
    * error)
    *
-   *
+   * Fills `info` with what the last trim of a model left out.
    */
   hrbfnpr_model_get_trim_info(model: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_csg_node_init(node: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_csg_desc_init(hrbfnpr_csg_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_csg_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_create_csg(hrbfnpr_context* context, const hrbfnpr_csg_desc* desc,
    * hrbfnpr_model** out_model, hrbfnpr_error* error)
    *
-   * Every operator works on the result; derivatives are those of what f is there.
-   * It can be saved if its leaves can.  It keeps them, and is for as many threads at
-   * a time as all of them are.
-   * Errors: INVALID_ARGUMENT (also: the surface has no end, or there is none: give
-   * bounds), UNSUPPORTED_STRUCT, OUT_OF_MEMORY.
+   * Makes a solid.  Every function of this section works on it.  Derivatives are those of
+   * the part that is active at a place.  A solid can be saved if its leaves can.  It keeps
+   * its leaves alive.  It runs on several threads if all custom functions among its leaves
+   * are thread-safe.
+   *
+   * Errors: INVALID_ARGUMENT: a node is wrong (the message gives its index); the surface
+   * may have no end (intersect it with a box, or give bounds); nothing is left of the
+   * solid.
    */
   hrbfnpr_model_create_csg(context: Pointer, desc: Pointer, out_model: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_csg_info_init(hrbfnpr_csg_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_csg_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_model_get_csg_info(const hrbfnpr_model* model, hrbfnpr_csg_info* info, hrbfnpr_error*
    * error)
    *
-   *
+   * Fills `info` with what a solid is made of.
    */
   hrbfnpr_model_get_csg_info(model: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write, void* user,
    * hrbfnpr_error* error)
    *
-   * Saving and loading.  The stream is little-endian, versioned and checksummed;
-   * a loaded model evaluates to the same bits.  A custom model cannot be saved, nor
-   * a tree with one in it (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
-   * that is too small is BUFFER_TOO_SMALL and writes nothing else.
+   * Saves a model to a stream.  The stream is little-endian, has a version and a
+   * checksum, and is described in docs/file-format.md.  A loaded model evaluates to the
+   * same bits.
+   *
+   * Errors: INVALID_ARGUMENT: a custom model, or a solid with one among its leaves, cannot
+   * be saved.  IO: `write` failed.
    */
   hrbfnpr_model_save(model: Pointer, write: Pointer, user: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination, int64_t capacity,
    * int64_t* size, hrbfnpr_error* error)
    *
-   * See hrbfnpr_model_save.
+   * Saves a model to memory.
+   *
+   * destination:   receives the stream; may be NULL if capacity is 0
+   * capacity:      the size of destination in bytes, 0 or more
+   * size:          receives the bytes that the stream needs; must be given
+   *
+   * Errors: those of hrbfnpr_model_save.  BUFFER_TOO_SMALL: capacity is below *size; only
+   * *size is written.
    */
   hrbfnpr_model_save_memory(model: Pointer, destination: Pointer, capacity: number, size: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user, hrbfnpr_model**
    * out_model, hrbfnpr_error* error)
    *
-   * See hrbfnpr_model_save.
+   * Loads a model from a stream.
+   *
+   * Errors: IO: `read` failed.  CORRUPT_DATA: the stream is no model, truncated or
+   * damaged.  VERSION_MISMATCH: a newer library wrote it.
    */
   hrbfnpr_model_load(context: Pointer, read: Pointer, user: Pointer, out_model: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
    * hrbfnpr_model** out_model, hrbfnpr_error* error)
    *
-   * See hrbfnpr_model_save.
+   * Loads a model from `size` bytes of memory.  Errors: those of hrbfnpr_model_load,
+   * without IO.
    */
   hrbfnpr_model_load_memory(context: Pointer, data: Pointer, size: number, out_model: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_layer_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_generate_desc_init(desc: Pointer, struct_size: number): number;
   /**
@@ -518,111 +578,113 @@ export interface Functions {
    * hrbfnpr_generate_desc* desc, hrbfnpr_operation* operation, hrbfnpr_point_set** out_point_set, hrbfnpr_error*
    * error)
    *
-   * Places marks on the surface.  desc may be NULL, operation may be NULL.
-   * Marks whose projection fails or strays are dropped and counted
-   * (hrbfnpr_placement_info); a set whose seeds are all dropped is an error
-   * (NOT_CONVERGED), and so is one whose marks are, or that no stroke of a given
-   * separation or step fits into.
+   * Places marks on the surface of a model.  Marks whose projection fails or lands too far
+   * away are dropped and counted (hrbfnpr_placement_info).
    *
-   * Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
-   * 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
-   * scaled by a power of two are the same ones, scaled; a curvature that does not
-   * fit a float is the largest that does.  Custom bounds may be up to 500 times
-   * as wide as the surface, seed_points within 1e4 diagonals of the bounds.
-   * Everything else is INVALID_ARGUMENT, and so is a budget that is too large,
-   * before any mark is placed.
-   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK.
+   * desc:        NULL = all defaults
+   * operation:   may be NULL
+   *
+   * Sizes.  Marks are stored as floats, so the diagonal of the model's bounds must be from
+   * 1e-33 to 1e33.  Scaling a model by a power of two scales its marks if the diagonal is
+   * beyond 1e-9 to 1e9; curvatures that do not fit into a float become the largest float.
+   * The bounds of a custom model may be up to 500 times as wide as its surface.
+   *
+   * Errors: INVALID_ARGUMENT, before any mark is placed: a size or a budget is out of its
+   * range.  NOT_CONVERGED: no seed or no mark could be placed, or no stroke has room with the
+   * given separation or step.  CALLBACK: a density or direction function failed.
    */
   hrbfnpr_point_set_generate(context: Pointer, model: Pointer, desc: Pointer, operation: Pointer, out_point_set: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_layer_arrays_init(hrbfnpr_layer_arrays* arrays, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default; no array is given.
    */
   hrbfnpr_layer_arrays_init(arrays: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_desc_init(hrbfnpr_point_set_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets every field to its default.
    */
   hrbfnpr_point_set_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_create(hrbfnpr_context* context, const hrbfnpr_point_set_desc* desc,
    * hrbfnpr_point_set** out_point_set, hrbfnpr_error* error)
    *
-   * A set of the caller's marks, or of another set's layers and the caller's.
-   * They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
-   * origin, distribution and area: the spacing is smaller only where a new layer
-   * has more marks than all before.
-   * Errors: INVALID_ARGUMENT naming the layer, the array and the index,
-   * OUT_OF_MEMORY.
+   * Creates a point set from marks of the caller, or from the layers of another set and marks
+   * of the caller.  The marks must be from 1e-33 to 1e33 across, or all at one place.  A set
+   * with a base keeps the base's origin and distribution.  It keeps its spacing, too, unless
+   * a new layer has more marks than each layer before: the same area then holds more marks.
+   *
+   * Errors: INVALID_ARGUMENT: there is no mark, or a number is wrong; the message names the
+   * layer, the array and the index.
    */
   hrbfnpr_point_set_create(context: Pointer, desc: Pointer, out_point_set: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_point_set_retain(const hrbfnpr_point_set* set)
    *
-   * any thread; NULL is ignored
+   * Adds a reference. Any thread.
    */
   hrbfnpr_point_set_retain(set: Pointer): void;
   /**
    * void hrbfnpr_point_set_release(const hrbfnpr_point_set* set)
    *
-   * any thread; NULL is ignored
+   * Removes a reference. Any thread.
    */
   hrbfnpr_point_set_release(set: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_point_set_info_init(hrbfnpr_point_set_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_point_set_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_get_info(const hrbfnpr_point_set* set, hrbfnpr_point_set_info* info,
    * hrbfnpr_error* error)
    *
-   *
+   * Fills `info` with what a point set holds.
    */
   hrbfnpr_point_set_get_info(set: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_layer_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer,
    * hrbfnpr_layer_info* info, hrbfnpr_error* error)
    *
-   * layer: 0 .. hrbfnpr_point_set_info.layers - 1.
+   * Fills `info` with what a layer holds.  layer: 0 to hrbfnpr_point_set_info.layers - 1.
    */
   hrbfnpr_point_set_get_layer_info(set: Pointer, layer: number, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size)
    *
-   *
+   * Clears the struct before its first use.
    */
   hrbfnpr_placement_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set, hrbfnpr_placement_info*
    * info, hrbfnpr_error* error)
    *
-   * Of the seeds.
+   * Fills `info` with what became of the seeds.
    */
   hrbfnpr_point_set_get_seed_placement(set: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer, int32_t level,
    * hrbfnpr_placement_info* info, hrbfnpr_error* error)
    *
-   * Of one level of one layer; level: 0 .. hrbfnpr_layer_info.levels.
+   * Fills `info` with what became of the candidates of one level of one layer.
+   * level: 0 to hrbfnpr_layer_info.levels.
    */
   hrbfnpr_point_set_get_placement(set: Pointer, layer: number, level: number, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer, uint32_t attribute,
    * hrbfnpr_array* out_view, hrbfnpr_error* error)
    *
-   * A zero-copy view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer,
-   * valid while the set lives.  An empty layer, or an attribute that it has not,
-   * gives count 0.
+   * Gives a view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer, without a copy.
+   * The view is valid while the set lives.  Its count is 0 for an empty layer, and for an
+   * attribute that the layer does not have.
    */
   hrbfnpr_point_set_view(set: Pointer, layer: number, attribute: number, out_view: Pointer, error: Pointer): number;
   /**
@@ -630,40 +692,53 @@ export interface Functions {
    * hrbfnpr_generate_desc* desc, const hrbfnpr_array_out* corners, double* step, hrbfnpr_operation* operation,
    * hrbfnpr_error* error)
    *
-   * The visual feedback for choosing the initial step [NPAR 5.1, Figure 5]:
-   * `patch_count` squares of side 2 * initial_step in tangent planes of randomly
-   * chosen seeds.  corners: patch_count x 12 (four corners, counter-clockwise
-   * seen from outside), FLOAT32 or FLOAT64, absolute.  The seeds and, if
-   * desc->initial_step is 0, the estimate are those that _generate with the same
-   * desc would use; *step (nullable) gets the step.  desc may be NULL.
+   * Makes squares that show how large the initial step of PUBLISHED is [NPAR 5.1, Figure 5].
+   * Each square has sides of 2 * initial_step and lies in the tangent plane of a random seed.
+   * The seeds, and the estimate if initial_step is 0, are those that
+   * hrbfnpr_point_set_generate uses with the same desc.
+   *
+   * desc:        NULL = all defaults
+   * corners:     receives n x 12, FLOAT32 or FLOAT64: four corners for each square, absolute, counter-clockwise as
+   * seen
+   *              from outside
+   * step:        receives the initial step; may be NULL
+   * operation:   may be NULL
    */
   hrbfnpr_point_set_step_patches(context: Pointer, model: Pointer, desc: Pointer, corners: Pointer, step: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write, void* user,
    * hrbfnpr_error* error)
    *
-   * As for models.
+   * Saves a point set to a stream, like hrbfnpr_model_save.
+   *
+   * Errors: IO: `write` failed.
    */
   hrbfnpr_point_set_save(set: Pointer, write: Pointer, user: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void* destination, int64_t
    * capacity, int64_t* size, hrbfnpr_error* error)
    *
-   * See hrbfnpr_point_set_save.
+   * Saves a point set to memory, like hrbfnpr_model_save_memory.
+   *
+   * Errors: BUFFER_TOO_SMALL: capacity is below *size; only *size is written.
    */
   hrbfnpr_point_set_save_memory(set: Pointer, destination: Pointer, capacity: number, size: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
    * hrbfnpr_point_set** out_point_set, hrbfnpr_error* error)
    *
-   * See hrbfnpr_point_set_save.
+   * Loads a point set from a stream.
+   *
+   * Errors: IO: `read` failed.  CORRUPT_DATA: the stream is no point set, truncated or
+   * damaged.  VERSION_MISMATCH: a newer library wrote it.
    */
   hrbfnpr_point_set_load(context: Pointer, read: Pointer, user: Pointer, out_point_set: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
    * hrbfnpr_point_set** out_point_set, hrbfnpr_error* error)
    *
-   * See hrbfnpr_point_set_save.
+   * Loads a point set from `size` bytes of memory.  Errors: those of
+   * hrbfnpr_point_set_load, without IO.
    */
   hrbfnpr_point_set_load_memory(context: Pointer, data: Pointer, size: number, out_point_set: Pointer, error: Pointer): number;
   /**

@@ -13,755 +13,862 @@ import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
   LogFn, Mesh, Model, Numbers, PictureEventFn, PointSet, RunTasksFn, Settings, ToneFn } from "../index.js";
 
+/** How a context works. */
 export interface ContextDesc {
-  /** _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
+  /** set by _init to HRBFNPR_ABI_VERSION. Another number is VERSION_MISMATCH */
   abiVersion?: number;
-  /** 0 = all processors (default), 1 = serial; at most 256 are used */
+  /** number of threads; 0 or more; default 0 = one for each processor; 1 = serial. At most 256 are used */
   threadCount?: number;
   /** must be 0 */
   flags?: number;
-  /** HRBFNPR_THREAD_BACKEND_...; AUTO */
+  /** HRBFNPR_THREAD_BACKEND_...; default AUTO */
   threadBackend?: ThreadBackendName | number;
-  /** HRBFNPR_INSTRUCTION_SET_...; AUTO */
+  /** HRBFNPR_INSTRUCTION_SET_...; default AUTO. A cap: better ones are not used */
   highestInstructionSet?: InstructionSetName | number;
-  /** both or none; none = aligned operator new */
+  /** NULL (default) = aligned operator new. Give both functions or neither */
   allocate?: AllocateFn;
+  /** NULL (default) = operator delete */
   deallocate?: DeallocateFn;
-  /** may be NULL */
+  /** receives messages; NULL (default) = no log */
   log?: LogFn;
-  /** HRBFNPR_LOG_...: less than this is not reported; DEBUG */
+  /** HRBFNPR_LOG_...; default DEBUG. Messages below this level are not reported */
   logLevel?: LogName | number;
-  /** may be NULL; only with thread_backend AUTO or RUN_TASKS */
+  /** the host's job system; NULL (default) = none. Needs thread_backend AUTO or RUN_TASKS */
   runTasks?: RunTasksFn;
 }
 
+/** The settings that a context uses, and its memory. */
 export interface ContextInfo {
-  /** threads that a large call will use */
+  /** number of threads that a large call uses */
   readonly threadCount: number;
   /** the one in use */
   readonly instructionSet: InstructionSetName | number;
   /** HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL */
   readonly threadBackend: ThreadBackendName | number;
-  /** allocated through this context at present */
+  /** bytes that are allocated through this context now */
   readonly bytesNow: number;
-  /** the most there ever were */
+  /** the largest number of bytes that were ever allocated at the same time */
   readonly bytesPeak: number;
 }
 
 /**
- * What to fit: N points with N outward normals.
+ * What to fit: N points with N outward normals, and how.  docs/fitting.md
+ * explains the methods.
  *
- * The fit is in double precision, in normalised coordinates (centred, mean
- * sample spacing 1), whatever the caller's unit.  Accepted repairs, counted in
- * hrbfnpr_model_info: normals that are not of unit length are normalised;
- * samples that coincide (within 1e-9 diagonals) and agree in their normal
- * (within 1 degree) are merged, and so are, of 33 samples and more, near
- * duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
- * Many samples that contradict each other so much (slivers of a mesh in single
- * precision) that the iterations break down get a little regularization and a
- * larger solver tolerance (docs/fitting.md); the log and
- * hrbfnpr_model_info.regularization say so.
- * Samples that coincide and disagree are an INVALID_ARGUMENT that names both
- * indices, as are NaN, infinity, zero normals, and an empty or mismatched
- * array; so are coordinates beyond 1e100, and samples less than 1e-100 across.
- * One sample is a plane.
+ * Repairs.  The fit accepts and counts (hrbfnpr_model_info) the following.
+ * Normals that are not of unit length are normalized.  Samples at the same place
+ * (within 1e-9 diagonals) with the same normal (within 1 degree) are merged.  Of
+ * 33 samples or more, near duplicates are merged: closer than 1e-3 of the local
+ * spacing, normals within 15 degrees.  If many samples contradict each other so
+ * much that the iterations break down, the fit adds a little regularization and
+ * raises the solver tolerance; the log and hrbfnpr_model_info.regularization say
+ * so.
  *
- * Measured samples.  Of 33 and more, those that do not fit to the 16 nearest
- * others are counted, and repaired only if asked for:
- * - outliers: three times as far from their neighbours as these from theirs,
- *   or far above the tangent planes of most of them; and of near duplicates
- *   that disagree, the one that agrees less with those around it;
- * - flipped normals: opposite to 7 of 8 neighbours at least, which agree with
- *   each other, lie on the same sheet, and all around.
+ * Refused samples.  INVALID_ARGUMENT: samples at the same place with different
+ * normals (the message gives both indices); NaN, infinity, zero normals;
+ * coordinates beyond 1e100; samples less than 1e-100 across; empty arrays, or
+ * arrays of different counts.  One sample is enough: its surface is a plane.
  *
- * Choosing.  With a tolerance or maximum_centres, samples are chosen as
- * centres: some by farthest-point order, then, in rounds, those worst off the
- * fit to the ones before, until every sample is within the tolerance (to first
- * order, |f| / |grad f|), or there are maximum_centres.  An end short of the
- * tolerance is no error: hrbfnpr_model_info says what was reached, and the log
- * warns.  With regularization, what has to be within the tolerance, less two
- * standard deviations of the noise (but not less than half), is the mean
- * over a sample and its 16 neighbours, so that centres do not follow noise.
+ * Outliers and flipped normals.  Of 33 samples or more, the fit counts samples
+ * that do not agree with the 16 nearest others, and repairs them if `outliers`
+ * or `flipped_normals` says so.  Outliers are far from their neighbours or from
+ * their neighbours' tangent planes, or are the worse of two near duplicates with
+ * different normals.  A flipped normal is opposite to nearly all neighbours'
+ * normals on the same sheet.
  *
- * Automatic regularization.  The noise is measured by how far each sample is
- * from the planes of its neighbours, where that does not vanish with their
- * distance.  The fit is then the most likely function for it: regularization
- * is the noise's variance over that of the function, which maximum likelihood
- * gives (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
- * 2006, 5.4), with a value of its own for the normals.  Samples without noise
- * are interpolated.
+ * Choosing centres.  With `tolerance` or `maximum_centres` the fit chooses some
+ * samples as centres: first evenly spread ones, then in rounds those that the
+ * last fit missed most.  It ends when every sample is within the tolerance
+ * (|f| / |grad f|) or maximum_centres is reached.  If the tolerance is not
+ * reached, the call still succeeds: hrbfnpr_model_info gives what was reached,
+ * and the log warns.  With regularization, the tolerance applies to means over a
+ * sample and its 16 neighbours, so that centres do not follow noise.
  *
- * Normals.  With a normal_mode other than GIVEN the normals are first made by
- * hrbfnpr_orient with its defaults; hrbfnpr_model_info says what was found.
- * Normals as given that all point into a closed surface are fitted as they
- * are, but the log warns, and hrbfnpr_model_info.normals_inward is 1.
+ * Normals.  With a normal_mode other than GIVEN, the fit first makes or repairs
+ * the normals as hrbfnpr_orient with its defaults does.  With GIVEN, normals that
+ * all point into a closed surface are fitted as they are; the log warns, and
+ * hrbfnpr_model_info.normals_inward is 1.
  */
 export interface FitDesc {
-  /** HRBFNPR_KERNEL_...; TRIHARMONIC */
+  /** HRBFNPR_KERNEL_...: the radial function; TRIHARMONIC, GAUSSIAN or WENDLAND_C2; default TRIHARMONIC */
   kernel?: KernelName | number;
-  /** N x 3, FLOAT32 or FLOAT64 */
+  /** N x 3, FLOAT32 or FLOAT64: the places of the samples */
   points?: ArrayInput;
-  /** N x 3, FLOAT32 or FLOAT64, outward; normal_mode says otherwise */
+  /** N x 3, FLOAT32 or FLOAT64: outward normals of any length; normal_mode may say otherwise */
   normals?: ArrayInput;
-  /** sigma or rho, in units of the points; 0 = from the sample spacing */
+  /**
+   * radius of GAUSSIAN and WENDLAND_C2, in the unit of the points; 0 or more; default 0 = from the sample spacing.
+   * A larger radius fills larger gaps, but makes the system worse conditioned
+   */
   kernelRadius?: number;
-  /** -1 (none) .. 3; 1. TRIHARMONIC is well-posed from 1 on (Duchon 1977); below that a pivoted LU is tried. */
+  /**
+   * degree of the polynomial that is added to the kernels; -1 (none) to 3; default 1. TRIHARMONIC is well-posed
+   * from 1 on [Duchon 1977]; below that the fit may fail with SINGULAR_SYSTEM
+   */
   polynomialDegree?: number;
-  /** HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0 */
+  /** HRBFNPR_REGULARIZATION_...; default GIVEN. AUTO needs regularization 0 */
   regularizationMode?: RegularizationName | number;
   /**
-   * >= 0; 0 interpolates. Added to the diagonal of the system in coordinates whose diagonal is 1: larger is
-   * smoother
+   * smoothing of the fit, added to the diagonal of the system in coordinates in which the samples' diagonal is 1;
+   * 0 or more; default 0 = pass through every sample. Larger values give a smoother surface that keeps a distance
+   * from noisy samples
    */
   regularization?: number;
-  /** HRBFNPR_REPAIR_KEEP or DROP; KEEP */
+  /** HRBFNPR_REPAIR_KEEP or DROP; default KEEP */
   outliers?: RepairName | number;
-  /** HRBFNPR_REPAIR_...; KEEP */
+  /** HRBFNPR_REPAIR_...; default KEEP */
   flippedNormals?: RepairName | number;
   /**
-   * > 0: samples are chosen as centres until all lie this near to the surface, in units of the points; 0: no such
-   * end
+   * largest distance of a sample from the surface at which no more centres are chosen, in the unit of the points;
+   * 0 or more; default 0 = none. Smaller values give more centres
    */
   tolerance?: number;
   /**
-   * > 0: no more samples than this are chosen as centres; 0: no limit. With tolerance 0, too, every sample is a
-   * centre
+   * largest number of samples that are chosen as centres; 0 or more; default 0 = no limit. If tolerance is 0, too,
+   * every sample is a centre
    */
   maximumCentres?: number;
-  /** HRBFNPR_SOLVER_...; AUTO */
+  /** HRBFNPR_SOLVER_...; default AUTO */
   solver?: SolverName | number;
-  /** of iterative refinement after a DIRECT solve, 0 .. 20; 2 */
+  /** steps of iterative refinement after a DIRECT solve; 0 to 20; default 2. More steps give smaller residuals */
   refinementSteps?: number;
   /**
-   * relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and fewer 1e-10; or, where rounding
-   * allows no more, 1e-6, with a warning
+   * relative residual at which ITERATIVE ends; 0 to 0.1; default 0 = 1e-10 up to 2048 centres, 1e-8 beyond, or, if
+   * rounding allows no more, up to 1e-6 with a warning in the log
    */
   solverTolerance?: number;
-  /** most iterations of ITERATIVE, 1 .. 1000000; 200 */
+  /** largest number of iterations of ITERATIVE; 1 to 1000000; default 200 */
   iterationLimit?: number;
-  /** of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = by kernel and number of samples */
+  /**
+   * neighbours of each sample in the preconditioner of ITERATIVE; 1 to 48; default 0 = by the kernel and the
+   * number of samples. More neighbours give fewer iterations and a longer setup
+   */
   preconditionerNeighbours?: number;
-  /** HRBFNPR_NORMALS_...; GIVEN. NONE, and AUTO, need no normals */
+  /** HRBFNPR_NORMALS_...: how far `normals` can be trusted; default GIVEN. NONE and AUTO work without normals */
   normalMode?: NormalsName | number;
-  /** HRBFNPR_TRIM_...; AUTO */
+  /** HRBFNPR_TRIM_...; default AUTO */
   trim?: TrimName | number;
 }
 
 /**
- * Points that want normals, or whose normals may be wrong: N of them.
+ * The points of hrbfnpr_orient: N points without normals, or with normals that may
+ * be wrong.  docs/fitting.md explains the method.
  *
- * Normals are the unit vectors that need the least energy of a Hermite fit
- * (kernel r^3) with f = 0 at all points (VIPSS: Huang, Carr, Ju, "Variational
- * implicit point set surfaces", 2019), found from several starts: planes
- * through neighbours, whose signs are chosen by the same energy, cluster by
- * cluster.  The energy is a sparse sum of squares (docs/fitting.md), so that
- * time and memory grow with N.  Noise is measured first, and allowed for.
- *
- * Outward is, of a closed surface, where its winding number is 0; of an open
- * one the side on which it is the smaller, which is the convex one; and where
- * that tells nothing, as of terrain, the side that `up` or, if given, the
- * viewpoint is on for most points.  Of closed surfaces in one another the
- * inner ones bound holes: their normals point into these.
+ * Outward.  For a closed surface, outward is the side that it does not enclose.
+ * For an open surface it is the convex side, if the surface encloses one side more
+ * than the other.  For other surfaces, such as a terrain, it is the side of `up`,
+ * or of the viewpoint if that is given.  A closed surface inside another one bounds
+ * a hole: its normals point into the hole.
  *
  * Points that coincide (within 1/100 of the spacing) get the same normal.
- * INVALID_ARGUMENT that names the argument: fewer than 4 different points, or
- * all on one line; NaN or infinity; with a mode that goes by given normals,
- * none of them.  A normal that is zero is one that is not known: it is made.
  */
 export interface OrientDesc {
-  /** HRBFNPR_NORMALS_...; AUTO. GIVEN only looks: no normal is changed */
+  /** HRBFNPR_NORMALS_...: how far `normals` can be trusted; default AUTO. GIVEN only looks: it changes no normal */
   mode?: NormalsName | number;
   /** N x 3, FLOAT32 or FLOAT64 */
   points?: ArrayInput;
-  /** N x 3, FLOAT32 or FLOAT64, of any length; or none, with NONE and AUTO */
+  /** N x 3, FLOAT32 or FLOAT64, of any length; a zero normal is unknown and is made. Not needed with NONE and AUTO */
   normals?: ArrayInput;
-  /** of any length; (0, 0, 1) */
+  /** the direction that decides for surfaces like a terrain; of any length, not 0; default (0, 0, 1) */
   up?: Numbers;
-  /** where the points were seen from, with has_viewpoint; 0 */
+  /** the place from which the points were seen; used with has_viewpoint; default (0, 0, 0) */
   viewpoint?: Numbers;
-  /** 1: open surfaces are turned to it; 0 */
+  /** 1: normals of open surfaces point to the side of the viewpoint; 0: `up` decides; default 0 */
   hasViewpoint?: number;
 }
 
+/** What hrbfnpr_orient found and did. */
 export interface OrientInfo {
   /**
-   * HRBFNPR_NORMALS_...: what the given normals turned out to be; NONE also if they have nothing to do with the
+   * HRBFNPR_NORMALS_...: how far the given normals could be trusted; NONE also if they have nothing to do with the
    * points, as colours have not
    */
   readonly found: NormalsName | number;
-  /** normals that were given and have been turned round */
+  /** number of given normals that were turned round */
   readonly turned: number;
-  /** normals that were not given, or zero, or not to go by */
+  /** number of normals that were made, because they were missing, zero or useless */
   readonly made: number;
-  /** points that coincide with another */
+  /** number of points that coincide with another one */
   readonly merged: number;
-  /** mean angle between the lines of given and resulting normals, in degrees; NaN if there are none */
+  /** mean angle between the lines of the given and the resulting normals, in degrees; NaN if no normals are given */
   readonly directionChange: number;
-  /** standard deviation of the points off their surface, in their unit; 0 if none is seen */
+  /** standard deviation of the points from their surface, in their unit; 0 if no noise is seen */
   readonly noise: number;
-  /** median distance of a point to its nearest neighbour */
+  /** median distance of a point to its nearest neighbour, in the unit of the points */
   readonly spacing: number;
   /**
-   * of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that the points resolve;
-   * 0.026 is that of points without any order
+   * bending energy of the result per degree of freedom, in spacings. Below 0.006: the points resolve the surface;
+   * 0.026: points without any order
    */
   readonly energy: number;
   /**
-   * 0 .. 1: how far starts with energies as low agree, and how low that is, less for noise. A heuristic: above 0.9
-   * results were right (docs/fitting.md), below look
+   * how sure the result is; 0 to 1. A heuristic: results above 0.9 were right in the tests of docs/fitting.md;
+   * look at results below that
    */
   readonly confidence: number;
-  /** 1: the points are all around a solid, or several */
+  /** 1: the points surround one or several solids */
   readonly closed: number;
-  /** HRBFNPR_OUTWARD_... */
+  /** HRBFNPR_OUTWARD_...: how the outward side was decided */
   readonly outwardBy: OutwardName | number;
-  /** pieces that lie apart by more than their spacing */
+  /** number of pieces that lie apart by more than their spacing */
   readonly components: number;
+  /** time of the call */
   readonly seconds: number;
 }
 
 /**
- * The image of a depth camera (Kinect, RealSense, time of flight, stereo): columns x rows points.
+ * The image of a depth camera (Kinect, RealSense, time of flight, stereo): one
+ * point for each of columns x rows pixels.
  *
- * The camera is in the origin and looks along z, or against it; x / z goes
- * with the column and y / z with the row, either way.  Of an image of depths
- * with focal lengths f and a centre c, in pixels, those are
+ * The camera is at the origin and looks along +z or -z.  x / z grows or falls with
+ * the column, y / z with the row.  For an image of depths z with the focal lengths
+ * f and the centre c in pixels, the points are
  * x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
  *
- * The sensor's errors are as large everywhere in 1 / z, so that they grow with
- * z^2, and planes are linear in it.  A plane is fitted in 1 / z to the pixels
- * around each, those that are within 6.5 standard deviations of it: what lies
- * beyond an edge does not count.  The point moves along its ray onto the plane,
- * whose normal is the normal.  The radius is 12 sqrt(s f) pixels, for a standard
- * deviation of s z in the depth, and from 2 to 48.  Points with hardly any others on
- * their plane, as between an edge and what is behind it, are left out.
+ * docs/fitting.md explains the method.
  */
 export interface DepthImageDesc {
-  /** 8 .. 65535 */
+  /** pixels in a row; 8 to 65535 */
   columns?: number;
-  /** 8 .. 65535 */
+  /** number of rows; 8 to 65535 */
   rows?: number;
-  /** 1: points stay where they are, and get normals; 0 */
+  /** 1: the points stay where they are and only get normals; 0: they are smoothed; default 0 */
   keepPoints?: number;
-  /** rows * columns x 3, row by row, FLOAT32 or FLOAT64; NaN, infinity or z = 0: nothing was seen there */
+  /** rows * columns x 3, row by row, FLOAT32 or FLOAT64. NaN, infinity or z = 0: nothing was seen at the pixel */
   points?: ArrayInput;
-  /** standard deviation of 1 / z, in 1 / unit of the points; 0 = measured */
+  /** standard deviation of 1 / z, in 1 / (unit of the points); 0 or more; default 0 = measured */
   noise?: number;
-  /** factor of the radius, > 0 .. 100; 1 */
+  /**
+   * factor of the radius over which pixels are averaged; above 0, at most 100; default 1. Larger values remove
+   * more noise and more small shapes
+   */
   smoothing?: number;
 }
 
+/** What hrbfnpr_smooth_depth_image found and did. */
 export interface DepthImageInfo {
-  /** pixels that have a point */
+  /** number of pixels with a point */
   readonly seen: number;
-  /** of these, without enough others on their plane */
+  /** number of these that are left out, because too few other pixels lie on their plane */
   readonly leftOut: number;
   /** standard deviation of 1 / z, as given or measured */
   readonly noise: number;
-  /** in pixels: the mean of both directions' */
+  /** mean of the focal lengths in both directions, in pixels */
   readonly focalLength: number;
-  /** median distance |z| of the points */
+  /** median of |z| over the points */
   readonly depth: number;
-  /** smoothed over at this depth, in pixels */
+  /** radius of the smoothing at this depth, in pixels */
   readonly radius: number;
+  /** time of the call */
   readonly seconds: number;
 }
 
 /**
- * Any implicit function in place of a fit: every operator below works on it
- * [NPAR 8].  It should be negative inside and of a gradient near 1 at the
- * surface; it must be finite inside twice the bounds.  Where it is not, or its
- * gradient is shorter than 1e-150 or longer than 1e150, no point is projected
- * and no mark placed.  The bounds' diagonal is 1e-100 .. 1e100; they
- * should fit the surface: tolerances, differences and the cells in which marks
- * are placed are parts of the diagonal.
+ * An implicit function of the caller, in place of a fit [NPAR 8].
+ *
+ * The function should be negative inside and have a gradient of a length near 1 at
+ * the surface.  It must be finite in a box twice as wide as the bounds.  Where it is
+ * not finite, or where its gradient is shorter than 1e-150 or longer than 1e150, no
+ * point is projected and no mark is placed.
+ *
+ * The diagonal of the bounds must be from 1e-100 to 1e100.  Make the bounds fit the
+ * surface closely: tolerances, differences and the cells in which marks are placed
+ * are shares of the diagonal.
  */
 export interface CustomDesc {
-  /** HRBFNPR_CUSTOM_..., or-ed; 0 */
+  /** HRBFNPR_CUSTOM_... flags, or-ed; default 0 */
   flags?: number;
+  /** the function; must be given */
   function?: ImplicitFn;
-  /** the box that the surface lies in */
+  /** lower corner of the box that holds the surface */
   boundsMin?: Numbers;
+  /** upper corner of the box */
   boundsMax?: Numbers;
-  /** for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal */
+  /**
+   * step of the differences, in the unit of the points; 0 or more; default 0 = 1e-4 diagonals for gradients, 1e-3
+   * for Hessians
+   */
   differenceStep?: number;
 }
 
+/**
+ * What a fit found and did.  Lengths are in the unit of the points.  A custom model
+ * and a solid have bounds, kernel and bytes only.
+ */
 export interface ModelInfo {
+  /** HRBFNPR_KERNEL_...: the one used */
   readonly kernel: KernelName | number;
+  /** the one used; -1 = none */
   readonly polynomialDegree: number;
-  /** fits made to choose the centres; 0 if all samples are centres */
+  /** number of fits that were made to choose the centres; 0 if all samples are centres */
   readonly choiceRounds: number;
-  /** as given */
+  /** number of samples as given */
   readonly samples: number;
-  /** after merging, cleaning and choosing */
+  /** number of centres, after merging, repairing and choosing */
   readonly centres: number;
-  /** samples that were merged into another */
+  /** number of samples that were merged into another one at the same place */
   readonly mergedSamples: number;
-  /** samples much nearer to another than the spacing, merged into it */
+  /** number of samples that were merged into another one much nearer than the spacing */
   readonly nearDuplicates: number;
-  /** normals whose length was off 1 by more than 1e-4 */
+  /** number of normals whose length differed from 1 by more than 1e-4 */
   readonly rescaledNormals: number;
+  /** number of samples far from all others, or from the tangent planes around them */
   readonly outliersFound: number;
+  /** number of these that were left out */
   readonly outliersDropped: number;
-  /** normals against those of their neighbours */
+  /** number of normals that are opposite to those of their neighbours */
   readonly flippedFound: number;
-  /** of these, dropped or turned round */
+  /** number of these that were left out or turned round */
   readonly flippedRepaired: number;
   /**
-   * of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it closes within a third
-   * of a diagonal around them
+   * lower corner of the samples' box. For up to 20 000 samples along curves, the box also holds the surface, if
+   * that closes within a third of a diagonal around the samples
    */
   readonly boundsMin: Numbers;
+  /** upper corner of the box */
   readonly boundsMax: Numbers;
   /** mean distance of a sample to its nearest neighbour */
   readonly spacing: number;
-  /** as used */
+  /** the one used; 0 for TRIHARMONIC */
   readonly kernelRadius: number;
-  /** as used; of AUTO, that of the values */
+  /** the one used; with AUTO, that of the values */
   readonly regularization: number;
-  /**
-   * standard deviation of the samples off their surface, in units of the points; 0 if none is seen, NaN if nobody
-   * asked (regularization GIVEN)
-   */
+  /** standard deviation of the samples from their surface; 0 if no noise is seen, NaN with regularization GIVEN */
   readonly noiseEstimate: number;
-  /** max |f(x_i)|, in units of the points */
+  /** largest |f(x_i)| at the centres */
   readonly valueResidualMax: number;
+  /** root mean square of |f(x_i)| */
   readonly valueResidualRms: number;
-  /** max |grad f(x_i) - n_i| */
+  /** largest |grad f(x_i) - n_i| at the centres */
   readonly gradientResidualMax: number;
+  /** root mean square of |grad f(x_i) - n_i| */
   readonly gradientResidualRms: number;
-  /** of all samples but dropped ones from the surface, |f| / |grad f| */
+  /** largest distance |f| / |grad f| of a sample from the surface; dropped ones do not count */
   readonly inputDistanceMax: number;
+  /** root mean square of these distances */
   readonly inputDistanceRms: number;
-  /** share of all samples that lie within the tolerance; a dropped one counts as outside; NaN with tolerance 0 */
+  /** share of all samples that lie within the tolerance; a dropped sample counts as outside; NaN with tolerance 0 */
   readonly inputShareWithin: number;
-  /** the one used */
+  /** HRBFNPR_SOLVER_...: the one used */
   readonly solver: SolverName | number;
-  /** HRBFNPR_SOLVER_REASON_... */
+  /** HRBFNPR_SOLVER_REASON_...: why it was used */
   readonly solverReason: SolverReasonName | number;
-  /** refinement steps of DIRECT, steps of ITERATIVE */
+  /** number of refinement steps of DIRECT, or of steps of ITERATIVE */
   readonly iterations: number;
-  /** 1: the matrix was not definite and a pivoted LU was used */
+  /** 1: the matrix was not definite, and LU with pivoting was used */
   readonly fallback: number;
-  /** relative residual of the linear system, 2-norm */
+  /** relative residual of the linear system, in the 2-norm */
   readonly solverResidual: number;
-  /** DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm */
+  /** condition of the matrix in the 1-norm (DIRECT), or of the preconditioned matrix in the 2-norm (ITERATIVE) */
   readonly conditionEstimate: number;
+  /** time of finding duplicates, outliers, flipped normals and noise */
   readonly secondsClean: number;
-  /** of all rounds but the last fit */
+  /** time of all rounds that chose centres, without the last fit */
   readonly secondsChoose: number;
+  /** time of reading the samples and assembling the matrix */
   readonly secondsAssemble: number;
+  /** time of making the preconditioner */
   readonly secondsPrecondition: number;
+  /** time of solving */
   readonly secondsSolve: number;
+  /** time of the whole fit */
   readonly secondsTotal: number;
-  /** kept by the model */
+  /** memory that the model keeps */
   readonly bytes: number;
-  /** most that the context's allocator had given out at a time, up to the fit's end */
+  /** largest number of bytes allocated at the same time through the context, up to the fit's end */
   readonly peakBytes: number;
-  /** of a fit with a normal_mode: hrbfnpr_orient_info.found; GIVEN otherwise */
+  /** hrbfnpr_orient_info.found, if the fit had a normal_mode; else GIVEN */
   readonly normalsFound: number;
-  /** 1: normals as given (normal_mode GIVEN) that all point into a closed surface */
+  /** 1: the given normals (normal_mode GIVEN) all point into a closed surface */
   readonly normalsInward: number;
   /** hrbfnpr_orient_info.turned */
   readonly normalsTurned: number;
   /** hrbfnpr_orient_info.confidence; NaN without a normal_mode */
   readonly normalsConfidence: number;
+  /** time of making the normals */
   readonly secondsOrient: number;
 }
 
+/** How points are projected. */
 export interface ProjectDesc {
-  /** of f at each point, 1 .. 1000; 50 */
+  /** largest number of evaluations of f for each point; 1 to 1000; default 50 */
   evaluationLimit?: number;
-  /** stop when |f| / |grad f| <= tolerance * diagonal; 1e-9 */
+  /**
+   * largest distance |f| / |grad f| from the surface at which the projection ends, in diagonals; above 0; default
+   * 1e-9
+   */
   tolerance?: number;
-  /** sigma in (0, 0.5); 1e-4 */
+  /**
+   * sigma of Armijo's rule: the share of the expected decrease that a step must reach; between 0 and 0.5; default
+   * 1e-4
+   */
   armijoSlope?: number;
-  /** beta in (0, 1); 0.5 */
+  /** beta of Armijo's rule: the factor by which a step is shortened; between 0 and 1; default 0.5 */
   armijoFactor?: number;
 }
 
 /**
- * Where _project puts its results: arrays of the caller's, each of n elements,
- * or not given (all zero).
+ * The results of hrbfnpr_model_project: arrays of the caller with n elements each.
+ * An array that is all zero is not wanted.
  */
 export interface Projection {
-  /** n x 3, FLOAT32 or FLOAT64; may be the points themselves */
+  /** n x 3, FLOAT32 or FLOAT64: the projected points; may be the memory of the points */
   position?: ArrayOutput;
-  /** n x 3, FLOAT32 or FLOAT64: the unit gradient */
+  /** n x 3, FLOAT32 or FLOAT64: the unit gradients; 0 where there is none */
   normal?: ArrayOutput;
   /** n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_... */
   status?: ArrayOutput;
-  /** written: how many points converged */
+  /** receives the number of points that converged */
   converged?: number;
 }
 
 /**
- * Where _curvature puts its results: arrays of the caller's, each of n
- * elements, FLOAT32 or FLOAT64, or not given (all zero).
+ * The results of hrbfnpr_model_curvature: arrays of the caller with n elements each,
+ * FLOAT32 or FLOAT64.  An array that is all zero is not wanted.
  */
 export interface Curvature {
-  /** n x 1: the larger principal curvature */
+  /** n x 1: the larger principal curvature, in 1 / unit of length */
   k1?: ArrayOutput;
-  /** n x 1 */
+  /** n x 1: the smaller principal curvature */
   k2?: ArrayOutput;
-  /** n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign */
+  /** n x 3: the direction of k1: unit, tangent, of arbitrary sign */
   d1?: ArrayOutput;
+  /** n x 3: the direction of k2: unit, tangent, perpendicular to d1, of arbitrary sign */
   d2?: ArrayOutput;
-  /** n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1] */
+  /** n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), from 0 to 1 */
   confidence?: ArrayOutput;
 }
 
+/** How rays are cast. */
 export interface CastDesc {
-  /** to find on a ray, 1 .. 256; 1: the first */
+  /** largest number of hits to find on a ray; 1 to 256; default 1 = only the first one */
   maximumHits?: number;
-  /** of f on each ray, 1 .. 1000000; 20000 */
+  /** largest number of evaluations of f for each ray; 1 to 1000000; default 20000 */
   evaluationLimit?: number;
-  /** where a ray begins and ends, in lengths of its direction: t_min finite, 0 */
+  /** where a ray begins, in lengths of its direction; finite; default 0 */
   tMin?: number;
-  /** not below t_min; infinity */
+  /** where a ray ends, in lengths of its direction; t_min or more; default infinity */
   tMax?: number;
-  /** bound on |grad f| in the search box; 0 = hrbfnpr_model_lipschitz's */
+  /**
+   * a bound on |grad f| in the search box; 0 or more; default 0 = that of hrbfnpr_model_lipschitz. A bound that is
+   * too small may miss hits; one that is too large only takes time
+   */
   lipschitz?: number;
-  /** in diagonals, above 0, at most 0.1; 1e-4 */
+  /**
+   * smallest step along a ray, in diagonals; above 0, at most 0.1; default 1e-4. Smaller steps find thinner sheets
+   * and take more time
+   */
   smallestStep?: number;
-  /** on the place of a hit along the ray, in diagonals, above 0; 1e-9 */
+  /** accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9 */
   tolerance?: number;
 }
 
 /**
- * Where _cast_rays puts its results: arrays of the caller's, each of n
- * elements, or not given (all zero).  h = maximum_hits; of each ray its hits
- * in order.
+ * The results of hrbfnpr_model_cast_rays: arrays of the caller with n elements each.
+ * An array that is all zero is not wanted.  h is maximum_hits; the hits of a ray are
+ * in the order of t.
  */
 export interface RayHits {
-  /** n x 1, UINT32: how many were found, 0 .. h */
+  /** n x 1, UINT32: number of hits; 0 to h */
   count?: ArrayOutput;
-  /** n x h, FLOAT32 or FLOAT64; infinity after the last */
+  /** n x h, FLOAT32 or FLOAT64: places of the hits, in lengths of the direction; infinity after the last hit */
   t?: ArrayOutput;
   /**
-   * n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0 after the last. From far origins
-   * it is more exact than t, which is rounded
+   * n x 3h, FLOAT32 or FLOAT64: x, y, z of the first hit, then of the second; 0 after the last hit. For far
+   * origins it is more exact than t, which is rounded
    */
   position?: ArrayOutput;
-  /** n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last */
+  /** n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last hit */
   normal?: ArrayOutput;
-  /** n x h, UINT8: 1 where f goes from + to - along the ray, else 0 */
+  /** n x h, UINT8: 1 where the ray enters the inside (f changes from + to -), else 0 */
   entering?: ArrayOutput;
   /** n x 1, UINT8 or UINT32: HRBFNPR_RAY_... */
   status?: ArrayOutput;
-  /** written: how many rays have a hit */
+  /** receives the number of rays that have a hit */
   hitRays?: number;
 }
 
+/** How a surface is trimmed. */
 export interface TrimDesc {
-  /** of s, > 0; 1.5. The surface ends some 0.7 spacings beyond its last samples, with 3 some 0.9 */
+  /**
+   * the surface ends where s is above this; 0.001 to 1000; default 1.5. Larger values end it later: 1.5 about 0.7
+   * spacings beyond its last samples, 3 about 0.9
+   */
   limit?: number;
-  /** >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed */
+  /**
+   * holes whose points are all within this distance of a sample stay closed, in diagonals; 0 or more; default
+   * 0.05. Larger values keep larger holes closed
+   */
   hole?: number;
   /**
-   * 0 to 1, diagonals; 0: no spacing h_j is taken to be less. For samples that are much denser than the surface is
-   * accurate, such as many points of a mesh: 0.01 leaves out what is more than about 0.01 diagonals off them, and
-   * every part that is farther than `hole` from all of them; with 0 such a part also needs a place where s is 6
-   * and more
+   * samples closer to each other than this are treated as this far apart, in diagonals; 0 to 1; default 0. Use it
+   * for samples that are much denser than the surface is accurate, such as many points of a mesh: 0.01 leaves out
+   * whatever is more than about 0.01 diagonals off them, and every part that is somewhere farther than `hole` from
+   * all samples
    */
   closest?: number;
   /**
-   * FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres. All points of a scan tell better
-   * than the centres chosen from them where it ends
+   * N x 3, FLOAT32 or FLOAT64, finite: the samples; not given = the model's centres. All points of a scan show
+   * better than the chosen centres where it ends
    */
   points?: ArrayInput;
-  /** FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the surface's own there */
+  /**
+   * N x 3, FLOAT32 or FLOAT64, of any length but 0: one normal for each of `points`; not given = those of the
+   * centres, or of the surface at the given points
+   */
   normals?: ArrayInput;
 }
 
+/** What trimming left out. */
 export interface TrimInfo {
-  /** 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing */
+  /** 1: the surface ends somewhere; 0: it is whole, and all fields but samples and spacing are 0 */
   readonly isTrimmed: number;
-  /** that tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told */
+  /**
+   * number of samples that were looked at; 0 if trimming was not asked for, if the model is a fit to a closed
+   * mesh, or if the end could not be found
+   */
   readonly samples: number;
-  /** of the surface, connected, that are left out */
+  /** number of connected parts of the surface that are left out */
   readonly parts: number;
-  /** of these, those that reach the end of the search box: the samples are open there */
+  /** number of these that reach the end of the search box: the samples are open there */
   readonly partsToEnd: number;
-  /** of the surface's area in the box that is left out, 0 to 1, within some percent */
+  /** share of the surface's area in the box that is left out; 0 to 1; accurate to some percent */
   readonly share: number;
-  /** place left out from the samples, units of the model */
+  /** largest distance of a place that is left out from the samples, in the model's unit */
   readonly farthest: number;
-  /** of the samples, the median of h_j */
+  /** spacing of the samples: the median distance to the sixth neighbour */
   readonly spacing: number;
 }
 
-/** What a kind has no use for is not looked at. */
+/** A node of a solid's tree.  Fields that its kind does not use are ignored. */
 export interface CsgNode {
-  /** HRBFNPR_CSG_...; UNION */
+  /** HRBFNPR_CSG_...; default UNION */
   kind?: CsgName | number;
-  /** the index of a node before this one; of the first, the root, -1; -1. Children are in the order of the list */
+  /**
+   * index of the parent, which comes earlier in the list; default -1 = none, for the first node, which is the
+   * root. Children have the order of the list
+   */
   parent?: number;
-  /** of MODEL; kept */
+  /** the model of MODEL, which the solid keeps alive; not trimmed */
   model?: Model;
   /**
-   * of all that is here and below, affine: a place here to one in the parent; the identity. It may turn, mirror
-   * and stretch. Where it stretches unevenly lengths are measured by its least stretch, so that |grad f| does not
-   * grow; the most may be 1e4 times the least
+   * affine map from the node's coordinates to the parent's; default the identity. It applies to the node and all
+   * below, and may turn, mirror and stretch. The largest stretch may be 1e4 times the least. If it stretches
+   * unevenly, lengths are measured by the least stretch, so that |grad f| does not grow
    */
   transform?: Numbers;
-  /** of BOX, > 0; 1 */
+  /** sides of BOX; above 0; default 1 */
   size?: Numbers;
-  /** > 0; of CONE 0 or more, and one of both is not 0; 1 */
+  /**
+   * radius of SPHERE, CYLINDER, CONE and TORUS; above 0, but 0 or more for CONE, of which one radius must be above
+   * 0; default 1
+   */
   radius?: number;
-  /** of CONE, 0 or more; of TORUS, > 0 and less than the radius; 0.5 */
+  /** upper radius of CONE, 0 or more; tube radius of TORUS, above 0 and below `radius`; default 0.5 */
   secondRadius?: number;
-  /** of CYLINDER and CONE, > 0; 1 */
+  /** height of CYLINDER and CONE; above 0; default 1 */
   height?: number;
-  /** of OFFSET, finite; of SHELL, > 0; 0 */
+  /** growth of OFFSET, finite; wall thickness of SHELL, above 0; default 0 */
   distance?: number;
-  /** radius R of UNION, INTERSECTION and DIFFERENCE, 0 or more; 0 = a crease */
+  /**
+   * radius R of the blend of UNION, INTERSECTION and DIFFERENCE; 0 or more; default 0 = a crease. Larger values
+   * round more
+   */
   blend?: number;
-  /** of the blend: 0, or 2 .. 64; 0 */
+  /** exponent of the blend; 0, or 2 to 64; default 0. From 2 on, larger values are sharper */
   exponent?: number;
 }
 
+/** A solid to make. */
 export interface CsgDesc {
-  /** a list: a tree of any depth. 1 .. 65536 nodes, counting those of trees that are leaves of this one */
+  /** the list of nodes: a tree of any depth; 1 to 65536 nodes, with those of solids that are leaves */
   nodes?: readonly CsgNode[];
-  /** the box that the surface lies in: what is beyond is not seen. All 0 = found from the tree */
+  /** lower corner of the box in which the surface is looked for; both corners all 0 (default) = found from the tree */
   boundsMin?: Numbers;
+  /** upper corner of the box */
   boundsMax?: Numbers;
 }
 
+/** What a solid is made of.  All fields are 0 for a model that is not a solid. */
 export interface CsgInfo {
-  /** with those of trees that became part of it; 0: the model is no tree, and so is all else */
+  /** number of nodes, with those of solids that became part of it */
   readonly nodes: number;
-  /** nodes from the root to the deepest leaf, both counted */
+  /** number of nodes from the root to the deepest leaf, both included */
   readonly depth: number;
-  /** leaves that are models, each once */
+  /** number of different models among the leaves */
   readonly models: number;
   /**
-   * smooth functions that it is made of: sides of primitives and of boxes that models end at; a blend has one for
-   * each pair of those that it joins
+   * number of smooth functions that it consists of: sides of primitives, sides of the boxes at which models end,
+   * and one for each pair of those that a blend joins
    */
   readonly sheets: number;
-  /** a bound on |grad f| that holds everywhere; 0: models have none that is known */
+  /** a bound on |grad f| that holds everywhere; 0 if none is known, because leaves are models */
   readonly lipschitz: number;
 }
 
 /**
- * How one layer is made.
+ * How one layer of marks is made.
  *
- * The darkness 1 - tau at which the first mark of the layer is shown is
- * tone_begin, that at which all are tone_end: rank u becomes 1 - begin -
- * (1 - u) (end - begin), 0 <= begin < end <= 1.  Both 0: as
- * hrbfnpr_generate_desc.tone_ranges says.
+ * tone_begin is the darkness (1 - tone) at which the first mark of the layer is shown,
+ * tone_end the darkness at which all are shown: the rank u becomes
+ * 1 - begin - (1 - u) (end - begin), with 0 <= begin < end <= 1.  If both are 0,
+ * hrbfnpr_generate_desc.tone_ranges decides.
  */
 export interface LayerDesc {
-  /** HRBFNPR_LAYER_KIND_STIPPLES or HATCH; STIPPLES */
+  /** HRBFNPR_LAYER_KIND_STIPPLES or HATCH; default STIPPLES */
   kind?: LayerKindName | number;
-  /** UTF-8, 1 .. 63 bytes, copied; NULL = "stipples" or "hatch" */
+  /** name for styles; UTF-8, 1 to 63 bytes, copied; default NULL = "stipples" or "hatch" */
   name?: string;
   /**
-   * the most marks; at most 100000000 for BLUE_NOISE; 40000. 0 = no limit, for PUBLISHED and for lines with a
-   * separation. PUBLISHED thins the level that exceeds it at random and stops there; lines of BLUE_NOISE come near
-   * to it, and do not ask for it where they have a separation. Not used with a shared_budget
+   * largest number of marks; 0 or more, at most 100000000 for BLUE_NOISE; default 40000. 0 = no limit, for
+   * PUBLISHED and for lines with a separation. PUBLISHED thins the level that exceeds the budget at random and
+   * stops there. Lines of BLUE_NOISE have about this number of marks, and ignore the budget if they have a
+   * separation. shared_budget replaces it
    */
   budget?: number;
-  /** of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0 */
+  /**
+   * darkness at which the first mark is shown; 0 to 1; default 0. For PUBLISHED strokes, those of the first
+   * direction
+   */
   toneBegin?: number;
+  /** darkness at which all marks are shown; 0 to 1; default 0 */
   toneEnd?: number;
-  /** of PUBLISHED strokes of the second direction; 0 and 0 */
+  /** the same as tone_begin, for PUBLISHED strokes of the second direction; default 0 */
   secondToneBegin?: number;
+  /** the same as tone_end, for PUBLISHED strokes of the second direction; default 0 */
   secondToneEnd?: number;
-  /** HRBFNPR_LAYER_WITH_...; 0 */
+  /** HRBFNPR_LAYER_WITH_... flags, or-ed; default 0 */
   flags?: number;
   /**
-   * HRBFNPR_DENSITY_...; UNIFORM
+   * HRBFNPR_DENSITY_...; default UNIFORM
    *
-   * Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
-   * uniform order, divided by the density, is too high.
+   * Stipples of BLUE_NOISE.  They keep their evenness: a mark is left out if its place in the uniform
+   * order, divided by the density, is too high.
    */
   density?: DensityName | number;
-  /** of CURVATURE, 0 .. 1; 0.5 */
+  /**
+   * strength of CURVATURE; 0 to 1; default 0.5. 0 = uniform; larger values put more stipples where the surface
+   * bends
+   */
   densityStrength?: number;
-  /** for CALLBACK. Where its mean is below 1/16 of 1, fewer marks than the budget are made */
+  /** the function of CALLBACK. If its mean is below 1/16, the layer has fewer marks than its budget */
   densityFunction?: DensityFn;
   /**
-   * NULL = by `guide`
+   * the directions that lines follow; default NULL = those of `guide`
    *
-   * HATCH.  Lengths are in object units; separation and step are 0, or 1e-12 .. 1e9 diagonals.
+   * HATCH.
    */
   directionFunction?: DirectionFn;
-  /** HRBFNPR_HATCH_GUIDE_...; CURVATURE */
+  /** HRBFNPR_HATCH_GUIDE_...; default CURVATURE */
   guide?: HatchGuideName | number;
   /**
-   * HRBFNPR_STROKE_START_...; SEEDS
+   * HRBFNPR_STROKE_START_...; default SEEDS
    *
    * HATCH of PUBLISHED.
    */
   start?: StrokeStartName | number;
-  /** with STROKE_START_STIPPLES: the last stippling level used; 0 */
+  /** last level of stipples at which strokes start, with STROKE_START_STIPPLES; 0 to 12; default 0 */
   startLevel?: number;
   /**
-   * of stipples, too: refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have 3^levels
-   * marks; -1
+   * number of refinement steps, for stipples of PUBLISHED, too; 0 to 12; default -1 = 4 for stipples, 3 for
+   * strokes. Strokes have 3^levels marks. A larger number gives longer strokes and more stipples
    */
   levels?: number;
   /**
-   * mean distance of neighbouring lines; 0 = as many lines as make about the budget's marks
+   * mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals; default 0 = by the
+   * budget. Smaller values give more lines
    *
    * HATCH of BLUE_NOISE.
    */
   separation?: number;
-  /** distance of the marks of a line; 0 = 0.4 of the separation */
+  /**
+   * distance between the marks of a line, in the unit of the samples; 1e-12 to 1e9 diagonals; default 0 = 0.4 of
+   * the separation
+   */
   step?: number;
-  /** by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0 */
+  /**
+   * angle by which lines are turned in the tangent plane, counter-clockwise as seen from outside, in degrees; -360
+   * to 360; default 0
+   */
   angle?: number;
-  /** of directions: the distance over which they are evened out; diagonals, > 0, 1 at most; 0.04 */
+  /**
+   * length over which directions are smoothed, in diagonals; 1e-6 to 1; default 0.04. Larger values give calmer
+   * lines that follow the form less
+   */
   smoothing?: number;
-  /** where curvature says little lines run around this; not 0; (0, 1, 0) */
+  /** axis around which lines run where curvature has a low confidence; not 0; default (0, 1, 0) */
   axis?: Numbers;
-  /** against curvature; >= 0; 0.06 */
+  /**
+   * weight of the axis against curvature; 0 to 1000; default 0.06. Larger values make more lines run around the
+   * axis
+   */
   axisWeight?: number;
-  /** of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1) */
+  /**
+   * direction to the light (LIGHT) or to the eye (SILHOUETTE), in the model's coordinates; not 0; default (0, 0,
+   * 1)
+   */
   guideDirection?: Numbers;
   /**
-   * of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1. Lines are blended as exp(2 i
-   * angle)
+   * weight of a guide other than CURVATURE; curvature has the rest; 0 to 1; default 1. Directions are blended as
+   * exp(2 i angle)
    */
   guideWeight?: number;
   /**
-   * over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by that; diagonals, 0 ..
-   * 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others; -1
+   * length over which the attribute TONE_NORMAL is averaged, in diagonals; 0 to 0.1; 0 = none: tone follows
+   * NORMAL; default -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others. Larger values keep the grain of a rough
+   * surface out of the tone
    *
-   * Of all kinds.
+   * All kinds.
    */
   toneSmoothing?: number;
 }
 
+/** The layers of marks to make. */
 export interface GenerateDesc {
-  /** HRBFNPR_DISTRIBUTION_...; BLUE_NOISE */
+  /** HRBFNPR_DISTRIBUTION_...; default BLUE_NOISE */
   distribution?: DistributionName | number;
-  /** a list; NULL and 0 = one layer of stipples */
+  /** the list of layers; default NULL, with layer_count 0 = one layer of stipples */
   layers?: readonly LayerDesc[];
-  /** the most marks of all layers together: each gets its part of the tones; 0 = each layer has its own budget */
+  /**
+   * largest number of marks of all layers together, which they share in proportion to the lengths of their tone
+   * ranges; 0 or more; default 0 = each layer has its own budget
+   */
   sharedBudget?: number;
-  /** HRBFNPR_TONE_RANGES_...; FULL */
+  /** HRBFNPR_TONE_RANGES_...; default FULL */
   toneRanges?: ToneRangesName | number;
-  /** HRBFNPR_SEED_...; AUTO */
+  /** HRBFNPR_SEED_...; default AUTO */
   seedSource?: SeedName | number;
-  /** for POINTS: n x 3, FLOAT32 or FLOAT64 */
+  /** n x 3, FLOAT32 or FLOAT64: the seeds of POINTS, within 1e4 diagonals of the bounds */
   seedPoints?: ArrayInput;
-  /** alpha: in cell sides, 0 .. 0.5; 0.25 */
+  /** alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default 0.25 */
   boxJitter?: number;
-  /** R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2] */
+  /**
+   * R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8 [NPAR 4.2]. More cells
+   * give more seeds and miss fewer sheets
+   */
   boxResolution?: number;
   /**
-   * rho_0, 0 or 1e-12 .. 1e9 diagonals; 0 = voxel diameter for BOX, mean empty-ball diameter of the seeds for
-   * others [NPAR 5.1]. PUBLISHED only
+   * rho_0: first step of PUBLISHED, in the unit of the samples; 1e-12 to 1e9 diagonals; default 0 = the diameter
+   * of a cell for BOX, the mean diameter of empty balls between the seeds for others [NPAR 5.1]
    */
   initialStep?: number;
-  /** as in hrbfnpr_project_desc; 1e-7 */
+  /** as in hrbfnpr_project_desc; above 0; default 1e-7 */
   projectionTolerance?: number;
-  /** any number; 1 */
+  /** start of the random numbers; any number; default 1. Another number gives other marks */
   randomSeed?: number;
 }
 
 /**
- * A layer of ready-made marks.  Types and components as in the list above,
- * FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
- * may be left empty.
+ * A layer of N ready-made marks.  position and normal must be given; the other arrays may be
+ * empty.  Scalars are those of HRBFNPR_MARK_ATTRIBUTE_POSITION and the like; FLOAT64 is
+ * accepted for FLOAT32.
  */
 export interface LayerArrays {
-  /** HRBFNPR_LAYER_KIND_... but ANY; OWN */
+  /** HRBFNPR_LAYER_KIND_..., except ANY; default OWN */
   kind?: LayerKindName | number;
-  /** UTF-8, 1 .. 63 bytes, copied; NULL = as in hrbfnpr_layer_desc, "own" for OWN */
+  /** name for styles; UTF-8, 1 to 63 bytes, copied; default NULL = that of the kind */
   name?: string;
-  /** absolute, not relative to an origin */
+  /** absolute places, not relative to an origin; N x 3 */
   position?: ArrayInput;
-  /** unit, outward */
+  /** outward normals of any length but 0; N x 3 */
   normal?: ArrayInput;
   /**
-   * UINT32, S + 1 elements, rising from 0 to the number of marks: stroke s has the marks first[s] .. first[s + 1]
-   * - 1 from end to end. Empty = no strokes
+   * UINT32, S + 1 elements that rise from 0 to N: stroke s has the marks first[s] to first[s + 1] - 1 from end to
+   * end. Empty = no strokes
    */
   strokeFirst?: ArrayInput;
-  /** UINT8, S elements: 0 the first direction, 1 the second. Empty = 0 */
+  /** UINT8, S elements: 0 = the first direction, 1 = the second. Empty = 0 */
   strokeDirection?: ArrayInput;
-  /** empty = along the stroke; of a mark of none its basis */
+  /**
+   * directions of any length, not along the normal; N x 3. Empty = along the stroke, or the u of the basis for a
+   * mark without a stroke
+   */
   direction?: ArrayInput;
-  /** empty = not known */
+  /** k1, k2 and confidence; N x 3. Empty = not known */
   curvature?: ArrayInput;
-  /** empty = random, the same for all marks of a stroke */
+  /** ranks in [0, 1); N x 1. Empty = random, the same for all marks of a stroke */
   rank?: ArrayInput;
-  /** empty = 0 */
+  /** refinement steps, UINT8; N x 1. Empty = 0 */
   level?: ArrayInput;
-  /** in (0,1]; empty = 1 */
+  /** widths in (0, 1]; N x 1. Empty = 1 */
   width?: ArrayInput;
 }
 
+/** A set of ready-made marks to make. */
 export interface PointSetDesc {
-  /** its layers come first; NULL = none. Copied */
+  /** a set whose layers come first, copied; default NULL = none */
   base?: PointSet;
-  /** a list: the layers that follow */
+  /** the list of layers that follow */
   layers?: readonly LayerArrays[];
-  /** for ranks that are not given; 1 */
+  /** start of the random numbers for ranks that are not given; any number; default 1 */
   randomSeed?: number;
 }
 
+/** What a point set holds, and how long it took.  Lengths are in the unit of the samples. */
 export interface PointSetInfo {
+  /** HRBFNPR_DISTRIBUTION_...: the one used */
   readonly distribution: DistributionName | number;
-  /** the one used */
+  /** the seed source used */
   readonly seedSource: number;
-  /** how many */
+  /** number of layers */
   readonly layers: number;
-  /** in all layers */
+  /** number of marks in all layers */
   readonly marks: number;
-  /** add to POSITION */
+  /** add it to the attribute POSITION to get absolute places */
   readonly origin: Numbers;
-  /** of all marks, absolute */
+  /** lower corner of the box around all marks, absolute */
   readonly boundsMin: Numbers;
+  /** upper corner of the box */
   readonly boundsMax: Numbers;
   /**
-   * sqrt(area per mark) of the largest layer, estimated: what a frame uses as the size of a mark's piece of
-   * surface
+   * square root of the area per mark of the largest layer, estimated. A frame takes it as the size of a mark's
+   * piece of surface
    */
   readonly spacing: number;
+  /** time of finding the seeds */
   readonly secondsSeeds: number;
+  /** time of the whole call */
   readonly secondsTotal: number;
-  /** kept by the set */
+  /** memory that the set keeps */
   readonly bytes: number;
 }
 
+/** What a layer holds. */
 export interface LayerInfo {
   /** HRBFNPR_LAYER_KIND_... */
   readonly kind: LayerKindName | number;
-  /** UTF-8, always terminated */
+  /** the layer's name; UTF-8, zero-terminated */
   readonly name: string;
+  /** number of marks */
   readonly marks: number;
-  /** 0: its marks form none */
+  /** number of strokes that the marks form; 0 = none */
   readonly strokes: number;
-  /** what `marks` would be if nothing had been dropped */
+  /** number of marks that there would be if none had been dropped */
   readonly fullCount: number;
-  /** refinement steps taken; HATCH of BLUE_NOISE: the highest level */
+  /** number of refinement steps taken; for HATCH of BLUE_NOISE the highest level */
   readonly levels: number;
-  /** initial step rho_0 used; HATCH of BLUE_NOISE: the separation */
+  /** initial step rho_0 used, in the unit of the samples; for HATCH of BLUE_NOISE the separation */
   readonly step: number;
+  /** time of making the layer */
   readonly seconds: number;
 }
 
-/** What became of candidates for marks: attempted = placed + all dropped. */
+/** What became of the candidates for marks: attempted = placed + all dropped. */
 export interface PlacementInfo {
+  /** number of candidates */
   readonly attempted: number;
+  /** number of candidates that became marks */
   readonly placed: number;
-  /** projection ended short of the tolerance */
+  /** number of candidates whose projection did not reach the tolerance */
   readonly droppedNotConverged: number;
   /**
-   * landed farther away than a cell diagonal or the step, or beyond the end of a trimmed model; or cut off the
-   * rest of its stroke by one that was dropped
+   * number of candidates that landed farther away than a cell's diagonal or the step, lie beyond the end of a
+   * trimmed model, or lost the connection to their stroke because a mark between was dropped
    */
   readonly droppedStrayed: number;
-  /** zero gradient or not finite */
+  /** number of candidates where the gradient is 0 or not finite */
   readonly droppedDegenerate: number;
-  /** over the layer's budget */
+  /** number of candidates over the layer's budget */
   readonly droppedBudget: number;
 }
 

@@ -2,126 +2,148 @@
 // Made by bindings/generate from bindings/api.json; do not edit.
 //! hrbfnpr.h: Hermite RBF implicit surfaces, drawn in pen and ink.
 //!
-//! A few point-and-normal samples become a smooth implicit surface; marks are
-//! placed on it; each frame draws the marks into a caller's image, or hands
-//! them over as vertex arrays.  The method is that of
+//! The library fits a smooth implicit surface to points with normals, places
+//! marks on the surface, and draws the marks into an image of the caller or
+//! hands them over as vertex arrays.  The method is that of
 //!
 //!   Vital Brazil, Macedo, Sousa, Velho, de Figueiredo: "A Few Good Samples:
 //!   Shape & Tone Depiction for Hermite RBF Implicits", NPAR 2010,
 //!
-//! cited below as [NPAR] with a section number.
+//! which the comments below cite as [NPAR] with a section number.
 //!
 //! SPDX-License-Identifier: MIT
 //!
 //! # CONTRACTS that hold for every function below
 //!
-//! Handles.  A handle is an opaque pointer.  A call that takes `const T*` may
-//!   run at the same time on several threads with the same handle; a call that
-//!   takes `T*` needs the handle for itself.  Exceptions are named where they
-//!   stand (retain, release and hrbfnpr_operation_cancel run on any thread).
-//!   A context may serve calls of several threads at the same time; its
-//!   callbacks are then called by as many.
+//! Handles.  A handle is an opaque pointer.  Several threads may call functions
+//!   that take `const T*` with the same handle at the same time.  A function
+//!   that takes `T*` must be the only one that uses the handle.  Comments name
+//!   the exceptions: _retain, _release and hrbfnpr_operation_cancel run on any
+//!   thread at any time.  Several threads may use one context at the same time;
+//!   its callbacks then run on all these threads.
 //!
 //! Ownership.  `_create`, `_fit`, `_generate` and `_load` return a handle with
-//!   one reference, `_retain` adds one, `_release` takes one away and accepts
-//!   NULL.  A child keeps what it needs of its parent alive, so handles may be
-//!   released in any order.  Input arrays are read during the call only; no
-//!   call keeps a pointer to caller memory unless it says so.  Nothing that
-//!   this library returns has to be freed by the caller.
+//!   one reference.  `_retain` adds a reference.  `_release` removes one; the
+//!   last one destroys the object.  Both ignore NULL.  A handle keeps alive
+//!   whatever it needs of other handles, so handles may be released in any
+//!   order.  A call reads input arrays before it returns and keeps no pointer to
+//!   the caller's memory, unless its comment says so.  The caller never frees
+//!   memory that the library returns.
 //!
-//! Descriptors.  A struct whose first field is `struct_size` is set up with
-//!   its `_init(desc, sizeof *desc)` function, which fills in every default.
-//!   Structs only ever grow at their end.  A shorter (older) struct gets the
-//!   defaults for the fields it lacks; a longer (newer) one is refused with
-//!   HRBFNPR_STATUS_UNSUPPORTED_STRUCT only if its unknown tail is not all
-//!   zero.  Output structs (`_info`) are filled up to their `struct_size`.
-//!   Result structs (_projection, _curvature, _ray_hits) are descriptors of the
-//!   caller's arrays; the numbers in them are written where there is room.
-//!   A struct_size below 8 or above 65536 was never set up, and is refused
-//!   with the same status; `_init` of NULL is INVALID_ARGUMENT.
-//!   Fields named `reserved` must be zero.
+//! Descriptors.  A struct whose first field is `struct_size` must be set up with
+//!   its function `_init(desc, sizeof *desc)`, which sets every field to its
+//!   default.  New versions of the library add fields at the end of a struct
+//!   only.  An older caller's struct is shorter: the missing fields have their
+//!   defaults.  A newer caller's struct is longer: it is refused with
+//!   UNSUPPORTED_STRUCT if the unknown fields are not all zero.  A struct_size
+//!   below 8 or above 65536 is refused with the same status, because the struct
+//!   was not set up.  `_init` of NULL returns INVALID_ARGUMENT.  Fields named
+//!   `reserved` must be zero.
 //!
-//! Lists.  A list of structs is a pointer, a count and a stride: bytes from one
-//!   element to the next, 0 = the first one's struct_size.  Each element is a
-//!   descriptor with a struct_size of its own.  Lists have no largest length
-//!   but the one that a message names.
+//! Results.  Output structs (`_info`) are filled up to their struct_size.
+//!   Result structs (_projection, _curvature, _ray_hits) describe arrays of the
+//!   caller that a call fills; the numbers in them are written if struct_size
+//!   has room for them.
 //!
-//! Failure.  Calls that can fail return a status and take, last, a nullable
-//!   hrbfnpr_error.  A failed call leaves caller's arrays and output structs
-//!   untouched, sets `*out_handle` to NULL, and says in the message which
-//!   argument was wrong, how, and what would be right.  No C++ exception, no
-//!   abort and no signal leaves the library; it prints nothing.  One
-//!   exception is stated: a CANCELLED or failed batch call (evaluate, project,
-//!   curvature, cast_rays, contains) may already have written a part of its arrays.
+//! Lists.  A list of structs is a pointer, a count and a stride.  The stride is
+//!   the number of bytes from one element to the next; 0 = the struct_size of
+//!   the first element.  Each element is a descriptor with its own struct_size.
+//!   If a list is too long, the message names the largest length.
 //!
-//! Arrays.  Strides are in bytes and may be negative or larger than the
-//!   element; 0 means packed.  Elements need no alignment beyond one byte.
-//!   count * stride is checked for overflow before anything is touched.
-//!   Input and output arrays of one call must not overlap unless the call
-//!   says that they may.
+//! Failure.  A call that can fail returns a status.  Its last parameter is an
+//!   hrbfnpr_error, which may be NULL.  A failed call leaves the caller's arrays
+//!   and output structs untouched and sets `*out_handle` to NULL.  The message
+//!   names the wrong argument, says what is wrong, and says what to do.  No C++
+//!   exception, abort or signal leaves the library, and it prints nothing.  One
+//!   exception: if one of the calls evaluate, project, curvature, cast_rays and
+//!   contains fails or is cancelled, it may already have written a part of its
+//!   arrays.
 //!
-//! Geometry.  Frames are right-handed.  Matrices are column-major, 16 doubles,
-//!   and act on column vectors (OpenGL's layout).  Pixel (i, j) covers
-//!   [i, i+1) x [j, j+1), its centre at (i + 0.5, j + 0.5); j grows downward
-//!   from the first row that is given.  Lengths are in the unit of the caller's
-//!   samples unless a comment says pixels.  Normals point outward.  "Diagonal"
-//!   always means the length of the diagonal of the samples' bounding box.
+//! Common errors.  Comments list the errors that are special to a call.  In
+//!   addition, every call may return INVALID_ARGUMENT (a needed pointer is NULL,
+//!   or an argument is out of its range), UNSUPPORTED_STRUCT (see Descriptors),
+//!   OUT_OF_MEMORY, CANCELLED (if it takes an operation) and CALLBACK (a custom
+//!   function or run_tasks of the caller failed).
 //!
-//! Determinism.  The same input gives the same bits for any thread count and from
-//!   every thread backend, on one build and instruction set.
+//! Arrays.  Strides are in bytes.  They may be negative or larger than the
+//!   element; 0 = packed.  Elements need no alignment.  Every call checks
+//!   count * stride for overflow before it touches the array.  Input and output
+//!   arrays of one call must not overlap, unless the comment of the call allows
+//!   it.
 //!
-//! Threads.  A context starts its threads with the first call that needs them and
-//!   ends them with the last reference to it; with thread_count 1 or a `run_tasks`
-//!   hook it starts none.  They take no signals of the host's.  A forked child may
-//!   go on with contexts of its parent, which start threads anew in it, but not in
-//!   the middle of a call (from a callback).  Unloaded while a context has threads,
-//!   the library stays in memory.  Callbacks run only on the thread that entered
-//!   the library, unless flagged thread-safe.  No call changes the caller's
+//! Geometry.  Coordinate systems are right-handed.  A matrix has 16 doubles in
+//!   column-major order and acts on column vectors, as in OpenGL.  Pixel (i, j)
+//!   covers [i, i+1) x [j, j+1); its centre is at (i + 0.5, j + 0.5), and j
+//!   grows downward from the first row.  Lengths are in the unit of the caller's
+//!   samples, unless a comment says otherwise.  Normals point outward.
+//!   "Diagonal" is the length of the diagonal of the samples' bounding box; for
+//!   a model without samples, that of its bounds.  The "search box" of a model
+//!   is the box of its bounds, enlarged by 0.05 diagonals on every side.
+//!
+//! Determinism.  The same input gives the same bits for every number of threads
+//!   and every thread backend, on one build and one instruction set.
+//!
+//! Threads.  A context starts its threads in the first call that needs them and
+//!   ends them with the last reference to it.  With thread_count 1 or a
+//!   `run_tasks` callback it starts none.  The library's threads take no signals
+//!   of the host.  After fork() the child may go on with the parent's contexts,
+//!   which start new threads in it, but the fork must not happen inside a call
+//!   (in a callback).  If the library is unloaded while a context has threads, it
+//!   stays in memory.  Callbacks run only on the thread that called the library,
+//!   unless they are flagged thread-safe.  No call changes the caller's
 //!   floating-point state, locale or OpenMP settings.
 //!
-//! Stacks.  Every call but hrbfnpr_model_fit, _fit_mesh and hrbfnpr_orient does with a
-//!   thread's stack of 64 KiB, 12 of them for the caller's own frames and callbacks; these
-//!   three need 512 KiB, on the thread that calls them and, with a `run_tasks` hook,
-//!   on those that run their tasks.  No stack depends on the number of samples or marks.
+//! Stacks.  Every call except hrbfnpr_model_fit, hrbfnpr_model_fit_mesh and
+//!   hrbfnpr_orient runs on a thread stack of 64 KiB; 12 KiB of them are for the
+//!   caller's own frames and callbacks.  These three calls need 512 KiB on the
+//!   calling thread and, with `run_tasks`, on the threads that run their tasks.
+//!   The stack does not grow with the number of samples or marks.
 //!
 //! Callbacks.  A callback must return normally: it must not throw, longjmp, or
-//!   call back into the library with the same non-const handle.  It runs in the
-//!   default floating-point state (round to nearest, nothing trapped).
+//!   call the library with the same non-const handle.  It runs in the default
+//!   floating-point state (round to nearest, no traps).
 //!
 //! # OPERATION: progress and cancelling of one long call
 //!
-//! Pass one to a long call; poll and cancel it from any thread.  It may serve
-//! one call at a time, and further calls one after the other: each resets the
-//! progress to 0.  A cancelled operation stays cancelled and makes each further
-//! call that it is passed to return CANCELLED at once.
+//! Pass an operation to a long call, then poll and cancel it from any thread.  An
+//! operation serves one call at a time; a second call at the same time fails with
+//! INVALID_ARGUMENT.  It may serve other calls afterwards: each sets the progress
+//! back to 0.  A cancelled operation stays cancelled, and every later call that
+//! takes it returns CANCELLED at once.
 //!
-//! Streams, for saving and loading.  Both run on the thread that entered.
+//! Streams save and load models and point sets.  Both callbacks run on the thread
+//! that called the library.
 //!
 //! # MODEL: an implicit surface f = 0, immutable [NPAR 4]
 //!
+//! A model is a function f of the place x.  The surface is where f = 0, the inside
+//! is where f < 0.  Four calls make models: hrbfnpr_model_fit from samples,
+//! hrbfnpr_model_fit_mesh from triangles (such a model may consist of several
+//! smooth "sheets" that meet in creases), hrbfnpr_model_create_custom from a
+//! function of the caller, and hrbfnpr_model_create_csg from other models and
+//! primitives.
+//!
 //! --------------------------------------------------------------------------
 //! Where a surface ends.  A fitted surface goes on where its samples end: that of
-//! one view of a scan, or of a terrain, to the end of the search box; and it may
-//! grow sheets where no sample ever was.  Trimming leaves these out:
+//! one view of a scan, or of a terrain, goes on to the end of the search box.  It
+//! may also have sheets where there never was a sample.  Trimming leaves both out.
 //!
-//!     s(x) = 3 (|c|^2 - ln sum_j w_j),     c = sum_j w_j q_j / sum_j w_j
-//!     w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,     q_j = (x - p_j) / (0.9 h_j)
-//!
-//! tells how well the samples bear out a place x of the surface; p_j: the 24 samples
-//! nearest to x, with normals n_j and the spacing h_j around them (as far as the
-//! sixth neighbour), m: the surface's normal at x; c: how far x is from the middle
-//! of its neighbours (Adamson and Alexa 2004).  A connected part of the surface
-//! where s exceeds `limit` is left out if it reaches the end of the search box, or
-//! if it is too far from all samples to be a hole between them (`hole`).  Other
-//! parts stay: a hole that is closed so is no error.  Samples along curves, as of
-//! wires and cross sections, have no holes between them: what reaches the end of
-//! the box is left out, and nothing else.
+//! A number s(x) tells how badly the samples support the surface at the place x.
+//! It is near -4.7 among samples and grows away from them, and where they face
+//! another way (docs/lines.md gives the formula).  Trimming looks at the connected
+//! parts of the surface where s is above `limit`.  It leaves out a part that
+//! reaches the end of the search box.  It also leaves out a part that is somewhere
+//! farther than `hole` from all samples and has an s of 6 or more (with `closest`
+//! above 0, the distance is enough).  Other parts are holes between samples, and
+//! stay: the surface closes them.  Samples along curves, such as wires and cross
+//! sections, have no holes between them: only parts that reach the end of the box
+//! are left out.
 //!
 //! # POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 //!
-//! A point set is a list of layers.  A layer is a list of marks of one kind,
-//! made in one way and drawn in one style; its number is its place in the
-//! list, from 0.  The marks of some layers form strokes.
+//! A point set is a list of layers.  A layer is a list of marks of one kind, which
+//! are made in one way and drawn in one style.  The number of a layer is its place
+//! in the list, from 0.  The marks of some layers form strokes.
 //!
 //! # LINE SET: what the lines of a surface are drawn from, immutable
 //!
@@ -238,194 +260,238 @@ mod layout;
 
 // 1  VERSION
 
-// The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
-// library's SONAME; it moves only when an existing binary would break.
+// The version of this header.  HRBFNPR_ABI_VERSION is the number in the SONAME
+// of the shared library.  It changes only when an existing binary would break.
 pub const HRBFNPR_VERSION_MAJOR: u32 = 0;
 pub const HRBFNPR_VERSION_MINOR: u32 = 1;
 pub const HRBFNPR_VERSION_PATCH: u32 = 0;
 pub const HRBFNPR_ABI_VERSION: u32 = 1;
 
 extern "C" {
-    /// The library's version as major * 10000 + minor * 100 + patch.
+    /// Returns the library's version as major * 10000 + minor * 100 + patch.
     pub fn hrbfnpr_version() -> u32;
-    /// The library's ABI version; compare it with HRBFNPR_ABI_VERSION.
+    /// Returns the library's ABI version.  Compare it with HRBFNPR_ABI_VERSION.
     pub fn hrbfnpr_abi_version() -> u32;
-    /// "major.minor.patch", static, UTF-8, never NULL.
+    /// Returns the library's version as "major.minor.patch": static, UTF-8, never NULL.
     pub fn hrbfnpr_version_string() -> *const c_char;
 }
 
 // 2  STATUS AND ERRORS
 
-/// 0 is success, negative numbers are failures; numbers are fixed for ever.
-/// Treat a number that is not in this list like INTERNAL.
+/// The result of a call.  0 is success, negative numbers are failures.  The
+/// numbers never change.  Treat a number that is not in the list like INTERNAL.
 pub type hrbfnpr_status = i32;
 
+/// success
 pub const HRBFNPR_STATUS_OK: hrbfnpr_status = 0;
-/// the message names the argument and the remedy
+/// an argument is wrong: the message names it and says what to do
 pub const HRBFNPR_STATUS_INVALID_ARGUMENT: hrbfnpr_status = -1;
-/// the allocator said no
+/// the allocator returned NULL
 pub const HRBFNPR_STATUS_OUT_OF_MEMORY: hrbfnpr_status = -2;
-/// the needed size has been written, nothing else
+/// only the needed size has been written
 pub const HRBFNPR_STATUS_BUFFER_TOO_SMALL: hrbfnpr_status = -3;
-/// struct_size too small, or an unknown tail is not zero
+/// struct_size is out of range, or unknown fields are not zero
 pub const HRBFNPR_STATUS_UNSUPPORTED_STRUCT: hrbfnpr_status = -4;
-/// the fit has no (numerically) unique solution
+/// the fit has no numerically unique solution
 pub const HRBFNPR_STATUS_SINGULAR_SYSTEM: hrbfnpr_status = -5;
-/// an iteration ended short of its goal
+/// an iteration ended before it reached its goal
 pub const HRBFNPR_STATUS_NOT_CONVERGED: hrbfnpr_status = -6;
-/// by hrbfnpr_operation_cancel
+/// hrbfnpr_operation_cancel or a progress callback ended the call
 pub const HRBFNPR_STATUS_CANCELLED: hrbfnpr_status = -7;
 /// a read or write callback failed
 pub const HRBFNPR_STATUS_IO: hrbfnpr_status = -8;
-/// a stream is not ours, truncated or damaged
+/// a stream is of another format, truncated or damaged
 pub const HRBFNPR_STATUS_CORRUPT_DATA: hrbfnpr_status = -9;
-/// a stream, or the caller's header, is too new
+/// a stream, or the caller's header, is newer than the library
 pub const HRBFNPR_STATUS_VERSION_MISMATCH: hrbfnpr_status = -10;
-/// a caller's callback returned non-zero
+/// a callback of the caller returned non-zero or gave invalid results
 pub const HRBFNPR_STATUS_CALLBACK: hrbfnpr_status = -11;
 /// a bug in the library: please report it
 pub const HRBFNPR_STATUS_INTERNAL: hrbfnpr_status = -99;
 
 extern "C" {
-    /// Name of a status, such as "INVALID_ARGUMENT"; "UNKNOWN" for a number that is
-    /// not in the list.  Static, never NULL.
+    /// Returns the name of a status, such as "INVALID_ARGUMENT", or "UNKNOWN" for a
+    /// number that is not in the list.  The text is static and never NULL.
     pub fn hrbfnpr_status_name(status: hrbfnpr_status) -> *const c_char;
 }
 
-/// A failure in words.  The caller owns it and sets struct_size (by
-/// hrbfnpr_error_init) before the first use; it can be used again and again.
-/// A successful call leaves it untouched.
+/// Describes a failure in words.  The caller owns it, sets it up once with
+/// hrbfnpr_error_init, and may use it for any number of calls.  A successful
+/// call leaves it untouched, and so does a call if struct_size is below 256.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_error {
+    /// bytes; set by hrbfnpr_error_init
     pub struct_size: u32,
+    /// the status that the failed call returned
     pub status: hrbfnpr_status,
-    /// UTF-8, always terminated, cut at a character where it does not fit
+    /// UTF-8, zero-terminated; a longer message is cut between two characters
     pub message: [c_char; 248],
 }
 
 extern "C" {
-    /// Sets struct_size, OK and an empty message.
-    /// INVALID_ARGUMENT if `error` is NULL, UNSUPPORTED_STRUCT if struct_size < 256.
+    /// Sets struct_size, the status OK and an empty message.
+    ///
+    /// Errors: INVALID_ARGUMENT: `error` is NULL.  UNSUPPORTED_STRUCT: struct_size is
+    /// below 256.
     pub fn hrbfnpr_error_init(error: *mut hrbfnpr_error, struct_size: u32) -> hrbfnpr_status;
-    /// What this build is, as one JSON object: version, abi, compiler,
-    /// instruction_sets, thread_backends, dependencies.  Writes up to `capacity`
-    /// bytes with a terminating zero; `*needed` (nullable) gets the bytes needed.
-    /// BUFFER_TOO_SMALL writes nothing to `destination`.  destination may be NULL
-    /// when capacity is 0.
+    /// Writes what this build of the library is, as one JSON object with the keys
+    /// version, abi, compiler, instruction_sets, thread_backends and dependencies.
+    ///
+    /// destination:   receives the text with a terminating zero; may be NULL if capacity is 0
+    /// capacity:      the size of destination in bytes, 0 or more
+    /// needed:        receives the bytes that the text needs, with its zero; may be NULL
+    ///
+    /// Errors: BUFFER_TOO_SMALL: capacity is below *needed; only *needed is written.
     pub fn hrbfnpr_build_info(
         destination: *mut c_char,
         capacity: i64,
         needed: *mut i64,
     ) -> hrbfnpr_status;
-    /// How this build lays out a struct, such as "hrbfnpr_fit_desc", as one JSON
-    /// object: name, size, align, and fields, a list of objects with name, type,
-    /// offset and size (bytes) in the header's order; of NULL a list of all structs.
-    /// A binding can compare its own structs with it before the first call.  Static,
-    /// UTF-8; NULL where there is no struct of that name.
+    /// Returns how this build lays out a struct, such as "hrbfnpr_fit_desc", as one
+    /// JSON object.  Its keys are name, size, align and fields: a list of objects with
+    /// name, type, offset and size (bytes), in the order of the header.  For NULL it
+    /// returns a list of all structs.  A binding can compare its own structs with it
+    /// before the first call.  The text is static and UTF-8.  The result is NULL if
+    /// there is no struct of that name.
     pub fn hrbfnpr_layout(name: *const c_char) -> *const c_char;
 }
 
-// 3  VIEWS of caller's memory
+// 3  VIEWS of the caller's memory
 
+// The type of the numbers in an array.
+/// float
 pub const HRBFNPR_SCALAR_FLOAT32: u32 = 1;
+/// double
 pub const HRBFNPR_SCALAR_FLOAT64: u32 = 2;
+/// uint8_t
 pub const HRBFNPR_SCALAR_UINT8: u32 = 3;
+/// uint32_t
 pub const HRBFNPR_SCALAR_UINT32: u32 = 4;
+/// int32_t
 pub const HRBFNPR_SCALAR_INT32: u32 = 5;
+/// int64_t
 pub const HRBFNPR_SCALAR_INT64: u32 = 6;
 
-/// `count` elements of `components` scalars each, `stride` bytes apart.
-/// An array with data NULL and count 0 is "not given".  Never owns.
+/// A view of an array that a call reads: `count` elements of `components` scalars
+/// each, `stride` bytes apart.  It does not own the memory.  An array with data
+/// NULL and count 0 is "not given".
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_array {
+    /// the first element
     pub data: *const c_void,
+    /// number of elements
     pub count: i64,
-    /// bytes from one element to the next; 0 = packed; may be negative
+    /// bytes from one element to the next; may be negative; 0 = packed
     pub stride: i64,
-    /// HRBFNPR_SCALAR_...
+    /// HRBFNPR_SCALAR_...: the type of each scalar
     pub scalar: u32,
-    /// scalars in an element, packed side by side
+    /// number of scalars in an element, packed side by side
     pub components: u32,
 }
 
-/// The same for memory that a call writes.
+/// A view of an array that a call writes.  The fields are those of hrbfnpr_array.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_array_out {
+    /// the first element
     pub data: *mut c_void,
+    /// number of elements
     pub count: i64,
+    /// bytes from one element to the next; may be negative; 0 = packed
     pub stride: i64,
+    /// HRBFNPR_SCALAR_...: the type of each scalar
     pub scalar: u32,
+    /// number of scalars in an element, packed side by side
     pub components: u32,
 }
 
-// Channels in the order of memory, 8 bits each, or floats.  PREMULTIPLIED:
-// colour times alpha.  Colours are sRGB-encoded.
+// The format of an image's pixels.  The name gives the order of the channels in
+// memory.  A channel has 8 bits or is a float.  Colours are sRGB-encoded.
+// PREMULTIPLIED: colours are multiplied by alpha.
+/// 4 bytes
 pub const HRBFNPR_FORMAT_RGBA8: u32 = 1;
+/// 4 bytes
 pub const HRBFNPR_FORMAT_BGRA8: u32 = 2;
+/// 4 bytes
 pub const HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED: u32 = 3;
+/// 4 bytes
 pub const HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED: u32 = 4;
-/// FLOAT32 in [0,1], aligned to 4 bytes
+/// 4 FLOAT32 from 0 to 1, aligned to 4 bytes
 pub const HRBFNPR_FORMAT_RGBA32F: u32 = 5;
+/// 4 FLOAT32 from 0 to 1, aligned to 4 bytes
 pub const HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED: u32 = 6;
-/// one byte: how much of the pixel ink covers, whatever its colour
+/// one byte: the share of the pixel that ink covers, of any colour
 pub const HRBFNPR_FORMAT_COVERAGE8: u32 = 7;
 
-/// An image of the caller's.  `pixels` is the top-left pixel, whatever the sign
-/// of row_stride; a bottom-up image passes its last row and a negative stride.
+/// An image of the caller.  `pixels` is the top-left pixel for either sign of
+/// row_stride: for an image that is stored bottom-up, pass the address of its
+/// last row and a negative row_stride.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_image {
     pub struct_size: u32,
-    /// HRBFNPR_FORMAT_...
+    /// HRBFNPR_FORMAT_...; default RGBA8
     pub format: u32,
-    /// pixels, 1 .. 32768
+    /// pixels; 1 to 32768
     pub width: i32,
+    /// pixels; 1 to 32768
     pub height: i32,
+    /// the top-left pixel
     pub pixels: *mut c_void,
-    /// bytes from a row to the one below; 0 = packed; |row_stride| >= a row's bytes
+    /// bytes from a row to the row below; at least a row's bytes, or their negative; 0 = packed
     pub row_stride: i64,
 }
 
 extern "C" {
+    /// Sets every field to its default; the size and the pixels are the caller's to set.
     pub fn hrbfnpr_image_init(image: *mut hrbfnpr_image, struct_size: u32) -> hrbfnpr_status;
 }
 
-// 4  CONTEXT: allocator, threads, log. Everything else hangs on one.
+// 4  CONTEXT: allocator, threads and log, which everything else needs
 
+/// A handle that holds the allocator, the threads and the log.  All other handles
+/// are made from a context.
 #[repr(C)]
 pub struct hrbfnpr_context {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Returns `size` bytes aligned to `alignment` (a power of two), or NULL.
-/// Called from any thread that runs the library's work.
+/// Allocates `size` bytes with an alignment of `alignment` bytes, a power of two.
+/// It returns NULL if there is no memory; the call then fails with OUT_OF_MEMORY.
+/// It runs on every thread that does the library's work.
 pub type hrbfnpr_allocate_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, size: u64, alignment: u64) -> *mut c_void>;
 
-/// Gives back what allocate returned, with the same size and alignment.
+/// Frees memory that the allocate function returned.  size and alignment are
+/// those of the allocation.
 pub type hrbfnpr_deallocate_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, memory: *mut c_void, size: u64, alignment: u64)>;
 
+// The level of a message in the log.
+/// details for developers of the library
 pub const HRBFNPR_LOG_DEBUG: i32 = 0;
+/// what a call did, with counts and times
 pub const HRBFNPR_LOG_INFO: u32 = 1;
+/// the result may not be what the caller expects
 pub const HRBFNPR_LOG_WARNING: u32 = 2;
 
-/// Runs on the thread that entered the library.  `message` is UTF-8 and lives
-/// for the call only.
+/// Receives a message of the log.  `message` is UTF-8 and valid only during the
+/// callback, which runs on the thread that called the library.
 pub type hrbfnpr_log_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, level: i32, message: *const c_char)>;
 
-/// One task of the library's: call it once for every index in [0, count).
+/// A task of the library, which the caller's hrbfnpr_run_tasks_fn calls once for
+/// every index in [0, count).
 pub type hrbfnpr_task_fn = Option<unsafe extern "C" fn(task_context: *mut c_void, index: i64)>;
 
-/// The host's job runner: calls task(task_context, i) once for every
-/// i in [0, task_count), on any threads, in any order, and returns when all
-/// have ended.  It may be called again from inside a task's thread.  A call that
-/// finds tasks left out or run twice fails with CALLBACK and says how many.
+/// Runs tasks on the caller's job system: it calls task(task_context, i) once for
+/// every i in [0, task_count), on any threads and in any order, and returns when
+/// all calls have ended.  The library may call it again on a thread that runs a
+/// task.  If tasks were left out or ran twice, the library call fails with
+/// CALLBACK, and the message gives their number.
 pub type hrbfnpr_run_tasks_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -435,99 +501,116 @@ pub type hrbfnpr_run_tasks_fn = Option<
     ),
 >;
 
-// Instruction sets, for `highest_instruction_set` and `instruction_set`.
-/// the best that build and processor have
+// Instruction sets of processors, for `highest_instruction_set` and `instruction_set`.
+/// the best one that both the build and the processor have
 pub const HRBFNPR_INSTRUCTION_SET_AUTO: u32 = 0;
-/// what the library was compiled for
+/// the one that the library was compiled for
 pub const HRBFNPR_INSTRUCTION_SET_BASELINE: u32 = 1;
+/// x86: 256 bits
 pub const HRBFNPR_INSTRUCTION_SET_AVX2: u32 = 2;
+/// x86: 512 bits
 pub const HRBFNPR_INSTRUCTION_SET_AVX512: u32 = 3;
+/// Arm: 128 bits
 pub const HRBFNPR_INSTRUCTION_SET_NEON: u32 = 4;
 
-// Who runs the library's tasks.  The results are the same bits from all.
-/// RUN_TASKS where that is given, else POOL
+// Which threads run the library's tasks.  The choice does not change the bits of
+// any result.  docs/hosts.md compares them.
+/// RUN_TASKS if run_tasks is given, else POOL
 pub const HRBFNPR_THREAD_BACKEND_AUTO: u32 = 0;
-/// threads of the context's own. The calling thread takes part and waits only for tasks that
-/// others have begun, so a processor that is busy elsewhere costs little; idle threads sleep
-/// (docs/hosts.md)
+/// threads that the context owns. The calling thread takes part and waits only for tasks that
+/// others have begun, so a processor that is busy with other work costs little. Idle threads
+/// sleep
 pub const HRBFNPR_THREAD_BACKEND_POOL: u32 = 1;
-/// the OpenMP runtime's, shared with a host that uses it; serial in a forked child. For
-/// processors that nobody else wants. INVALID_ARGUMENT in a build without it
-/// (hrbfnpr_build_info: thread_backends)
+/// the threads of the OpenMP runtime, shared with a host that uses it; serial in a forked
+/// child. Use it only if no other work needs the processors. INVALID_ARGUMENT in a build
+/// without OpenMP (hrbfnpr_build_info lists thread_backends)
 pub const HRBFNPR_THREAD_BACKEND_OPENMP: u32 = 2;
-/// the host's job system
+/// the host's job system, through run_tasks
 pub const HRBFNPR_THREAD_BACKEND_RUN_TASKS: u32 = 3;
 /// the calling thread alone, as with thread_count 1
 pub const HRBFNPR_THREAD_BACKEND_SERIAL: u32 = 4;
 
+/// How a context works.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_context_desc {
     pub struct_size: u32,
-    /// _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH
+    /// set by _init to HRBFNPR_ABI_VERSION. Another number is VERSION_MISMATCH
     pub abi_version: u32,
-    /// 0 = all processors (default), 1 = serial; at most 256 are used
+    /// number of threads; 0 or more; default 0 = one for each processor; 1 = serial. At most 256 are used
     pub thread_count: i32,
     /// must be 0
     pub flags: u32,
-    /// HRBFNPR_THREAD_BACKEND_...; AUTO
+    /// HRBFNPR_THREAD_BACKEND_...; default AUTO
     pub thread_backend: u32,
-    /// HRBFNPR_INSTRUCTION_SET_...; AUTO
+    /// HRBFNPR_INSTRUCTION_SET_...; default AUTO. A cap: better ones are not used
     pub highest_instruction_set: u32,
-    /// both or none; none = aligned operator new
+    /// NULL (default) = aligned operator new. Give both functions or neither
     pub allocate: hrbfnpr_allocate_fn,
+    /// NULL (default) = operator delete
     pub deallocate: hrbfnpr_deallocate_fn,
+    /// passed to allocate and deallocate
     pub allocator_user: *mut c_void,
-    /// may be NULL
+    /// receives messages; NULL (default) = no log
     pub log: hrbfnpr_log_fn,
+    /// passed to log
     pub log_user: *mut c_void,
-    /// HRBFNPR_LOG_...: less than this is not reported; DEBUG
+    /// HRBFNPR_LOG_...; default DEBUG. Messages below this level are not reported
     pub log_level: i32,
     pub reserved: u32,
-    /// may be NULL; only with thread_backend AUTO or RUN_TASKS
+    /// the host's job system; NULL (default) = none. Needs thread_backend AUTO or RUN_TASKS
     pub run_tasks: hrbfnpr_run_tasks_fn,
+    /// passed to run_tasks
     pub run_tasks_user: *mut c_void,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_context_desc_init(
         desc: *mut hrbfnpr_context_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// `desc` may be NULL for all defaults.  The callbacks and their user pointers
-    /// must outlive the context and everything that was made from it.
+    /// Creates a context.  `desc` NULL = all defaults.  The callbacks and their user
+    /// pointers must stay valid until the context and everything that was made from
+    /// it are released.
+    ///
+    /// Errors: VERSION_MISMATCH: the header and the library have different ABI
+    /// versions.
     pub fn hrbfnpr_context_create(
         desc: *const hrbfnpr_context_desc,
         out_context: *mut *mut hrbfnpr_context,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference. Any thread.
     pub fn hrbfnpr_context_retain(context: *mut hrbfnpr_context);
-    /// any thread; NULL is ignored
+    /// Removes a reference. Any thread.
     pub fn hrbfnpr_context_release(context: *mut hrbfnpr_context);
 }
 
+/// The settings that a context uses, and its memory.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_context_info {
     pub struct_size: u32,
-    /// threads that a large call will use
+    /// number of threads that a large call uses
     pub thread_count: i32,
     /// the one in use
     pub instruction_set: u32,
     /// HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL
     pub thread_backend: u32,
-    /// allocated through this context at present
+    /// bytes that are allocated through this context now
     pub bytes_now: i64,
-    /// the most there ever were
+    /// the largest number of bytes that were ever allocated at the same time
     pub bytes_peak: i64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_context_info_init(
         info: *mut hrbfnpr_context_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Fills `info` with the settings in use and the memory of a context.
     pub fn hrbfnpr_context_get_info(
         context: *const hrbfnpr_context,
         info: *mut hrbfnpr_context_info,
@@ -537,35 +620,41 @@ extern "C" {
 
 // 5  OPERATION: progress and cancelling of one long call
 
+/// A handle through which one long call reports its progress and is cancelled.
 #[repr(C)]
 pub struct hrbfnpr_operation {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// Runs on the thread that entered the long call, at irregular intervals, with
-/// a progress in [0,1] that never falls within a call.  Return 0 to go on,
-/// anything else to cancel (the call then returns CANCELLED).
+/// Receives the progress of a call, from 0 to 1, at irregular intervals.  The
+/// progress never falls within a call.  The callback runs on the thread that made
+/// the call.  Return 0 to go on; any other number cancels the call, which then
+/// returns CANCELLED.
 pub type hrbfnpr_progress_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, progress: f64) -> i32>;
 
 extern "C" {
+    /// Creates an operation.
     pub fn hrbfnpr_operation_create(
         context: *mut hrbfnpr_context,
         out_operation: *mut *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference. Any thread.
     pub fn hrbfnpr_operation_retain(operation: *mut hrbfnpr_operation);
-    /// any thread; NULL is ignored
+    /// Removes a reference. Any thread.
     pub fn hrbfnpr_operation_release(operation: *mut hrbfnpr_operation);
-    /// Any thread, any time, more than once; NULL is ignored.
+    /// Cancels the call that uses the operation, and all later ones.  Any thread, any
+    /// time, any number of times.  NULL is ignored.
     pub fn hrbfnpr_operation_cancel(operation: *mut hrbfnpr_operation);
-    /// 1 after a cancel, else 0.  Any thread.
+    /// Returns 1 after a cancel, else 0.  Any thread.  NULL gives 0.
     pub fn hrbfnpr_operation_is_cancelled(operation: *const hrbfnpr_operation) -> i32;
-    /// Progress of the call in [0,1].  Any thread.
+    /// Returns the progress of the call, from 0 to 1.  Any thread.  NULL gives 0.
     pub fn hrbfnpr_operation_progress(operation: *const hrbfnpr_operation) -> f64;
-    /// Not while a call that uses the operation runs.  `callback` NULL removes it.
+    /// Sets the function that receives the progress; `callback` NULL removes it.
+    ///
+    /// Errors: INVALID_ARGUMENT: a call uses the operation at present.
     pub fn hrbfnpr_operation_set_callback(
         operation: *mut hrbfnpr_operation,
         callback: hrbfnpr_progress_fn,
@@ -574,17 +663,19 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// Writes all `size` bytes; returns 0, or anything else for failure (IO).
+/// Writes all `size` bytes of `data`.  Return 0 on success; any other number fails
+/// the call with IO.
 pub type hrbfnpr_write_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, data: *const c_void, size: u64) -> i32>;
 
-/// Reads up to `size` bytes into `data` and returns how many, 0 at the end,
-/// negative for failure (IO).
+/// Reads up to `size` bytes into `data`.  Return the number of bytes read, 0 at the
+/// end of the stream, or a negative number, which fails the call with IO.
 pub type hrbfnpr_read_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, data: *mut c_void, size: u64) -> i64>;
 
 // 6  MODEL: an implicit surface f = 0, immutable [NPAR 4]
 
+/// A handle to an implicit surface.  It never changes.
 #[repr(C)]
 pub struct hrbfnpr_model {
     _data: [u8; 0],
@@ -592,171 +683,179 @@ pub struct hrbfnpr_model {
 }
 
 // Radial functions phi(r) [NPAR 4.1].
-/// r^3 (default); no parameter
+/// r^3, without a parameter; the default
 pub const HRBFNPR_KERNEL_TRIHARMONIC: u32 = 0;
-/// exp(-r^2 / 2 radius^2)
+/// exp(-r^2 / (2 radius^2))
 pub const HRBFNPR_KERNEL_GAUSSIAN: u32 = 1;
-/// (1 - r/radius)^4_+ (4 r/radius + 1)
+/// (1 - r/radius)^4 (4 r/radius + 1) for r < radius, else 0
 pub const HRBFNPR_KERNEL_WENDLAND_C2: u32 = 2;
-/// reported for a model made by _create_custom
+/// not for fits: reported for a model made by _create_custom
 pub const HRBFNPR_KERNEL_CUSTOM: u32 = 3;
-/// reported for a model made by _create_csg
+/// not for fits: reported for a model made by _create_csg
 pub const HRBFNPR_KERNEL_CSG: u32 = 4;
 
+// How the linear system of a fit is solved.  docs/fitting.md gives times and memory.
+/// DIRECT for few samples, ITERATIVE for many
 pub const HRBFNPR_SOLVER_AUTO: u32 = 0;
-/// dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures
+/// dense factorization: memory grows with N^2, time with N^3
 pub const HRBFNPR_SOLVER_DIRECT: u32 = 1;
-/// conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer, Katzfuss,
-/// Owhadi 2021), with a fast multipole method for many samples; memory O(N). TRIHARMONIC
-/// needs polynomial_degree >= 1
+/// preconditioned conjugate gradients: memory grows with N. TRIHARMONIC needs
+/// polynomial_degree 1 or more [Schaefer, Katzfuss, Owhadi 2021]
 pub const HRBFNPR_SOLVER_ITERATIVE: u32 = 2;
 
-// Why the solver that was used is the one.
+// Why a fit used the solver that it used.
 /// the caller named it
 pub const HRBFNPR_SOLVER_REASON_REQUESTED: u32 = 0;
-/// AUTO: DIRECT is the faster one
+/// AUTO took DIRECT, which is faster for few samples
 pub const HRBFNPR_SOLVER_REASON_SMALL: u32 = 1;
-/// AUTO: DIRECT would take too much memory or time
+/// AUTO took ITERATIVE: DIRECT would need too much memory or time
 pub const HRBFNPR_SOLVER_REASON_LARGE: u32 = 2;
-/// ITERATIVE did not reach its tolerance
+/// AUTO took DIRECT, because ITERATIVE did not reach its tolerance
 pub const HRBFNPR_SOLVER_REASON_NOT_CONVERGED: u32 = 3;
-/// ITERATIVE needs a definite system
+/// AUTO took DIRECT, because ITERATIVE needs a definite system
 pub const HRBFNPR_SOLVER_REASON_NOT_DEFINITE: u32 = 4;
 
-// What becomes of samples that look wrong; they are counted in any case.
+// What a fit does with samples that look wrong.  It counts them in any case.
+/// uses them as they are
 pub const HRBFNPR_REPAIR_KEEP: u32 = 0;
+/// leaves them out
 pub const HRBFNPR_REPAIR_DROP: u32 = 1;
-/// of flipped normals only: turned round
+/// turns their normals round; for flipped normals only
 pub const HRBFNPR_REPAIR_REORIENT: u32 = 2;
 
+// Where the regularization of a fit comes from.
 /// the field `regularization`
 pub const HRBFNPR_REGULARIZATION_GIVEN: u32 = 0;
-/// from the noise of the samples
+/// the measured noise of the samples; 0 for samples without noise
 pub const HRBFNPR_REGULARIZATION_AUTO: u32 = 1;
 
-// What is known of given normals, for a fit and for hrbfnpr_orient.
-/// they are right, and point outward
+// How far the given normals can be trusted, for a fit and for hrbfnpr_orient.
+/// they are correct and point outward
 pub const HRBFNPR_NORMALS_GIVEN: u32 = 0;
-/// there are none, or none to go by
+/// there are none, or they are useless: all are made
 pub const HRBFNPR_NORMALS_NONE: u32 = 1;
-/// directions are right, signs are not
+/// the directions are correct, the signs are not
 pub const HRBFNPR_NORMALS_UNORIENTED: u32 = 2;
-/// most signs are right, too; some patches are turned
+/// the directions and most signs are correct; some patches are turned
 pub const HRBFNPR_NORMALS_MIXED: u32 = 3;
-/// right, but for all pointing inward
+/// they are consistent, but all point inward
 pub const HRBFNPR_NORMALS_INWARD: u32 = 4;
-/// find out which of these it is, and do what that calls for
+/// find out which of these holds, and repair accordingly
 pub const HRBFNPR_NORMALS_AUTO: u32 = 5;
 
-// Whether a fitted surface ends where its samples do, all that were given (hrbfnpr_model_trim).
-/// it goes on, to the end of the search box
+// Whether a fitted surface ends where its samples end (see hrbfnpr_model_trim).
+/// the surface goes on to the end of the search box
 pub const HRBFNPR_TRIM_NEVER: u32 = 0;
-/// that of an open surface does; a closed one, and one of fewer than ten samples, which tell
-/// too little, stays as it is. hrbfnpr_model_get_trim_info tells
+/// an open surface ends where all given samples end, not only the chosen centres. A closed
+/// surface stays whole, and so does one of fewer than ten samples.
+/// hrbfnpr_model_get_trim_info says what was done
 pub const HRBFNPR_TRIM_AUTO: u32 = 1;
 
-/// What to fit: N points with N outward normals.
+/// What to fit: N points with N outward normals, and how.  docs/fitting.md
+/// explains the methods.
 ///
-/// The fit is in double precision, in normalised coordinates (centred, mean
-/// sample spacing 1), whatever the caller's unit.  Accepted repairs, counted in
-/// hrbfnpr_model_info: normals that are not of unit length are normalised;
-/// samples that coincide (within 1e-9 diagonals) and agree in their normal
-/// (within 1 degree) are merged, and so are, of 33 samples and more, near
-/// duplicates (within 1e-3 of the spacing on the spot, and 15 degrees).
-/// Many samples that contradict each other so much (slivers of a mesh in single
-/// precision) that the iterations break down get a little regularization and a
-/// larger solver tolerance (docs/fitting.md); the log and
-/// hrbfnpr_model_info.regularization say so.
-/// Samples that coincide and disagree are an INVALID_ARGUMENT that names both
-/// indices, as are NaN, infinity, zero normals, and an empty or mismatched
-/// array; so are coordinates beyond 1e100, and samples less than 1e-100 across.
-/// One sample is a plane.
+/// Repairs.  The fit accepts and counts (hrbfnpr_model_info) the following.
+/// Normals that are not of unit length are normalized.  Samples at the same place
+/// (within 1e-9 diagonals) with the same normal (within 1 degree) are merged.  Of
+/// 33 samples or more, near duplicates are merged: closer than 1e-3 of the local
+/// spacing, normals within 15 degrees.  If many samples contradict each other so
+/// much that the iterations break down, the fit adds a little regularization and
+/// raises the solver tolerance; the log and hrbfnpr_model_info.regularization say
+/// so.
 ///
-/// Measured samples.  Of 33 and more, those that do not fit to the 16 nearest
-/// others are counted, and repaired only if asked for:
-/// - outliers: three times as far from their neighbours as these from theirs,
-///   or far above the tangent planes of most of them; and of near duplicates
-///   that disagree, the one that agrees less with those around it;
-/// - flipped normals: opposite to 7 of 8 neighbours at least, which agree with
-///   each other, lie on the same sheet, and all around.
+/// Refused samples.  INVALID_ARGUMENT: samples at the same place with different
+/// normals (the message gives both indices); NaN, infinity, zero normals;
+/// coordinates beyond 1e100; samples less than 1e-100 across; empty arrays, or
+/// arrays of different counts.  One sample is enough: its surface is a plane.
 ///
-/// Choosing.  With a tolerance or maximum_centres, samples are chosen as
-/// centres: some by farthest-point order, then, in rounds, those worst off the
-/// fit to the ones before, until every sample is within the tolerance (to first
-/// order, |f| / |grad f|), or there are maximum_centres.  An end short of the
-/// tolerance is no error: hrbfnpr_model_info says what was reached, and the log
-/// warns.  With regularization, what has to be within the tolerance, less two
-/// standard deviations of the noise (but not less than half), is the mean
-/// over a sample and its 16 neighbours, so that centres do not follow noise.
+/// Outliers and flipped normals.  Of 33 samples or more, the fit counts samples
+/// that do not agree with the 16 nearest others, and repairs them if `outliers`
+/// or `flipped_normals` says so.  Outliers are far from their neighbours or from
+/// their neighbours' tangent planes, or are the worse of two near duplicates with
+/// different normals.  A flipped normal is opposite to nearly all neighbours'
+/// normals on the same sheet.
 ///
-/// Automatic regularization.  The noise is measured by how far each sample is
-/// from the planes of its neighbours, where that does not vanish with their
-/// distance.  The fit is then the most likely function for it: regularization
-/// is the noise's variance over that of the function, which maximum likelihood
-/// gives (Rasmussen and Williams, "Gaussian Processes for Machine Learning",
-/// 2006, 5.4), with a value of its own for the normals.  Samples without noise
-/// are interpolated.
+/// Choosing centres.  With `tolerance` or `maximum_centres` the fit chooses some
+/// samples as centres: first evenly spread ones, then in rounds those that the
+/// last fit missed most.  It ends when every sample is within the tolerance
+/// (|f| / |grad f|) or maximum_centres is reached.  If the tolerance is not
+/// reached, the call still succeeds: hrbfnpr_model_info gives what was reached,
+/// and the log warns.  With regularization, the tolerance applies to means over a
+/// sample and its 16 neighbours, so that centres do not follow noise.
 ///
-/// Normals.  With a normal_mode other than GIVEN the normals are first made by
-/// hrbfnpr_orient with its defaults; hrbfnpr_model_info says what was found.
-/// Normals as given that all point into a closed surface are fitted as they
-/// are, but the log warns, and hrbfnpr_model_info.normals_inward is 1.
+/// Normals.  With a normal_mode other than GIVEN, the fit first makes or repairs
+/// the normals as hrbfnpr_orient with its defaults does.  With GIVEN, normals that
+/// all point into a closed surface are fitted as they are; the log warns, and
+/// hrbfnpr_model_info.normals_inward is 1.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_fit_desc {
     pub struct_size: u32,
-    /// HRBFNPR_KERNEL_...; TRIHARMONIC
+    /// HRBFNPR_KERNEL_...: the radial function; TRIHARMONIC, GAUSSIAN or WENDLAND_C2; default TRIHARMONIC
     pub kernel: u32,
-    /// N x 3, FLOAT32 or FLOAT64
+    /// N x 3, FLOAT32 or FLOAT64: the places of the samples
     pub points: hrbfnpr_array,
-    /// N x 3, FLOAT32 or FLOAT64, outward; normal_mode says otherwise
+    /// N x 3, FLOAT32 or FLOAT64: outward normals of any length; normal_mode may say otherwise
     pub normals: hrbfnpr_array,
-    /// sigma or rho, in units of the points; 0 = from the sample spacing
+    /// radius of GAUSSIAN and WENDLAND_C2, in the unit of the points; 0 or more; default 0 = from
+    /// the sample spacing. A larger radius fills larger gaps, but makes the system worse
+    /// conditioned
     pub kernel_radius: f64,
-    /// -1 (none) .. 3; 1. TRIHARMONIC is well-posed from 1 on (Duchon 1977); below that a pivoted
-    /// LU is tried.
+    /// degree of the polynomial that is added to the kernels; -1 (none) to 3; default 1.
+    /// TRIHARMONIC is well-posed from 1 on [Duchon 1977]; below that the fit may fail with
+    /// SINGULAR_SYSTEM
     pub polynomial_degree: i32,
-    /// HRBFNPR_REGULARIZATION_...; GIVEN. AUTO needs regularization 0
+    /// HRBFNPR_REGULARIZATION_...; default GIVEN. AUTO needs regularization 0
     pub regularization_mode: u32,
-    /// >= 0; 0 interpolates. Added to the diagonal of the system in coordinates whose diagonal is
-    /// 1: larger is smoother
+    /// smoothing of the fit, added to the diagonal of the system in coordinates in which the
+    /// samples' diagonal is 1; 0 or more; default 0 = pass through every sample. Larger values
+    /// give a smoother surface that keeps a distance from noisy samples
     pub regularization: f64,
-    /// HRBFNPR_REPAIR_KEEP or DROP; KEEP
+    /// HRBFNPR_REPAIR_KEEP or DROP; default KEEP
     pub outliers: u32,
-    /// HRBFNPR_REPAIR_...; KEEP
+    /// HRBFNPR_REPAIR_...; default KEEP
     pub flipped_normals: u32,
-    /// > 0: samples are chosen as centres until all lie this near to the surface, in units of the
-    /// points; 0: no such end
+    /// largest distance of a sample from the surface at which no more centres are chosen, in the
+    /// unit of the points; 0 or more; default 0 = none. Smaller values give more centres
     pub tolerance: f64,
-    /// > 0: no more samples than this are chosen as centres; 0: no limit. With tolerance 0, too,
-    /// every sample is a centre
+    /// largest number of samples that are chosen as centres; 0 or more; default 0 = no limit. If
+    /// tolerance is 0, too, every sample is a centre
     pub maximum_centres: i64,
-    /// HRBFNPR_SOLVER_...; AUTO
+    /// HRBFNPR_SOLVER_...; default AUTO
     pub solver: u32,
-    /// of iterative refinement after a DIRECT solve, 0 .. 20; 2
+    /// steps of iterative refinement after a DIRECT solve; 0 to 20; default 2. More steps give
+    /// smaller residuals
     pub refinement_steps: i32,
-    /// relative residual at which ITERATIVE ends; 0 = 1e-8, of 2048 samples and fewer 1e-10; or,
-    /// where rounding allows no more, 1e-6, with a warning
+    /// relative residual at which ITERATIVE ends; 0 to 0.1; default 0 = 1e-10 up to 2048 centres,
+    /// 1e-8 beyond, or, if rounding allows no more, up to 1e-6 with a warning in the log
     pub solver_tolerance: f64,
-    /// most iterations of ITERATIVE, 1 .. 1000000; 200
+    /// largest number of iterations of ITERATIVE; 1 to 1000000; default 200
     pub iteration_limit: i32,
-    /// of ITERATIVE, 1 .. 48: more are fewer iterations and more setup; 0 = by kernel and number
-    /// of samples
+    /// neighbours of each sample in the preconditioner of ITERATIVE; 1 to 48; default 0 = by the
+    /// kernel and the number of samples. More neighbours give fewer iterations and a longer setup
     pub preconditioner_neighbours: u32,
-    /// HRBFNPR_NORMALS_...; GIVEN. NONE, and AUTO, need no normals
+    /// HRBFNPR_NORMALS_...: how far `normals` can be trusted; default GIVEN. NONE and AUTO work
+    /// without normals
     pub normal_mode: u32,
-    /// HRBFNPR_TRIM_...; AUTO
+    /// HRBFNPR_TRIM_...; default AUTO
     pub trim: u32,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_fit_desc_init(desc: *mut hrbfnpr_fit_desc, struct_size: u32) -> hrbfnpr_status;
-    /// Fits f with f(x_i) = 0 and grad f(x_i) = n_i, so that f < 0 inside, f > 0
-    /// outside and |grad f| is near 1 at the surface [NPAR 4.1, equations 1, 2].
-    /// operation may be NULL.
-    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY (the message gives the bytes),
-    /// SINGULAR_SYSTEM, NOT_CONVERGED (the message gives the residual reached),
-    /// CANCELLED.
+    /// Fits f with f(x_i) = 0 and grad f(x_i) = n_i at the samples, so that f < 0
+    /// inside, f > 0 outside, and |grad f| is near 1 at the surface [NPAR 4.1,
+    /// equations 1, 2].  The fit works in double precision and in coordinates in which
+    /// the mean sample spacing is 1, whatever the caller's unit.
+    ///
+    /// desc:        what to fit
+    /// operation:   may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT: see hrbfnpr_fit_desc.  OUT_OF_MEMORY: the message gives
+    /// the bytes that are needed.  SINGULAR_SYSTEM: the system has no unique solution;
+    /// the message says how to change it.  NOT_CONVERGED: ITERATIVE did not reach its
+    /// tolerance; the message gives the residual.
     pub fn hrbfnpr_model_fit(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_fit_desc,
@@ -766,107 +865,110 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// Points that want normals, or whose normals may be wrong: N of them.
+/// The points of hrbfnpr_orient: N points without normals, or with normals that may
+/// be wrong.  docs/fitting.md explains the method.
 ///
-/// Normals are the unit vectors that need the least energy of a Hermite fit
-/// (kernel r^3) with f = 0 at all points (VIPSS: Huang, Carr, Ju, "Variational
-/// implicit point set surfaces", 2019), found from several starts: planes
-/// through neighbours, whose signs are chosen by the same energy, cluster by
-/// cluster.  The energy is a sparse sum of squares (docs/fitting.md), so that
-/// time and memory grow with N.  Noise is measured first, and allowed for.
-///
-/// Outward is, of a closed surface, where its winding number is 0; of an open
-/// one the side on which it is the smaller, which is the convex one; and where
-/// that tells nothing, as of terrain, the side that `up` or, if given, the
-/// viewpoint is on for most points.  Of closed surfaces in one another the
-/// inner ones bound holes: their normals point into these.
+/// Outward.  For a closed surface, outward is the side that it does not enclose.
+/// For an open surface it is the convex side, if the surface encloses one side more
+/// than the other.  For other surfaces, such as a terrain, it is the side of `up`,
+/// or of the viewpoint if that is given.  A closed surface inside another one bounds
+/// a hole: its normals point into the hole.
 ///
 /// Points that coincide (within 1/100 of the spacing) get the same normal.
-/// INVALID_ARGUMENT that names the argument: fewer than 4 different points, or
-/// all on one line; NaN or infinity; with a mode that goes by given normals,
-/// none of them.  A normal that is zero is one that is not known: it is made.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_orient_desc {
     pub struct_size: u32,
-    /// HRBFNPR_NORMALS_...; AUTO. GIVEN only looks: no normal is changed
+    /// HRBFNPR_NORMALS_...: how far `normals` can be trusted; default AUTO. GIVEN only looks: it
+    /// changes no normal
     pub mode: u32,
     /// N x 3, FLOAT32 or FLOAT64
     pub points: hrbfnpr_array,
-    /// N x 3, FLOAT32 or FLOAT64, of any length; or none, with NONE and AUTO
+    /// N x 3, FLOAT32 or FLOAT64, of any length; a zero normal is unknown and is made. Not needed
+    /// with NONE and AUTO
     pub normals: hrbfnpr_array,
-    /// of any length; (0, 0, 1)
+    /// the direction that decides for surfaces like a terrain; of any length, not 0; default (0, 0, 1)
     pub up: [f64; 3],
-    /// where the points were seen from, with has_viewpoint; 0
+    /// the place from which the points were seen; used with has_viewpoint; default (0, 0, 0)
     pub viewpoint: [f64; 3],
-    /// 1: open surfaces are turned to it; 0
+    /// 1: normals of open surfaces point to the side of the viewpoint; 0: `up` decides; default 0
     pub has_viewpoint: u32,
     pub reserved: u32,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_orient_desc_init(
         desc: *mut hrbfnpr_orient_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-// How it was decided which side is outward.
-/// the other side is inside
+// How hrbfnpr_orient decided which side is outward.
+/// the surface encloses the other side
 pub const HRBFNPR_OUTWARD_INSIDE: u32 = 0;
-/// the side that `up` points to
+/// `up` points to this side
 pub const HRBFNPR_OUTWARD_UP: u32 = 1;
-/// the side that is seen
+/// the viewpoint is on this side
 pub const HRBFNPR_OUTWARD_VIEWPOINT: u32 = 2;
-/// most given normals say so
+/// most given normals point to this side
 pub const HRBFNPR_OUTWARD_AS_GIVEN: u32 = 3;
 
+/// What hrbfnpr_orient found and did.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_orient_info {
     pub struct_size: u32,
-    /// HRBFNPR_NORMALS_...: what the given normals turned out to be; NONE also if they have
+    /// HRBFNPR_NORMALS_...: how far the given normals could be trusted; NONE also if they have
     /// nothing to do with the points, as colours have not
     pub found: u32,
-    /// normals that were given and have been turned round
+    /// number of given normals that were turned round
     pub turned: i64,
-    /// normals that were not given, or zero, or not to go by
+    /// number of normals that were made, because they were missing, zero or useless
     pub made: i64,
-    /// points that coincide with another
+    /// number of points that coincide with another one
     pub merged: i64,
-    /// mean angle between the lines of given and resulting normals, in degrees; NaN if there are none
+    /// mean angle between the lines of the given and the resulting normals, in degrees; NaN if no
+    /// normals are given
     pub direction_change: f64,
-    /// standard deviation of the points off their surface, in their unit; 0 if none is seen
+    /// standard deviation of the points from their surface, in their unit; 0 if no noise is seen
     pub noise: f64,
-    /// median distance of a point to its nearest neighbour
+    /// median distance of a point to its nearest neighbour, in the unit of the points
     pub spacing: f64,
-    /// of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that the
-    /// points resolve; 0.026 is that of points without any order
+    /// bending energy of the result per degree of freedom, in spacings. Below 0.006: the points
+    /// resolve the surface; 0.026: points without any order
     pub energy: f64,
-    /// 0 .. 1: how far starts with energies as low agree, and how low that is, less for noise. A
-    /// heuristic: above 0.9 results were right (docs/fitting.md), below look
+    /// how sure the result is; 0 to 1. A heuristic: results above 0.9 were right in the tests of
+    /// docs/fitting.md; look at results below that
     pub confidence: f64,
-    /// 1: the points are all around a solid, or several
+    /// 1: the points surround one or several solids
     pub closed: u32,
-    /// HRBFNPR_OUTWARD_...
+    /// HRBFNPR_OUTWARD_...: how the outward side was decided
     pub outward_by: u32,
-    /// pieces that lie apart by more than their spacing
+    /// number of pieces that lie apart by more than their spacing
     pub components: i64,
+    /// time of the call
     pub seconds: f64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_orient_info_init(
         info: *mut hrbfnpr_orient_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Finds the outward unit normals of points, or repairs given ones.
-    /// out_normals: N x 3, FLOAT32 or FLOAT64; may be the given normals themselves.
-    ///   Given normals that stay are written as they were, bit for bit where the
-    ///   scalars are the same; turned ones are only that.
-    /// info:        may be NULL.  operation: may be NULL.
-    /// A confidence that is low is no error: the log warns.
-    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    /// Finds outward unit normals for points, or repairs given normals.  A low
+    /// confidence is no error; the log warns.  Time and memory grow with N.
+    /// [VIPSS: Huang, Carr, Ju, "Variational implicit point set surfaces", 2019]
+    ///
+    /// out_normals:   receives N x 3 normals, FLOAT32 or FLOAT64; may be the given normals' memory.  Given
+    ///                normals that stay keep their bits (if the scalar types agree); turned ones
+    /// change their sign only
+    /// info:          may be NULL
+    /// operation:     may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT: fewer than 4 different points; all points are on one
+    /// line; NaN or infinity; no normals with a mode that needs them; `up` is 0.
     pub fn hrbfnpr_orient(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_orient_desc,
@@ -877,80 +979,86 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// The image of a depth camera (Kinect, RealSense, time of flight, stereo): columns x rows points.
+/// The image of a depth camera (Kinect, RealSense, time of flight, stereo): one
+/// point for each of columns x rows pixels.
 ///
-/// The camera is in the origin and looks along z, or against it; x / z goes
-/// with the column and y / z with the row, either way.  Of an image of depths
-/// with focal lengths f and a centre c, in pixels, those are
+/// The camera is at the origin and looks along +z or -z.  x / z grows or falls with
+/// the column, y / z with the row.  For an image of depths z with the focal lengths
+/// f and the centre c in pixels, the points are
 /// x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
 ///
-/// The sensor's errors are as large everywhere in 1 / z, so that they grow with
-/// z^2, and planes are linear in it.  A plane is fitted in 1 / z to the pixels
-/// around each, those that are within 6.5 standard deviations of it: what lies
-/// beyond an edge does not count.  The point moves along its ray onto the plane,
-/// whose normal is the normal.  The radius is 12 sqrt(s f) pixels, for a standard
-/// deviation of s z in the depth, and from 2 to 48.  Points with hardly any others on
-/// their plane, as between an edge and what is behind it, are left out.
+/// docs/fitting.md explains the method.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_depth_image_desc {
     pub struct_size: u32,
-    /// 8 .. 65535
+    /// pixels in a row; 8 to 65535
     pub columns: i32,
-    /// 8 .. 65535
+    /// number of rows; 8 to 65535
     pub rows: i32,
-    /// 1: points stay where they are, and get normals; 0
+    /// 1: the points stay where they are and only get normals; 0: they are smoothed; default 0
     pub keep_points: u32,
-    /// rows * columns x 3, row by row, FLOAT32 or FLOAT64; NaN, infinity or z = 0: nothing was seen there
+    /// rows * columns x 3, row by row, FLOAT32 or FLOAT64. NaN, infinity or z = 0: nothing was
+    /// seen at the pixel
     pub points: hrbfnpr_array,
-    /// standard deviation of 1 / z, in 1 / unit of the points; 0 = measured
+    /// standard deviation of 1 / z, in 1 / (unit of the points); 0 or more; default 0 = measured
     pub noise: f64,
-    /// factor of the radius, > 0 .. 100; 1
+    /// factor of the radius over which pixels are averaged; above 0, at most 100; default 1.
+    /// Larger values remove more noise and more small shapes
     pub smoothing: f64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_depth_image_desc_init(
         desc: *mut hrbfnpr_depth_image_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// What hrbfnpr_smooth_depth_image found and did.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_depth_image_info {
     pub struct_size: u32,
     pub reserved: u32,
-    /// pixels that have a point
+    /// number of pixels with a point
     pub seen: i64,
-    /// of these, without enough others on their plane
+    /// number of these that are left out, because too few other pixels lie on their plane
     pub left_out: i64,
     /// standard deviation of 1 / z, as given or measured
     pub noise: f64,
-    /// in pixels: the mean of both directions'
+    /// mean of the focal lengths in both directions, in pixels
     pub focal_length: f64,
-    /// median distance |z| of the points
+    /// median of |z| over the points
     pub depth: f64,
-    /// smoothed over at this depth, in pixels
+    /// radius of the smoothing at this depth, in pixels
     pub radius: f64,
+    /// time of the call
     pub seconds: f64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_depth_image_info_init(
         info: *mut hrbfnpr_depth_image_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Takes the sensor's noise off the image of a depth camera, and finds normals.
-    /// out_points:  rows * columns x 3, FLOAT32 or FLOAT64; may be desc.points' memory, or NULL.
-    /// NaN where
-    ///   nothing was seen, and for points that are left out.
-    /// out_normals: of the same size, towards the camera, of unit length; 0 where out_points is
-    /// NaN.  May be NULL.
-    /// info:        may be NULL.  operation: may be NULL.
-    /// To choose some of the points, as even in the image as they can be, pass x / z,
-    /// y / z and log |z| to hrbfnpr_farthest_points.
-    /// Errors: INVALID_ARGUMENT (the points are no such image), OUT_OF_MEMORY, CANCELLED.
+    /// Removes the sensor's noise from the image of a depth camera, and finds normals.
+    /// To choose some of the points, evenly spread over the image, pass x / z, y / z and
+    /// log |z| to hrbfnpr_farthest_points.
+    ///
+    /// out_points:    receives rows * columns x 3 points, FLOAT32 or FLOAT64; NaN where nothing
+    /// was seen and for points that
+    ///                are left out, such as those between an edge and what it hides; may be the
+    /// memory of desc->points; may
+    ///                be NULL
+    /// out_normals:   receives as many unit normals, which point to the camera; 0 where
+    /// out_points is NaN; may be NULL
+    /// info:          may be NULL
+    /// operation:     may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT: the points are not such an image.
     pub fn hrbfnpr_smooth_depth_image(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_depth_image_desc,
@@ -962,10 +1070,13 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
-/// Fills `value` (count), and, where the pointer is not NULL, `gradient`
-/// (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or
-/// anything else to fail the whole call with CALLBACK.
+/// Evaluates the caller's function at `count` points.  Return 0 on success; any other
+/// number fails the whole call with CALLBACK.
+///
+/// points:     count x 3: x, y, z
+/// value:      receives count values of f
+/// gradient:   receives count x 3 derivatives; may be NULL
+/// hessian:    receives count x 6 derivatives, xx xy xz yy yz zz; may be NULL
 pub type hrbfnpr_implicit_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -977,143 +1088,176 @@ pub type hrbfnpr_implicit_fn = Option<
     ) -> i32,
 >;
 
-/// else gradient is always NULL and differenced
+// What a custom function can do.  Without a flag, the library computes the
+// derivatives by differences and passes NULL for them.
+/// the function fills `gradient`
 pub const HRBFNPR_CUSTOM_HAS_GRADIENT: u32 = 1;
-/// else hessian is always NULL and differenced
+/// the function fills `hessian`
 pub const HRBFNPR_CUSTOM_HAS_HESSIAN: u32 = 2;
-/// may be called from several threads at once; else one calls at a time
+/// the function may run on several threads at the same time; else it runs on one at a time,
+/// on the thread that called the library
 pub const HRBFNPR_CUSTOM_THREAD_SAFE: u32 = 4;
 
-/// Any implicit function in place of a fit: every operator below works on it
-/// [NPAR 8].  It should be negative inside and of a gradient near 1 at the
-/// surface; it must be finite inside twice the bounds.  Where it is not, or its
-/// gradient is shorter than 1e-150 or longer than 1e150, no point is projected
-/// and no mark placed.  The bounds' diagonal is 1e-100 .. 1e100; they
-/// should fit the surface: tolerances, differences and the cells in which marks
-/// are placed are parts of the diagonal.
+/// An implicit function of the caller, in place of a fit [NPAR 8].
+///
+/// The function should be negative inside and have a gradient of a length near 1 at
+/// the surface.  It must be finite in a box twice as wide as the bounds.  Where it is
+/// not finite, or where its gradient is shorter than 1e-150 or longer than 1e150, no
+/// point is projected and no mark is placed.
+///
+/// The diagonal of the bounds must be from 1e-100 to 1e100.  Make the bounds fit the
+/// surface closely: tolerances, differences and the cells in which marks are placed
+/// are shares of the diagonal.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_custom_desc {
     pub struct_size: u32,
-    /// HRBFNPR_CUSTOM_..., or-ed; 0
+    /// HRBFNPR_CUSTOM_... flags, or-ed; default 0
     pub flags: u32,
+    /// the function; must be given
     pub function: hrbfnpr_implicit_fn,
+    /// passed to function and release
     pub user: *mut c_void,
-    /// may be NULL; called once, with the last reference, on the thread that releases it; not
-    /// called when creation fails
+    /// called once, on the thread that releases the last reference; NULL (default) = nothing to
+    /// do. It is not called if the model cannot be created
     pub release: Option<unsafe extern "C" fn(user: *mut c_void)>,
-    /// the box that the surface lies in
+    /// lower corner of the box that holds the surface
     pub bounds_min: [f64; 3],
+    /// upper corner of the box
     pub bounds_max: [f64; 3],
-    /// for differences; 0 = 1e-4 (Hessian 1e-3) of the diagonal
+    /// step of the differences, in the unit of the points; 0 or more; default 0 = 1e-4 diagonals
+    /// for gradients, 1e-3 for Hessians
     pub difference_step: f64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_custom_desc_init(
         desc: *mut hrbfnpr_custom_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Creates a model from a function of the caller.
+    ///
+    /// Errors: INVALID_ARGUMENT: no function, or bounds that span no box.
     pub fn hrbfnpr_model_create_custom(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_custom_desc,
         out_model: *mut *mut hrbfnpr_model,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference. Any thread.
     pub fn hrbfnpr_model_retain(model: *const hrbfnpr_model);
-    /// any thread; NULL is ignored
+    /// Removes a reference. Any thread.
     pub fn hrbfnpr_model_release(model: *const hrbfnpr_model);
 }
 
+/// What a fit found and did.  Lengths are in the unit of the points.  A custom model
+/// and a solid have bounds, kernel and bytes only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_model_info {
     pub struct_size: u32,
+    /// HRBFNPR_KERNEL_...: the one used
     pub kernel: u32,
+    /// the one used; -1 = none
     pub polynomial_degree: i32,
-    /// fits made to choose the centres; 0 if all samples are centres
+    /// number of fits that were made to choose the centres; 0 if all samples are centres
     pub choice_rounds: i32,
-    /// as given
+    /// number of samples as given
     pub samples: i64,
-    /// after merging, cleaning and choosing
+    /// number of centres, after merging, repairing and choosing
     pub centres: i64,
-    /// samples that were merged into another
+    /// number of samples that were merged into another one at the same place
     pub merged_samples: i64,
-    /// samples much nearer to another than the spacing, merged into it
+    /// number of samples that were merged into another one much nearer than the spacing
     pub near_duplicates: i64,
-    /// normals whose length was off 1 by more than 1e-4
+    /// number of normals whose length differed from 1 by more than 1e-4
     pub rescaled_normals: i64,
+    /// number of samples far from all others, or from the tangent planes around them
     pub outliers_found: i64,
+    /// number of these that were left out
     pub outliers_dropped: i64,
-    /// normals against those of their neighbours
+    /// number of normals that are opposite to those of their neighbours
     pub flipped_found: i64,
-    /// of these, dropped or turned round
+    /// number of these that were left out or turned round
     pub flipped_repaired: i64,
-    /// of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it
-    /// closes within a third of a diagonal around them
+    /// lower corner of the samples' box. For up to 20 000 samples along curves, the box also
+    /// holds the surface, if that closes within a third of a diagonal around the samples
     pub bounds_min: [f64; 3],
+    /// upper corner of the box
     pub bounds_max: [f64; 3],
     /// mean distance of a sample to its nearest neighbour
     pub spacing: f64,
-    /// as used
+    /// the one used; 0 for TRIHARMONIC
     pub kernel_radius: f64,
-    /// as used; of AUTO, that of the values
+    /// the one used; with AUTO, that of the values
     pub regularization: f64,
-    /// standard deviation of the samples off their surface, in units of the points; 0 if none is
-    /// seen, NaN if nobody asked (regularization GIVEN)
+    /// standard deviation of the samples from their surface; 0 if no noise is seen, NaN with
+    /// regularization GIVEN
     pub noise_estimate: f64,
-    /// max |f(x_i)|, in units of the points
+    /// largest |f(x_i)| at the centres
     pub value_residual_max: f64,
+    /// root mean square of |f(x_i)|
     pub value_residual_rms: f64,
-    /// max |grad f(x_i) - n_i|
+    /// largest |grad f(x_i) - n_i| at the centres
     pub gradient_residual_max: f64,
+    /// root mean square of |grad f(x_i) - n_i|
     pub gradient_residual_rms: f64,
-    /// of all samples but dropped ones from the surface, |f| / |grad f|
+    /// largest distance |f| / |grad f| of a sample from the surface; dropped ones do not count
     pub input_distance_max: f64,
+    /// root mean square of these distances
     pub input_distance_rms: f64,
-    /// share of all samples that lie within the tolerance; a dropped one counts as outside; NaN
-    /// with tolerance 0
+    /// share of all samples that lie within the tolerance; a dropped sample counts as outside;
+    /// NaN with tolerance 0
     pub input_share_within: f64,
-    /// the one used
+    /// HRBFNPR_SOLVER_...: the one used
     pub solver: u32,
-    /// HRBFNPR_SOLVER_REASON_...
+    /// HRBFNPR_SOLVER_REASON_...: why it was used
     pub solver_reason: u32,
-    /// refinement steps of DIRECT, steps of ITERATIVE
+    /// number of refinement steps of DIRECT, or of steps of ITERATIVE
     pub iterations: i32,
-    /// 1: the matrix was not definite and a pivoted LU was used
+    /// 1: the matrix was not definite, and LU with pivoting was used
     pub fallback: u32,
-    /// relative residual of the linear system, 2-norm
+    /// relative residual of the linear system, in the 2-norm
     pub solver_residual: f64,
-    /// DIRECT: of the matrix, 1-norm; ITERATIVE: of the preconditioned one, 2-norm
+    /// condition of the matrix in the 1-norm (DIRECT), or of the preconditioned matrix in the
+    /// 2-norm (ITERATIVE)
     pub condition_estimate: f64,
+    /// time of finding duplicates, outliers, flipped normals and noise
     pub seconds_clean: f64,
-    /// of all rounds but the last fit
+    /// time of all rounds that chose centres, without the last fit
     pub seconds_choose: f64,
+    /// time of reading the samples and assembling the matrix
     pub seconds_assemble: f64,
+    /// time of making the preconditioner
     pub seconds_precondition: f64,
+    /// time of solving
     pub seconds_solve: f64,
+    /// time of the whole fit
     pub seconds_total: f64,
-    /// kept by the model
+    /// memory that the model keeps
     pub bytes: i64,
-    /// most that the context's allocator had given out at a time, up to the fit's end
+    /// largest number of bytes allocated at the same time through the context, up to the fit's end
     pub peak_bytes: i64,
-    /// of a fit with a normal_mode: hrbfnpr_orient_info.found; GIVEN otherwise
+    /// hrbfnpr_orient_info.found, if the fit had a normal_mode; else GIVEN
     pub normals_found: u32,
-    /// 1: normals as given (normal_mode GIVEN) that all point into a closed surface
+    /// 1: the given normals (normal_mode GIVEN) all point into a closed surface
     pub normals_inward: u32,
     /// hrbfnpr_orient_info.turned
     pub normals_turned: i64,
     /// hrbfnpr_orient_info.confidence; NaN without a normal_mode
     pub normals_confidence: f64,
+    /// time of making the normals
     pub seconds_orient: f64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_model_info_init(
         info: *mut hrbfnpr_model_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Fills `info` with what is known of a model.
     pub fn hrbfnpr_model_get_info(
         model: *const hrbfnpr_model,
         info: *mut hrbfnpr_model_info,
@@ -1121,42 +1265,47 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// the centres; of a model of sheets places all over the surface, FLOAT64 x 3
+// The arrays of a model that hrbfnpr_model_view shows.
+/// FLOAT64 x 3: the centres; for a model of sheets, places all over the surface
 pub const HRBFNPR_MODEL_ATTRIBUTE_POSITION: u32 = 0;
-/// their unit normals, FLOAT64 x 3
+/// FLOAT64 x 3: the unit normals at these places
 pub const HRBFNPR_MODEL_ATTRIBUTE_NORMAL: u32 = 1;
-/// relative residual after each iteration of ITERATIVE, FLOAT64 x 1; empty after DIRECT or loading
+/// FLOAT64: the relative residual after each iteration of ITERATIVE; empty after DIRECT and
+/// after loading
 pub const HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY: u32 = 2;
 
 extern "C" {
-    /// A zero-copy view of the merged samples or of the last fit's residuals, valid while the model lives.
-    /// Empty for a custom model.
+    /// Gives a view of an array of the model, without a copy.  The view is valid while
+    /// the model lives.  It is empty for a custom model and a solid.
     pub fn hrbfnpr_model_view(
         model: *const hrbfnpr_model,
         attribute: u32,
         out_view: *mut hrbfnpr_array,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// f, grad f and the Hessian at n points.
-    /// points:   n x 3, FLOAT32 or FLOAT64, finite, and within 1e50 diagonals of the
-    ///           model's bounds, here and in _project and _curvature.
-    /// value:    n x 1, gradient: n x 3, hessian: n x 6 (xx xy xz yy yz zz), each
-    ///           FLOAT32 or FLOAT64, or NULL.  At a sample the Hessian leaves out
-    ///           that sample's own (direction-dependent, zero-mean) term.
-    /// A finite answer that does not fit into a FLOAT32 array, of whatever call, is
-    /// INVALID_ARGUMENT.  What a custom function itself gives (NaN, say) is passed on.
+    /// Evaluates f, its gradient and its Hessian at n points.
     ///
-    /// Preparing.  Where there are so many points that it pays, the first such call
-    /// of a model takes longer, to sum up what is far into polynomials, which the
-    /// model keeps (docs/accuracy.md: when, how long, how much memory; the log says
-    /// how much, and what values and gradients are off by, which is measured); after
-    /// that a point hardly costs more with more centres.  f is then within 1e-9
-    /// diagonals of the sum over all centres, its gradient within 1e-7; of rough,
-    /// uneven samples within 200 times that, 5000 where rounding leaves no more, or
-    /// all centres are summed.  What a call
-    /// gives depends on its n, in the last bits on whether Hessians are asked for,
-    /// never on calls before it.  _project, _curvature and
-    /// hrbfnpr_point_set_generate do the same.
+    /// points:      n x 3, FLOAT32 or FLOAT64; finite, and within 1e50 diagonals of the model's bounds
+    /// value:       receives n values, FLOAT32 or FLOAT64; may be NULL
+    /// gradient:    receives n x 3, FLOAT32 or FLOAT64; may be NULL
+    /// hessian:     receives n x 6, xx xy xz yy yz zz, FLOAT32 or FLOAT64; may be NULL.  At a
+    /// sample it leaves out the
+    ///              sample's own term, which depends on the direction and has the mean 0
+    /// operation:   may be NULL
+    ///
+    /// The first call with many points prepares the model for faster evaluation: it
+    /// takes longer, and the model keeps the prepared data (docs/accuracy.md gives the
+    /// threshold, the times and the memory).  Prepared values of f are within 1e-9
+    /// diagonals of the exact sum, gradients within 1e-7.  For rough, uneven samples the
+    /// errors may be 200 times as large, or 5000 times where rounding allows no less;
+    /// otherwise the exact sum is used.  The log gives the measured errors.  The bits of
+    /// a result depend on n, and in the last bits on whether Hessians are asked for, but
+    /// not on earlier calls.  hrbfnpr_model_project, hrbfnpr_model_curvature and
+    /// hrbfnpr_point_set_generate prepare the model in the same way.
+    ///
+    /// Errors: INVALID_ARGUMENT: a point is not finite or too far away, or a finite
+    /// result does not fit into a FLOAT32 array.  Non-finite values of a custom function
+    /// are passed on.
     pub fn hrbfnpr_model_evaluate(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
@@ -1168,64 +1317,74 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+// What became of a projected point.
+/// the point is on the surface, within the tolerance
 pub const HRBFNPR_PROJECTION_CONVERGED: u32 = 0;
-/// evaluation limit, or no step lowers f^2
+/// the evaluation limit was reached, or no step lowers f^2
 pub const HRBFNPR_PROJECTION_NOT_CONVERGED: u32 = 1;
-/// stuck at a critical point off the surface
+/// the point is stuck off the surface, where the gradient vanishes
 pub const HRBFNPR_PROJECTION_ZERO_GRADIENT: u32 = 2;
-/// f or its gradient was not finite, or the latter above 1e150
+/// f or its gradient is not finite, or the gradient is longer than 1e150
 pub const HRBFNPR_PROJECTION_NOT_FINITE: u32 = 3;
 
+/// How points are projected.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_project_desc {
     pub struct_size: u32,
-    /// of f at each point, 1 .. 1000; 50
+    /// largest number of evaluations of f for each point; 1 to 1000; default 50
     pub evaluation_limit: i32,
-    /// stop when |f| / |grad f| <= tolerance * diagonal; 1e-9
+    /// largest distance |f| / |grad f| from the surface at which the projection ends, in
+    /// diagonals; above 0; default 1e-9
     pub tolerance: f64,
-    /// sigma in (0, 0.5); 1e-4
+    /// sigma of Armijo's rule: the share of the expected decrease that a step must reach; between
+    /// 0 and 0.5; default 1e-4
     pub armijo_slope: f64,
-    /// beta in (0, 1); 0.5
+    /// beta of Armijo's rule: the factor by which a step is shortened; between 0 and 1; default 0.5
     pub armijo_factor: f64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_project_desc_init(
         desc: *mut hrbfnpr_project_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-/// Where _project puts its results: arrays of the caller's, each of n elements,
-/// or not given (all zero).
+/// The results of hrbfnpr_model_project: arrays of the caller with n elements each.
+/// An array that is all zero is not wanted.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_projection {
     pub struct_size: u32,
     pub reserved: u32,
-    /// n x 3, FLOAT32 or FLOAT64; may be the points themselves
+    /// n x 3, FLOAT32 or FLOAT64: the projected points; may be the memory of the points
     pub position: hrbfnpr_array_out,
-    /// n x 3, FLOAT32 or FLOAT64: the unit gradient
+    /// n x 3, FLOAT32 or FLOAT64: the unit gradients; 0 where there is none
     pub normal: hrbfnpr_array_out,
     /// n x 1, UINT8 or UINT32: HRBFNPR_PROJECTION_...
     pub status: hrbfnpr_array_out,
-    /// written: how many points converged
+    /// receives the number of points that converged
     pub converged: i64,
 }
 
 extern "C" {
+    /// Sets up the struct with no array given.
     pub fn hrbfnpr_projection_init(
         projection: *mut hrbfnpr_projection,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Projects n points on the surface by steepest descent on f^2 with Armijo's
-    /// rule, first step f^2's Newton step along the gradient [NPAR 4.2].
-    /// points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
-    /// Of models with creases, and where a bound on |grad f| is known, a point that
-    /// descent leaves off the surface is searched a surface for around it, in the
-    /// search box, with up to 2000 more evaluations.
-    /// A point that fails keeps its last iterate.
+    /// Projects n points onto the surface, by steepest descent on f^2 with Armijo's rule
+    /// [NPAR 4.2].  A point that fails keeps its last place; its status says why, and the
+    /// call succeeds.  For models with creases, and where a bound on |grad f| is known,
+    /// points that descent leaves off the surface are searched for the surface around
+    /// them, within the search box: this takes up to 2000 more evaluations for each.
+    ///
+    /// points:       n x 3, FLOAT32 or FLOAT64; as for hrbfnpr_model_evaluate
+    /// desc:         NULL = all defaults
+    /// projection:   the arrays that receive the results
+    /// operation:    may be NULL
     pub fn hrbfnpr_model_project(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
@@ -1236,35 +1395,41 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// Where _curvature puts its results: arrays of the caller's, each of n
-/// elements, FLOAT32 or FLOAT64, or not given (all zero).
+/// The results of hrbfnpr_model_curvature: arrays of the caller with n elements each,
+/// FLOAT32 or FLOAT64.  An array that is all zero is not wanted.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_curvature {
     pub struct_size: u32,
     pub reserved: u32,
-    /// n x 1: the larger principal curvature
+    /// n x 1: the larger principal curvature, in 1 / unit of length
     pub k1: hrbfnpr_array_out,
-    /// n x 1
+    /// n x 1: the smaller principal curvature
     pub k2: hrbfnpr_array_out,
-    /// n x 3: their directions, unit, orthogonal, tangent, of arbitrary sign
+    /// n x 3: the direction of k1: unit, tangent, of arbitrary sign
     pub d1: hrbfnpr_array_out,
+    /// n x 3: the direction of k2: unit, tangent, perpendicular to d1, of arbitrary sign
     pub d2: hrbfnpr_array_out,
-    /// n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), in [0,1]
+    /// n x 1: (k1 - k2) / (|k1| + |k2| + 1e-3/diagonal), from 0 to 1
     pub confidence: hrbfnpr_array_out,
 }
 
 extern "C" {
+    /// Sets up the struct with no array given.
     pub fn hrbfnpr_curvature_init(
         curvature: *mut hrbfnpr_curvature,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Principal curvatures and directions of the level set through each of n
-    /// points [NPAR 5.3; Kindlmann et al. 2003]: the tangent eigenpairs of
-    /// G = -P H P / |grad f|, P = I - n n^T.  k1 >= k2; a surface that bends away
-    /// from its normal (a sphere with outward normals) has negative curvature,
-    /// -1/radius.  The confidence is 0 at umbilics and on planes, where d1 and d2
-    /// fall back to a smooth field.  Where the gradient vanishes all are 0.
+    /// Computes the principal curvatures and directions of the level set through each of n
+    /// points: the tangent eigenpairs of G = -P H P / |grad f|, where P = I - n n^T
+    /// [NPAR 5.3; Kindlmann et al. 2003].  k1 >= k2.  A surface that bends away from its
+    /// normal has negative curvature: a sphere with outward normals has -1/radius.  At
+    /// umbilics and on planes the confidence is 0, and d1 and d2 follow a smooth field.
+    /// Where the gradient vanishes, all results are 0.
+    ///
+    /// points:      n x 3, FLOAT32 or FLOAT64; as for hrbfnpr_model_evaluate
+    /// curvature:   the arrays that receive the results
+    /// operation:   may be NULL
     pub fn hrbfnpr_model_curvature(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
@@ -1274,91 +1439,93 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// one hit or more
+// What became of a ray.
+/// it has one or several hits
 pub const HRBFNPR_RAY_HIT: u32 = 0;
-/// none
+/// it has no hit
 pub const HRBFNPR_RAY_MISS: u32 = 1;
-/// maximum_hits of 2 or more, and there is a further one
+/// it has more hits than maximum_hits, which is 2 or more
 pub const HRBFNPR_RAY_TRUNCATED: u32 = 2;
-/// given up on; what was found before is kept
+/// the search ended at the evaluation limit; earlier hits are kept
 pub const HRBFNPR_RAY_EVALUATION_LIMIT: u32 = 3;
-/// f or its gradient was not finite; what was found before is kept
+/// f or its gradient is not finite; earlier hits are kept
 pub const HRBFNPR_RAY_NOT_FINITE: u32 = 4;
 
+/// How rays are cast.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_cast_desc {
     pub struct_size: u32,
-    /// to find on a ray, 1 .. 256; 1: the first
+    /// largest number of hits to find on a ray; 1 to 256; default 1 = only the first one
     pub maximum_hits: i32,
-    /// of f on each ray, 1 .. 1000000; 20000
+    /// largest number of evaluations of f for each ray; 1 to 1000000; default 20000
     pub evaluation_limit: i32,
     pub reserved: u32,
-    /// where a ray begins and ends, in lengths of its direction: t_min finite, 0
+    /// where a ray begins, in lengths of its direction; finite; default 0
     pub t_min: f64,
-    /// not below t_min; infinity
+    /// where a ray ends, in lengths of its direction; t_min or more; default infinity
     pub t_max: f64,
-    /// bound on |grad f| in the search box; 0 = hrbfnpr_model_lipschitz's
+    /// a bound on |grad f| in the search box; 0 or more; default 0 = that of
+    /// hrbfnpr_model_lipschitz. A bound that is too small may miss hits; one that is too large
+    /// only takes time
     pub lipschitz: f64,
-    /// in diagonals, above 0, at most 0.1; 1e-4
+    /// smallest step along a ray, in diagonals; above 0, at most 0.1; default 1e-4. Smaller steps
+    /// find thinner sheets and take more time
     pub smallest_step: f64,
-    /// on the place of a hit along the ray, in diagonals, above 0; 1e-9
+    /// accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9
     pub tolerance: f64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_cast_desc_init(desc: *mut hrbfnpr_cast_desc, struct_size: u32) -> hrbfnpr_status;
 }
 
-/// Where _cast_rays puts its results: arrays of the caller's, each of n
-/// elements, or not given (all zero).  h = maximum_hits; of each ray its hits
-/// in order.
+/// The results of hrbfnpr_model_cast_rays: arrays of the caller with n elements each.
+/// An array that is all zero is not wanted.  h is maximum_hits; the hits of a ray are
+/// in the order of t.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_ray_hits {
     pub struct_size: u32,
     pub reserved: u32,
-    /// n x 1, UINT32: how many were found, 0 .. h
+    /// n x 1, UINT32: number of hits; 0 to h
     pub count: hrbfnpr_array_out,
-    /// n x h, FLOAT32 or FLOAT64; infinity after the last
+    /// n x h, FLOAT32 or FLOAT64: places of the hits, in lengths of the direction; infinity after
+    /// the last hit
     pub t: hrbfnpr_array_out,
-    /// n x 3h, FLOAT32 or FLOAT64: x y z of the first hit, then of the second ...; 0 after the
-    /// last. From far origins it is more exact than t, which is rounded
+    /// n x 3h, FLOAT32 or FLOAT64: x, y, z of the first hit, then of the second; 0 after the last
+    /// hit. For far origins it is more exact than t, which is rounded
     pub position: hrbfnpr_array_out,
-    /// n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last
+    /// n x 3h, FLOAT32 or FLOAT64: the unit gradients; 0 after the last hit
     pub normal: hrbfnpr_array_out,
-    /// n x h, UINT8: 1 where f goes from + to - along the ray, else 0
+    /// n x h, UINT8: 1 where the ray enters the inside (f changes from + to -), else 0
     pub entering: hrbfnpr_array_out,
     /// n x 1, UINT8 or UINT32: HRBFNPR_RAY_...
     pub status: hrbfnpr_array_out,
-    /// written: how many rays have a hit
+    /// receives the number of rays that have a hit
     pub hit_rays: i64,
 }
 
 extern "C" {
+    /// Sets up the struct with no array given.
     pub fn hrbfnpr_ray_hits_init(hits: *mut hrbfnpr_ray_hits, struct_size: u32) -> hrbfnpr_status;
-    /// Where n rays origin + t direction, t_min <= t <= t_max, meet the surface, by
-    /// steps that it cannot lie within [Hart 1996, "Sphere tracing"].
+    /// Finds where n rays origin + t direction, t_min <= t <= t_max, meet the surface in the
+    /// search box, by sphere tracing [Hart 1996].
     ///
-    /// The surface is looked for in the search box: the bounds, grown by 0.05
-    /// diagonals on every side.  From a place where f is known the next is |f| /
-    /// lipschitz away, but not less than smallest_step.  A change of sign between
-    /// two places brackets a hit, which Newton's method along the ray, safeguarded
-    /// by bisection, finds to the tolerance.  What changes no sign from one place to
-    /// the next is missed: grazing rays that are inside, and sheets that are thick,
-    /// for less than smallest_step.  So are hits that follow each other that
-    /// closely, in pairs.  A hit at the very ends of the range may or may not be
-    /// found.  A bound that is too small may miss more; a step that shows it to be
-    /// is taken back, and the bound raised for that ray.  One that is too large
-    /// costs time only.
+    /// The search may miss: two hits that are closer than smallest_step along the ray, such
+    /// as those of a grazing ray or a thin sheet; and a hit exactly at t_min or t_max.  A
+    /// ray that starts on the surface may or may not have a hit there: start beyond it, with
+    /// t_min.  Rays may start inside.
     ///
-    /// origins, directions: n x 3, FLOAT32 or FLOAT64, finite; directions of any
-    ///            length but zero, and not so short that the t of a hit is infinite.
-    ///            Rays may start inside.
-    /// desc may be NULL.  A ray that starts on the surface may or may not meet it
-    /// there: begin behind it, with t_min.  NaN, infinity, a direction of zero,
-    /// numbers of directions and origins that differ, and fields out of their range
-    /// are INVALID_ARGUMENT.
+    /// origins:      n x 3, FLOAT32 or FLOAT64, finite
+    /// directions:   n x 3, FLOAT32 or FLOAT64, finite, of any length but 0
+    /// desc:         NULL = all defaults
+    /// hits:         the arrays that receive the results
+    /// operation:    may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT: NaN, infinity, a zero direction, different counts of
+    /// origins and directions, or a direction so short that the t of a hit is infinite.
     pub fn hrbfnpr_model_cast_rays(
         model: *const hrbfnpr_model,
         origins: *const hrbfnpr_array,
@@ -1368,24 +1535,28 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The bound that _cast_rays takes where none is given: the largest |grad f| at
-    /// 24^3 points of the search box, times 1.5.  An estimate, and no proof; of a tree
-    /// of primitives (hrbfnpr_csg_info.lipschitz) a bound that holds.  A
-    /// program that casts few rays at a time asks for it once and passes it on:
-    /// otherwise each call evaluates those points.
+    /// Computes the bound on |grad f| that hrbfnpr_model_cast_rays uses if none is given.
+    /// For a solid of primitives it is a true bound (hrbfnpr_csg_info.lipschitz).  For other
+    /// models it is an estimate: 1.5 times the largest |grad f| at 24^3 points of the search
+    /// box.  A program that casts few rays in each call should ask for the bound once and
+    /// pass it on, because each call without it evaluates these points.
+    ///
+    /// lipschitz:   receives the bound
+    /// operation:   may be NULL
     pub fn hrbfnpr_model_lipschitz(
         model: *const hrbfnpr_model,
         lipschitz: *mut f64,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Which of n points lie inside the surface.
-    /// points: n x 3, FLOAT32 or FLOAT64, finite.
-    /// inside: n x 1, UINT8, or NULL: 1 where f < 0 and the point lies in the search
-    ///         box (the bounds, grown by 0.05 diagonals on every side), else 0.
-    ///         Beyond it, where f means nothing, it is not evaluated.
-    /// inside_count (nullable) gets the number of ones.
-    /// Of a surface with a border, which bounds nothing, it is the side that f says.
+    /// Tells which of n points lie inside the surface: f < 0, and within the search box.
+    /// Points beyond the box are outside; f is not evaluated there.  A surface with a border
+    /// bounds nothing: the result then tells the side by the sign of f.
+    ///
+    /// points:         n x 3, FLOAT32 or FLOAT64, finite
+    /// inside:         receives n x 1 UINT8: 1 inside, else 0; may be NULL
+    /// inside_count:   receives the number of points inside; may be NULL
+    /// operation:      may be NULL
     pub fn hrbfnpr_model_contains(
         model: *const hrbfnpr_model,
         points: *const hrbfnpr_array,
@@ -1396,41 +1567,48 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// How a surface is trimmed.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_trim_desc {
     pub struct_size: u32,
-    /// 0
+    /// must be 0
     pub reserved: u32,
-    /// of s, > 0; 1.5. The surface ends some 0.7 spacings beyond its last samples, with 3 some 0.9
+    /// the surface ends where s is above this; 0.001 to 1000; default 1.5. Larger values end it
+    /// later: 1.5 about 0.7 spacings beyond its last samples, 3 about 0.9
     pub limit: f64,
-    /// >= 0, diagonals; 0.05: holes that nowhere are farther from the samples stay closed
+    /// holes whose points are all within this distance of a sample stay closed, in diagonals; 0
+    /// or more; default 0.05. Larger values keep larger holes closed
     pub hole: f64,
-    /// 0 to 1, diagonals; 0: no spacing h_j is taken to be less. For samples that are much denser
-    /// than the surface is accurate, such as many points of a mesh: 0.01 leaves out what is more
-    /// than about 0.01 diagonals off them, and every part that is farther than `hole` from all of
-    /// them; with 0 such a part also needs a place where s is 6 and more
+    /// samples closer to each other than this are treated as this far apart, in diagonals; 0 to
+    /// 1; default 0. Use it for samples that are much denser than the surface is accurate, such
+    /// as many points of a mesh: 0.01 leaves out whatever is more than about 0.01 diagonals off
+    /// them, and every part that is somewhere farther than `hole` from all samples
     pub closest: f64,
-    /// FLOAT32 or FLOAT64, 3, finite: the samples; not given = the model's centres. All points of
-    /// a scan tell better than the centres chosen from them where it ends
+    /// N x 3, FLOAT32 or FLOAT64, finite: the samples; not given = the model's centres. All
+    /// points of a scan show better than the chosen centres where it ends
     pub points: hrbfnpr_array,
-    /// FLOAT32 or FLOAT64, 3: of `points`, as many, not 0, of any length; not given = the
-    /// surface's own there
+    /// N x 3, FLOAT32 or FLOAT64, of any length but 0: one normal for each of `points`; not given
+    /// = those of the centres, or of the surface at the given points
     pub normals: hrbfnpr_array,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_trim_desc_init(desc: *mut hrbfnpr_trim_desc, struct_size: u32) -> hrbfnpr_status;
-    /// The same model with a surface that ends where its samples do: marks, line sets
-    /// and rays of the new model do.  f, projections, curvatures and _contains are
-    /// those of `model`, which it keeps.  Trimming a trimmed model begins with the
-    /// whole one again.  A surface of which nothing is to be left out stays whole, and
-    /// what is made from it is bit for bit that of `model`.
-    /// desc NULL = defaults.  operation may be NULL.
-    /// Files of models hold where they end.
-    /// Errors: INVALID_ARGUMENT (a custom model without points), NOT_CONVERGED (no
-    /// part of the surface is near the samples; one sample has no spacing),
-    /// OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    /// Makes the same model with a surface that ends where its samples end.  Marks, line sets
+    /// and rays of the new model end there.  f, projections, curvatures and
+    /// hrbfnpr_model_contains stay those of `model`, which the new model keeps alive.
+    /// Trimming a trimmed model starts from the whole model.  If nothing is to be left out,
+    /// the surface stays whole, and all results are bit for bit those of `model`.  Files of
+    /// models store the trim.
+    ///
+    /// desc:        NULL = all defaults
+    /// operation:   may be NULL
+    ///
+    /// Errors: INVALID_ARGUMENT: the model is not a fit, and no points are given.
+    /// NOT_CONVERGED: no part of the surface is near the samples, or a single sample has no
+    /// spacing.
     pub fn hrbfnpr_model_trim(
         model: *const hrbfnpr_model,
         desc: *const hrbfnpr_trim_desc,
@@ -1440,28 +1618,32 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// What trimming left out.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_trim_info {
     pub struct_size: u32,
-    /// 1: the surface ends somewhere; 0: it is whole, and all else is 0 but samples, spacing
+    /// 1: the surface ends somewhere; 0: it is whole, and all fields but samples and spacing are 0
     pub is_trimmed: u32,
-    /// that tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told
+    /// number of samples that were looked at; 0 if trimming was not asked for, if the model is a
+    /// fit to a closed mesh, or if the end could not be found
     pub samples: i64,
-    /// of the surface, connected, that are left out
+    /// number of connected parts of the surface that are left out
     pub parts: i64,
-    /// of these, those that reach the end of the search box: the samples are open there
+    /// number of these that reach the end of the search box: the samples are open there
     pub parts_to_end: i64,
-    /// of the surface's area in the box that is left out, 0 to 1, within some percent
+    /// share of the surface's area in the box that is left out; 0 to 1; accurate to some percent
     pub share: f64,
-    /// place left out from the samples, units of the model
+    /// largest distance of a place that is left out from the samples, in the model's unit
     pub farthest: f64,
-    /// of the samples, the median of h_j
+    /// spacing of the samples: the median distance to the sixth neighbour
     pub spacing: f64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_trim_info_init(info: *mut hrbfnpr_trim_info, struct_size: u32) -> hrbfnpr_status;
+    /// Fills `info` with what the last trim of a model left out.
     pub fn hrbfnpr_model_get_trim_info(
         model: *const hrbfnpr_model,
         info: *mut hrbfnpr_trim_info,
@@ -1470,118 +1652,143 @@ extern "C" {
 }
 
 // --------------------------------------------------------------------------
-// Solids put together from others (constructive solid geometry): a tree of
-// unions, intersections and differences, with a crease where parts meet or with
-// a blend, whose leaves are primitives and models of any kind.  f is negative
-// inside, in units of length:
+// Solids (constructive solid geometry).  A solid is a tree of unions,
+// intersections, differences and other operations.  Its leaves are primitives and
+// models of any kind.  Where parts meet, there is a crease or a blend.  f is
+// negative inside and has units of length:
 //
 //   union          min(a, b)
 //   intersection   max(a, b)
 //   difference     max(a, -b): the first child without all others
 //   complement     -a
 //   offset         a - distance
-//   shell          max(a, -a - distance): what is less than `distance` inside
+//   shell          max(a, -a - distance): a wall of this thickness inside the surface
 //
-// Primitives lie about the origin and the z axis of their own coordinates; the
-// transforms of a node and of those above it put them where they are.  f of a
-// half-space, a sphere and a torus is the signed distance.  A box, a cylinder and a
-// cone are the largest of the distances from their sides: the distance inside,
-// and outside where a side is nearest; less beside edges and corners.
+// Primitives lie around the origin and along the z axis of their own coordinates.
+// The transforms of a node and of its parents move them to their places.  For a
+// half-space, a sphere and a torus f is the signed distance to the surface.  For a
+// box, a cylinder and a cone it is the largest of the distances from their sides:
+// the distance inside, and outside where one side is nearest; less beside edges
+// and corners.
 //
-// A blend rounds where parts meet, within its radius: where both are nearer than that to
-// their surfaces.  Children are blended one after the other, in their order.
-//   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b): twice
-//                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
-//                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
-//   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
-//                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
-//                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
+// A blend rounds the place where parts meet.  It acts where both parts are nearer
+// than the radius R to their surfaces.  Children are blended one after the other,
+// in their order.  For a union:
 //
-// A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
-// beyond it is outside, whatever its f is.  One that is a tree itself becomes part
-// of the new one, without bounds that were given for it.  A trimmed model bounds no
-// solid and is refused: fit it with trim NEVER.
+//   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b)
+//   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b)
+//
+// Exponent 0 is twice continuously differentiable everywhere; at a right angle it
+// begins at the distance R from the edge [after Barthe, Wyvill & de Groot 2004].
+// Exponent 2 gives an arc of radius R at a right angle, and larger exponents are
+// sharper [Ricci 1973].  Such a blend is smooth where f < R only, so do not offset
+// it by R or more; |grad f| may grow by the factor 2^(1/p).
+//
+// A model as a leaf ends at its search box: everything beyond is outside, whatever
+// f is there.  A leaf that is itself a solid becomes part of the new tree, and the
+// bounds that were given for it are ignored.  A trimmed model bounds no solid and is
+// refused: fit it with trim NEVER.
+//
+// The kinds of nodes are:
+/// everything inside any child
 pub const HRBFNPR_CSG_UNION: u32 = 0;
+/// everything inside all children
 pub const HRBFNPR_CSG_INTERSECTION: u32 = 1;
+/// the first child without all others
 pub const HRBFNPR_CSG_DIFFERENCE: u32 = 2;
-/// this and the next two: of one child
+/// everything outside its child; has one child
 pub const HRBFNPR_CSG_COMPLEMENT: u32 = 3;
-/// by `distance`: outward, or inward if negative. Exact where f is the distance
+/// its child, grown outward by `distance`, or inward if that is negative; has one child.
+/// Exact where f is the distance
 pub const HRBFNPR_CSG_OFFSET: u32 = 4;
-/// `distance` is its thickness: the surface stays, and has a wall inside
+/// its child as a hollow body with a wall of thickness `distance` inside the surface; has one child
 pub const HRBFNPR_CSG_SHELL: u32 = 5;
-/// this and those below have no children
+/// the field `model`; a leaf
 pub const HRBFNPR_CSG_MODEL: u32 = 6;
-/// z <= 0
+/// z <= 0; a leaf
 pub const HRBFNPR_CSG_HALF_SPACE: u32 = 7;
-/// of `size`, its middle at 0
+/// a box of the sides `size`, centred at the origin; a leaf
 pub const HRBFNPR_CSG_BOX: u32 = 8;
-/// of `radius` about 0
+/// a ball of `radius` around the origin; a leaf
 pub const HRBFNPR_CSG_SPHERE: u32 = 9;
-/// of `radius`, z from -height/2 to height/2
+/// a cylinder of `radius` around the z axis, z from -height/2 to height/2; a leaf
 pub const HRBFNPR_CSG_CYLINDER: u32 = 10;
-/// the same, its radius `radius` at the lower end and `second_radius` at the upper
+/// a cone around the z axis, z from -height/2 to height/2, with `radius` at the lower end and
+/// `second_radius` at the upper end; a leaf
 pub const HRBFNPR_CSG_CONE: u32 = 11;
-/// about z: a tube of `second_radius` around a circle of `radius`
+/// a tube of `second_radius` around a circle of `radius` around the z axis; a leaf
 pub const HRBFNPR_CSG_TORUS: u32 = 12;
 
-/// What a kind has no use for is not looked at.
+/// A node of a solid's tree.  Fields that its kind does not use are ignored.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_csg_node {
     pub struct_size: u32,
-    /// HRBFNPR_CSG_...; UNION
+    /// HRBFNPR_CSG_...; default UNION
     pub kind: u32,
-    /// the index of a node before this one; of the first, the root, -1; -1. Children are in the
-    /// order of the list
+    /// index of the parent, which comes earlier in the list; default -1 = none, for the first
+    /// node, which is the root. Children have the order of the list
     pub parent: i64,
-    /// of MODEL; kept
+    /// the model of MODEL, which the solid keeps alive; not trimmed
     pub model: *const hrbfnpr_model,
-    /// of all that is here and below, affine: a place here to one in the parent; the identity. It
-    /// may turn, mirror and stretch. Where it stretches unevenly lengths are measured by its
-    /// least stretch, so that |grad f| does not grow; the most may be 1e4 times the least
+    /// affine map from the node's coordinates to the parent's; default the identity. It applies
+    /// to the node and all below, and may turn, mirror and stretch. The largest stretch may be
+    /// 1e4 times the least. If it stretches unevenly, lengths are measured by the least stretch,
+    /// so that |grad f| does not grow
     pub transform: [f64; 16],
-    /// of BOX, > 0; 1
+    /// sides of BOX; above 0; default 1
     pub size: [f64; 3],
-    /// > 0; of CONE 0 or more, and one of both is not 0; 1
+    /// radius of SPHERE, CYLINDER, CONE and TORUS; above 0, but 0 or more for CONE, of which one
+    /// radius must be above 0; default 1
     pub radius: f64,
-    /// of CONE, 0 or more; of TORUS, > 0 and less than the radius; 0.5
+    /// upper radius of CONE, 0 or more; tube radius of TORUS, above 0 and below `radius`; default 0.5
     pub second_radius: f64,
-    /// of CYLINDER and CONE, > 0; 1
+    /// height of CYLINDER and CONE; above 0; default 1
     pub height: f64,
-    /// of OFFSET, finite; of SHELL, > 0; 0
+    /// growth of OFFSET, finite; wall thickness of SHELL, above 0; default 0
     pub distance: f64,
-    /// radius R of UNION, INTERSECTION and DIFFERENCE, 0 or more; 0 = a crease
+    /// radius R of the blend of UNION, INTERSECTION and DIFFERENCE; 0 or more; default 0 = a
+    /// crease. Larger values round more
     pub blend: f64,
-    /// of the blend: 0, or 2 .. 64; 0
+    /// exponent of the blend; 0, or 2 to 64; default 0. From 2 on, larger values are sharper
     pub exponent: f64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_csg_node_init(node: *mut hrbfnpr_csg_node, struct_size: u32) -> hrbfnpr_status;
 }
 
+/// A solid to make.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_csg_desc {
     pub struct_size: u32,
     pub reserved: u32,
-    /// a list: a tree of any depth. 1 .. 65536 nodes, counting those of trees that are leaves of this one
+    /// the list of nodes: a tree of any depth; 1 to 65536 nodes, with those of solids that are leaves
     pub nodes: *const hrbfnpr_csg_node,
+    /// number of nodes in the list
     pub node_count: i64,
+    /// bytes from one node to the next; 0 = the first one's struct_size
     pub node_stride: i64,
-    /// the box that the surface lies in: what is beyond is not seen. All 0 = found from the tree
+    /// lower corner of the box in which the surface is looked for; both corners all 0 (default) =
+    /// found from the tree
     pub bounds_min: [f64; 3],
+    /// upper corner of the box
     pub bounds_max: [f64; 3],
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_csg_desc_init(desc: *mut hrbfnpr_csg_desc, struct_size: u32) -> hrbfnpr_status;
-    /// Every operator works on the result; derivatives are those of what f is there.
-    /// It can be saved if its leaves can.  It keeps them, and is for as many threads at
-    /// a time as all of them are.
-    /// Errors: INVALID_ARGUMENT (also: the surface has no end, or there is none: give
-    /// bounds), UNSUPPORTED_STRUCT, OUT_OF_MEMORY.
+    /// Makes a solid.  Every function of this section works on it.  Derivatives are those of
+    /// the part that is active at a place.  A solid can be saved if its leaves can.  It keeps
+    /// its leaves alive.  It runs on several threads if all custom functions among its leaves
+    /// are thread-safe.
+    ///
+    /// Errors: INVALID_ARGUMENT: a node is wrong (the message gives its index); the surface
+    /// may have no end (intersect it with a box, or give bounds); nothing is left of the
+    /// solid.
     pub fn hrbfnpr_model_create_csg(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_csg_desc,
@@ -1590,42 +1797,54 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// What a solid is made of.  All fields are 0 for a model that is not a solid.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_csg_info {
     pub struct_size: u32,
     pub reserved: u32,
-    /// with those of trees that became part of it; 0: the model is no tree, and so is all else
+    /// number of nodes, with those of solids that became part of it
     pub nodes: i64,
-    /// nodes from the root to the deepest leaf, both counted
+    /// number of nodes from the root to the deepest leaf, both included
     pub depth: i64,
-    /// leaves that are models, each once
+    /// number of different models among the leaves
     pub models: i64,
-    /// smooth functions that it is made of: sides of primitives and of boxes that models end at;
-    /// a blend has one for each pair of those that it joins
+    /// number of smooth functions that it consists of: sides of primitives, sides of the boxes at
+    /// which models end, and one for each pair of those that a blend joins
     pub sheets: i64,
-    /// a bound on |grad f| that holds everywhere; 0: models have none that is known
+    /// a bound on |grad f| that holds everywhere; 0 if none is known, because leaves are models
     pub lipschitz: f64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_csg_info_init(info: *mut hrbfnpr_csg_info, struct_size: u32) -> hrbfnpr_status;
+    /// Fills `info` with what a solid is made of.
     pub fn hrbfnpr_model_get_csg_info(
         model: *const hrbfnpr_model,
         info: *mut hrbfnpr_csg_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Saving and loading.  The stream is little-endian, versioned and checksummed;
-    /// a loaded model evaluates to the same bits.  A custom model cannot be saved, nor
-    /// a tree with one in it (INVALID_ARGUMENT).  _save_memory: `*size` gets the bytes needed; a capacity
-    /// that is too small is BUFFER_TOO_SMALL and writes nothing else.
+    /// Saves a model to a stream.  The stream is little-endian, has a version and a
+    /// checksum, and is described in docs/file-format.md.  A loaded model evaluates to the
+    /// same bits.
+    ///
+    /// Errors: INVALID_ARGUMENT: a custom model, or a solid with one among its leaves, cannot
+    /// be saved.  IO: `write` failed.
     pub fn hrbfnpr_model_save(
         model: *const hrbfnpr_model,
         write: hrbfnpr_write_fn,
         user: *mut c_void,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// See [`hrbfnpr_model_save`].
+    /// Saves a model to memory.
+    ///
+    /// destination:   receives the stream; may be NULL if capacity is 0
+    /// capacity:      the size of destination in bytes, 0 or more
+    /// size:          receives the bytes that the stream needs; must be given
+    ///
+    /// Errors: those of hrbfnpr_model_save.  BUFFER_TOO_SMALL: capacity is below *size; only
+    /// *size is written.
     pub fn hrbfnpr_model_save_memory(
         model: *const hrbfnpr_model,
         destination: *mut c_void,
@@ -1633,7 +1852,10 @@ extern "C" {
         size: *mut i64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// See [`hrbfnpr_model_save`].
+    /// Loads a model from a stream.
+    ///
+    /// Errors: IO: `read` failed.  CORRUPT_DATA: the stream is no model, truncated or
+    /// damaged.  VERSION_MISMATCH: a newer library wrote it.
     pub fn hrbfnpr_model_load(
         context: *mut hrbfnpr_context,
         read: hrbfnpr_read_fn,
@@ -1641,7 +1863,8 @@ extern "C" {
         out_model: *mut *mut hrbfnpr_model,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// See [`hrbfnpr_model_save`].
+    /// Loads a model from `size` bytes of memory.  Errors: those of hrbfnpr_model_load,
+    /// without IO.
     pub fn hrbfnpr_model_load_memory(
         context: *mut hrbfnpr_context,
         data: *const c_void,
@@ -1653,84 +1876,87 @@ extern "C" {
 
 // 7  POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 
+/// A handle to a set of marks.  It never changes.
 #[repr(C)]
 pub struct hrbfnpr_point_set {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-// What the marks of a layer are.  More kinds may come: treat one that is not
-// in this list like OWN.
-/// in styles only: layers of every kind
+// The kind of a layer's marks.  Later versions may add kinds: treat an unknown one
+// like OWN.
+/// for styles only: layers of every kind
 pub const HRBFNPR_LAYER_KIND_ANY: u32 = 0;
 /// scattered marks
 pub const HRBFNPR_LAYER_KIND_STIPPLES: u32 = 1;
-/// lines along a field of directions, which `guide` or the caller's direction_function gives.
-/// BLUE_NOISE lays evenly spaced lines along the smoothest such field, nested: marks of level
-/// 0 are on the coarsest lines, and lines of each further level lie midway between all
-/// before; around a fork a line changes its level [Knoeppel et al. 2015]. PUBLISHED grows
-/// strokes from seeds, along the directions and across them [NPAR 5]
+/// lines along a field of directions, which `guide` or direction_function gives. With
+/// BLUE_NOISE they are evenly spaced and nested: lines of level 0 are the coarsest, and lines
+/// of each further level lie midway between all before [Knoeppel et al. 2015]. With PUBLISHED
+/// they are strokes that grow from seeds, along the directions and across them [NPAR 5]
 pub const HRBFNPR_LAYER_KIND_HATCH: u32 = 2;
-/// the caller's marks or strokes
+/// marks or strokes of the caller
 pub const HRBFNPR_LAYER_KIND_OWN: u32 = 3;
 
-/// Stipples evenly spread over the area in a progressive order, each prefix
-/// of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
-/// budget may be missed by some marks in a thousand where the surface bends
-/// within their spacing.  Lines of HATCH are evenly spaced and nested.
-/// The default.
+// How marks are distributed over a surface.
+/// stipples are evenly spread in a progressive order, every prefix of which is evenly spread;
+/// lines of HATCH are evenly spaced and nested; the default. Where the surface bends within
+/// the spacing of stipples, a layer may miss its budget by some marks in a thousand
+/// (docs/quality.md)
 pub const HRBFNPR_DISTRIBUTION_BLUE_NOISE: u32 = 0;
-/// The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
-/// drawn independently at random [NPAR 5, 6.2].
+/// the published recursion: each level has 5 times as many stipples, or 3 times as many marks
+/// of strokes, and ranks are random [NPAR 5, 6.2]
 pub const HRBFNPR_DISTRIBUTION_PUBLISHED: u32 = 1;
 
-// What the lines of HATCH follow where no direction_function is given.  Each guide is a
-// direction without a sign at every
-// place, and a confidence: where that is low, the smoothest field between decides.
-// PUBLISHED takes CURVATURE, COMBING
-// or a direction_function; another guide is INVALID_ARGUMENT.
-/// the direction in which the surface bends most, where it bends unevenly. PUBLISHED: strokes
-/// along both principal directions, d1 and d2
+// The directions that lines of HATCH follow without a direction_function.  Where the
+// directions have a low confidence, lines follow the smoothest field between.
+// PUBLISHED takes CURVATURE, COMBING or a direction_function; another guide is
+// INVALID_ARGUMENT.
+/// the direction in which the surface bends most. PUBLISHED: strokes along both principal
+/// directions, d1 and d2
 pub const HRBFNPR_HATCH_GUIDE_CURVATURE: u32 = 0;
 /// Stark's combing direction r. PUBLISHED: strokes along r and u [NPAR 5.3]
 pub const HRBFNPR_HATCH_GUIDE_COMBING: u32 = 1;
-/// the surface's sections by planes across `axis`
+/// sections of the surface by planes perpendicular to `axis`
 pub const HRBFNPR_HATCH_GUIDE_SECTIONS: u32 = 2;
 /// the tangent part of guide_direction, which points to the light
 pub const HRBFNPR_HATCH_GUIDE_LIGHT: u32 = 3;
-/// what is conjugate to guide_direction, which points to the eye: near where that grazes the
-/// surface lines run as the silhouette does
+/// the direction conjugate to guide_direction, which points to the eye: near the silhouette,
+/// lines run along it
 pub const HRBFNPR_HATCH_GUIDE_SILHOUETTE: u32 = 4;
 
-/// SAMPLES if the model has well-spread ones, else BOX
+// The seeds from which marks start.
+/// the samples, if the model has them (for PUBLISHED: well-spread ones), else BOX
 pub const HRBFNPR_SEED_AUTO: u32 = 0;
-/// the model's samples; INVALID_ARGUMENT for a custom model
+/// the model's samples; INVALID_ARGUMENT for a model without samples
 pub const HRBFNPR_SEED_SAMPLES: u32 = 1;
-/// jittered grid in the bounds, projected
+/// a jittered grid in the bounds, projected onto the surface
 pub const HRBFNPR_SEED_BOX: u32 = 2;
-/// seed_points, projected
+/// seed_points, projected onto the surface
 pub const HRBFNPR_SEED_POINTS: u32 = 3;
 
 // Where the strokes of PUBLISHED start.
-/// from the seeds
+/// at the seeds
 pub const HRBFNPR_STROKE_START_SEEDS: u32 = 0;
-/// from the stipples up to level start_level
+/// at the stipples up to level start_level
 pub const HRBFNPR_STROKE_START_STIPPLES: u32 = 1;
 
-/// as many stipples per area everywhere
+// How densely the stipples of BLUE_NOISE lie.
+/// the same number of stipples per area everywhere
 pub const HRBFNPR_DENSITY_UNIFORM: u32 = 0;
-/// more where the surface bends: 1 - s + s c / (c + mean of c), s = density_strength, c =
-/// sqrt((k1^2 + k2^2) / 2)
+/// more stipples where the surface bends: 1 - s + s c / (c + mean of c), where s is
+/// density_strength and c = sqrt((k1^2 + k2^2) / 2)
 pub const HRBFNPR_DENSITY_CURVATURE: u32 = 1;
-/// density_function
+/// the density of density_function
 pub const HRBFNPR_DENSITY_CALLBACK: u32 = 2;
 
-/// A density on the surface: fills density (count) from absolute positions and
-/// unit normals (count x 3 each), 1 where marks are to be densest, 0 where none
-/// are wanted; clamped to 1, negative or NaN is CALLBACK, and one that leaves no
-/// mark at all INVALID_ARGUMENT.  Called with some
-/// thousand places at a time, on the thread that called _generate.  Non-zero
-/// fails it with CALLBACK.
+/// Gives a density on the surface: 1 where marks lie closest, 0 where there are none.
+/// Larger numbers count as 1.  A negative number or NaN fails the call with CALLBACK, and
+/// so does a result other than 0.  A density without any mark is INVALID_ARGUMENT.  The
+/// function gets some thousand places at a time, on the thread that called _generate.
+///
+/// positions:   count x 3, absolute
+/// normals:     count x 3, unit
+/// density:     receives count numbers
 pub type hrbfnpr_density_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -1741,13 +1967,15 @@ pub type hrbfnpr_density_fn = Option<
     ) -> i32,
 >;
 
-/// A field of directions on the surface: fills directions (count x 3) from
-/// absolute positions and unit normals (count x 3 each).  A direction is taken
-/// into the tangent plane, its sign and length count nothing; where there is
-/// none it may be 0, 0, 0, and lines follow the smoothest field between
-/// those that there are.  NaN or infinity is CALLBACK.  Called with some
-/// thousand places at a time, on the thread that called _generate.  Non-zero
-/// fails it with CALLBACK.
+/// Gives a field of directions on the surface.  Only the tangent part of a direction
+/// counts; its sign and length do not.  (0, 0, 0) means no direction: lines follow the
+/// smoothest field between the others.  NaN or infinity fails the call with CALLBACK, and
+/// so does a result other than 0.  The function gets some thousand places at a time, on
+/// the thread that called _generate.
+///
+/// positions:    count x 3, absolute
+/// normals:      count x 3, unit
+/// directions:   receives count x 3
 pub type hrbfnpr_direction_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -1758,155 +1986,177 @@ pub type hrbfnpr_direction_fn = Option<
     ) -> i32,
 >;
 
-/// each layer's ranks cover all tones
+// The tones in which layers appear, if they have no tone range of their own.
+/// each layer covers all tones
 pub const HRBFNPR_TONE_RANGES_FULL: u32 = 0;
-/// one after the other in the order of the list, the first direction of a layer of strokes
-/// before the second, each over an equal part of the tones: cross-hatching builds up from
-/// light to dark
+/// the layers follow each other in the order of the list, each over an equal part of the
+/// tones (of PUBLISHED strokes the first direction, then the second): cross-hatching builds
+/// up from light to dark
 pub const HRBFNPR_TONE_RANGES_IN_TURN: u32 = 1;
 
-/// fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always do
+// What else is made for a layer.
+/// fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always have it
 pub const HRBFNPR_LAYER_WITH_CURVATURE: u32 = 1;
 
-/// How one layer is made.
+/// How one layer of marks is made.
 ///
-/// The darkness 1 - tau at which the first mark of the layer is shown is
-/// tone_begin, that at which all are tone_end: rank u becomes 1 - begin -
-/// (1 - u) (end - begin), 0 <= begin < end <= 1.  Both 0: as
-/// hrbfnpr_generate_desc.tone_ranges says.
+/// tone_begin is the darkness (1 - tone) at which the first mark of the layer is shown,
+/// tone_end the darkness at which all are shown: the rank u becomes
+/// 1 - begin - (1 - u) (end - begin), with 0 <= begin < end <= 1.  If both are 0,
+/// hrbfnpr_generate_desc.tone_ranges decides.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LAYER_KIND_STIPPLES or HATCH; STIPPLES
+    /// HRBFNPR_LAYER_KIND_STIPPLES or HATCH; default STIPPLES
     pub kind: u32,
-    /// UTF-8, 1 .. 63 bytes, copied; NULL = "stipples" or "hatch"
+    /// name for styles; UTF-8, 1 to 63 bytes, copied; default NULL = "stipples" or "hatch"
     pub name: *const c_char,
-    /// the most marks; at most 100000000 for BLUE_NOISE; 40000. 0 = no limit, for PUBLISHED and
-    /// for lines with a separation. PUBLISHED thins the level that exceeds it at random and stops
-    /// there; lines of BLUE_NOISE come near to it, and do not ask for it where they have a
-    /// separation. Not used with a shared_budget
+    /// largest number of marks; 0 or more, at most 100000000 for BLUE_NOISE; default 40000. 0 =
+    /// no limit, for PUBLISHED and for lines with a separation. PUBLISHED thins the level that
+    /// exceeds the budget at random and stops there. Lines of BLUE_NOISE have about this number
+    /// of marks, and ignore the budget if they have a separation. shared_budget replaces it
     pub budget: i64,
-    /// of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0
+    /// darkness at which the first mark is shown; 0 to 1; default 0. For PUBLISHED strokes, those
+    /// of the first direction
     pub tone_begin: f32,
+    /// darkness at which all marks are shown; 0 to 1; default 0
     pub tone_end: f32,
-    /// of PUBLISHED strokes of the second direction; 0 and 0
+    /// the same as tone_begin, for PUBLISHED strokes of the second direction; default 0
     pub second_tone_begin: f32,
+    /// the same as tone_end, for PUBLISHED strokes of the second direction; default 0
     pub second_tone_end: f32,
-    /// HRBFNPR_LAYER_WITH_...; 0
+    /// HRBFNPR_LAYER_WITH_... flags, or-ed; default 0
     pub flags: u32,
-    /// HRBFNPR_DENSITY_...; UNIFORM
+    /// HRBFNPR_DENSITY_...; default UNIFORM
     ///
-    /// Stipples of BLUE_NOISE, which keep their evenness: a mark is left out where its place in the
-    /// uniform order, divided by the density, is too high.
+    /// Stipples of BLUE_NOISE.  They keep their evenness: a mark is left out if its place in the uniform
+    /// order, divided by the density, is too high.
     pub density: u32,
-    /// of CURVATURE, 0 .. 1; 0.5
+    /// strength of CURVATURE; 0 to 1; default 0.5. 0 = uniform; larger values put more stipples
+    /// where the surface bends
     pub density_strength: f64,
-    /// for CALLBACK. Where its mean is below 1/16 of 1, fewer marks than the budget are made
+    /// the function of CALLBACK. If its mean is below 1/16, the layer has fewer marks than its budget
     pub density_function: hrbfnpr_density_fn,
+    /// passed to density_function
     pub density_user: *mut c_void,
-    /// NULL = by `guide`
+    /// the directions that lines follow; default NULL = those of `guide`
     ///
-    /// HATCH.  Lengths are in object units; separation and step are 0, or 1e-12 .. 1e9 diagonals.
+    /// HATCH.
     pub direction_function: hrbfnpr_direction_fn,
+    /// passed to direction_function
     pub direction_user: *mut c_void,
-    /// HRBFNPR_HATCH_GUIDE_...; CURVATURE
+    /// HRBFNPR_HATCH_GUIDE_...; default CURVATURE
     pub guide: u32,
-    /// HRBFNPR_STROKE_START_...; SEEDS
+    /// HRBFNPR_STROKE_START_...; default SEEDS
     ///
     /// HATCH of PUBLISHED.
     pub start: u32,
-    /// with STROKE_START_STIPPLES: the last stippling level used; 0
+    /// last level of stipples at which strokes start, with STROKE_START_STIPPLES; 0 to 12; default 0
     pub start_level: i32,
-    /// of stipples, too: refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which
-    /// then have 3^levels marks; -1
+    /// number of refinement steps, for stipples of PUBLISHED, too; 0 to 12; default -1 = 4 for
+    /// stipples, 3 for strokes. Strokes have 3^levels marks. A larger number gives longer strokes
+    /// and more stipples
     pub levels: i32,
-    /// mean distance of neighbouring lines; 0 = as many lines as make about the budget's marks
+    /// mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals;
+    /// default 0 = by the budget. Smaller values give more lines
     ///
     /// HATCH of BLUE_NOISE.
     pub separation: f64,
-    /// distance of the marks of a line; 0 = 0.4 of the separation
+    /// distance between the marks of a line, in the unit of the samples; 1e-12 to 1e9 diagonals;
+    /// default 0 = 0.4 of the separation
     pub step: f64,
-    /// by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0
+    /// angle by which lines are turned in the tangent plane, counter-clockwise as seen from
+    /// outside, in degrees; -360 to 360; default 0
     pub angle: f64,
-    /// of directions: the distance over which they are evened out; diagonals, > 0, 1 at most; 0.04
+    /// length over which directions are smoothed, in diagonals; 1e-6 to 1; default 0.04. Larger
+    /// values give calmer lines that follow the form less
     pub smoothing: f64,
-    /// where curvature says little lines run around this; not 0; (0, 1, 0)
+    /// axis around which lines run where curvature has a low confidence; not 0; default (0, 1, 0)
     pub axis: [f64; 3],
-    /// against curvature; >= 0; 0.06
+    /// weight of the axis against curvature; 0 to 1000; default 0.06. Larger values make more
+    /// lines run around the axis
     pub axis_weight: f64,
-    /// of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1)
+    /// direction to the light (LIGHT) or to the eye (SILHOUETTE), in the model's coordinates; not
+    /// 0; default (0, 0, 1)
     pub guide_direction: [f64; 3],
-    /// of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1. Lines are
-    /// blended as exp(2 i angle)
+    /// weight of a guide other than CURVATURE; curvature has the rest; 0 to 1; default 1.
+    /// Directions are blended as exp(2 i angle)
     pub guide_weight: f64,
-    /// over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
-    /// that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH of BLUE_NOISE, 0
-    /// for others; -1
+    /// length over which the attribute TONE_NORMAL is averaged, in diagonals; 0 to 0.1; 0 = none:
+    /// tone follows NORMAL; default -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others. Larger
+    /// values keep the grain of a rough surface out of the tone
     ///
-    /// Of all kinds.
+    /// All kinds.
     pub tone_smoothing: f64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_layer_desc_init(
         desc: *mut hrbfnpr_layer_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// The layers of marks to make.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_generate_desc {
     pub struct_size: u32,
-    /// HRBFNPR_DISTRIBUTION_...; BLUE_NOISE
+    /// HRBFNPR_DISTRIBUTION_...; default BLUE_NOISE
     pub distribution: u32,
-    /// a list; NULL and 0 = one layer of stipples
+    /// the list of layers; default NULL, with layer_count 0 = one layer of stipples
     pub layers: *const hrbfnpr_layer_desc,
+    /// number of layers; 0 to 65536; default 0
     pub layer_count: i64,
+    /// bytes from one layer to the next; 0 = the first one's struct_size
     pub layer_stride: i64,
-    /// the most marks of all layers together: each gets its part of the tones; 0 = each layer has
-    /// its own budget
+    /// largest number of marks of all layers together, which they share in proportion to the
+    /// lengths of their tone ranges; 0 or more; default 0 = each layer has its own budget
     pub shared_budget: i64,
-    /// HRBFNPR_TONE_RANGES_...; FULL
+    /// HRBFNPR_TONE_RANGES_...; default FULL
     pub tone_ranges: u32,
-    /// HRBFNPR_SEED_...; AUTO
+    /// HRBFNPR_SEED_...; default AUTO
     pub seed_source: u32,
-    /// for POINTS: n x 3, FLOAT32 or FLOAT64
+    /// n x 3, FLOAT32 or FLOAT64: the seeds of POINTS, within 1e4 diagonals of the bounds
     pub seed_points: hrbfnpr_array,
-    /// alpha: in cell sides, 0 .. 0.5; 0.25
+    /// alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default 0.25
     pub box_jitter: f64,
-    /// R: cells on the largest side, 1 .. 256; 8 [NPAR 4.2]
+    /// R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8 [NPAR
+    /// 4.2]. More cells give more seeds and miss fewer sheets
     pub box_resolution: u32,
     pub reserved: u32,
-    /// rho_0, 0 or 1e-12 .. 1e9 diagonals; 0 = voxel diameter for BOX, mean empty-ball diameter
-    /// of the seeds for others [NPAR 5.1]. PUBLISHED only
+    /// rho_0: first step of PUBLISHED, in the unit of the samples; 1e-12 to 1e9 diagonals;
+    /// default 0 = the diameter of a cell for BOX, the mean diameter of empty balls between the
+    /// seeds for others [NPAR 5.1]
     pub initial_step: f64,
-    /// as in hrbfnpr_project_desc; 1e-7
+    /// as in hrbfnpr_project_desc; above 0; default 1e-7
     pub projection_tolerance: f64,
-    /// any number; 1
+    /// start of the random numbers; any number; default 1. Another number gives other marks
     pub random_seed: u64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_generate_desc_init(
         desc: *mut hrbfnpr_generate_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Places marks on the surface.  desc may be NULL, operation may be NULL.
-    /// Marks whose projection fails or strays are dropped and counted
-    /// (hrbfnpr_placement_info); a set whose seeds are all dropped is an error
-    /// (NOT_CONVERGED), and so is one whose marks are, or that no stroke of a given
-    /// separation or step fits into.
+    /// Places marks on the surface of a model.  Marks whose projection fails or lands too far
+    /// away are dropped and counted (hrbfnpr_placement_info).
     ///
-    /// Sizes.  Marks are float: the diagonal of the model's bounds must be 1e-33 ..
-    /// 1e33, in whatever unit.  Beyond 1e-9 .. 1e9 the marks of a model that is
-    /// scaled by a power of two are the same ones, scaled; a curvature that does not
-    /// fit a float is the largest that does.  Custom bounds may be up to 500 times
-    /// as wide as the surface, seed_points within 1e4 diagonals of the bounds.
-    /// Everything else is INVALID_ARGUMENT, and so is a budget that is too large,
-    /// before any mark is placed.
-    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, NOT_CONVERGED, CANCELLED, CALLBACK.
+    /// desc:        NULL = all defaults
+    /// operation:   may be NULL
+    ///
+    /// Sizes.  Marks are stored as floats, so the diagonal of the model's bounds must be from
+    /// 1e-33 to 1e33.  Scaling a model by a power of two scales its marks if the diagonal is
+    /// beyond 1e-9 to 1e9; curvatures that do not fit into a float become the largest float.
+    /// The bounds of a custom model may be up to 500 times as wide as its surface.
+    ///
+    /// Errors: INVALID_ARGUMENT, before any mark is placed: a size or a budget is out of its
+    /// range.  NOT_CONVERGED: no seed or no mark could be placed, or no stroke has room with the
+    /// given separation or step.  CALLBACK: a density or direction function failed.
     pub fn hrbfnpr_point_set_generate(
         context: *mut hrbfnpr_context,
         model: *const hrbfnpr_model,
@@ -1917,148 +2167,163 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// What is known of each mark of a layer, and of each of its S strokes.
-/// FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin
+// The arrays of a layer, with one element for each mark or for each of its S strokes.
+/// FLOAT32 x 3: the place, relative to hrbfnpr_point_set_info.origin
 pub const HRBFNPR_MARK_ATTRIBUTE_POSITION: u32 = 0;
-/// FLOAT32 x 3, unit, outward
+/// FLOAT32 x 3: the normal; unit, outward
 pub const HRBFNPR_MARK_ATTRIBUTE_NORMAL: u32 = 1;
-/// FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2]
+/// FLOAT32 x 3: the direction along the stroke; unit, tangent. For a mark without a stroke:
+/// the u of its basis [NPAR 5.2]
 pub const HRBFNPR_MARK_ATTRIBUTE_DIRECTION: u32 = 2;
-/// FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature)
+/// FLOAT32 x 3: k1, k2 and confidence, as hrbfnpr_model_curvature gives them
 pub const HRBFNPR_MARK_ATTRIBUTE_CURVATURE: u32 = 3;
-/// FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a
-/// line of BLUE_NOISE have the same
+/// FLOAT32: the rank u of [NPAR 6.2], in [0, 1): a mark is shown where u >= tone. All marks
+/// of a line of BLUE_NOISE have the same rank
 pub const HRBFNPR_MARK_ATTRIBUTE_RANK: u32 = 4;
-/// UINT8: the refinement step that placed it, 0 = a seed. HATCH of BLUE_NOISE: see
-/// HRBFNPR_LAYER_KIND_HATCH
+/// UINT8: the refinement step that placed the mark; 0 = a seed. For HATCH of BLUE_NOISE: the
+/// level of its line there (see HRBFNPR_LAYER_KIND_HATCH)
 pub const HRBFNPR_MARK_ATTRIBUTE_LEVEL: u32 = 5;
 /// UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's place along it.
-/// PUBLISHED: the number is the seed's, places are 0 .. 3^levels - 1, the seed in the middle.
-/// Else 0 .. n - 1 from end to end. For a mark of no stroke: 2 * its number (PUBLISHED: its
-/// seed's), and 0
+/// PUBLISHED: the number is that of the seed, and places are 0 to 3^levels - 1 with the seed
+/// in the middle. Others: places are 0 to n - 1 from end to end. For a mark without a stroke:
+/// 2 * its number (PUBLISHED: of its seed), and 0
 pub const HRBFNPR_MARK_ATTRIBUTE_STROKE: u32 = 6;
-/// FLOAT32, relative, in (0,1]: 1 in the middle of a stroke, less towards its tapered ends.
-/// The ink of front marks has this much of the style's radius. Count 0 = all 1
+/// FLOAT32: the width as a factor of the style's radius, in (0, 1]; 1 in the middle of a
+/// stroke, less towards its tapered ends; for front marks. Count 0 = all 1
 pub const HRBFNPR_MARK_ATTRIBUTE_WIDTH: u32 = 7;
-/// UINT32, S + 1 elements: stroke s has the marks order[first[s]] .. order[first[s + 1] - 1]
-/// from end to end, order being STROKE_ORDER. Count 0 = a layer without strokes
+/// UINT32, S + 1 elements: stroke s has the marks order[first[s]] to order[first[s + 1] - 1]
+/// from end to end, where order is STROKE_ORDER. Count 0 = a layer without strokes
 pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_FIRST: u32 = 8;
-/// UINT32: numbers of marks, stroke by stroke. Count 0 = the marks stand stroke by stroke
-/// already: every layer but those of PUBLISHED
+/// UINT32: numbers of marks, stroke by stroke. Count 0 = the marks themselves are in this
+/// order, as in every layer except those of PUBLISHED
 pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: u32 = 9;
-/// FLOAT32 x 3, unit: the normal that tone goes by with DEPTH_LAYERS, averaged over
-/// hrbfnpr_layer_desc.tone_smoothing of the same sheet. What faces the eye goes by NORMAL.
-/// Count 0 = NORMAL
+/// FLOAT32 x 3: the unit normal that sets the tone with DEPTH_LAYERS, averaged over
+/// hrbfnpr_layer_desc.tone_smoothing on the same sheet. NORMAL decides whether the mark faces
+/// the eye. Count 0 = NORMAL
 pub const HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: u32 = 10;
 
-/// A layer of ready-made marks.  Types and components as in the list above,
-/// FLOAT64 accepted for FLOAT32.  position and normal are needed, the others
-/// may be left empty.
+/// A layer of N ready-made marks.  position and normal must be given; the other arrays may be
+/// empty.  Scalars are those of HRBFNPR_MARK_ATTRIBUTE_POSITION and the like; FLOAT64 is
+/// accepted for FLOAT32.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_arrays {
     pub struct_size: u32,
-    /// HRBFNPR_LAYER_KIND_... but ANY; OWN
+    /// HRBFNPR_LAYER_KIND_..., except ANY; default OWN
     pub kind: u32,
-    /// UTF-8, 1 .. 63 bytes, copied; NULL = as in hrbfnpr_layer_desc, "own" for OWN
+    /// name for styles; UTF-8, 1 to 63 bytes, copied; default NULL = that of the kind
     pub name: *const c_char,
-    /// absolute, not relative to an origin
+    /// absolute places, not relative to an origin; N x 3
     pub position: hrbfnpr_array,
-    /// unit, outward
+    /// outward normals of any length but 0; N x 3
     pub normal: hrbfnpr_array,
-    /// UINT32, S + 1 elements, rising from 0 to the number of marks: stroke s has the marks
-    /// first[s] .. first[s + 1] - 1 from end to end. Empty = no strokes
+    /// UINT32, S + 1 elements that rise from 0 to N: stroke s has the marks first[s] to first[s +
+    /// 1] - 1 from end to end. Empty = no strokes
     pub stroke_first: hrbfnpr_array,
-    /// UINT8, S elements: 0 the first direction, 1 the second. Empty = 0
+    /// UINT8, S elements: 0 = the first direction, 1 = the second. Empty = 0
     pub stroke_direction: hrbfnpr_array,
-    /// empty = along the stroke; of a mark of none its basis
+    /// directions of any length, not along the normal; N x 3. Empty = along the stroke, or the u
+    /// of the basis for a mark without a stroke
     pub direction: hrbfnpr_array,
-    /// empty = not known
+    /// k1, k2 and confidence; N x 3. Empty = not known
     pub curvature: hrbfnpr_array,
-    /// empty = random, the same for all marks of a stroke
+    /// ranks in [0, 1); N x 1. Empty = random, the same for all marks of a stroke
     pub rank: hrbfnpr_array,
-    /// empty = 0
+    /// refinement steps, UINT8; N x 1. Empty = 0
     pub level: hrbfnpr_array,
-    /// in (0,1]; empty = 1
+    /// widths in (0, 1]; N x 1. Empty = 1
     pub width: hrbfnpr_array,
 }
 
 extern "C" {
+    /// Sets every field to its default; no array is given.
     pub fn hrbfnpr_layer_arrays_init(
         arrays: *mut hrbfnpr_layer_arrays,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// A set of ready-made marks to make.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_point_set_desc {
     pub struct_size: u32,
     pub reserved: u32,
-    /// its layers come first; NULL = none. Copied
+    /// a set whose layers come first, copied; default NULL = none
     pub base: *const hrbfnpr_point_set,
-    /// a list: the layers that follow
+    /// the list of layers that follow
     pub layers: *const hrbfnpr_layer_arrays,
+    /// number of layers in the list; 0 to 65536; default 0
     pub layer_count: i64,
+    /// bytes from one layer to the next; 0 = the first one's struct_size
     pub layer_stride: i64,
-    /// for ranks that are not given; 1
+    /// start of the random numbers for ranks that are not given; any number; default 1
     pub random_seed: u64,
 }
 
 extern "C" {
+    /// Sets every field to its default.
     pub fn hrbfnpr_point_set_desc_init(
         desc: *mut hrbfnpr_point_set_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// A set of the caller's marks, or of another set's layers and the caller's.
-    /// They are 1e-33 .. 1e33 across, or at one place.  A set with a base keeps its
-    /// origin, distribution and area: the spacing is smaller only where a new layer
-    /// has more marks than all before.
-    /// Errors: INVALID_ARGUMENT naming the layer, the array and the index,
-    /// OUT_OF_MEMORY.
+    /// Creates a point set from marks of the caller, or from the layers of another set and marks
+    /// of the caller.  The marks must be from 1e-33 to 1e33 across, or all at one place.  A set
+    /// with a base keeps the base's origin and distribution.  It keeps its spacing, too, unless
+    /// a new layer has more marks than each layer before: the same area then holds more marks.
+    ///
+    /// Errors: INVALID_ARGUMENT: there is no mark, or a number is wrong; the message names the
+    /// layer, the array and the index.
     pub fn hrbfnpr_point_set_create(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_point_set_desc,
         out_point_set: *mut *mut hrbfnpr_point_set,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference. Any thread.
     pub fn hrbfnpr_point_set_retain(set: *const hrbfnpr_point_set);
-    /// any thread; NULL is ignored
+    /// Removes a reference. Any thread.
     pub fn hrbfnpr_point_set_release(set: *const hrbfnpr_point_set);
 }
 
+/// What a point set holds, and how long it took.  Lengths are in the unit of the samples.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_point_set_info {
     pub struct_size: u32,
+    /// HRBFNPR_DISTRIBUTION_...: the one used
     pub distribution: u32,
-    /// the one used
+    /// the seed source used
     pub seed_source: u32,
     pub reserved: u32,
-    /// how many
+    /// number of layers
     pub layers: i64,
-    /// in all layers
+    /// number of marks in all layers
     pub marks: i64,
-    /// add to POSITION
+    /// add it to the attribute POSITION to get absolute places
     pub origin: [f64; 3],
-    /// of all marks, absolute
+    /// lower corner of the box around all marks, absolute
     pub bounds_min: [f64; 3],
+    /// upper corner of the box
     pub bounds_max: [f64; 3],
-    /// sqrt(area per mark) of the largest layer, estimated: what a frame uses as the size of a
-    /// mark's piece of surface
+    /// square root of the area per mark of the largest layer, estimated. A frame takes it as the
+    /// size of a mark's piece of surface
     pub spacing: f64,
+    /// time of finding the seeds
     pub seconds_seeds: f64,
+    /// time of the whole call
     pub seconds_total: f64,
-    /// kept by the set
+    /// memory that the set keeps
     pub bytes: i64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_point_set_info_init(
         info: *mut hrbfnpr_point_set_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Fills `info` with what a point set holds.
     pub fn hrbfnpr_point_set_get_info(
         set: *const hrbfnpr_point_set,
         info: *mut hrbfnpr_point_set_info,
@@ -2066,33 +2331,37 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// What a layer holds.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_info {
     pub struct_size: u32,
     /// HRBFNPR_LAYER_KIND_...
     pub kind: u32,
-    /// UTF-8, always terminated
+    /// the layer's name; UTF-8, zero-terminated
     pub name: [c_char; 64],
+    /// number of marks
     pub marks: i64,
-    /// 0: its marks form none
+    /// number of strokes that the marks form; 0 = none
     pub strokes: i64,
-    /// what `marks` would be if nothing had been dropped
+    /// number of marks that there would be if none had been dropped
     pub full_count: i64,
-    /// refinement steps taken; HATCH of BLUE_NOISE: the highest level
+    /// number of refinement steps taken; for HATCH of BLUE_NOISE the highest level
     pub levels: i32,
     pub reserved: u32,
-    /// initial step rho_0 used; HATCH of BLUE_NOISE: the separation
+    /// initial step rho_0 used, in the unit of the samples; for HATCH of BLUE_NOISE the separation
     pub step: f64,
+    /// time of making the layer
     pub seconds: f64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_layer_info_init(
         info: *mut hrbfnpr_layer_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// layer: 0 .. hrbfnpr_point_set_info.layers - 1.
+    /// Fills `info` with what a layer holds.  layer: 0 to hrbfnpr_point_set_info.layers - 1.
     pub fn hrbfnpr_point_set_get_layer_info(
         set: *const hrbfnpr_point_set,
         layer: i64,
@@ -2101,37 +2370,42 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// What became of candidates for marks: attempted = placed + all dropped.
+/// What became of the candidates for marks: attempted = placed + all dropped.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_placement_info {
     pub struct_size: u32,
     pub reserved: u32,
+    /// number of candidates
     pub attempted: i64,
+    /// number of candidates that became marks
     pub placed: i64,
-    /// projection ended short of the tolerance
+    /// number of candidates whose projection did not reach the tolerance
     pub dropped_not_converged: i64,
-    /// landed farther away than a cell diagonal or the step, or beyond the end of a trimmed
-    /// model; or cut off the rest of its stroke by one that was dropped
+    /// number of candidates that landed farther away than a cell's diagonal or the step, lie
+    /// beyond the end of a trimmed model, or lost the connection to their stroke because a mark
+    /// between was dropped
     pub dropped_strayed: i64,
-    /// zero gradient or not finite
+    /// number of candidates where the gradient is 0 or not finite
     pub dropped_degenerate: i64,
-    /// over the layer's budget
+    /// number of candidates over the layer's budget
     pub dropped_budget: i64,
 }
 
 extern "C" {
+    /// Clears the struct before its first use.
     pub fn hrbfnpr_placement_info_init(
         info: *mut hrbfnpr_placement_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Of the seeds.
+    /// Fills `info` with what became of the seeds.
     pub fn hrbfnpr_point_set_get_seed_placement(
         set: *const hrbfnpr_point_set,
         info: *mut hrbfnpr_placement_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Of one level of one layer; level: 0 .. hrbfnpr_layer_info.levels.
+    /// Fills `info` with what became of the candidates of one level of one layer.
+    /// level: 0 to hrbfnpr_layer_info.levels.
     pub fn hrbfnpr_point_set_get_placement(
         set: *const hrbfnpr_point_set,
         layer: i64,
@@ -2139,9 +2413,9 @@ extern "C" {
         info: *mut hrbfnpr_placement_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// A zero-copy view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer,
-    /// valid while the set lives.  An empty layer, or an attribute that it has not,
-    /// gives count 0.
+    /// Gives a view of one attribute (HRBFNPR_MARK_ATTRIBUTE_...) of one layer, without a copy.
+    /// The view is valid while the set lives.  Its count is 0 for an empty layer, and for an
+    /// attribute that the layer does not have.
     pub fn hrbfnpr_point_set_view(
         set: *const hrbfnpr_point_set,
         layer: i64,
@@ -2149,12 +2423,17 @@ extern "C" {
         out_view: *mut hrbfnpr_array,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The visual feedback for choosing the initial step [NPAR 5.1, Figure 5]:
-    /// `patch_count` squares of side 2 * initial_step in tangent planes of randomly
-    /// chosen seeds.  corners: patch_count x 12 (four corners, counter-clockwise
-    /// seen from outside), FLOAT32 or FLOAT64, absolute.  The seeds and, if
-    /// desc->initial_step is 0, the estimate are those that _generate with the same
-    /// desc would use; *step (nullable) gets the step.  desc may be NULL.
+    /// Makes squares that show how large the initial step of PUBLISHED is [NPAR 5.1, Figure 5].
+    /// Each square has sides of 2 * initial_step and lies in the tangent plane of a random seed.
+    /// The seeds, and the estimate if initial_step is 0, are those that
+    /// hrbfnpr_point_set_generate uses with the same desc.
+    ///
+    /// desc:        NULL = all defaults
+    /// corners:     receives n x 12, FLOAT32 or FLOAT64: four corners for each square, absolute,
+    /// counter-clockwise as seen
+    ///              from outside
+    /// step:        receives the initial step; may be NULL
+    /// operation:   may be NULL
     pub fn hrbfnpr_point_set_step_patches(
         context: *mut hrbfnpr_context,
         model: *const hrbfnpr_model,
@@ -2164,14 +2443,18 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// As for models.
+    /// Saves a point set to a stream, like hrbfnpr_model_save.
+    ///
+    /// Errors: IO: `write` failed.
     pub fn hrbfnpr_point_set_save(
         set: *const hrbfnpr_point_set,
         write: hrbfnpr_write_fn,
         user: *mut c_void,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// See [`hrbfnpr_point_set_save`].
+    /// Saves a point set to memory, like hrbfnpr_model_save_memory.
+    ///
+    /// Errors: BUFFER_TOO_SMALL: capacity is below *size; only *size is written.
     pub fn hrbfnpr_point_set_save_memory(
         set: *const hrbfnpr_point_set,
         destination: *mut c_void,
@@ -2179,7 +2462,10 @@ extern "C" {
         size: *mut i64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// See [`hrbfnpr_point_set_save`].
+    /// Loads a point set from a stream.
+    ///
+    /// Errors: IO: `read` failed.  CORRUPT_DATA: the stream is no point set, truncated or
+    /// damaged.  VERSION_MISMATCH: a newer library wrote it.
     pub fn hrbfnpr_point_set_load(
         context: *mut hrbfnpr_context,
         read: hrbfnpr_read_fn,
@@ -2187,7 +2473,8 @@ extern "C" {
         out_point_set: *mut *mut hrbfnpr_point_set,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// See [`hrbfnpr_point_set_save`].
+    /// Loads a point set from `size` bytes of memory.  Errors: those of
+    /// hrbfnpr_point_set_load, without IO.
     pub fn hrbfnpr_point_set_load_memory(
         context: *mut hrbfnpr_context,
         data: *const c_void,
