@@ -383,7 +383,7 @@ HRBFNPR_API void hrbfnpr_context_release(hrbfnpr_context* context); /* Removes a
 typedef struct hrbfnpr_context_info {
     uint32_t struct_size;
     int32_t thread_count;     /* number of threads that a large call uses */
-    uint32_t instruction_set; /* the one in use */
+    uint32_t instruction_set; /* the instruction set in use */
     uint32_t thread_backend;  /* HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL */
     int64_t bytes_now;  /* bytes that are allocated through this context now */
     int64_t bytes_peak; /* the largest number of bytes that were ever allocated at the same time */
@@ -516,8 +516,8 @@ enum {
 /* Whether a fitted surface ends where its samples end (see hrbfnpr_model_trim). */
 enum {
     HRBFNPR_TRIM_NEVER = 0, /* the surface goes on to the end of the search box */
-    HRBFNPR_TRIM_AUTO = 1   /* an open surface ends where all given samples end, not only the chosen centres.  A closed
-                               surface stays whole, and so does one of fewer than ten samples.
+    HRBFNPR_TRIM_AUTO = 1   /* an open surface ends where the given samples end (all of them, not only the chosen
+                               centres).  A closed surface stays whole, and so does one of fewer than ten samples.
                                hrbfnpr_model_get_trim_info says what was done */
 };
 
@@ -564,9 +564,9 @@ typedef struct hrbfnpr_fit_desc {
     hrbfnpr_array points;    /* N x 3, FLOAT32 or FLOAT64: the places of the samples */
     hrbfnpr_array normals;   /* N x 3, FLOAT32 or FLOAT64: outward normals of any length; normal_mode may say
                                 otherwise */
-    double kernel_radius;    /* radius of GAUSSIAN and WENDLAND_C2, in the unit of the points; 0 or more; default 0 =
-                                from the sample spacing.  A larger radius fills larger gaps, but makes the system worse
-                                conditioned */
+    double kernel_radius;    /* radius of GAUSSIAN and WENDLAND_C2, in the unit of the points; 0 or more; default
+                                0 = from the sample spacing.  A larger radius fills larger gaps, but makes the system
+                                worse conditioned */
     int32_t polynomial_degree; /* degree of the polynomial that is added to the kernels; -1 (none) to 3; default 1.
                                   TRIHARMONIC is well-posed from 1 on [Duchon 1977]; below that the fit may fail with
                                   SINGULAR_SYSTEM */
@@ -619,10 +619,10 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrb
  * be wrong.  docs/fitting.md explains the method.
  *
  * Outward.  For a closed surface, outward is the side that it does not enclose.
- * For an open surface it is the convex side, if the surface encloses one side more
- * than the other.  For other surfaces, such as a terrain, it is the side of `up`,
- * or of the viewpoint if that is given.  A closed surface inside another one bounds
- * a hole: its normals point into the hole.
+ * For an open surface it is the side that the viewpoint sees, if one is given; else
+ * the convex side, if the surface encloses one side more than the other; else, as for
+ * a terrain, the side of `up`.  A closed surface inside another one bounds a hole: its
+ * normals point into the hole.
  *
  * Points that coincide (within 1/100 of the spacing) get the same normal. */
 typedef struct hrbfnpr_orient_desc {
@@ -632,11 +632,11 @@ typedef struct hrbfnpr_orient_desc {
     hrbfnpr_array points;  /* N x 3, FLOAT32 or FLOAT64 */
     hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length; a zero normal is unknown and is made.  Not
                               needed with NONE and AUTO */
-    double up[3];          /* the direction that decides for surfaces like a terrain; of any length, not 0; default (0,
-                              0, 1) */
+    double up[3];          /* the direction that decides for surfaces like a terrain; of any length, not 0; default
+                              (0, 0, 1) */
     double viewpoint[3];   /* the place from which the points were seen; used with has_viewpoint; default (0, 0, 0) */
-    uint32_t has_viewpoint; /* 1: normals of open surfaces point to the side of the viewpoint; 0: `up` decides; default
-                               0 */
+    uint32_t has_viewpoint; /* 1: normals of open surfaces point to the side of the viewpoint; 0: the viewpoint is
+                               ignored; default 0 */
     uint32_t reserved;
 } hrbfnpr_orient_desc;
 
@@ -666,8 +666,8 @@ typedef struct hrbfnpr_orient_info {
     double spacing;         /* median distance of a point to its nearest neighbour, in the unit of the points */
     double energy;          /* bending energy of the result per degree of freedom, in spacings.  Below 0.006: the points
                                resolve the surface; 0.026: points without any order */
-    double confidence;      /* how sure the result is; 0 to 1.  A heuristic: results above 0.9 were right in the tests
-                               of docs/fitting.md; look at results below that */
+    double confidence;      /* how sure the result is; 0 to 1.  A heuristic, not a probability: results above 0.9 are
+                               usually right; check the others */
     uint32_t closed;        /* 1: the points surround one or several solids */
     uint32_t outward_by;    /* HRBFNPR_OUTWARD_...: how the outward side was decided */
     int64_t components;     /* number of pieces that lie apart by more than their spacing */
@@ -708,8 +708,8 @@ typedef struct hrbfnpr_depth_image_desc {
     uint32_t keep_points;  /* 1: the points stay where they are and only get normals; 0: they are smoothed; default 0 */
     hrbfnpr_array points;  /* rows * columns x 3, row by row, FLOAT32 or FLOAT64.  NaN, infinity or z = 0: nothing was
                               seen at the pixel */
-    double noise;          /* standard deviation of 1 / z, in 1 / (unit of the points); 0 or more; default 0 =
-                              measured */
+    double noise;          /* standard deviation of 1 / z, in 1 / (unit of the points); 0 or more; default
+                              0 = measured */
     double smoothing;      /* factor of the radius over which pixels are averaged; above 0, at most 100; default 1.
                               Larger values remove more noise and more small shapes */
 } hrbfnpr_depth_image_desc;
@@ -785,8 +785,8 @@ typedef struct hrbfnpr_custom_desc {
     uint32_t flags; /* HRBFNPR_CUSTOM_... flags, or-ed; default 0 */
     hrbfnpr_implicit_fn function; /* the function; must be given */
     void* user;                   /* passed to function and release */
-    void (*release)(void* user); /* called once, on the thread that releases the last reference; NULL (default) =
-                                    nothing to do.  It is not called if the model cannot be created */
+    void (*release)(void* user); /* called once, on the thread that releases the last reference; NULL
+                                    (default) = nothing to do.  It is not called if the model cannot be created */
     double bounds_min[3];        /* lower corner of the box that holds the surface */
     double bounds_max[3];        /* upper corner of the box */
     double difference_step;      /* step of the differences, in the unit of the points; 0 or more; default 0 = 1e-4
@@ -993,7 +993,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, c
 enum {
     HRBFNPR_RAY_HIT = 0,             /* it has one or several hits */
     HRBFNPR_RAY_MISS = 1,            /* it has no hit */
-    HRBFNPR_RAY_TRUNCATED = 2,       /* it has more hits than maximum_hits, which is 2 or more */
+    HRBFNPR_RAY_TRUNCATED = 2,       /* it has more hits than maximum_hits; reported only if that is 2 or more */
     HRBFNPR_RAY_EVALUATION_LIMIT = 3, /* the search ended at the evaluation limit; earlier hits are kept */
     HRBFNPR_RAY_NOT_FINITE = 4       /* f or its gradient is not finite; earlier hits are kept */
 };
@@ -1113,8 +1113,8 @@ typedef struct hrbfnpr_trim_desc {
                               them, and every part that is somewhere farther than `hole` from all samples */
     hrbfnpr_array points;  /* N x 3, FLOAT32 or FLOAT64, finite: the samples; not given = the model's centres.  All
                               points of a scan show better than the chosen centres where it ends */
-    hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length but 0: one normal for each of `points`; not given
-                              = those of the centres, or of the surface at the given points */
+    hrbfnpr_array normals; /* N x 3, FLOAT32 or FLOAT64, of any length but 0: one normal for each of `points`; not
+                              given = those of the centres, or of the surface at the given points */
 } hrbfnpr_trim_desc;
 
 /* Sets every field to its default. */
@@ -1140,8 +1140,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_trim(const hrbfnpr_model* model, const 
 /* What trimming left out. */
 typedef struct hrbfnpr_trim_info {
     uint32_t struct_size;
-    uint32_t is_trimmed;  /* 1: the surface ends somewhere; 0: it is whole, and all fields but samples and spacing are
-                             0 */
+    uint32_t is_trimmed;  /* 1: the surface ends somewhere; 0: it is whole, and all fields except samples and spacing
+                             are 0 */
     int64_t samples;      /* number of samples that were looked at; 0 if trimming was not asked for, if the model is a
                              fit to a closed mesh, or if the end could not be found */
     int64_t parts;        /* number of connected parts of the surface that are left out */
@@ -1205,7 +1205,7 @@ enum {
     HRBFNPR_CSG_DIFFERENCE = 2,   /* the first child without all others */
     HRBFNPR_CSG_COMPLEMENT = 3,  /* everything outside its child; has one child */
     HRBFNPR_CSG_OFFSET = 4,      /* its child, grown outward by `distance`, or inward if that is negative; has one
-                                    child. Exact where f is the distance */
+                                    child.  Exact where f is the distance */
     HRBFNPR_CSG_SHELL = 5,       /* its child as a hollow body with a wall of thickness `distance` inside the surface;
                                     has one child */
     HRBFNPR_CSG_MODEL = 6,       /* the field `model`; a leaf */
@@ -1236,8 +1236,8 @@ typedef struct hrbfnpr_csg_node {
                                     default 0.5 */
     double height;               /* height of CYLINDER and CONE; above 0; default 1 */
     double distance;             /* growth of OFFSET, finite; wall thickness of SHELL, above 0; default 0 */
-    double blend;                /* radius R of the blend of UNION, INTERSECTION and DIFFERENCE; 0 or more; default 0 =
-                                    a crease.  Larger values round more */
+    double blend;                /* radius R of the blend of UNION, INTERSECTION and DIFFERENCE; 0 or more; default
+                                    0 = a crease.  Larger values round more */
     double exponent;             /* exponent of the blend; 0, or 2 to 64; default 0.  From 2 on, larger values are
                                     sharper */
 } hrbfnpr_csg_node;
@@ -1470,8 +1470,8 @@ typedef struct hrbfnpr_layer_desc {
     int32_t start_level;     /* last level of stipples at which strokes start, with STROKE_START_STIPPLES; 0 to 12;
                                 default 0 */
     int32_t levels;          /* number of refinement steps, for stipples of PUBLISHED, too; 0 to 12; default -1 = 4 for
-                                stipples, 3 for strokes.  Strokes have 3^levels marks.  A larger number gives longer
-                                strokes and more stipples */
+                                stipples, 3 for strokes.  Strokes have 3^levels marks.  Each further level makes five
+                                times as many stipples, or three times as many marks in each stroke */
 
     /* HATCH of BLUE_NOISE. */
     double separation;       /* mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals;
@@ -1482,8 +1482,8 @@ typedef struct hrbfnpr_layer_desc {
                                 outside, in degrees; -360 to 360; default 0 */
     double smoothing;        /* length over which directions are smoothed, in diagonals; 1e-6 to 1; default 0.04.
                                 Larger values give calmer lines that follow the form less */
-    double axis[3];          /* axis around which lines run where curvature has a low confidence; not 0; default (0, 1,
-                                0) */
+    double axis[3];          /* axis around which lines run where curvature has a low confidence; not 0; default
+                                (0, 1, 0) */
     double axis_weight;      /* weight of the axis against curvature; 0 to 1000; default 0.06.  Larger values make more
                                 lines run around the axis */
     double guide_direction[3]; /* direction to the light (LIGHT) or to the eye (SILHOUETTE), in the model's coordinates;
@@ -1492,8 +1492,8 @@ typedef struct hrbfnpr_layer_desc {
                                 Directions are blended as exp(2 i angle) */
 
     /* All kinds. */
-    double tone_smoothing;   /* length over which the attribute TONE_NORMAL is averaged, in diagonals; 0 to 0.1; 0 =
-                                none: tone follows NORMAL; default -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others.
+    double tone_smoothing;   /* length over which the attribute TONE_NORMAL is averaged, in diagonals; 0 to 0.1;
+                                0 = none: tone follows NORMAL; default -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others.
                                 Larger values keep the grain of a rough surface out of the tone */
 } hrbfnpr_layer_desc;
 
@@ -1515,7 +1515,8 @@ typedef struct hrbfnpr_generate_desc {
     double box_jitter;       /* alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default
                                 0.25 */
     uint32_t box_resolution; /* R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8
-                                [NPAR 4.2].  More cells give more seeds and miss fewer sheets */
+                                [NPAR 4.2].  More cells give more seeds and miss fewer sheets.  BLUE_NOISE with
+                                seed_source AUTO uses at least 16 */
     uint32_t reserved;
     double initial_step;     /* rho_0: first step of PUBLISHED, in the unit of the samples; 1e-12 to 1e9 diagonals;
                                 default 0 = the diameter of a cell for BOX, the mean diameter of empty balls between the
@@ -1534,8 +1535,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_generate_desc_init(hrbfnpr_generate_desc* des
  * operation:   may be NULL
  *
  * Sizes.  Marks are stored as floats, so the diagonal of the model's bounds must be from
- * 1e-33 to 1e33.  Scaling a model by a power of two scales its marks if the diagonal is
- * beyond 1e-9 to 1e9; curvatures that do not fit into a float become the largest float.
+ * 1e-33 to 1e33.  If it is outside 1e-9 to 1e9, a model that is scaled by a power of two
+ * has the same marks, scaled; curvatures that do not fit into a float become the largest
+ * float.
  * The bounds of a custom model may be up to 500 times as wide as its surface.
  *
  * Errors: INVALID_ARGUMENT, before any mark is placed: a size or a budget is out of its
@@ -1555,15 +1557,15 @@ enum {
                                              without a stroke: the u of its basis [NPAR 5.2] */
     HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2 and confidence, as hrbfnpr_model_curvature gives
                                              them */
-    HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the rank u of [NPAR 6.2], in [0, 1): a mark is shown where u >=
-                                             tone. All marks of a line of BLUE_NOISE have the same rank */
+    HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the rank u of [NPAR 6.2], in [0, 1): a mark is shown where
+                                             u >= tone.  All marks of a line of BLUE_NOISE have the same rank */
     HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed the mark; 0 = a seed.  For HATCH of
                                              BLUE_NOISE: the level of its line there (see HRBFNPR_LAYER_KIND_HATCH) */
     HRBFNPR_MARK_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's
                                              place along it.  PUBLISHED: the number is that of the seed, and places are
-                                             0 to 3^levels - 1 with the seed in the middle.  Others: places are 0 to n -
-                                             1 from end to end.  For a mark without a stroke: 2 * its number (PUBLISHED:
-                                             of its seed), and 0 */
+                                             0 to 3^levels - 1 with the seed in the middle.  Others: places are 0 to
+                                             n - 1 from end to end.  For a mark without a stroke: 2 * its number
+                                             (PUBLISHED: of its seed), and 0 */
     HRBFNPR_MARK_ATTRIBUTE_WIDTH = 7,     /* FLOAT32: the width as a factor of the style's radius, in (0, 1]; 1 in the
                                              middle of a stroke, less towards its tapered ends; for front marks.  Count
                                              0 = all 1 */
@@ -1579,8 +1581,8 @@ enum {
 };
 
 /* A layer of N ready-made marks.  position and normal must be given; the other arrays may be
- * empty.  Scalars are those of HRBFNPR_MARK_ATTRIBUTE_POSITION and the like; FLOAT64 is
- * accepted for FLOAT32. */
+ * empty.  The scalars are those that HRBFNPR_MARK_ATTRIBUTE_... lists; FLOAT64 is accepted
+ * for FLOAT32. */
 typedef struct hrbfnpr_layer_arrays {
     uint32_t struct_size;
     uint32_t kind;              /* HRBFNPR_LAYER_KIND_..., except ANY; default OWN */

@@ -245,8 +245,8 @@ class OrientInfo:
         Bending energy of the result per degree of freedom, in spacings. Below 0.006: the points resolve the
         surface; 0.026: points without any order.
     confidence : float
-        How sure the result is; 0 to 1. A heuristic: results above 0.9 were right in the tests of docs/fitting.md;
-        look at results below that.
+        How sure the result is; 0 to 1. A heuristic, not a probability: results above 0.9 are usually right; check
+        the others.
     closed : bool
         Whether the points surround one or several solids.
     outward_by : str

@@ -236,8 +236,8 @@ export declare const TRIM: {
   /** the surface goes on to the end of the search box */
   readonly NEVER: 0;
   /**
-   * an open surface ends where all given samples end, not only the chosen centres. A closed surface stays whole,
-   * and so does one of fewer than ten samples. hrbfnpr_model_get_trim_info says what was done
+   * an open surface ends where the given samples end (all of them, not only the chosen centres). A closed surface
+   * stays whole, and so does one of fewer than ten samples. hrbfnpr_model_get_trim_info says what was done
    */
   readonly AUTO: 1;
 };
@@ -308,7 +308,7 @@ export declare const RAY: {
   readonly HIT: 0;
   /** it has no hit */
   readonly MISS: 1;
-  /** it has more hits than maximum_hits, which is 2 or more */
+  /** it has more hits than maximum_hits; reported only if that is 2 or more */
   readonly TRUNCATED: 2;
   /** the search ended at the evaluation limit; earlier hits are kept */
   readonly EVALUATION_LIMIT: 3;

@@ -585,8 +585,9 @@ export interface Functions {
    * operation:   may be NULL
    *
    * Sizes.  Marks are stored as floats, so the diagonal of the model's bounds must be from
-   * 1e-33 to 1e33.  Scaling a model by a power of two scales its marks if the diagonal is
-   * beyond 1e-9 to 1e9; curvatures that do not fit into a float become the largest float.
+   * 1e-33 to 1e33.  If it is outside 1e-9 to 1e9, a model that is scaled by a power of two
+   * has the same marks, scaled; curvatures that do not fit into a float become the largest
+   * float.
    * The bounds of a custom model may be up to 500 times as wide as its surface.
    *
    * Errors: INVALID_ARGUMENT, before any mark is placed: a size or a budget is out of its

@@ -41,7 +41,7 @@ export interface ContextDesc {
 export interface ContextInfo {
   /** number of threads that a large call uses */
   readonly threadCount: number;
-  /** the one in use */
+  /** the instruction set in use */
   readonly instructionSet: InstructionSetName | number;
   /** HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL */
   readonly threadBackend: ThreadBackendName | number;
@@ -155,10 +155,10 @@ export interface FitDesc {
  * be wrong.  docs/fitting.md explains the method.
  *
  * Outward.  For a closed surface, outward is the side that it does not enclose.
- * For an open surface it is the convex side, if the surface encloses one side more
- * than the other.  For other surfaces, such as a terrain, it is the side of `up`,
- * or of the viewpoint if that is given.  A closed surface inside another one bounds
- * a hole: its normals point into the hole.
+ * For an open surface it is the side that the viewpoint sees, if one is given; else
+ * the convex side, if the surface encloses one side more than the other; else, as for
+ * a terrain, the side of `up`.  A closed surface inside another one bounds a hole: its
+ * normals point into the hole.
  *
  * Points that coincide (within 1/100 of the spacing) get the same normal.
  */
@@ -173,7 +173,7 @@ export interface OrientDesc {
   up?: Numbers;
   /** the place from which the points were seen; used with has_viewpoint; default (0, 0, 0) */
   viewpoint?: Numbers;
-  /** 1: normals of open surfaces point to the side of the viewpoint; 0: `up` decides; default 0 */
+  /** 1: normals of open surfaces point to the side of the viewpoint; 0: the viewpoint is ignored; default 0 */
   hasViewpoint?: number;
 }
 
@@ -202,8 +202,8 @@ export interface OrientInfo {
    */
   readonly energy: number;
   /**
-   * how sure the result is; 0 to 1. A heuristic: results above 0.9 were right in the tests of docs/fitting.md;
-   * look at results below that
+   * how sure the result is; 0 to 1. A heuristic, not a probability: results above 0.9 are usually right; check the
+   * others
    */
   readonly confidence: number;
   /** 1: the points surround one or several solids */
@@ -521,7 +521,7 @@ export interface TrimDesc {
 
 /** What trimming left out. */
 export interface TrimInfo {
-  /** 1: the surface ends somewhere; 0: it is whole, and all fields but samples and spacing are 0 */
+  /** 1: the surface ends somewhere; 0: it is whole, and all fields except samples and spacing are 0 */
   readonly isTrimmed: number;
   /**
    * number of samples that were looked at; 0 if trimming was not asked for, if the model is a fit to a closed
@@ -671,7 +671,8 @@ export interface LayerDesc {
   startLevel?: number;
   /**
    * number of refinement steps, for stipples of PUBLISHED, too; 0 to 12; default -1 = 4 for stipples, 3 for
-   * strokes. Strokes have 3^levels marks. A larger number gives longer strokes and more stipples
+   * strokes. Strokes have 3^levels marks. Each further level makes five times as many stipples, or three times as
+   * many marks in each stroke
    */
   levels?: number;
   /**
@@ -744,7 +745,7 @@ export interface GenerateDesc {
   boxJitter?: number;
   /**
    * R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8 [NPAR 4.2]. More cells
-   * give more seeds and miss fewer sheets
+   * give more seeds and miss fewer sheets. BLUE_NOISE with seed_source AUTO uses at least 16
    */
   boxResolution?: number;
   /**
@@ -760,8 +761,8 @@ export interface GenerateDesc {
 
 /**
  * A layer of N ready-made marks.  position and normal must be given; the other arrays may be
- * empty.  Scalars are those of HRBFNPR_MARK_ATTRIBUTE_POSITION and the like; FLOAT64 is
- * accepted for FLOAT32.
+ * empty.  The scalars are those that HRBFNPR_MARK_ATTRIBUTE_... lists; FLOAT64 is accepted
+ * for FLOAT32.
  */
 export interface LayerArrays {
   /** HRBFNPR_LAYER_KIND_..., except ANY; default OWN */

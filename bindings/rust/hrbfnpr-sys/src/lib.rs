@@ -594,7 +594,7 @@ pub struct hrbfnpr_context_info {
     pub struct_size: u32,
     /// number of threads that a large call uses
     pub thread_count: i32,
-    /// the one in use
+    /// the instruction set in use
     pub instruction_set: u32,
     /// HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL
     pub thread_backend: u32,
@@ -746,8 +746,8 @@ pub const HRBFNPR_NORMALS_AUTO: u32 = 5;
 // Whether a fitted surface ends where its samples end (see hrbfnpr_model_trim).
 /// the surface goes on to the end of the search box
 pub const HRBFNPR_TRIM_NEVER: u32 = 0;
-/// an open surface ends where all given samples end, not only the chosen centres. A closed
-/// surface stays whole, and so does one of fewer than ten samples.
+/// an open surface ends where the given samples end (all of them, not only the chosen
+/// centres). A closed surface stays whole, and so does one of fewer than ten samples.
 /// hrbfnpr_model_get_trim_info says what was done
 pub const HRBFNPR_TRIM_AUTO: u32 = 1;
 
@@ -869,10 +869,10 @@ extern "C" {
 /// be wrong.  docs/fitting.md explains the method.
 ///
 /// Outward.  For a closed surface, outward is the side that it does not enclose.
-/// For an open surface it is the convex side, if the surface encloses one side more
-/// than the other.  For other surfaces, such as a terrain, it is the side of `up`,
-/// or of the viewpoint if that is given.  A closed surface inside another one bounds
-/// a hole: its normals point into the hole.
+/// For an open surface it is the side that the viewpoint sees, if one is given; else
+/// the convex side, if the surface encloses one side more than the other; else, as for
+/// a terrain, the side of `up`.  A closed surface inside another one bounds a hole: its
+/// normals point into the hole.
 ///
 /// Points that coincide (within 1/100 of the spacing) get the same normal.
 #[repr(C)]
@@ -891,7 +891,8 @@ pub struct hrbfnpr_orient_desc {
     pub up: [f64; 3],
     /// the place from which the points were seen; used with has_viewpoint; default (0, 0, 0)
     pub viewpoint: [f64; 3],
-    /// 1: normals of open surfaces point to the side of the viewpoint; 0: `up` decides; default 0
+    /// 1: normals of open surfaces point to the side of the viewpoint; 0: the viewpoint is
+    /// ignored; default 0
     pub has_viewpoint: u32,
     pub reserved: u32,
 }
@@ -938,8 +939,8 @@ pub struct hrbfnpr_orient_info {
     /// bending energy of the result per degree of freedom, in spacings. Below 0.006: the points
     /// resolve the surface; 0.026: points without any order
     pub energy: f64,
-    /// how sure the result is; 0 to 1. A heuristic: results above 0.9 were right in the tests of
-    /// docs/fitting.md; look at results below that
+    /// how sure the result is; 0 to 1. A heuristic, not a probability: results above 0.9 are
+    /// usually right; check the others
     pub confidence: f64,
     /// 1: the points surround one or several solids
     pub closed: u32,
@@ -1444,7 +1445,7 @@ extern "C" {
 pub const HRBFNPR_RAY_HIT: u32 = 0;
 /// it has no hit
 pub const HRBFNPR_RAY_MISS: u32 = 1;
-/// it has more hits than maximum_hits, which is 2 or more
+/// it has more hits than maximum_hits; reported only if that is 2 or more
 pub const HRBFNPR_RAY_TRUNCATED: u32 = 2;
 /// the search ended at the evaluation limit; earlier hits are kept
 pub const HRBFNPR_RAY_EVALUATION_LIMIT: u32 = 3;
@@ -1623,7 +1624,7 @@ extern "C" {
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_trim_info {
     pub struct_size: u32,
-    /// 1: the surface ends somewhere; 0: it is whole, and all fields but samples and spacing are 0
+    /// 1: the surface ends somewhere; 0: it is whole, and all fields except samples and spacing are 0
     pub is_trimmed: u32,
     /// number of samples that were looked at; 0 if trimming was not asked for, if the model is a
     /// fit to a closed mesh, or if the end could not be found
@@ -2055,8 +2056,8 @@ pub struct hrbfnpr_layer_desc {
     /// last level of stipples at which strokes start, with STROKE_START_STIPPLES; 0 to 12; default 0
     pub start_level: i32,
     /// number of refinement steps, for stipples of PUBLISHED, too; 0 to 12; default -1 = 4 for
-    /// stipples, 3 for strokes. Strokes have 3^levels marks. A larger number gives longer strokes
-    /// and more stipples
+    /// stipples, 3 for strokes. Strokes have 3^levels marks. Each further level makes five times
+    /// as many stipples, or three times as many marks in each stroke
     pub levels: i32,
     /// mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals;
     /// default 0 = by the budget. Smaller values give more lines
@@ -2124,7 +2125,8 @@ pub struct hrbfnpr_generate_desc {
     /// alpha: largest random shift of the grid points of BOX, in cell sides; 0 to 0.5; default 0.25
     pub box_jitter: f64,
     /// R: number of cells of BOX along the longest side of the bounds; 1 to 256; default 8 [NPAR
-    /// 4.2]. More cells give more seeds and miss fewer sheets
+    /// 4.2]. More cells give more seeds and miss fewer sheets. BLUE_NOISE with seed_source AUTO
+    /// uses at least 16
     pub box_resolution: u32,
     pub reserved: u32,
     /// rho_0: first step of PUBLISHED, in the unit of the samples; 1e-12 to 1e9 diagonals;
@@ -2150,8 +2152,9 @@ extern "C" {
     /// operation:   may be NULL
     ///
     /// Sizes.  Marks are stored as floats, so the diagonal of the model's bounds must be from
-    /// 1e-33 to 1e33.  Scaling a model by a power of two scales its marks if the diagonal is
-    /// beyond 1e-9 to 1e9; curvatures that do not fit into a float become the largest float.
+    /// 1e-33 to 1e33.  If it is outside 1e-9 to 1e9, a model that is scaled by a power of two
+    /// has the same marks, scaled; curvatures that do not fit into a float become the largest
+    /// float.
     /// The bounds of a custom model may be up to 500 times as wide as its surface.
     ///
     /// Errors: INVALID_ARGUMENT, before any mark is placed: a size or a budget is out of its
@@ -2203,8 +2206,8 @@ pub const HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: u32 = 9;
 pub const HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: u32 = 10;
 
 /// A layer of N ready-made marks.  position and normal must be given; the other arrays may be
-/// empty.  Scalars are those of HRBFNPR_MARK_ATTRIBUTE_POSITION and the like; FLOAT64 is
-/// accepted for FLOAT32.
+/// empty.  The scalars are those that HRBFNPR_MARK_ATTRIBUTE_... lists; FLOAT64 is accepted
+/// for FLOAT32.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_arrays {
