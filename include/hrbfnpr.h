@@ -174,7 +174,8 @@ enum {
     HRBFNPR_STATUS_CANCELLED = -7,          /* hrbfnpr_operation_cancel or a progress callback ended the call */
     HRBFNPR_STATUS_IO = -8,                 /* a read or write callback failed */
     HRBFNPR_STATUS_CORRUPT_DATA = -9,       /* a stream is of another format, truncated or damaged */
-    HRBFNPR_STATUS_VERSION_MISMATCH = -10,  /* a stream, or the caller's header, is newer than the library */
+    HRBFNPR_STATUS_VERSION_MISMATCH = -10,  /* a stream is newer than the library, or the header has another ABI
+                                               version */
     HRBFNPR_STATUS_CALLBACK = -11,          /* a callback of the caller returned non-zero or gave invalid results */
     HRBFNPR_STATUS_INTERNAL = -99           /* a bug in the library: please report it */
 };
@@ -184,8 +185,8 @@ enum {
 HRBFNPR_API const char* hrbfnpr_status_name(hrbfnpr_status status);
 
 /* Describes a failure in words.  The caller owns it, sets it up once with
- * hrbfnpr_error_init, and may use it for any number of calls.  A successful
- * call leaves it untouched, and so does a call if struct_size is below 256. */
+ * hrbfnpr_error_init, and may use it for any number of calls.  A call leaves it
+ * untouched if the call succeeds or if struct_size is below 256. */
 typedef struct hrbfnpr_error {
     uint32_t struct_size;  /* bytes; set by hrbfnpr_error_init */
     hrbfnpr_status status; /* the status that the failed call returned */

@@ -35,7 +35,7 @@ export declare const STATUS: {
   readonly IO: -8;
   /** a stream is of another format, truncated or damaged */
   readonly CORRUPT_DATA: -9;
-  /** a stream, or the caller's header, is newer than the library */
+  /** a stream is newer than the library, or the header has another ABI version */
   readonly VERSION_MISMATCH: -10;
   /** a callback of the caller returned non-zero or gave invalid results */
   readonly CALLBACK: -11;

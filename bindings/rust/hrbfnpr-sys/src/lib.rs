@@ -302,7 +302,7 @@ pub const HRBFNPR_STATUS_CANCELLED: hrbfnpr_status = -7;
 pub const HRBFNPR_STATUS_IO: hrbfnpr_status = -8;
 /// a stream is of another format, truncated or damaged
 pub const HRBFNPR_STATUS_CORRUPT_DATA: hrbfnpr_status = -9;
-/// a stream, or the caller's header, is newer than the library
+/// a stream is newer than the library, or the header has another ABI version
 pub const HRBFNPR_STATUS_VERSION_MISMATCH: hrbfnpr_status = -10;
 /// a callback of the caller returned non-zero or gave invalid results
 pub const HRBFNPR_STATUS_CALLBACK: hrbfnpr_status = -11;
@@ -316,8 +316,8 @@ extern "C" {
 }
 
 /// Describes a failure in words.  The caller owns it, sets it up once with
-/// hrbfnpr_error_init, and may use it for any number of calls.  A successful
-/// call leaves it untouched, and so does a call if struct_size is below 256.
+/// hrbfnpr_error_init, and may use it for any number of calls.  A call leaves it
+/// untouched if the call succeeds or if struct_size is below 256.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_error {
