@@ -113,7 +113,7 @@ PALE = {"attenuation_front": 0.2, "attenuation_back": 0.1}
 PRESETS = [
     Preset(
         "stipple",
-        draws="stipples by light, no contours",
+        draws="stipples, denser where it is darker, without contours",
         use="Soft forms and fine tones without any line: the classic of scientific drawing.",
         marks=[STIPPLES],
         layers=[shown("stipples", radius=FULL_RADIUS, contours=False), shown("any", contours=False)],
@@ -122,7 +122,7 @@ PRESETS = [
     ),
     Preset(
         "hatch",
-        draws="lines of one width, more of them where it is darker, and contours",
+        draws="lines of one width, denser where it is darker, and contours",
         use="Lines around the form, more of them where it is darker: tone and shape with one set.",
         marks=[STIPPLES, hatching()],
         layers=[hidden("stipples"), even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9)],
@@ -131,7 +131,7 @@ PRESETS = [
     ),
     Preset(
         "cross-hatch",
-        draws="up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours",
+        draws="up to three sets of lines of one width, at 0, 35 and -30 degrees, each for a darker tone, and contours",
         use="Up to three sets of lines at 30 to 65 degrees to each other, darker where they cross.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(35.0, "hatch-2"), hatching(-30.0, "hatch-3")],
         layers=[hidden("stipples"), crossed(0.12, 0.45, 0.24, "hatch-1"), crossed(0.38, 0.66, 0.24, "hatch-2"),
@@ -141,7 +141,7 @@ PRESETS = [
     ),
     Preset(
         "combing",
-        draws="lines along Stark's combing direction, a second set in the darks, and contours",
+        draws="lines along Stark's combing direction, with a second set in the darks, and contours",
         use="Lines that do not follow curvature: for surfaces that bend much and irregularly.",
         marks=[STIPPLES, hatching(0.0, "hatch-1", guide="combing"), hatching(40.0, "hatch-2", guide="combing")],
         layers=[hidden("stipples"), crossed(0.10, 0.60, 0.32, "hatch-1"), crossed(0.50, 0.92, 0.34, "hatch-2"),
@@ -151,7 +151,7 @@ PRESETS = [
     ),
     Preset(
         "silhouette",
-        draws="contours only, hidden ones attenuated",
+        draws="contours only; hidden ones are paler",
         use="Contours alone, hidden ones pale: icons, instructions, a base to paint over.",
         marks=[STIPPLES],
         layers=[hidden("any")],
@@ -170,7 +170,7 @@ PRESETS = [
     ),
     Preset(
         "xray",
-        draws="contours only, hidden ones shown",
+        draws="contours only; hidden ones are dashed",
         use="Contours alone, hidden ones dashed: technical drawings, assemblies.",
         marks=[STIPPLES],
         layers=[hidden("any")],
@@ -179,7 +179,7 @@ PRESETS = [
     ),
     Preset(
         "full",
-        draws="stipples, cross hatching in the darks, contours and halo: Figure 1 (e)",
+        draws="stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)]",
         use="Contours with a white halo, stipples, and lines in the darks: as the article's most finished drawing.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
         # Stipples are in the lights and between lines, lines in the darks.
@@ -190,7 +190,7 @@ PRESETS = [
     ),
     Preset(
         "engraving",
-        draws="one set of lines that swell with the tone, and contours; lights are empty",
+        draws="one set of lines that swell with the tone, and contours; lights stay empty",
         use="Parallel lines that swell with the tone, as in a banknote or an old book.",
         marks=[STIPPLES, hatching()],
         layers=[swelling(0.15, 0.95, 0.74), hidden("any")],
@@ -199,7 +199,7 @@ PRESETS = [
     ),
     Preset(
         "etching",
-        draws="up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours",
+        draws="up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours",
         use="Thin lines in up to three layers that cross each other, a darker tone each.",
         # Illustrators leave highlights empty, and cross their lines at 30 to 60 degrees.
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(50.0, "hatch-2"), hatching(-40.0, "hatch-3")],
@@ -220,7 +220,7 @@ PRESETS = [
     ),
     Preset(
         "scientific-stipple",
-        draws="fine stipples lit from the upper left, empty lights; outlines swell in the shade",
+        draws="fine stipples lit from the upper left, and outlines that swell in the shade; lights stay empty",
         use="Stipples in even tones with fine contours, as in plates of biology and palaeontology.",
         marks=[{**STIPPLES, "tone_begin": 0.08, "tone_end": 1.0}],  # lights are left empty
         layers=[shown("stipples", radius=0.6, share=0.85), hidden("any")],
@@ -229,7 +229,7 @@ PRESETS = [
     ),
     Preset(
         "sketch",
-        draws="pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice",
+        draws="pencil on warm paper: two sets of lines that stray and run past their ends, and contours drawn twice",
         use="Lines that overshoot and wobble, contours drawn twice: first ideas, things not yet decided.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
         layers=[pencilled(0.20, 0.70, 0.26, 1, "hatch-1"), pencilled(0.50, 0.92, 0.28, 2, "hatch-2"),
@@ -240,7 +240,8 @@ PRESETS = [
     ),
     Preset(
         "blueprint",
-        draws="pale lines on blue without tone: contours, borders, creases and lines called \"crease\", hidden ones dashed",
+        draws="pale lines on blue without tone: contours, borders, creases and lines called \"crease\"; hidden ones "
+              "are dashed",
         use="Light lines on dark paper, hidden ones dashed: plans.",
         marks=[STIPPLES],
         layers=[hidden("any", ink=CHALK)],
@@ -250,8 +251,8 @@ PRESETS = [
     ),
     Preset(
         "archaeological",
-        draws="lit from the upper left: short lines along curvature that taper to the light, heavy outlines, and the RIDGE "
-              "lines of a line set",
+        draws="short lines along the curvature that taper to the light from the upper left, heavy outlines, and the "
+              "RIDGE lines of a line set",
         use="The conventions of finds: light from the upper left, scars along the curvature.",
         marks=[STIPPLES, hatching(smoothing=0.03, axis_weight=0.02)],
         # Lines are short, and thin away from the shade.

@@ -1751,113 +1751,137 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
 
 /*
  * ==========================================================================
- * 8  LINE SET: what the lines of a surface are drawn from, immutable
+ * 8  LINE SET: the lines of a model's surface; immutable
  * ==========================================================================
  *
- * Contours as curves, traced on the surface itself for every camera, with a
- * visibility that is counted and checked (Appel 1967, quantitative
- * invisibility; Benard & Hertzmann 2019).  A line set is made once for a model;
- * an item that has one, and a style with lines, is drawn with curves in the
- * place of contour marks.
+ * A line set holds what the lines of one model are drawn from, for every camera.  Contours are traced as curves on the
+ * surface itself.  Their visibility is counted and checked (Appel 1967, quantitative invisibility; Benard & Hertzmann
+ * 2019).  Make a line set once for a model and give it to hrbfnpr_item.line_set.  An item that has a line set, and a
+ * style that lists `lines`, is drawn with curves.  The method is described in docs/lines.md.
  */
 
+/* The lines of one model. */
 typedef struct hrbfnpr_line_set hrbfnpr_line_set;
 
-/* Kinds of lines.  Those marked "once" are found when a line set is made, for each element of its list; the others
- * with every drawing.  Strengths have no unit: lengths are in diagonals of the model. */
+/* Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
+ * hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.  All others are found for
+ * every drawing.  The strength says how marked a line is at a place.  It has no unit, because lengths are measured in
+ * diagonals of the model.  Kinds marked WITH_CURVATURE need a line set with that flag. */
 enum {
-    HRBFNPR_LINE_KIND_CONTOUR = 1,            /* occluding contours: the line of sight is tangent to the surface */
-    HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, /* where a contour would appear soon; strength: the derivative of the
-                                                 radial curvature towards the eye; WITH_CURVATURE [DeCarlo 2003] */
-    HRBFNPR_LINE_KIND_RIDGE = 3,              /* once; strength: curvature across the ridge less that along it
-                                                 [Ohtake, Belyaev & Seidel 2004] */
-    HRBFNPR_LINE_KIND_VALLEY = 4,             /* once; the same */
-    HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5,     /* strength: view-dependent curvature; WITH_CURVATURE [Judd 2007] */
-    HRBFNPR_LINE_KIND_PARABOLIC = 6,          /* once; Gaussian curvature 0 */
-    HRBFNPR_LINE_KIND_ISOPHOTE = 7,           /* n . l = the levels of the style, l its light; WITH_CURVATURE */
-    HRBFNPR_LINE_KIND_SECTION = 8,            /* once; parallel planes */
-    HRBFNPR_LINE_KIND_BORDER = 9,             /* where the surface ends: at the search box, or beyond the last samples
-                                                 (hrbfnpr_line_set_desc.support) */
-    HRBFNPR_LINE_KIND_OWN = 10,               /* once; polylines of the caller, such as creases of a mesh */
-    HRBFNPR_LINE_KIND_CREASE = 11             /* where smooth sheets of the surface meet, of models that have such edges;
-                                                 found with the line set, in no list.  Strength: the angle between the
-                                                 sheets' normals, degrees.  Where one of them faces the eye and the
-                                                 other does not, a crease is a part of the CONTOUR and drawn as that */
+    HRBFNPR_LINE_KIND_CONTOUR = 1,            /* occluding contours: the line of sight is tangent to the surface
+                                                 there */
+    HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, /* curves that become contours in a nearby view; WITH_CURVATURE.
+                                                 Strength: the derivative of the radial curvature towards the eye
+                                                 [DeCarlo et al. 2003] */
+    HRBFNPR_LINE_KIND_RIDGE = 3,              /* convex ridges; once.  Strength: the curvature across the ridge minus
+                                                 the absolute value of the one along it [Ohtake, Belyaev & Seidel
+                                                 2004] */
+    HRBFNPR_LINE_KIND_VALLEY = 4,             /* concave valleys; once.  The strength is that of ridges */
+    HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5,     /* extrema of the view-dependent curvature, which is also the strength;
+                                                 WITH_CURVATURE [Judd, Durand & Adelson 2007] */
+    HRBFNPR_LINE_KIND_PARABOLIC = 6,          /* curves of Gaussian curvature 0; once */
+    HRBFNPR_LINE_KIND_ISOPHOTE = 7,           /* curves on which n . l is one of the line style's `levels`, n the normal
+                                                 and l the direction to the style's light; WITH_CURVATURE */
+    HRBFNPR_LINE_KIND_SECTION = 8,            /* cuts of the surface by parallel planes; once */
+    HRBFNPR_LINE_KIND_BORDER = 9,             /* curves where the surface ends: at the search box, or beyond the last
+                                                 samples (hrbfnpr_line_set_desc.support) */
+    HRBFNPR_LINE_KIND_OWN = 10,               /* polylines of the caller, such as creases of a mesh; once */
+    HRBFNPR_LINE_KIND_CREASE = 11             /* edges and grooves in which smooth sheets of the surface meet, in models
+                                                 that have them.  Strength: the angle between the normals of both
+                                                 sheets, in degrees.  Where one sheet faces the eye and the other faces
+                                                 away, the crease is part of the CONTOUR and is drawn as CONTOUR */
 };
 
-/* Lines to find once. */
+/* Lines to find once, when the line set is made. */
 typedef struct hrbfnpr_line_desc {
     uint32_t struct_size;
-    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; RIDGE */
-    const char* name;  /* up to 63 bytes of UTF-8, for styles; NULL = "" */
-    double lower;      /* lines go on while their strength is at least `lower` ... */
-    double upper;      /* ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of ridges
-                          and valleys, 0 and 0 else */
-    double shortest;   /* shorter ones are dropped, in diagonals; 0.01 */
-    double plane[3];   /* of SECTION: normal of the planes, of any length; (0, 0, 1) */
-    hrbfnpr_array levels; /* of SECTION: FLOAT64, 1: where the planes are, along the unit normal */
-    hrbfnpr_array position; /* of OWN: FLOAT32 or FLOAT64, 3: on the surface or near it */
-    hrbfnpr_array line_first; /* of OWN: UINT32, 1: the first position of each line, ascending, and the end; one whose
-                                 last position is its first is closed */
+    uint32_t kind;     /* HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; default RIDGE */
+    const char* name;  /* name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL
+                          = "" */
+    double lower;      /* least strength at which a line goes on; 0 or more; default 0.  If `lower` and `upper` are 0,
+                          it is 6 for ridges and valleys, and 0 for other kinds */
+    double upper;      /* strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0.  If
+                          `lower` and `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds */
+    double shortest;   /* length below which a line is dropped, in diagonals; 0 or more; default 0.01 */
+    double plane[3];   /* SECTION: normal of the planes, of any length but 0; default (0, 0, 1) */
+    hrbfnpr_array levels; /* SECTION: places of the planes along the unit normal, in units of the model; n x 1, FLOAT32
+                             or FLOAT64; at least one */
+    hrbfnpr_array position; /* OWN: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_array line_first; /* OWN: number of the first position of each line, ascending, then the end of the last
+                                 line; n x 1, UINT32.  A line whose last position equals its first is closed */
 } hrbfnpr_line_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 
+/* What a line set measures. */
 enum {
-    HRBFNPR_LINE_SET_WITH_CURVATURE = 1 /* measure curvatures and their derivatives, for kinds that need them with
-                                           every drawing */
+    HRBFNPR_LINE_SET_WITH_CURVATURE = 1 /* measures curvatures and their derivatives, which suggestive contours,
+                                           apparent ridges and isophotes need */
 };
 
+/* How a line set is made. */
 typedef struct hrbfnpr_line_set_desc {
     uint32_t struct_size;
-    uint32_t flags; /* HRBFNPR_LINE_SET_WITH_...; 0 */
-    double cell_size; /* of the mesh on which curves are looked for, units of the model; 0 = half the samples'
-                         spacing, and finer where walls are thin.  Loops that are smaller, and walls that are
-                         thinner than 1.75 cells, may be missed */
-    hrbfnpr_array seed_points; /* FLOAT32 or FLOAT64, 3: near each part of the surface; not given = the samples,
-                                  or places found in the bounds of a custom model */
-    const hrbfnpr_line_desc* lines; /* a list; NULL and 0 */
-    int64_t line_count;
-    int64_t line_stride;
-    double support; /* where the surface ends for want of samples, as an open scan or a terrain does: where s(x),
-                       as of hrbfnpr_trim_desc, exceeds this.  Mesh, curves, and what hides them end there, and the
-                       end is a border.  1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9, and leaves
-                       larger holes closed.  0 = it ends at the search box only; 0 or more, 0 */
-    hrbfnpr_array support_points; /* FLOAT32 or FLOAT64, 3: those samples; not given = the model's centres.  All
-                                     points of a scan tell better where it ends than the centres chosen from them */
-    hrbfnpr_array support_normals; /* FLOAT32 or FLOAT64, 3: of support_points, as many, of any length; not given =
-                                      the surface's own there */
+    uint32_t flags; /* HRBFNPR_LINE_SET_WITH_...; default 0 */
+    double cell_size; /* side of the cells in which curves are searched, in units of the model; 0 or more; default 0 =
+                         half the samples' spacing, and finer where walls are thin.  Loops smaller than a cell and walls
+                         thinner than 1.75 cells may be missed */
+    hrbfnpr_array seed_points; /* points near each part of the surface, where the search begins; n x 3, FLOAT32 or
+                                  FLOAT64; not given = the samples, or places found within the bounds of a custom
+                                  model */
+    const hrbfnpr_line_desc* lines; /* a list of lines to find once; default NULL */
+    int64_t line_count; /* number of `lines`; default 0 */
+    int64_t line_stride; /* bytes from one element of `lines` to the next; default 0 = struct_size */
+    double support; /* limit of s(x), as in hrbfnpr_trim_desc, beyond which the surface ends because samples are
+                       missing, as in an open scan or a terrain; 0 or more; default 0 = the surface ends where its model
+                       does: trimmed, or at the search box.  The mesh and all curves end there, what lies beyond hides
+                       nothing, and the end is a BORDER.  1.5 ends the surface about 0.7 sample spacings beyond the last
+                       samples; 3 ends it about 0.9 spacings beyond them, and leaves larger holes closed */
+    hrbfnpr_array support_points; /* samples that `support` is measured from; n x 3, FLOAT32 or FLOAT64; not given = the
+                                     model's centres.  All points of a scan show where it ends better than the centres
+                                     chosen from them */
+    hrbfnpr_array support_normals; /* normals of support_points, as many, of any length but 0; n x 3, FLOAT32 or
+                                      FLOAT64; not given = normals of the surface there */
 } hrbfnpr_line_set_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size);
 
-/* The line set keeps the model.  desc NULL = defaults.
- * Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size; a support without samples),
- * NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+/* Makes the line set of a model.  The line set keeps the model alive.  `desc` may be NULL for the defaults, and
+ * `operation` may be NULL.
+ * Errors: INVALID_ARGUMENT (a field of `desc`; more than 4 000 000 triangles: give a larger cell_size; a support
+ * without samples), NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED,
+ * CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_create(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                    const hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation,
                                                    hrbfnpr_line_set** out_line_set, hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set); /* any thread; NULL is ignored */
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set);
 
+/* What making a line set found. */
 typedef struct hrbfnpr_line_set_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t triangles;    /* of the mesh */
-    int64_t turned;       /* of these, triangles that look away from the surface: it is finer than the cells there,
-                             and curves may be missed */
-    int64_t missed_seeds; /* seeds that no triangle is near: a part of the surface is too thin for the cells */
-    int64_t lines;        /* that were found once, of all elements of the list */
+    int64_t triangles;    /* triangles of the mesh on which curves are searched */
+    int64_t turned;       /* triangles of that mesh that face away from the surface.  The surface is finer than the
+                             cells there, and curves may be missed */
+    int64_t missed_seeds; /* seeds that no triangle is near.  A part of the surface is too thin for the cells there */
+    int64_t lines;        /* lines that were found once, for all elements of the list */
     int64_t borders;      /* curves where the surface ends */
-    double cell_size;     /* as used */
-    double seconds;       /* that it took to make */
-    int64_t bytes;        /* kept */
-    double left_out;      /* the share of the area that was looked at that lies beyond the samples, 0 to 1; 0 without
-                             support.  Of a trimmed model little beyond its end is looked at: see its trim info */
-    int64_t creases;      /* curves where sheets of the surface meet, at any angle: from corner to corner, or closed */
+    double cell_size;     /* side of the cells as used, in units of the model */
+    double seconds;       /* time that it took to make the line set */
+    int64_t bytes;        /* memory that the line set keeps */
+    double left_out;      /* share of the examined area that lies beyond the samples, 0 .. 1; 0 without a support.
+                             Little is examined beyond the end of a trimmed model: see its trim info */
+    int64_t creases;      /* creases at any angle, each from corner to corner or closed */
 } hrbfnpr_line_set_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size);
+/* Gets what making a line set found. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
                                                      hrbfnpr_error* error);
 
@@ -1867,328 +1891,391 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* lin
  * ==========================================================================
  */
 
-/* Range of window depth from near to far plane. */
+/* How depth runs from the near plane to the far plane. */
 enum {
-    HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE = 0, /* clip space of OpenGL; written depth is 0 .. 1 */
-    HRBFNPR_DEPTH_ZERO_TO_ONE = 1,         /* Direct3D, Vulkan, Metal */
-    HRBFNPR_DEPTH_REVERSED = 2             /* 1 at the near plane, 0 at the far plane */
+    HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE = 0, /* clip depth from -1 to 1, as in OpenGL; window depth from 0 to 1 */
+    HRBFNPR_DEPTH_ZERO_TO_ONE = 1,         /* clip and window depth from 0 to 1, as in Direct3D, Vulkan and Metal */
+    HRBFNPR_DEPTH_REVERSED = 2             /* clip and window depth from 1 at the near plane to 0 at the far plane */
 };
 
+/* A camera: two matrices and a viewport. */
 typedef struct hrbfnpr_camera {
     uint32_t struct_size;
-    uint32_t depth_convention; /* HRBFNPR_DEPTH_...; of `projection` and of depth buffers */
-    double view[16];           /* world to eye, column-major; the eye looks along -z */
-    double projection[16];     /* eye to clip */
-    double viewport[4];        /* x, y of the top-left corner, width, height, in pixels */
+    uint32_t depth_convention; /* depth of `projection` and of depth buffers, HRBFNPR_DEPTH_...; default
+                                  NEGATIVE_ONE_TO_ONE */
+    double view[16];           /* world to eye, column-major, invertible; the eye looks along -z; default the
+                                  identity */
+    double projection[16];     /* eye to clip, column-major, invertible; default the identity */
+    double viewport[4];        /* x and y of the top-left corner, width and height, in pixels; up to 1048576 each;
+                                  default 0 x 0, which drawing refuses */
 } hrbfnpr_camera;
 
-/* Identity matrices, viewport 0 x 0 (which _draw refuses). */
+/* Sets struct_size, identity matrices and a viewport of 0 x 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size);
-/* Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
- * INVALID_ARGUMENT if eye = target or up is parallel to the view. */
+/* Sets `view` so that the camera looks from `eye` towards `target`, with `up` roughly upward in the picture; 3 doubles
+ * each.
+ * Errors: INVALID_ARGUMENT (eye and target are the same; `up` is 0 or parallel to the view; a number is not finite). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye,
                                                   const double* target, const double* up,
                                                   hrbfnpr_error* error);
-/* Sets `projection` and the viewport's size.  vertical_angle in radians, in
- * (0, pi); 0 < near_plane < far_plane. */
+/* Sets a perspective `projection`, and the viewport's width and height in pixels.  `vertical_angle` is the vertical
+ * angle of view in radians, in (0, pi).  The planes are distances from the eye, 0 < near_plane < far_plane.
+ * Errors: INVALID_ARGUMENT (an argument is out of range). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle,
                                                       double width, double height, double near_plane,
                                                       double far_plane, hrbfnpr_error* error);
-/* Sets `projection` and the viewport's size; `view_height` is the height of
- * the visible slab in world units; near_plane < far_plane, either sign. */
+/* Sets an orthographic `projection`, and the viewport's width and height in pixels.  `view_height` is the height of
+ * what is seen, in world units, above 0. near_plane < far_plane; either may be negative.
+ * Errors: INVALID_ARGUMENT (an argument is out of range). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height,
                                                        double width, double height, double near_plane,
                                                        double far_plane, hrbfnpr_error* error);
-/* Sets view, projection and viewport so that the box fills the picture but for
- * `margin` (share of the picture on each side, 0 .. 0.45), seen along
- * `direction` (from the eye into the scene).  vertical_angle 0 = orthographic. */
+/* Sets view, projection and viewport so that a box fills the picture.  `direction` points from the eye into the scene,
+ * `up` roughly upward in the picture; 3 doubles each.  `vertical_angle` is in radians, in [0, pi); 0 = orthographic.
+ * `width` and `height` are in pixels.  `margin` is the share of the picture that stays free on each side, 0 .. 0.45.
+ * Errors: INVALID_ARGUMENT (an argument is out of range; `up` is parallel to the direction). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* bounds_min,
                                                      const double* bounds_max, const double* direction,
                                                      const double* up, double vertical_angle,
                                                      double width, double height, double margin,
                                                      hrbfnpr_error* error);
 
-/* The same for n x 3 points, FLOAT32 or FLOAT64, n >= 1: the points themselves
- * fill the picture, not the corners of their box, and lie in its middle.
- * `origin` (3 doubles, NULL = 0) is added to each: with a point set's POSITION
- * give its info's origin. */
+/* Sets view, projection and viewport so that points fill the picture, and lie in its middle.  It fits the points
+ * themselves, not the corners of their box.  `points` is n x 3, FLOAT32 or FLOAT64, n >= 1.  `origin` (3 doubles, NULL
+ * = 0) is added to each point: with a point set's POSITION give the origin of its info.  The other arguments are those
+ * of hrbfnpr_camera_fit_bounds.
+ * Errors: INVALID_ARGUMENT (no points; a number is not finite; as for hrbfnpr_camera_fit_bounds). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points,
                                                      const double* origin, const double* direction, const double* up,
                                                      double vertical_angle, double width, double height,
                                                      double margin, hrbfnpr_error* error);
 
+/* How ink is drawn that lies behind a depth layer of surface. */
 enum {
-    HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* seen faintly through the surface in front [NPAR 6.1] */
-    HRBFNPR_HIDDEN_LINES_HIDE = 1,      /* marks behind a nearer depth layer are not drawn */
-    HRBFNPR_HIDDEN_LINES_SHOW = 2       /* as if nothing were in front (lambda = 0) */
+    HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, /* ink is seen faintly through the surface in front of it [NPAR 6.1] */
+    HRBFNPR_HIDDEN_LINES_HIDE = 1,      /* ink behind a nearer depth layer is not drawn */
+    HRBFNPR_HIDDEN_LINES_SHOW = 2       /* ink is drawn as if nothing were in front of it: lambda is 0 */
 };
 
+/* How the marks that a surface hides are found. */
 enum {
-    /* Each mark of ink is seen through the depth layers of surface in front of it, which are found
-     * from the marks: its opacity is multiplied by their transmittance.  A depth layer never dims its
-     * own ink, and the picture does not depend on the number of marks. */
+    /* Depth layers of surface are found from the marks.  The ink of each mark is multiplied by the transmittance of the
+     * layers in front of it.  A depth layer never dims its own ink.  The picture does not depend on the number of
+     * marks. */
     HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0,
-    /* As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1]. */
+    /* Marks paint discs of paper and of ink from far to near, as published [NPAR 6.1]. */
     HRBFNPR_VISIBILITY_PUBLISHED = 1
 };
 
+/* How many marks a tone shows. */
 enum {
-    /* The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
-     * follows from their size, their density on the screen and how they overlap, so that the
-     * tone stays when the zoom or the budget changes.  Where all marks together cover less than
-     * 0.6, the tone 0.6 shows all of them and the others are paler alike. */
+    /* The ink covers the share 1 - tau of the paper.  The number of marks follows from their size, their density in the
+     * picture and their overlap, so that the tone stays when the zoom or the budget changes.  If all marks together
+     * cover less than 0.6, all of them are shown where 0.6 is asked for, and fewer in proportion where less is asked
+     * for. */
     HRBFNPR_TONE_CURVE_COVERAGE = 0,
-    HRBFNPR_TONE_CURVE_LINEAR = 1 /* the share of marks is 1 - tau [NPAR 6.2] */
+    HRBFNPR_TONE_CURVE_LINEAR = 1 /* the share of marks that is shown is 1 - tau [NPAR 6.2] */
 };
 
+/* What the tone tau of a front mark comes from: 1 = light, 0 = dark. */
 enum {
     HRBFNPR_TONE_NONE = 0,    /* tau = 0: all front marks are shown */
-    HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light */
-    HRBFNPR_TONE_CALLBACK = 2 /* tau from tone_function */
+    HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light on the unlit side */
+    HRBFNPR_TONE_CALLBACK = 2 /* tau is what tone_function returns */
 };
 
+/* Which front marks are shown. u is the rank of a mark, tau its tone, tau_d the tone of its distance (depth_min,
+ * depth_max), scale that of its zoom (zoom_reference), and share that of the layer style. */
 enum {
-    /* A front mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share: all effects thin
-     * one and the same order of marks, so that a blue-noise order stays one. */
+    /* A mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share.  All effects thin the same order of marks, so that
+     * a blue-noise order stays one. */
     HRBFNPR_TONE_RULE_SHARE = 0,
-    /* As published, test by test: u >= tau, u < tau_d, u < scale, u < share. */
+    /* A mark is shown if it passes each test, as published: u >= tau, u < tau_d, u < scale, u < share [NPAR 6.2]. */
     HRBFNPR_TONE_RULE_PUBLISHED = 1
 };
 
-enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
+/* The space in which the direction to the light is given. */
+enum {
+    HRBFNPR_LIGHT_WORLD = 0, /* world space: the light stays where it is when the camera moves */
+    HRBFNPR_LIGHT_CAMERA = 1 /* eye space: the light moves with the camera */
+};
 
-/* Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
- * [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
- * each; TONE_NORMAL where there are any).  Runs on the thread that called _draw.  Non-zero fails it. */
+/* Computes the tone of many places, by any illumination model.  It fills `tau` (count floats, 1 = light, 0 = dark) from
+ * world positions and unit normals (count x 3 floats each).  The normals are TONE_NORMAL if the layer has them.  Values
+ * are clamped to [0, 1].  It runs on the thread that called _draw.  A result other than 0, or a NaN in `tau`, makes
+ * that call fail with CALLBACK. */
 typedef int32_t (*hrbfnpr_tone_fn)(void* user, int64_t count, const float* positions,
                                    const float* normals, float* tau);
 
-/* How the front marks of a layer of strokes are drawn.  Layers without strokes are dots; so is everything with
- * VISIBILITY_PUBLISHED. */
+/* How the front marks of a layer of strokes are drawn.  Layers without strokes are always dots, and so is everything
+ * with VISIBILITY_PUBLISHED. */
 enum {
     HRBFNPR_SHAPE_DOTS = 0,    /* each mark is a dot */
-    HRBFNPR_SHAPE_STROKES = 1, /* marks that follow each other along a stroke, and are shown, are one line whose width
-                                  and opacity are theirs; a single one is a dot */
-    HRBFNPR_SHAPE_HATCH = 2    /* strokes are curves, drawn where the tone is dark enough, and their width makes the
-                                  tone: hatch_... of hrbfnpr_layer_style.  Of nested lines (those of level k midway
-                                  between those of lower levels) as many levels are drawn as the picture has room for,
-                                  so that the tone does not depend on the zoom.  Points of lines have the id of the
-                                  nearest mark; a stroke whose ends meet is closed.
-                                  [Winkenbach & Salesin 1994; Praun et al. 2001] */
+    HRBFNPR_SHAPE_STROKES = 1, /* consecutive marks of a stroke that are shown form one line, with their width and
+                                  opacity.  A single mark is a dot */
+    HRBFNPR_SHAPE_HATCH = 2    /* strokes are curves that are drawn where the tone is dark enough, and their width makes
+                                  the tone.  The hatch_ fields of hrbfnpr_layer_style apply.  Lines are nested: those of
+                                  level k lie midway between those of lower levels.  As many levels are drawn as the
+                                  picture has room for, so that the tone does not depend on the zoom.  Points of a line
+                                  have the id of the nearest mark.  A stroke whose ends meet is closed [Winkenbach &
+                                  Salesin 1994; Praun et al. 2001] */
 };
 
-/* How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded. */
+/* How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.  Lengths in pixels are those of
+ * the picture. */
 typedef struct hrbfnpr_layer_style {
     uint32_t struct_size;
-    uint32_t kind;      /* the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY */
-    const char* name;   /* ... and are called so; NULL = any name.  Read during _draw only */
-    uint32_t shown;     /* 1 or 0: whether front marks are drawn; 1 */
-    uint32_t contours;  /* 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; 1.  Not of OWN
-                           strokes, which may be few */
-    uint32_t directions; /* of strokes: bit 0 the first direction, bit 1 the second; 3 */
-    uint32_t shape;     /* HRBFNPR_SHAPE_...; DOTS */
-    float share;        /* 0 .. 1: share of the layer's marks that is used at all; 1 */
-    float radius;       /* of a mark, half the width of a stroke, pixels, > 0; 1 */
-    float radius_zoom;  /* 0: radius is in pixels at any zoom; 1: grows with the zoom; between; 0 */
+    uint32_t kind;      /* kind of the layers that this style is for, HRBFNPR_LAYER_KIND_...; default ANY */
+    const char* name;   /* name of the layers that this style is for; default NULL = any name.  It is read during _draw
+                           only */
+    uint32_t shown;     /* 1 or 0: whether front marks are drawn; default 1 */
+    uint32_t contours;  /* 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; default 1.  Strokes
+                           of kind OWN never do, as they may be few.  If `shown` is 0 and this is 1, the layer still
+                           hides what lies behind its surface; if both are 0, it takes no part */
+    uint32_t directions; /* which strokes are drawn: bit 0 the first direction, bit 1 the second; default 3 */
+    uint32_t shape;     /* shape of front marks, HRBFNPR_SHAPE_...; default DOTS */
+    float share;        /* share of the layer's marks that is used at all, 0 .. 1; default 1.  Less makes the layer
+                           paler */
+    float radius;       /* radius of a mark, and half the width of a stroke, in pixels; above 0, up to 16384; default
+                           1 */
+    float radius_zoom;  /* how the radius follows the zoom, relative to zoom_reference of the style; 0 .. 1; default 0 =
+                           the radius stays the same in pixels; 1 = it grows with the zoom */
     uint32_t reserved;
-    float ink[4];       /* black */
-    /* Of SHAPE_HATCH.  Darkness is 1 - tau, 0 .. 1; the share of the paper that the lines cover grows with it, times
-       `share`.  Lines whose separation is not known have the width 2 * radius where that share is the greatest. */
-    float hatch_tone_begin;     /* darkness from which on there are lines, 0 .. 1; 0.15 */
-    float hatch_tone_end;       /* darkness from which on they get no wider, > hatch_tone_begin, to 1; 0.95 */
-    float hatch_coverage_begin; /* > 0, to 1: share covered at hatch_tone_begin; 0.1 */
-    float hatch_coverage_end;   /* > 0, to 1: share covered at hatch_tone_end; 0.82 */
-    float hatch_spacing;        /* least from line to line, pixels, > 0; 4.6 */
-    float hatch_pen;            /* least width of a line, pixels, > 0; 0.6.  Less only where lines fade in or end, or are
-                                   closer together than hatch_spacing */
-    float hatch_white;          /* left between lines at least, pixels, 0 or more; 1.2 */
-    float hatch_taper;          /* over which a line narrows where it ends by its tone, pixels, 0 or more; 20.  Where it
-                                   ends for another reason it is shorter */
-    float hatch_shortest;       /* pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or
-                                   more; 10 */
+    float ink[4];       /* colour of the ink, straight RGBA; default black */
+    /* SHAPE_HATCH.  Lines cover a share of the paper that grows with the darkness, 1 - tau. */
+    float hatch_tone_begin;     /* darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15.  Larger: lights are
+                                   emptier */
+    float hatch_tone_end;       /* darkness, 1 - tau, from which on lines get no wider; above hatch_tone_begin, up to 1;
+                                   default 0.95 */
+    float hatch_coverage_begin; /* share of the paper that lines cover at hatch_tone_begin, times `share`; above 0, up
+                                   to 1; default 0.1 */
+    float hatch_coverage_end;   /* share of the paper that lines cover at hatch_tone_end, times `share`; above 0, up to
+                                   1; default 0.82.  Lines of unknown separation have the width 2 * radius there */
+    float hatch_spacing;        /* least distance from line to line, in pixels; above 0, up to 16384; default 4.6.
+                                   Larger: fewer, wider lines */
+    float hatch_pen;            /* least width of a line, in pixels; above 0, up to 16384; default 0.6.  Lines are
+                                   thinner only where they fade in or end, or are closer together than hatch_spacing */
+    float hatch_white;          /* least width of the paper between lines, in pixels; 0 .. 16384; default 1.2 */
+    float hatch_taper;          /* length over which a line narrows where its tone ends, in pixels; 0 .. 16384; default
+                                   20.  Where it ends for another reason, it narrows over a shorter length */
+    float hatch_shortest;       /* length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10.
+                                   Pieces up to twice as long are thinner */
     uint32_t reserved2;
-    float hatch_wobble;         /* how far a line may stray to either side, as of an unsteady hand, in hatch_pens, 0 ..
-                                   16; 0.  From swing to swing it is about 60 hatch_pens */
-    float hatch_overshoot;      /* lines run on past the tone that they end at by up to this, each by another length;
-                                   pixels, 0 or more; 0 */
-    uint32_t hatch_seed;        /* of the two above: any number; 0 */
+    float hatch_wobble;         /* how far a line strays to either side, as if drawn by an unsteady hand, in multiples
+                                   of hatch_pen; 0 .. 16; default 0.  A swing is about 60 hatch_pen long */
+    float hatch_overshoot;      /* greatest length by which a line runs on past the end of its tone, in pixels;
+                                   0 .. 16384; default 0.  Each end has another length */
+    uint32_t hatch_seed;        /* seed of hatch_wobble and hatch_overshoot; any number; default 0 */
     uint32_t reserved3;
 } hrbfnpr_layer_style;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size);
 
-/* What is drawn of the parts of a line that surface hides. */
+/* How the parts of a line that surface hides are drawn.  A layer of surface is two sheets. */
 enum {
-    HRBFNPR_HIDDEN_PARTS_NONE = 0,
-    HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, /* paler with each layer of surface (two sheets) before them */
-    HRBFNPR_HIDDEN_PARTS_DASHED = 2,     /* dashes, the shorter the more layers lie before them */
-    HRBFNPR_HIDDEN_PARTS_SHOWN = 3       /* like what is visible */
+    HRBFNPR_HIDDEN_PARTS_NONE = 0,       /* hidden parts are not drawn */
+    HRBFNPR_HIDDEN_PARTS_ATTENUATED = 1, /* hidden parts get paler with each layer of surface in front of them */
+    HRBFNPR_HIDDEN_PARTS_DASHED = 2,     /* hidden parts are dashed; the more layers lie in front, the shorter the
+                                            dashes */
+    HRBFNPR_HIDDEN_PARTS_SHOWN = 3       /* hidden parts are drawn like visible ones */
 };
 
-/* How a line ends where it ends in the picture without meeting another: at a cusp, where it turns behind its own
- * surface. */
+/* The shape of a free end of a line: one that meets no other line in the picture, such as a cusp, where a contour turns
+ * behind its own surface. */
 enum {
-    HRBFNPR_CAP_ROUND = 0,
-    HRBFNPR_CAP_FLAT = 1,
-    HRBFNPR_CAP_POINTED = 2 /* narrowing to a tip; the tip's length is twice the width there */
+    HRBFNPR_CAP_ROUND = 0,  /* half a disc beyond the end */
+    HRBFNPR_CAP_FLAT = 1,   /* cut off straight at the end */
+    HRBFNPR_CAP_POINTED = 2 /* a tip, twice as long as the line is wide there */
 };
 
-/* Creases by the way that the surface bends there. */
+/* Which creases are drawn. */
 enum {
-    HRBFNPR_CREASES_ALL = 0,
-    HRBFNPR_CREASES_CONVEX = 1, /* edges */
-    HRBFNPR_CREASES_CONCAVE = 2 /* grooves, and where something stands on a face */
+    HRBFNPR_CREASES_ALL = 0,    /* all creases */
+    HRBFNPR_CREASES_CONVEX = 1, /* convex creases: edges */
+    HRBFNPR_CREASES_CONCAVE = 2 /* concave creases: grooves, and where something stands on a face */
 };
 
-/* How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels. */
+/* How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field says
+ * otherwise. */
 typedef struct hrbfnpr_line_style {
     uint32_t struct_size;
-    uint32_t kind;        /* HRBFNPR_LINE_KIND_...; CONTOUR */
-    const char* name;     /* of lines found once: those that are called so; NULL = any name.  Read during _draw only */
-    uint32_t hidden;      /* HRBFNPR_HIDDEN_PARTS_...; NONE */
-    uint32_t cap;         /* HRBFNPR_CAP_...: of free ends; ROUND */
-    float width;          /* > 0; 2 */
-    float taper;          /* over which a line narrows to a free end, half an ellipse; 0 = not at all; 12.  A part with
-                             a free end that is shorter than two tapers is the thinner, the shorter it is */
-    float hidden_width;   /* of ATTENUATED and DASHED, > 0; 1.2 */
-    float hidden_opacity; /* 0 .. 1: of ATTENUATED, for each layer; 0.35 */
-    float dash;           /* of DASHED, in hidden_widths, > 0; 5 */
-    float gap;            /* between dashes, in hidden_widths, > 0; 3 */
-    float shortest;       /* parts with a free end, and hidden ones, that are shorter are not drawn; 2.  Feature lines
-                             that are found with every drawing measure 0.01 diagonals or more */
-    float fade;           /* 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1 */
-    double lower;         /* strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
-                             contours, 12 and 25 of apparent ridges, 15 and 30 (degrees) of creases */
-    double upper;
-    hrbfnpr_array levels; /* of ISOPHOTE: FLOAT64, 1: -1 .. 1.  Read during _draw only */
-    float ink[4];         /* straight RGBA; black */
+    uint32_t kind;        /* kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
+    const char* name;     /* name (hrbfnpr_line_desc.name) of the lines found once that this style is for; default NULL
+                             = any name.  It is read during _draw only */
+    uint32_t hidden;      /* how hidden parts are drawn, HRBFNPR_HIDDEN_PARTS_...; default NONE */
+    uint32_t cap;         /* shape of free ends, HRBFNPR_CAP_...; default ROUND */
+    float width;          /* width of a line, in pixels; above 0, up to 16384; default 2 */
+    float taper;          /* length over which a line narrows to a free end, as half an ellipse, in pixels; 0 .. 16384;
+                             default 12; 0 = it does not narrow.  A part with a free end that is shorter than two tapers
+                             is thinner the shorter it is */
+    float hidden_width;   /* width of ATTENUATED and DASHED parts, in pixels; above 0, up to 16384; default 1.2 */
+    float hidden_opacity; /* factor of the opacity of ATTENUATED parts for each layer in front, 0 .. 1; default 0.35 */
+    float dash;           /* length of a dash of DASHED parts, in hidden_widths; above 0, up to 16384; default 5 */
+    float gap;            /* length of a gap between dashes, in hidden_widths; above 0, up to 16384; default 3 */
+    float shortest;       /* length below which parts with a free end, and hidden parts, are not drawn, in pixels;
+                             0 .. 16384; default 2.  Feature lines that are found for every drawing are at least 0.01
+                             diagonals long in any case */
+    float fade;           /* how much paler a line is where its strength is `lower` than where it is `upper`, 0 .. 1;
+                             default 1; 0 = it does not fade */
+    double lower;         /* least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0.  If
+                             `lower` and `upper` are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15
+                             (degrees) for creases, and 0 for other kinds */
+    double upper;         /* strength that a line must reach somewhere to be drawn; 0 or more; default 0.  If `lower`
+                             and `upper` are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees)
+                             for creases, and 0 for other kinds */
+    hrbfnpr_array levels; /* values of n . l at which an ISOPHOTE lies; n x 1, FLOAT64, packed, -1 .. 1; at least one
+                             for ISOPHOTE.  It is read during _draw only */
+    float ink[4];         /* colour of the ink, straight RGBA; default black */
 
-    /* Laws of the width: factors, 0 .. 16, of which all that apply to a place are multiplied; 1 = no effect.  By depth,
-     * light and radial curvature goes the distance between a contour and an isophote [Goodwin et al. 2007]. */
-    float outline_factor;   /* of CONTOUR and BORDER, where nothing lies beside the line on its outer side: the outline of
-                               all items that have lines.  Falls to 1 over 6 widths beyond its ends; 1 */
-    float far_factor;       /* at the farthest place in the viewport of lines that are drawn, hidden ones too; 1 at the
-                               nearest, evenly by depth between; 1 */
-    float lit_factor;       /* where the surface faces the style's light, whatever its tone; 1 where it faces away,
-                               evenly by n . l between; 1 */
-    float curvature_factor; /* where the surface bends sharply; 1 where its radius of curvature is curvature_radius or
-                               more, evenly by the radius between.  Of CONTOUR the radial curvature, along the line of
-                               sight; of others the normal curvature across the line; 1 */
-    float curvature_radius; /* diagonals, > 0; 0.1 */
+    /* Laws of the width: factors of `width`, 0 .. 16; 1 = no effect.  All that apply to a place are multiplied.  They
+     * follow the distance in the picture between a contour and an isophote [Goodwin et al. 2007]. */
+    float outline_factor;   /* factor of the width of CONTOUR and BORDER where nothing lies beside the line on its outer
+                               side: on the outline of all items that have lines; 0 .. 16; default 1.  Beyond the ends
+                               of the outline it changes to 1 over 6 widths.  All factors that apply to a place are
+                               multiplied */
+    float far_factor;       /* factor of the width at the farthest place of all lines in the viewport, hidden ones too;
+                               0 .. 16; default 1.  It is 1 at the nearest place, and changes evenly with depth */
+    float lit_factor;       /* factor of the width where the surface faces the style's light, whatever its tone;
+                               0 .. 16; default 1.  It is 1 where the surface faces away, and changes evenly with
+                               n . l */
+    float curvature_factor; /* factor of the width where the surface bends sharply; 0 .. 16; default 1.  It is 1 where
+                               the radius of curvature is curvature_radius or more, and changes evenly with the radius.
+                               For CONTOUR it is the radial curvature, along the line of sight; for other kinds it is
+                               the normal curvature across the line */
+    float curvature_radius; /* radius of curvature from which on curvature_factor has no effect, in diagonals; above 0;
+                               default 0.1 */
 
-    /* An unsteady hand, the same in each drawing and, as the lengths are in widths, at each size of the picture. */
-    float wobble;         /* how far a line may stray to either side, widths, 0 .. 16; 0 */
-    float wobble_width;   /* 0 .. 1: the share by which its width may vary; 0 */
-    float wobble_length;  /* from swing to swing, about, widths, >= 1; 40 */
-    uint32_t wobble_seed; /* 0 */
-    uint32_t creases;     /* of CREASE: HRBFNPR_CREASES_...; ALL */
+    /* An unsteady hand.  It is the same in each drawing and, as lengths are in widths, at each size of the picture. */
+    float wobble;         /* how far a line strays to either side, in widths; 0 .. 16; default 0 */
+    float wobble_width;   /* share by which the width of a line varies; 0 .. 1; default 0 */
+    float wobble_length;  /* approximate length from swing to swing, in widths; 1 .. 16384; default 40 */
+    uint32_t wobble_seed; /* seed of the wobble; any number; default 0 */
+    uint32_t creases;     /* which lines of kind CREASE are drawn, HRBFNPR_CREASES_...; default ALL */
 } hrbfnpr_line_style;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
 
+/* How an item is drawn. docs/presets.md shows named styles, and docs/frames.md explains the method. */
 typedef struct hrbfnpr_style {
     uint32_t struct_size;
-    uint32_t tone;               /* HRBFNPR_TONE_...; LIGHT */
-    float paper[4];              /* straight RGBA; alpha 0 = transparent; white.  One for all styles of a drawing */
-    const hrbfnpr_layer_style* layers; /* a list: a layer of marks takes the first that is for it, or the
-                                          defaults of _layer_style_init; NULL and 0 */
-    int64_t layer_count;
-    int64_t layer_stride;
+    uint32_t tone;               /* source of the tone, HRBFNPR_TONE_...; default LIGHT */
+    float paper[4];              /* colour of the paper, straight RGBA; default white; alpha 0 = transparent.  It must
+                                    be the same in all styles of a drawing */
+    const hrbfnpr_layer_style* layers; /* a list of layer styles; default NULL.  A layer of marks takes the first that
+                                          is for it, or else the defaults of hrbfnpr_layer_style_init */
+    int64_t layer_count;               /* number of `layers`; default 0 */
+    int64_t layer_stride;              /* bytes from one element of `layers` to the next; default 0 = struct_size */
 
     /* Tone. */
-    uint32_t tone_rule;          /* HRBFNPR_TONE_RULE_...; SHARE */
-    uint32_t tone_curve;         /* HRBFNPR_TONE_CURVE_...; COVERAGE.  For TONE_RULE_SHARE */
-    double light[3];             /* towards the light, normalised on use; (-0.4, 0.6, 0.7) */
-    double tone_exponent;        /* lambda of the tone law, > 0; 1 */
-    hrbfnpr_tone_fn tone_function; /* for CALLBACK */
-    void* tone_user;
-    uint32_t light_space;        /* HRBFNPR_LIGHT_...; CAMERA */
-    float tone_fade;             /* 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this
-                                    share of the marks shown, instead of popping; 0 = it pops; 0.25 */
+    uint32_t tone_rule;          /* which marks are shown, HRBFNPR_TONE_RULE_...; default SHARE */
+    uint32_t tone_curve;         /* how many marks a tone shows, HRBFNPR_TONE_CURVE_...; default COVERAGE.  Only for
+                                    TONE_RULE_SHARE */
+    double light[3];             /* direction to the light, of any length but 0 where a light is used; default (-0.4,
+                                    0.6, 0.7) */
+    double tone_exponent;        /* lambda, the exponent of the tone law; above 0; default 1.  Larger: the picture gets
+                                    darker */
+    hrbfnpr_tone_fn tone_function; /* tone of TONE_CALLBACK; default NULL */
+    void* tone_user;             /* passed to tone_function; default NULL */
+    uint32_t light_space;        /* space of `light`, HRBFNPR_LIGHT_...; default CAMERA */
+    float tone_fade;             /* share of the shown marks over which a mark grows from nothing to its full area,
+                                    0 .. 1; default 0.25; 0 = marks pop in.  With DEPTH_LAYERS only */
 
-    /* Contours that marks draw, with VISIBILITY_PUBLISHED only.  With DEPTH_LAYERS contours are lines of an item's
-     * line set. */
-    double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
-                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2 */
-    float silhouette_radius;     /* of a mark, pixels; 1 */
-    float silhouette_radius_zoom; /* as radius_zoom; 0 */
-    float silhouette_ink[4];     /* black */
+    /* Contours made of marks, with VISIBILITY_PUBLISHED.  With DEPTH_LAYERS contours are lines of an item's line
+     * set. */
+    double silhouette_threshold; /* delta, which separates classes with PUBLISHED, in (0, 1); default 0.2.  A mark is
+                                    front if n . v < -delta, back if n . v > delta, else silhouette, where v points from
+                                    the camera to the mark [NPAR 6].  Larger: wider contours */
+    float silhouette_radius;     /* radius of a silhouette mark, in pixels, with PUBLISHED; above 0, up to 16384;
+                                    default 1 */
+    float silhouette_radius_zoom; /* how silhouette_radius follows the zoom, as radius_zoom of hrbfnpr_layer_style;
+                                     0 .. 1; default 0 */
+    float silhouette_ink[4];     /* colour of silhouette marks, straight RGBA, with PUBLISHED; default black */
 
     /* Hidden lines. */
-    uint32_t visibility;         /* HRBFNPR_VISIBILITY_...; DEPTH_LAYERS.  One for all styles of a drawing */
-    uint32_t hidden_lines;       /* HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
-    double attenuation_front;    /* lambda of alpha_f = nu^2 lambda; 1 */
-    double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
-    float splat_radius;          /* of the piece of surface that a mark stands for, pixels; 0 = from the
-                                    marks' spacing on the screen */
-    float splat_overlap;         /* n > 0: a depth layer is as opaque as n overlapping splats of opacity alpha,
-                                    1 - (1 - alpha)^n, whatever the marks' density and the zoom; 0: each
-                                    mark paints with alpha itself, as published; 8 */
-    float halo_width;            /* DEPTH_LAYERS: how far beyond its contour a surface hides what lies
-                                    behind, pixels at any zoom.  PUBLISHED: how much wider the paper of
-                                    back marks is, pixels; 2 */
+    uint32_t visibility;         /* how hidden marks are found, HRBFNPR_VISIBILITY_...; default DEPTH_LAYERS.  It must
+                                    be the same in all styles of a drawing */
+    uint32_t hidden_lines;       /* how hidden ink is drawn, HRBFNPR_HIDDEN_LINES_...; default ATTENUATE */
+    double attenuation_front;    /* lambda of alpha_f = nu^2 lambda, the opacity of surface that faces the eye, nu =
+                                    n . v; 0 or more; default 1.  Larger: hidden ink is paler */
+    double attenuation_back;     /* lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda, the opacity of surface that
+                                    faces away; 0 or more; default 1.  Larger: hidden ink is paler */
+    float splat_radius;          /* radius of the splat, the disc of surface around a mark, in pixels; 0 .. 16384;
+                                    default 0 = from the marks' spacing in the picture */
+    float splat_overlap;         /* number n of splats that overlap in a depth layer, whose opacity is 1 - (1 - alpha)^n
+                                    whatever the marks' density and the zoom; 0 .. 1e6; default 8; 0 = each mark paints
+                                    with alpha itself, as published.  Larger: hidden ink is paler */
+    float halo_width;            /* width of the halo, in pixels at any zoom; 0 .. 16384; default 2.  With DEPTH_LAYERS
+                                    a surface hides what lies behind it up to this far beyond its contour.  With
+                                    PUBLISHED it is added to the radius of the paper of back marks */
     uint32_t reserved;
 
     /* Distance and zoom. */
-    double depth_min;      /* distance from the camera where depth attenuation starts, > 0 */
-    double depth_max;      /* ... and where nothing is shown any more; 0 and 0 = off (default) */
-    double zoom_reference; /* pixels per world unit at which marks are shown in full; 0 = off.
-                              Below it the chance to be shown is scale = zoom^zoom_exponent,
-                              exponential in the zoom level ln zoom; the area of the paper
-                              of back marks scales alike [NPAR 6.2] */
-    double zoom_exponent;  /* >= 0; 2 keeps the ink per area */
+    double depth_min;      /* distance from the camera at which marks begin to vanish, in world units; default 0.
+                              Either 0 < depth_min < depth_max, or both are 0 and distance has no effect.  Between the
+                              two the share of marks falls with the logarithm of the distance */
+    double depth_max;      /* distance from the camera from which on nothing is shown, in world units; above depth_min;
+                              default 0 = no effect */
+    double zoom_reference; /* pixels per world unit from which on all marks are shown; 0 or more; default 0 = no effect.
+                              Below it the share zoom^zoom_exponent of the marks is shown, where zoom is the pixels per
+                              world unit at a mark divided by this.  The area of the paper of back marks scales alike
+                              [NPAR 6.2] */
+    double zoom_exponent;  /* exponent of the zoom, 0 or more; default 2, which keeps the ink per area */
 
-    /* Lines, with DEPTH_LAYERS, of items that have a line set. */
-    const hrbfnpr_line_style* lines; /* a list; NULL and 0 */
-    int64_t line_count;
-    int64_t line_stride;
+    /* Lines of items that have a line set, with DEPTH_LAYERS. */
+    const hrbfnpr_line_style* lines; /* a list of line styles; default NULL = no lines */
+    int64_t line_count;              /* number of `lines`; default 0 */
+    int64_t line_stride;             /* bytes from one element of `lines` to the next; default 0 = struct_size */
 
-    /* Of TONE_LIGHT, DEPTH_LAYERS and TONE_RULE_SHARE: 0 .. 1, light from the side opposite to `light`, so that what
-     * is turned away keeps its form: tau = fill_light * (n . l)^2 where n . l < 0.  The lit side stays as it is;
-     * 0.25 */
-    float fill_light;
+    float fill_light;   /* strength of a light from the side opposite to `light`, which lets the unlit side keep its
+                           form: tau = fill_light * (n . l)^2 where n . l < 0; 0 .. 1; default 0.25.  The lit side stays
+                           as it is.  For TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE */
     uint32_t reserved2;
 } hrbfnpr_style;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 
-/* Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list from bindings/presets.py. */
+/* Named styles, each with a picture in docs/presets.md. bindings/generate writes this list from bindings/presets.py. */
 enum {
-    HRBFNPR_PRESET_STIPPLE = 0,             /* stipples by light, no contours */
-    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, more of them where it is darker, and contours */
-    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone
-                                               each, and contours */
-    HRBFNPR_PRESET_COMBING = 3,             /* lines along Stark's combing direction, a second set in the darks, and
-                                               contours */
-    HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
+    HRBFNPR_PRESET_STIPPLE = 0,             /* stipples, denser where it is darker, without contours */
+    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, denser where it is darker, and contours */
+    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of lines of one width, at 0, 35 and -30 degrees, each
+                                               for a darker tone, and contours */
+    HRBFNPR_PRESET_COMBING = 3,             /* lines along Stark's combing direction, with a second set in the darks,
+                                               and contours */
+    HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only; hidden ones are paler */
     HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
-    HRBFNPR_PRESET_XRAY = 6,                /* contours only, hidden ones shown */
-    HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching in the darks, contours and halo: Figure 1 (e) */
-    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, and contours; lights are
+    HRBFNPR_PRESET_XRAY = 6,                /* contours only; hidden ones are dashed */
+    HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1
+                                               (e)] */
+    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, and contours; lights stay
                                                empty */
-    HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone
-                                               each, and contours */
+    HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, each for a
+                                               darker tone, and contours */
     HRBFNPR_PRESET_WOODCUT = 10,            /* few wide lines, which close up to black, and heavy contours */
-    HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, /* fine stipples lit from the upper left, empty lights; outlines swell in
-                                               the shade */
+    HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, /* fine stipples lit from the upper left, and outlines that swell in the
+                                               shade; lights stay empty */
     HRBFNPR_PRESET_SKETCH = 12,             /* pencil on warm paper: two sets of lines that stray and run past their
-                                               ends, contours drawn twice */
+                                               ends, and contours drawn twice */
     HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders, creases and lines
-                                               called "crease", hidden ones dashed */
-    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* lit from the upper left: short lines along curvature that taper to the
-                                               light, heavy outlines, and the RIDGE lines of a line set */
+                                               called "crease"; hidden ones are dashed */
+    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* short lines along the curvature that taper to the light from the upper
+                                               left, heavy outlines, and the RIDGE lines of a line set */
 };
 
-/* A full set of fields that a caller goes on changing.  style->layers and style->lines
- * point to constants of the library: copy an element to change it. */
+/* Sets all fields of a style to those of a preset. style->layers and style->lines point to constants of the library:
+ * copy an element to change it.
+ * Errors: INVALID_ARGUMENT (no such preset). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size,
                                                      uint32_t preset, hrbfnpr_error* error);
-/* The layers that a preset draws, with defaults: a list of constants for
- * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
- * NULL and 0 for a number that is no preset's. */
+/* Gets the layers of marks that a preset draws, with their defaults: a list of constants for
+ * hrbfnpr_generate_desc.layers, with layer_stride 0. *count gets their number.  The result is NULL, with a count of 0,
+ * for a number that no preset has. */
 HRBFNPR_API const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
-/* "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
- * presets are numbered from 0 without gaps. */
+/* Gets the name of a preset, such as "cross-hatch"; static.  The result is NULL for a number that no preset has.
+ * Presets are numbered from 0 without gaps. */
 HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
 
 /*
@@ -2196,81 +2283,88 @@ HRBFNPR_API const char* hrbfnpr_preset_name(uint32_t preset);
  * 10  RENDERER: from items and a camera to a drawing        [NPAR 6]
  * ==========================================================================
  *
- * A renderer is the scratch of one thread.  It keeps a few of its last drawings
- * and makes the next one in the memory of one that nobody else holds: a program
- * that releases each drawing before it asks for the next but one allocates
- * nothing once warm.  The last drawing's point sets live until the next is made,
- * or the renderer is released.
+ * A renderer is the scratch memory of one thread.  It keeps a few of its last drawings, and makes the next one in the
+ * memory of a drawing that no one else holds.  So a program that releases each drawing before it makes the next but one
+ * allocates nothing after a few frames, unless lines are drawn.  The point sets of the last drawing stay alive until
+ * the next one is made or the renderer is released.
  */
 
+/* The scratch memory of one thread, for drawing. */
 typedef struct hrbfnpr_renderer hrbfnpr_renderer;
+/* A picture as a value: dots and strokes in window coordinates. */
 typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 
+/* Makes a renderer.
+ * Errors: INVALID_ARGUMENT (a NULL argument), OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
                                                    hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer); /* any thread; NULL is ignored */
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer);
 
-/* Where the marks of one layer are in this drawing: of an animated surface. */
+/* The marks of one layer as they are in this drawing, for an animated surface. */
 typedef struct hrbfnpr_layer_pose {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t layer;           /* of the item's point set */
-    hrbfnpr_array position;  /* n x 3, FLOAT32 or FLOAT64, absolute, in the order of the layer's n marks */
-    hrbfnpr_array normal;    /* n x 3, FLOAT32 or FLOAT64, unit, outward */
-    hrbfnpr_array direction; /* n x 3, FLOAT32 or FLOAT64, unit; empty = those of the set */
+    int64_t layer;           /* number of the layer in the item's point set; each layer has one pose at most */
+    hrbfnpr_array position;  /* absolute positions, in the order of the layer's n marks; n x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_array normal;    /* outward unit normals; n x 3, FLOAT32 or FLOAT64 */
+    hrbfnpr_array direction; /* unit directions; n x 3, FLOAT32 or FLOAT64; empty = the directions of the set */
 } hrbfnpr_layer_pose;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
 
-/* Which sides of an item's surface its marks are drawn on. */
+/* The sides of an item's surface on which its marks are drawn.  Lines are seen from both sides in any case. */
 enum {
-    HRBFNPR_SIDES_FRONT = 0, /* that which the normals look to: a solid's inside is never seen */
-    HRBFNPR_SIDES_BOTH = 1   /* of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to
-                                the camera: with opposite normals for tone.  Such marks count twice in
-                                hrbfnpr_drawing_info, as of the front and of the back, their ids are the same, and the
-                                drawing has their layers once more, behind those of all items.  Lines are seen from
-                                both sides anyway.  With ATTENUATE a depth layer is as opaque as two, one that faces
-                                the camera and one that faces away, as those of a solid before what it hides */
+    HRBFNPR_SIDES_FRONT = 0, /* the side that the normals point to; for a solid, whose inside is never seen */
+    HRBFNPR_SIDES_BOTH = 1   /* both sides; for a surface that ends, such as a bowl or a leaf.  Where the other side
+                                faces the camera, marks are drawn with opposite normals.  Such marks keep their ids,
+                                count as front and as back in hrbfnpr_drawing_info, and are in separate layers after
+                                those of all items.  With ATTENUATE a depth layer of such an item is as opaque as two,
+                                one that faces the camera and one that faces away */
 };
 
-/* One thing to draw.  Everything it points to is read during _draw only, but
- * the drawing retains the point set. */
+/* One thing to draw.  What it points to is read during _draw only, except that the drawing retains the point set. */
 typedef struct hrbfnpr_item {
     uint32_t struct_size;
-    uint32_t sides;             /* HRBFNPR_SIDES_...; FRONT */
-    const hrbfnpr_point_set* point_set;
-    const hrbfnpr_style* style; /* NULL = default style */
-    const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with DEPTH_LAYERS, what
-                                   hides a mark is then found by casting a ray from it to the
-                                   eye, exact but slow */
-    double transform[16];       /* object to world, column-major, affine, invertible */
-    const hrbfnpr_layer_pose* poses; /* a list: layers whose marks have moved; NULL and 0 */
-    int64_t pose_count;
-    int64_t pose_stride;
-    const hrbfnpr_line_set* line_set; /* NULL, or what the style's lines are drawn from.  All items of a drawing that
-                                         have one hide each other's lines; others hide none */
+    uint32_t sides;             /* sides on which marks are drawn, HRBFNPR_SIDES_...; default FRONT */
+    const hrbfnpr_point_set* point_set; /* marks to draw; not NULL */
+    const hrbfnpr_style* style; /* how they are drawn; default NULL = the defaults of hrbfnpr_style_init */
+    const hrbfnpr_model* model; /* surface that the marks lie on; default NULL.  With it, and DEPTH_LAYERS, a ray from
+                                   each mark to the eye finds what hides the mark: exact, but slow.  It must be NULL if
+                                   there are poses */
+    double transform[16];       /* object to world, column-major, affine and invertible; default the identity */
+    const hrbfnpr_layer_pose* poses; /* a list of layers whose marks have moved; default NULL */
+    int64_t pose_count;              /* number of `poses`; default 0 */
+    int64_t pose_stride;             /* bytes from one element of `poses` to the next; default 0 = struct_size */
+    const hrbfnpr_line_set* line_set; /* what the style's lines are drawn from; default NULL = no lines.  All items of a
+                                         drawing that have one hide each other's lines; other items hide no lines.  It
+                                         must be NULL if there are poses */
 } hrbfnpr_item;
 
-/* NULL pointers and the identity transform. */
+/* Sets struct_size, NULL pointers and the identity transform. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
 
-/* Classifies, shades and orders the marks of a list of items for one camera.
- * Styles of one drawing must have the same paper and visibility.
- * Contours of line sets begin with those of the renderer's last drawing where the
- * camera moved little, and are proven complete again: in their last digits, and by
- * `wobble`, a picture of lines depends on the drawings before it.
- * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK. */
+/* Draws a list of items for one camera: it classifies, shades and orders their marks, and traces their lines.
+ * item_stride is the number of bytes from one item to the next; 0 = struct_size.  All styles must have the same paper
+ * and visibility.  All items together have at most 2147483647 marks.
+ *
+ * Where the camera moved little, contours begin with those of the renderer's last drawing, and are proven complete
+ * again.  So a picture of lines depends on the drawings before it: in its last digits, and by the wobble of its lines.
+ *
+ * Errors: INVALID_ARGUMENT (an item, a style or the camera; lines that need curvatures from a line set without
+ * WITH_CURVATURE), OUT_OF_MEMORY, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
                                                  int64_t item_count, int64_t item_stride,
                                                  const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing,
                                                  hrbfnpr_error* error);
 
-/* The same with an operation (NULL = none), for frames that take long: lines of
- * a fine surface, millions of marks, rays of an item's model, callbacks of tone.
- * After a cancel there is no drawing, and the renderer goes on as if the call
- * had not been made, but that contours of line sets are traced from nothing.
- * Errors: also CANCELLED. */
+/* Draws like hrbfnpr_renderer_draw, with an operation (NULL = none).  Use it for frames that take long: lines of a fine
+ * surface, millions of marks, rays of an item's model, tone callbacks.  After a cancel there is no drawing.  The
+ * renderer then goes on as if the call had not been made, except that contours are not continued from the last drawing.
+ * Errors: those of hrbfnpr_renderer_draw, and CANCELLED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
                                                                 int64_t item_count, int64_t item_stride,
                                                                 const hrbfnpr_camera* camera,
@@ -2279,189 +2373,209 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer
 
 /*
  * ==========================================================================
- * 11  DRAWING: a picture as a value, immutable
+ * 11  DRAWING: a picture as a value; immutable
  * ==========================================================================
  *
- * A drawing is dots and strokes in window coordinates, in layers of one ink and
- * one class each.  A mark's id is 1 + its running number, counted over items
- * and layers in order.  All that reads a drawing may run on several threads at
- * the same time; what memory it needs for that, the context keeps for the next.
+ * A drawing holds dots and strokes in window coordinates.  They are in layers of one ink and one class each.  The id of
+ * a mark is 1 + its number, counted over items and their layers in order.  All functions that read a drawing may run on
+ * several threads at the same time.  The context keeps the memory that they need, for the next call.
  */
 
-HRBFNPR_API void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing); /* any thread; NULL is ignored */
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing);
 
-/* What a mark is for the camera. */
+/* How a mark faces the camera [NPAR 6]. */
 enum {
-    HRBFNPR_CLASS_NONE = 0,
-    HRBFNPR_CLASS_FRONT = 1,
-    HRBFNPR_CLASS_BACK = 2,
-    HRBFNPR_CLASS_SILHOUETTE = 3
+    HRBFNPR_CLASS_NONE = 0,      /* no mark, or a mark that is not drawn */
+    HRBFNPR_CLASS_FRONT = 1,     /* a mark whose normal points towards the eye */
+    HRBFNPR_CLASS_BACK = 2,      /* a mark whose normal points away from the eye */
+    HRBFNPR_CLASS_SILHOUETTE = 3 /* a mark near a contour, with VISIBILITY_PUBLISHED */
 };
 
+/* What a drawing holds, and what making it did.  The counts of marks are over the layers that the styles use, in all
+ * items: marks = outside + front + back + silhouette + culled. */
 typedef struct hrbfnpr_drawing_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t items;
-    int64_t layers;        /* for hrbfnpr_drawing_get_layer_info */
-    int64_t dots;          /* of ink */
-    int64_t strokes;
-    int64_t stroke_points; /* of all strokes */
-    int64_t marks;       /* in all items, of the layers that the styles use: outside + front + back +
-                            silhouette + culled */
-    int64_t outside;     /* outside the frustum */
-    int64_t front;       /* of those inside: by class */
-    int64_t back;
-    int64_t silhouette;  /* PUBLISHED */
-    int64_t culled;        /* DEPTH_LAYERS: marks that are of no class, since no tone could show them: they
-                              were not looked at one by one */
-    int64_t shown;         /* drawn as ink */
+    int64_t items;         /* items that were drawn */
+    int64_t layers;        /* layers of the drawing, for hrbfnpr_drawing_get_layer_info */
+    int64_t dots;          /* dots of ink */
+    int64_t strokes;       /* strokes of marks and of lines */
+    int64_t stroke_points; /* points of all strokes */
+    int64_t marks;       /* marks of the layers that the styles use, in all items */
+    int64_t outside;     /* marks outside the view frustum */
+    int64_t front;       /* marks of class front inside the frustum */
+    int64_t back;        /* marks of class back inside the frustum */
+    int64_t silhouette;  /* marks of class silhouette inside the frustum; PUBLISHED only */
+    int64_t culled;        /* marks without a class, because no tone could show them and they were skipped; DEPTH_LAYERS
+                              only */
+    int64_t shown;         /* marks drawn as ink */
     int64_t dropped_tone;  /* front marks not shown because of light or share */
-    int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
-    int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
-    int64_t dropped_hidden; /* marks not drawn because nothing of them is seen through what is in front */
-    int64_t splats;        /* PUBLISHED: discs of paper; DEPTH_LAYERS: marks that depth layers were found from */
-    int64_t nanoseconds_classify; /* transform, classify, tone */
-    int64_t nanoseconds_visibility;
-    int64_t nanoseconds_sort;
-    int64_t bytes;         /* kept by the drawing */
-    int64_t scratch_bytes; /* kept by its renderer, drawings left out */
+    int64_t dropped_depth; /* front and silhouette marks not shown because of their distance */
+    int64_t dropped_zoom;  /* front marks not shown because of the zoom */
+    int64_t dropped_hidden; /* marks not drawn because the surface in front of them lets nothing of them through */
+    int64_t splats;        /* with PUBLISHED, discs of paper; with DEPTH_LAYERS, marks from which depth layers were
+                              found */
+    int64_t nanoseconds_classify;   /* time for transforms, classes and tones */
+    int64_t nanoseconds_visibility; /* time for finding what hides marks */
+    int64_t nanoseconds_sort;       /* time for ordering ink */
+    int64_t bytes;         /* memory that the drawing keeps */
+    int64_t scratch_bytes; /* memory that its renderer keeps, without drawings */
     int64_t line_curves;         /* curves that lines were drawn from */
-    int64_t line_cusps;          /* of these */
-    int64_t line_crossings;      /* of their images, where the farther one changes its visibility */
-    int64_t line_broken;         /* curves that end inside the surface, and places where one was missed */
-    int64_t line_settled;        /* curves whose visibility did not add up: each part is as a ray of its own says */
-    int64_t line_contradictions; /* of these, curves with a part whose ray was not certain */
-    int64_t nanoseconds_lines;
-    int64_t line_refined; /* curves whose visibility did not add up at first: they, and those that cross them, were made
-                             finer */
-    int64_t line_tangles; /* cells of the image, four pixels wide or more, with so many crossings that none was taken:
-                             lines run to and fro over one another there, as on a flat face seen edge-on */
+    int64_t line_cusps;          /* cusps of these curves */
+    int64_t line_crossings;      /* crossings of their images at which the farther curve changes its visibility */
+    int64_t line_broken;         /* curves that end inside the surface, and places where a curve was missed */
+    int64_t line_settled;        /* curves whose visibility did not add up.  A ray decided for each of their parts */
+    int64_t line_contradictions; /* curves among these with a part whose ray was not certain */
+    int64_t nanoseconds_lines;   /* time for lines */
+    int64_t line_refined; /* curves whose visibility did not add up at first.  They, and those that cross them, were
+                             refined */
+    int64_t line_tangles; /* cells of the image, four pixels wide or more, with so many crossings that none was used.
+                             Lines run to and fro over each other there, as on a flat face seen edge-on */
 } hrbfnpr_drawing_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
+/* Gets what a drawing holds, and what making it did. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
                                                     hrbfnpr_error* error);
 
-/* A layer of a drawing: ink of one layer of marks, of the front or (PUBLISHED) of contours; or lines. */
+/* A layer of a drawing: the ink of one layer of marks, for front marks or (with PUBLISHED) for contours; or the ink of
+ * lines. */
 typedef struct hrbfnpr_drawing_layer_info {
     uint32_t struct_size;
-    uint32_t mark_class; /* HRBFNPR_CLASS_FRONT or SILHOUETTE */
-    int64_t item;
-    int64_t layer;       /* of the item's point set; -1: of lines */
-    uint32_t kind;       /* HRBFNPR_LAYER_KIND_...; of lines HRBFNPR_LINE_KIND_... */
-    uint32_t shape;      /* HRBFNPR_SHAPE_... */
-    char name[64];       /* of that layer; of lines the style's, or empty */
-    float ink[4];        /* straight RGBA */
-    int64_t dots;
-    int64_t strokes;
+    uint32_t mark_class; /* class of its marks: HRBFNPR_CLASS_FRONT or SILHOUETTE */
+    int64_t item;        /* number of the item */
+    int64_t layer;       /* number of the layer in the item's point set; -1 = lines */
+    uint32_t kind;       /* kind of that layer, HRBFNPR_LAYER_KIND_...; for lines HRBFNPR_LINE_KIND_... */
+    uint32_t shape;      /* shape of the ink, HRBFNPR_SHAPE_... */
+    char name[64];       /* name of that layer; for lines that of their style, or empty */
+    float ink[4];        /* colour of the ink, straight RGBA */
+    int64_t dots;        /* dots of the layer */
+    int64_t strokes;     /* strokes of the layer */
 } hrbfnpr_drawing_layer_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info, uint32_t struct_size);
-/* number: 0 .. hrbfnpr_drawing_info.layers - 1. */
+/* Gets what a layer of a drawing holds.  `number` is 0 .. hrbfnpr_drawing_info.layers - 1.
+ * Errors: INVALID_ARGUMENT (no such layer). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_get_layer_info(const hrbfnpr_drawing* drawing, int64_t number,
                                                           hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
 
 /* ---- As an image ---------------------------------------------------------- */
 
+/* Options of rasterizing. */
 enum {
-    HRBFNPR_RASTER_OVER = 1, /* lay the drawing over the image's contents instead of replacing them
-                                inside the viewport; wants a style with transparent paper */
-    HRBFNPR_RASTER_LINEAR_LIGHT = 2 /* blend in linear light (sRGB decoded), not in encoded values */
+    HRBFNPR_RASTER_OVER = 1, /* lays the drawing over the image instead of replacing the image inside the viewport.  Use
+                                it with transparent paper */
+    HRBFNPR_RASTER_LINEAR_LIGHT = 2 /* blends in linear light (sRGB decoded) instead of in encoded values */
 };
 
-/* Optional inputs and outputs: width * height elements of one component each,
- * row by row from the top-left pixel of the image, stride between elements as
- * in every array.  Data NULL and count 0 = not wanted. */
+/* Optional inputs and outputs of rasterizing.  Each array has width * height elements of one component, row by row from
+ * the top-left pixel of the image.  An array with data NULL and count 0 is not wanted. */
 typedef struct hrbfnpr_raster_desc {
     uint32_t struct_size;
-    uint32_t flags;           /* HRBFNPR_RASTER_...; 0 */
-    hrbfnpr_array host_depth; /* FLOAT32, camera's convention: ink behind it is not drawn */
-    hrbfnpr_array_out depth;  /* FLOAT32, camera's convention: the nearest surface, the far plane
-                                 where there is none */
-    hrbfnpr_array_out id;     /* UINT32: id of the nearest drawn mark; 0 = none */
-    hrbfnpr_array_out mark_class; /* UINT8 or UINT32: HRBFNPR_CLASS_... of that mark */
+    uint32_t flags;           /* HRBFNPR_RASTER_...; default 0 */
+    hrbfnpr_array host_depth; /* depth of the host's scene, FLOAT32 in the camera's depth convention; ink behind it is
+                                 not drawn */
+    hrbfnpr_array_out depth;  /* gets the depth of the nearest surface, FLOAT32 in the camera's depth convention; the
+                                 far plane where there is no surface */
+    hrbfnpr_array_out id;     /* gets the id of the nearest drawn mark, UINT32; 0 = none */
+    hrbfnpr_array_out mark_class; /* gets the class of that mark, HRBFNPR_CLASS_...; UINT8 or UINT32 */
 } hrbfnpr_raster_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint32_t struct_size);
 
-/* Draws into an image.  The viewport (clipped to the image) is filled with
- * paper and ink; pixels outside it are not touched.  desc may be NULL. */
+/* Draws into an image.  It fills the viewport, clipped to the image, with paper and ink, and leaves other pixels as
+ * they are.  `desc` may be NULL for the defaults.
+ * Errors: INVALID_ARGUMENT (a field of the image or of `desc`), OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_image* image,
                                                      const hrbfnpr_raster_desc* desc, hrbfnpr_error* error);
 
 /* ---- As vertices ---------------------------------------------------------- */
 
+/* What vertices are written for. */
 enum {
-    HRBFNPR_PRIMITIVE_POINTS = 1,         /* the dots: one vertex each */
-    HRBFNPR_PRIMITIVE_LINE_STRIPS = 2,    /* the strokes: one vertex for each of their points */
-    HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS = 3 /* the strokes: two for each point, on their left and right side */
+    HRBFNPR_PRIMITIVE_POINTS = 1,         /* dots, with one vertex each */
+    HRBFNPR_PRIMITIVE_LINE_STRIPS = 2,    /* strokes, with one vertex for each of their points */
+    HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS = 3 /* strokes, with two vertices for each point, on its left and right side */
 };
 
-/* Ends a strip in an array of indices. */
+/* The index that ends a strip: 0xFFFFFFFF as UINT32. */
 enum { HRBFNPR_INDEX_RESTART = -1 };
 
 /* What a vertex can carry, and the types it can have. */
 enum {
-    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world, FLOAT32 x 3.  Of marks and their line strips that of the mark; of
-                                               lines, of hatching and of triangles what is drawn, as exact as the
-                                               window depth */
-    HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1,    /* pixel x, pixel y, depth; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,    /* pixels; FLOAT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3,     /* straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
-    HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4,    /* world, unit; of lines 0; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5, /* world, unit; of lines 0; FLOAT32 x 3 */
-    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6,        /* of the mark; 0 of lines; UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7,     /* HRBFNPR_CLASS_...; UINT8 or UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0,  /* world position; FLOAT32 x 3.  For marks and their line strips it is the
+                                               place of the mark.  For lines, hatching and triangles it is the drawn
+                                               place, as exact as the window depth */
+    HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1,    /* pixel x, pixel y and depth; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,    /* radius of a dot or half the width of a stroke, in pixels; FLOAT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3,     /* colour, straight RGBA; FLOAT32 x 4 or UINT8 x 4 */
+    HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4,    /* unit normal in the world, 0 for lines; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5, /* unit direction in the world, 0 for lines; FLOAT32 x 3 */
+    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6,        /* id of the mark, 0 for lines; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7,     /* class of the mark, HRBFNPR_CLASS_...; UINT8 or UINT32 */
     HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,  /* 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9,     /* of the drawing; UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10,   /* along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS = 11, /* layers of surface before that part of a line, 0 = it is visible; 0
-                                                    of marks; UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY = 12, /* item of the nearest surface before that part of a line;
-                                               HRBFNPR_INDEX_RESTART = it is visible, or a mark; UINT32 */
-    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 13      /* of lines: a number that a line keeps from one drawing of a renderer to
-                                               the next, where the camera moves little; 0 of all else; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9,     /* number of the layer in the drawing; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10,   /* length along the stroke from its first point, in pixels, 0 for a dot;
+                                               FLOAT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS = 11, /* number of layers of surface in front of this part of a line, 0 if it
+                                                    is visible or a mark; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY = 12, /* number of the item whose surface is nearest in front of this part of a
+                                                line, HRBFNPR_INDEX_RESTART if it is visible or a mark; UINT32 */
+    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 13      /* number of the line, 0 for all else; UINT32.  A line keeps it from one
+                                               drawing of a renderer to the next where the camera moves little */
 };
 
+/* One attribute of a vertex. */
 typedef struct hrbfnpr_vertex_attribute {
     uint32_t struct_size;
-    uint32_t attribute; /* HRBFNPR_VERTEX_ATTRIBUTE_... */
-    uint32_t scalar;    /* HRBFNPR_SCALAR_... */
-    uint32_t offset;    /* bytes from the start of the vertex */
+    uint32_t attribute; /* what it holds, HRBFNPR_VERTEX_ATTRIBUTE_...; default POSITION */
+    uint32_t scalar;    /* type of its numbers, HRBFNPR_SCALAR_...; default FLOAT32 */
+    uint32_t offset;    /* bytes from the start of the vertex; default 0 */
 } hrbfnpr_vertex_attribute;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute, uint32_t struct_size);
 
+/* What vertices are written for, and what each holds. */
 typedef struct hrbfnpr_vertex_layout {
     uint32_t struct_size;
-    uint32_t primitive;       /* HRBFNPR_PRIMITIVE_...; POINTS */
-    const hrbfnpr_vertex_attribute* attributes; /* a list, 1 and more */
-    int64_t attribute_count;
-    int64_t attribute_stride;
-    int64_t stride;           /* bytes of a vertex; 0 = up to the end of its last attribute */
+    uint32_t primitive;       /* what vertices are written for, HRBFNPR_PRIMITIVE_...; default POINTS */
+    const hrbfnpr_vertex_attribute* attributes; /* a list of 1 to 64 attributes */
+    int64_t attribute_count;  /* number of `attributes` */
+    int64_t attribute_stride; /* bytes from one element of `attributes` to the next; default 0 = struct_size */
+    int64_t stride;           /* bytes from one vertex to the next; default 0 = up to the end of the last attribute */
 } hrbfnpr_vertex_layout;
 
-/* Points, and no attributes. */
+/* Sets struct_size, POINTS and no attributes. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size);
 
-/* How many vertices and indices a primitive has; each may be NULL. */
+/* Gets the numbers of vertices and indices that hrbfnpr_drawing_write_vertices writes for a primitive
+ * (HRBFNPR_PRIMITIVE_...).  `vertices` and `indices` may be NULL.
+ * Errors: INVALID_ARGUMENT (no such primitive). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_vertex_bound(const hrbfnpr_drawing* drawing, uint32_t primitive,
                                                         int64_t* vertices, int64_t* indices, hrbfnpr_error* error);
 
-/* Writes the drawing's dots or strokes, far to near.
+/* Writes the vertices of a drawing's dots or strokes, from far to near.
  *
- * POINTS: discs of paper and of ink.  A host that paints them in this order as
- * round anti-aliased points with ordinary "source over" blending gets the
- * dots of _rasterize (without its host_depth; a dot of a radius r below half a
- * pixel is painted with half a pixel, its alpha times (2 r)^2).  With transparent paper, the
- * discs of paper must erase: destination times (1 - alpha).
- * Strips: `indices` (UINT32, nullable) lists, far to near, the vertices of one stroke after
- * the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
- * 0, 1, 2 ...  A triangle strip has two vertices for each point, left and right of it, and two at the tip of a
- * pointed end; round ends are cut off flat.
- * Capacities are in vertices and in indices; *vertex_count and *index_count
- * (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL. */
+ * POINTS: discs of paper and of ink.  A host gets the dots of hrbfnpr_drawing_rasterize if it paints them in this
+ * order, as round anti-aliased points with "source over" blending; only host_depth has no effect.  A dot with a radius
+ * r below half a pixel is written with half a pixel, and its alpha times (2 r)^2.  With transparent paper the discs of
+ * paper must erase: destination times (1 - alpha).
+ *
+ * Strips: `indices` (UINT32, may be NULL) gets the vertices of one stroke after the other, each stroke ended by
+ * HRBFNPR_INDEX_RESTART.  A triangle strip has two vertices for each point, on its left and right, and two at the tip
+ * of a pointed end.  Round ends are cut off flat.  For POINTS `indices` gets 0, 1, 2 and so on.
+ *
+ * Capacities are numbers of vertices and of indices. *vertex_count and *index_count (may be NULL) get the numbers that
+ * were written, or that are needed with BUFFER_TOO_SMALL.
+ * Errors: INVALID_ARGUMENT (a field of the layout; a negative capacity), BUFFER_TOO_SMALL (a capacity is too small;
+ * nothing is written), OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_vertices(const hrbfnpr_drawing* drawing,
                                                           const hrbfnpr_vertex_layout* layout, void* vertices,
                                                           int64_t vertex_capacity, int64_t* vertex_count,
@@ -2470,30 +2584,35 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_vertices(const hrbfnpr_drawing*
 
 /* ---- As numbers for the marks of a set ------------------------------------- */
 
-/* How each mark of a layer is drawn, in the set's own order: a host keeps the
- * set's arrays on the graphics card and uploads only these.  Arrays of the
- * caller's, each of as many elements as the layer has marks, or not given. */
+/* How each mark of a layer is drawn, in the set's own order.  A host keeps the set's arrays on the graphics card and
+ * uploads only these.  Each array of the caller's has as many elements as the layer has marks, or is not given. */
 typedef struct hrbfnpr_mark_results {
     uint32_t struct_size;
     uint32_t reserved;
-    hrbfnpr_array_out shown;   /* UINT8: the class that it is drawn as, HRBFNPR_CLASS_FRONT or SILHOUETTE; NONE = it
-                                  is not drawn */
-    hrbfnpr_array_out radius;  /* FLOAT32, pixels; 0 = not drawn */
-    hrbfnpr_array_out opacity; /* FLOAT32: the ink's alpha times what is let through; 0 = not drawn */
+    hrbfnpr_array_out shown;   /* gets the class as which the mark is drawn, HRBFNPR_CLASS_FRONT or SILHOUETTE, or NONE
+                                  if it is not drawn; n x 1, UINT8 */
+    hrbfnpr_array_out radius;  /* gets the radius of the mark in pixels, 0 if it is not drawn; n x 1, FLOAT32 */
+    hrbfnpr_array_out opacity; /* gets the ink's alpha times the transmittance of what lies in front, 0 if the mark is
+                                  not drawn; n x 1, FLOAT32 */
 } hrbfnpr_mark_results;
 
+/* Sets struct_size; no array is given. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mark_results_init(hrbfnpr_mark_results* results, uint32_t struct_size);
-/* Of one layer of one item's point set; also of a layer that is not drawn. */
+/* Gets how each mark of one layer of one item's point set is drawn.  The layer need not be drawn.
+ * Errors: INVALID_ARGUMENT (no such item or layer; an array of another size or type). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_mark_results(const hrbfnpr_drawing* drawing, int64_t item,
                                                         int64_t layer, hrbfnpr_mark_results* results,
                                                         hrbfnpr_error* error);
 
-/* Which marks of a layer are drawn: numbers of marks, UINT32.
- * POINTS: those that are shown, far to near.  LINE_STRIPS: along strokes, a run
- * of shown marks each, ended by HRBFNPR_INDEX_RESTART.  TRIANGLE_STRIPS: the
- * same, 2 * number and 2 * number + 1 for each mark.
- * mark_class: HRBFNPR_CLASS_FRONT or SILHOUETTE.  *count gets the number written, or needed
- * with BUFFER_TOO_SMALL; indices may be NULL when capacity is 0. */
+/* Writes which marks of a layer are drawn as one class: the numbers of these marks, UINT32.  `mark_class` is
+ * HRBFNPR_CLASS_FRONT or SILHOUETTE.  With POINTS they are the marks that are shown, from far to near.  With
+ * LINE_STRIPS they are runs of shown marks along strokes, each ended by HRBFNPR_INDEX_RESTART.  With TRIANGLE_STRIPS
+ * they are the same runs, with 2 * number and 2 * number + 1 for each mark.
+ *
+ * *count (not NULL) gets the number of indices written, or needed with BUFFER_TOO_SMALL.  `indices` may be NULL if
+ * capacity is 0.
+ * Errors: INVALID_ARGUMENT (no such item, layer, class or primitive), BUFFER_TOO_SMALL (nothing is written),
+ * OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_mark_indices(const hrbfnpr_drawing* drawing, int64_t item,
                                                               int64_t layer, uint32_t mark_class,
                                                               uint32_t primitive, uint32_t* indices,
@@ -2502,268 +2621,298 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_write_mark_indices(const hrbfnpr_draw
 
 /* ---- Picking --------------------------------------------------------------- */
 
+/* The mark that an id belongs to. */
 typedef struct hrbfnpr_mark_identity {
     uint32_t struct_size;
-    uint32_t id;
-    int64_t item;
-    int64_t layer;  /* of the item's point set */
-    int64_t mark;   /* of the layer */
-    int64_t stroke; /* of the layer; -1 = of none */
-    int64_t place;  /* along the stroke */
+    uint32_t id;    /* the id itself */
+    int64_t item;   /* number of the item */
+    int64_t layer;  /* number of the layer in the item's point set */
+    int64_t mark;   /* number of the mark in the layer */
+    int64_t stroke; /* number of its stroke in the layer; -1 = it is in no stroke */
+    int64_t place;  /* its place along the stroke, from 0 */
 } hrbfnpr_mark_identity;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size);
-/* What an id stands for.  INVALID_ARGUMENT for one that is no mark's. */
+/* Finds the mark that has an id.
+ * Errors: INVALID_ARGUMENT (no mark has the id). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id,
                                                     hrbfnpr_mark_identity* identity, hrbfnpr_error* error);
 
 /*
  * ==========================================================================
- * 12  MESH: triangles as they come, made usable; samples, fits and errors by it
+ * 12  MESH: triangles, repaired; samples, fits and comparisons
  * ==========================================================================
  *
- * A mesh is immutable.  Making one repairs what can be repaired, and counts it:
- * vertices in exactly the same place are joined, triangles without area and
- * repeated ones left out, unused vertices dropped; of each component the faces
- * are turned to agree, and a closed one that is inside out is turned whole.
+ * A mesh is immutable.  Making one repairs what can be repaired, and counts the repairs: vertices at exactly the same
+ * place are joined; triangles without area and repeated triangles are left out; unused vertices are dropped; the faces
+ * of each component are turned to agree; and a closed component that is inside out is turned as a whole.
  */
 
+/* Triangles that have been repaired. */
 typedef struct hrbfnpr_mesh hrbfnpr_mesh;
 
-/* Which components are kept.  A component is what hangs together by shared
- * vertices. */
+/* Which components of a mesh are kept.  Faces that share vertices belong to one component. */
 enum {
-    HRBFNPR_PARTS_OUTER = 0,  /* all but those that lie inside a closed one: eyes in a head, inner shells */
-    HRBFNPR_PARTS_ALL = 1,    /* all; one that lies inside an odd number of closed ones is a cavity if its faces say so,
-                                 and is not turned */
-    HRBFNPR_PARTS_LARGEST = 2 /* that of the largest area */
+    HRBFNPR_PARTS_OUTER = 0,  /* keeps all components except those inside a closed one, such as eyes in a head or inner
+                                 shells */
+    HRBFNPR_PARTS_ALL = 1,    /* keeps all components.  One that lies inside an odd number of closed ones is a cavity if
+                                 its faces say so, and is not turned */
+    HRBFNPR_PARTS_LARGEST = 2 /* keeps the component of the largest area */
 };
 
-/* What becomes of the order of a face's corners. */
+/* Whether the order of a face's corners may change. */
 enum {
-    HRBFNPR_FACES_TURN = 0, /* faces are turned to agree with their component, and closed components outward */
-    HRBFNPR_FACES_KEEP = 1  /* as they are */
+    HRBFNPR_FACES_TURN = 0, /* faces are turned to agree with their component, and closed components to face outward */
+    HRBFNPR_FACES_KEEP = 1  /* faces stay as they are */
 };
 
-/* Triangles; quadrilaterals and polygons are cut into them by the caller.
- * A corner that is no number of a vertex, or that a vertex which is not finite
- * belongs to, is INVALID_ARGUMENT, and the message names the face and the
- * index; so are coordinates beyond 1e60, a mesh less than 1e-60 across, and one that has no
- * face left. */
+/* A mesh as it is given: triangles.  The caller cuts quadrilaterals and polygons into triangles. */
 typedef struct hrbfnpr_mesh_desc {
     uint32_t struct_size;
-    uint32_t parts;          /* HRBFNPR_PARTS_...; OUTER */
-    hrbfnpr_array vertices;  /* n x 3, FLOAT32 or FLOAT64; n < 2^31 */
-    hrbfnpr_array triangles; /* m x 3, INT32, INT64 or UINT32: numbers of vertices, from 0, counter-clockwise as seen
-                                from outside; m < 2^29 */
-    double crease_angle;     /* degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; 60 */
-    uint32_t faces;          /* HRBFNPR_FACES_...; TURN */
+    uint32_t parts;          /* components that are kept, HRBFNPR_PARTS_...; default OUTER */
+    hrbfnpr_array vertices;  /* positions; n x 3, FLOAT32 or FLOAT64, n < 2^31 - 1; coordinates up to 1e60 */
+    hrbfnpr_array triangles; /* numbers of vertices from 0, counter-clockwise as seen from outside; m x 3, INT32, INT64
+                                or UINT32, m < 2^29 */
+    double crease_angle;     /* angle between the normals of two faces, in degrees, above which they do not share corner
+                                normals; 0 .. 180; default 60 */
+    uint32_t faces;          /* whether faces are turned, HRBFNPR_FACES_...; default TURN */
     uint32_t reserved;
 } hrbfnpr_mesh_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint32_t struct_size);
 
-/* operation may be NULL.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+/* Makes a mesh from triangles, and repairs it.  `operation` may be NULL.
+ * Errors: INVALID_ARGUMENT (a corner that is not the number of a vertex, or whose vertex is not finite: the message
+ * names the face and the index; coordinates beyond 1e60; a mesh less than 1e-60 across; a mesh that has no face left),
+ * OUT_OF_MEMORY, CANCELLED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_create(hrbfnpr_context* context, const hrbfnpr_mesh_desc* desc,
                                                hrbfnpr_operation* operation, hrbfnpr_mesh** out_mesh,
                                                hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh); /* any thread; NULL is ignored */
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh);
 
-/* Of what is kept, but for the numbers of what was found on the way.  An edge is
- * at the boundary if one face has it, and not manifold if more than two have. */
+/* What making a mesh found, and did.  Facts such as the numbers of vertices, faces and edges are those of the mesh that
+ * is kept; numbers of repairs are those of the mesh that was given.  An edge is at the boundary if it has one face, and
+ * not manifold if it has more than two. */
 typedef struct hrbfnpr_mesh_info {
     uint32_t struct_size;
     uint32_t closed;              /* 1: no edge is at the boundary or not manifold, and all faces agree */
-    int64_t given_vertices;
-    int64_t given_faces;
-    int64_t vertices;             /* kept; more than were given where solids that touch in an edge are parted there, at
-                                     most three for each face */
-    int64_t faces;
-    int64_t welded_vertices;      /* in the place of another, and joined with it; on borders also within 1e-6 of the
-                                     diagonal from another */
-    int64_t degenerate_faces;     /* without area but for the rounding of single precision, left out; the face across the
-                                     largest side is cut in two at the corner that lies within it, so that no slit stays */
-    int64_t repeated_faces;       /* with the corners of another, left out; both where two solids share a wall */
-    int64_t turned_faces;         /* against those beside them, turned */
-    int64_t components;           /* of the given faces */
-    int64_t turned_components;    /* closed and inside out, turned */
-    int64_t nested_components;    /* inside a closed one */
-    int64_t left_out_components;
-    int64_t left_out_faces;       /* of these */
-    int64_t boundary_edges;
-    int64_t boundary_loops;
-    int64_t nonmanifold_edges;
-    int64_t contrary_edges;       /* whose two faces do not agree: the mesh cannot be oriented, or was not to be */
+    int64_t given_vertices;       /* vertices that were given */
+    int64_t given_faces;          /* faces that were given */
+    int64_t vertices;             /* vertices that are kept.  They are more than were given where solids that touch in
+                                     an edge are parted, at most three for each face */
+    int64_t faces;                /* faces that are kept */
+    int64_t welded_vertices;      /* vertices at the place of another, joined with it; on borders also those within 1e-6
+                                     diagonals of another */
+    int64_t degenerate_faces;     /* faces left out because they have no area beyond the rounding of single precision.
+                                     The face across the longest side is cut in two at the corner on it, so that no slit
+                                     stays */
+    int64_t repeated_faces;       /* faces left out because another has the same corners; both where two solids share a
+                                     wall */
+    int64_t turned_faces;         /* faces turned to agree with those beside them */
+    int64_t components;           /* components of the given faces */
+    int64_t turned_components;    /* closed components turned because they were inside out */
+    int64_t nested_components;    /* components inside a closed one */
+    int64_t left_out_components;  /* components left out, by `parts` */
+    int64_t left_out_faces;       /* faces of the components left out */
+    int64_t boundary_edges;       /* edges with one face */
+    int64_t boundary_loops;       /* loops that these edges form */
+    int64_t nonmanifold_edges;    /* edges with more than two faces */
+    int64_t contrary_edges;       /* edges whose two faces do not agree, because the mesh cannot be oriented or was not
+                                     to be */
     int64_t euler_characteristic; /* vertices - edges + faces */
-    int64_t genus;                /* sum of the handles of all components; -1 where the mesh is not closed */
-    double area;
-    double volume;                /* enclosed; NaN where the mesh is not closed */
-    double bounds_min[3];
-    double bounds_max[3];
-    double seconds;               /* that making it took */
-    int64_t bytes;                /* kept by the mesh */
-    double crease_length;         /* of the edges that bend by more than 30 degrees, in diagonals of the bounds */
-    uint32_t creases;             /* 1: these stand out, as those of machine parts; hrbfnpr_model_fit_mesh with edges
-                                     AUTO and the default crease angle keeps them sharp */
+    int64_t genus;                /* number of handles of all components; -1 if the mesh is not closed */
+    double area;                  /* area, in squared units of the mesh */
+    double volume;                /* enclosed volume, in cubed units of the mesh; NaN if the mesh is not closed */
+    double bounds_min[3];         /* least coordinates of the vertices */
+    double bounds_max[3];         /* greatest coordinates of the vertices */
+    double seconds;               /* time that making it took */
+    int64_t bytes;                /* memory that the mesh keeps */
+    double crease_length;         /* length of the edges that bend by more than 30 degrees, in diagonals of the
+                                     bounds */
+    uint32_t creases;             /* 1: the mesh has edges that stand out, as those of machine parts do.
+                                     hrbfnpr_model_fit_mesh keeps them sharp with edges AUTO and the default
+                                     crease_angle */
     uint32_t reserved;
 } hrbfnpr_mesh_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size);
+/* Gets what making a mesh found, and did. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info* info,
                                                  hrbfnpr_error* error);
 
+/* Arrays of a mesh. */
 enum {
-    HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0,       /* places, FLOAT64 x 3 */
-    HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1,     /* numbers of vertices, INT32 x 3, of each face */
-    HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,    /* from 0, INT32 x 1, of each face */
-    HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE = 3,   /* the number that the face was given by, INT32 x 1 */
-    HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL = 4 /* unit normals of the three corners, FLOAT64 x 9, of each face */
+    HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0,       /* positions of the vertices; FLOAT64 x 3 */
+    HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1,     /* numbers of the vertices of each face; INT32 x 3 */
+    HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,    /* number of the component of each face, from 0; INT32 x 1 */
+    HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE = 3,   /* number of each face among the given ones; INT32 x 1 */
+    HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL = 4 /* unit normals of the three corners of each face; FLOAT64 x 9 */
 };
 
-/* A zero-copy view of what is kept, valid while the mesh lives. */
+/* Gets a view of an array of the mesh, HRBFNPR_MESH_ATTRIBUTE_..., without a copy.  It is valid while the mesh lives.
+ * Errors: INVALID_ARGUMENT (no such attribute). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute,
                                              hrbfnpr_array* out_view, hrbfnpr_error* error);
 
+/* How a mesh is sampled. */
 typedef struct hrbfnpr_sample_desc {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t candidates;   /* random places to choose from, 0 = 40 for each sample, 1000000 at most; never fewer than
-                             samples; as many as samples: all of them, in random order */
-    uint64_t random_seed; /* any number; 1 */
+    int64_t candidates;   /* random places to choose from, 0 .. 1000000; default 0 = 40 for each sample, up to 1000000.
+                             More: more even samples, in more time.  There are never fewer than samples; with as many,
+                             the samples are all of them in random order */
+    uint64_t random_seed; /* seed of the places, any number; default 1 */
 } hrbfnpr_sample_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
 
-/* As many samples of the mesh as `points` has elements (at least 1, 10000000 at
- * most): random places, even over its area, of which each next one that is
- * taken is the farthest from those before, so that every prefix is even.
- * points, normals: n x 3, FLOAT32 or FLOAT64; normals (may be NULL) are unit,
- * interpolated between those of the corners, which take in the faces about
- * their vertex within the crease angle, by their angles there.
- * desc may be NULL; operation too. */
+/* Samples a mesh evenly, with as many samples as `points` has elements, 1 .. 10000000.  Each sample is the candidate
+ * farthest from those before, so that every prefix is even.  `points` and `normals` are n x 3, FLOAT32 or FLOAT64.
+ * `normals` may be NULL.  They are unit, and interpolated between the normals of the corners.  A corner's normal takes
+ * in the faces around its vertex within the crease angle, weighted by their angles there.  `desc` and `operation` may
+ * be NULL.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sample_desc* desc,
                                                const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals,
                                                hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 /* Which edges of a mesh are sharp. */
 enum {
-    HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
-                                 is beside them; noise and coarse faces of round shapes do not.  Closed parts that
-                                 cross are fitted apart, and meet in creases */
-    HRBFNPR_EDGES_SMOOTH = 1, /* no edge is: a fit is one smooth surface, which rounds them */
-    HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
+    HRBFNPR_EDGES_AUTO = 0,   /* edges are sharp if they stand out from the faces beside them, as those of machine parts
+                                 do.  Noise and coarse faces of round shapes do not stand out.  Closed parts that cross
+                                 are fitted separately, and meet in creases */
+    HRBFNPR_EDGES_SMOOTH = 1, /* no edge is sharp: a fit is one smooth surface, which rounds all edges */
+    HRBFNPR_EDGES_SHARP = 2   /* all edges are sharp whose faces meet at more than crease_angle */
 };
 
 /* How sharp edges are found. */
 typedef struct hrbfnpr_mesh_edges_desc {
     uint32_t struct_size;
-    uint32_t edges;      /* HRBFNPR_EDGES_...; AUTO */
-    double crease_angle; /* degrees between the normals of two faces, 1 .. 179: an edge that bends more is sharp; 30 */
-    double far;          /* coarse faces that a round surface would leave by four fifths of this stay flat, with sharp
-                            edges; in units of the mesh; 0 = 0.01 diagonals.  A large number, such as the diagonal:
-                            only the angle counts */
+    uint32_t edges;      /* which edges are sharp, HRBFNPR_EDGES_...; default AUTO */
+    double crease_angle; /* angle between the normals of two faces, in degrees, above which their edge is sharp;
+                            1 .. 179; default 30 */
+    double far;          /* distance, in units of the mesh, that decides about coarse faces; 0 or more; default 0 = 0.01
+                            diagonals.  Faces stay flat, with sharp edges, if a round surface would leave them by more
+                            than four fifths of it.  With a large number, such as the diagonal, the angle alone
+                            decides */
 } hrbfnpr_mesh_edges_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size);
 
+/* The sharp edges of a mesh as a whole.  Lengths are in units of the mesh. */
 typedef struct hrbfnpr_mesh_edges_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t edges;     /* the number of sharp edges */
-    int64_t patches;   /* the number of smooth patches between them; 1 where no edge is sharp */
-    double length;     /* of the sharp edges, in units of the mesh */
-    double fading;     /* of those among them that have the same patch on both sides, as where a crease fades out */
-    double doubtful;   /* with AUTO: of edges that bend more than crease_angle but do not stand out, in units of the mesh;
-                          0 where edges are sharp */
-    double seconds;
+    int64_t edges;     /* number of sharp edges */
+    int64_t patches;   /* number of smooth patches between them; 1 if no edge is sharp */
+    double length;     /* length of the sharp edges */
+    double fading;     /* length of those sharp edges that have the same patch on both sides, as where a crease fades
+                          out */
+    double doubtful;   /* with AUTO, length of edges that bend more than crease_angle but do not stand out; 0 if the
+                          mesh has sharp edges */
+    double seconds;    /* time that the search took */
 } hrbfnpr_mesh_edges_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges_info_init(hrbfnpr_mesh_edges_info* info, uint32_t struct_size);
 
-/* Finds the sharp edges of a mesh and the smooth patches between them, as
- * hrbfnpr_model_fit_mesh does with the same edges, crease_angle and far.  Edges
- * that bend by more than crease_angle are sharp; where one ends, it goes on along
- * edges that bend by 8 degrees or more and keep its direction; short sharp edges
- * that part nothing are dropped as noise.  Edges of one face, and of more than
- * two, end patches, but are not sharp.
- * patch: m x 1, INT64, INT32 or UINT32 for the m faces of the mesh: the number of
- *        each face's patch, from 0 in the order of their first faces.  NULL: not
- *        wanted.
- * sharp: m x 3, the same types: 1 where the edge from corner k of the face to the
- *        next corner is sharp, else 0.  NULL: not wanted.
- * desc, info and operation may be NULL.  The call is thread-safe: it only reads
- * the mesh.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+/* Finds the sharp edges of a mesh and the smooth patches between them, as hrbfnpr_model_fit_mesh does with the same
+ * edges, crease_angle and far.  A sharp edge that ends within a patch goes on along edges that keep its direction and
+ * bend by 8 degrees or more.  Short sharp edges that separate nothing are dropped as noise.  Edges with one face, or
+ * with more than two, end patches but are not sharp.
+ *
+ * `patch` is m x 1 for the m faces of the mesh, INT64, INT32 or UINT32: it gets the number of each face's patch, from 0
+ * in the order of their first faces.  `sharp` is m x 3, of the same types: it gets 1 if the edge from corner k of the
+ * face to the next corner is sharp, else 0.  `patch`, `sharp`, `desc`, `info` and `operation` may be NULL.  The call
+ * only reads the mesh, so several threads may make it at the same time.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_edges_desc* desc,
                                               const hrbfnpr_array_out* patch, const hrbfnpr_array_out* sharp,
                                               hrbfnpr_mesh_edges_info* info, hrbfnpr_operation* operation,
                                               hrbfnpr_error* error);
 
-/* Farthest-point order: each is the point farthest from those before it, the
- * first the one nearest to the middle of the bounding box; of equals the one of
- * lower number.  Every prefix is an even choice [Gonzalez 1985].
- * points:   n x 3, FLOAT32 or FLOAT64, finite, below 1e100.
- * indices:  k x 1, INT64, INT32 or UINT32, k <= n: numbers of points.
- * distance: k x 1, FLOAT32 or FLOAT64, or NULL: from those before; infinite for
- *           the first.
- * 20 000 of a million take half a second.  operation may be NULL. */
+/* Orders points so that each is the farthest from those before it (farthest-point order), so that every prefix is an
+ * even choice [Gonzalez 1985].  The first is the point nearest to the middle of the bounding box.  If two points are
+ * equally far, the one with the lower number comes first.
+ *
+ * `points` is n x 3, FLOAT32 or FLOAT64, finite, up to 1e100.  `indices` is k x 1, INT64, INT32 or UINT32, 1 <= k <= n:
+ * it gets the numbers of the points.  `distance` is k x 1, FLOAT32 or FLOAT64, or NULL: it gets the distance of each
+ * from those before; infinite for the first.  `operation` may be NULL.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
                                                    const hrbfnpr_array_out* indices,
                                                    const hrbfnpr_array_out* distance,
                                                    hrbfnpr_operation* operation, hrbfnpr_error* error);
 
-/* How near a surface is to a mesh.  "Surface": of the model, within the box of
- * the mesh, grown by 0.05 diagonals; "diagonal" is the mesh's.  What of it is
- * nearest to the mesh's border goes on beyond that, and is left out.  Where
- * closed components overlap, what lies inside is no part of the mesh. */
+/* How a surface is compared with a mesh.  The surface is that of the model within the box of the mesh, grown by 0.05
+ * diagonals.  Diagonals are those of the mesh.  Parts of the surface whose nearest place on the mesh is on its border
+ * lie beyond the mesh, and are left out.  Where closed components overlap, what lies inside another is no part of the
+ * mesh. */
 typedef struct hrbfnpr_compare_desc {
     uint32_t struct_size;
     uint32_t reserved;
-    double tolerance;     /* that shares are counted for, in units of the mesh; 0 = 0.002 diagonals */
-    double far;           /* beyond it a part of the surface is an invention, and a part of the mesh missed; 0 = 0.01
-                             diagonals */
-    double support;       /* > 0: what the samples of the model do not bear out by this limit is left out, as a line set
-                             with the same `support` does; a custom model has none; 0 = nothing is left out */
-    int64_t points;       /* on each side, 100 .. 10000000; 0 = 20000 */
-    double cell_size;     /* of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where
-                             it is thin.  What is thinner or smaller may be missed */
-    uint64_t random_seed; /* any number; 1 */
+    double tolerance;     /* distance within which shares are counted, in units of the mesh; 0 or more; default 0 =
+                             0.002 diagonals */
+    double far;           /* distance, in units of the mesh, beyond which surface is invented and mesh is missed; 0 or
+                             more; default 0 = 0.01 diagonals */
+    double support;       /* limit of the support of the model's samples, beyond which surface is left out, as in
+                             hrbfnpr_line_set_desc; 0 or more; default 0 = nothing is left out.  A custom model has no
+                             samples: give 0 */
+    int64_t points;       /* places to measure at, on the surface and on the mesh each, 100 .. 10000000; default 0 =
+                             20000 */
+    double cell_size;     /* side of the cells in which the surface is searched, in units of the mesh, at least 0.001
+                             diagonals; default 0 = 1/128 diagonal, and finer where the surface is thin.  What is
+                             thinner or smaller may be missed */
+    uint64_t random_seed; /* seed of the places, any number; default 1 */
 } hrbfnpr_compare_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_compare_desc_init(hrbfnpr_compare_desc* desc, uint32_t struct_size);
 
-/* Distances in units of the mesh.  p99: 99 % are not farther.  Of no points: NaN. */
+/* How near a surface and a mesh are to each other.  Distances are in units of the mesh.  99 % of the distances are not
+ * above p99.  Figures without any place to measure at are NaN. */
 typedef struct hrbfnpr_comparison {
     uint32_t struct_size;
     uint32_t reserved;
     int64_t surface_points;  /* places on the surface, even over its area */
-    double surface_mean;     /* of their distances from the mesh */
-    double surface_p99;
-    double surface_max;
-    double surface_share;    /* within the tolerance */
-    double invented_share;   /* of the surface, beyond `far` */
-    double left_out_share;   /* of the surface: beyond the mesh's border, or by `support`; in none of the above */
+    double surface_mean;     /* mean of their distances from the mesh */
+    double surface_p99;      /* 99th percentile of these distances */
+    double surface_max;      /* greatest of these distances */
+    double surface_share;    /* share of the surface within the tolerance of the mesh, 0 .. 1 */
+    double invented_share;   /* share of the surface farther than `far` from the mesh, 0 .. 1 */
+    double left_out_share;   /* share of the surface left out, beyond the mesh's border or by `support`, 0 .. 1; no
+                                other figure includes it */
     int64_t mesh_points;     /* places on the mesh, even over its area */
-    double mesh_mean;        /* of their distances from the surface */
-    double mesh_p99;
-    double mesh_max;
-    double mesh_share;       /* within the tolerance */
-    double missed_share;     /* of the mesh, beyond `far` */
-    double normal_mean;      /* degrees between the mesh's normals and the surface's beside them */
-    double normal_p99;
-    int64_t components;      /* of the surface */
-    int64_t genus;           /* of the surface, sum over its components; -1 if it has a border in the box */
-    double tolerance;        /* as used */
-    double diagonal;
-    double seconds;
+    double mesh_mean;        /* mean of their distances from the surface */
+    double mesh_p99;         /* 99th percentile of these distances */
+    double mesh_max;         /* greatest of these distances */
+    double mesh_share;       /* share of the mesh within the tolerance of the surface, 0 .. 1 */
+    double missed_share;     /* share of the mesh farther than `far` from the surface, 0 .. 1 */
+    double normal_mean;      /* mean angle between the mesh's normals and those of the surface beside them, in
+                                degrees */
+    double normal_p99;       /* 99th percentile of these angles, in degrees */
+    int64_t components;      /* components of the surface */
+    int64_t genus;           /* genus of the surface, summed over its components; -1 if it has a border in the box */
+    double tolerance;        /* tolerance as used */
+    double diagonal;         /* diagonal of the mesh */
+    double seconds;          /* time that the comparison took */
 } hrbfnpr_comparison;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size);
 
-/* Measures both ways, for any model, in the same coordinates as the mesh.  The
- * surface is found from places on the mesh and from 16^3 places of the box: a
- * small part of it that neither leads to is missed.
- * desc may be NULL; operation too. */
+/* Measures how near the surface of any model and a mesh are to each other, both ways.  Both are in the same
+ * coordinates.  The search for the surface starts from places on the mesh and from a lattice of 16^3 places in the box.
+ * A small part of the surface that is near none of these is missed.  `desc` and `operation` may be NULL.
+ * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
                                                       const hrbfnpr_compare_desc* desc,
                                                       hrbfnpr_comparison* comparison,
@@ -2773,85 +2922,87 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model
 typedef struct hrbfnpr_mesh_fit_desc {
     uint32_t struct_size;
     uint32_t reserved;
-    double tolerance;        /* how near the surface and the mesh are to be to each other, in units of the mesh; 0 =
-                                0.002 diagonals; not below 1e-6 diagonals */
-    double share;            /* of both that has to be within the tolerance, above 0, at most 1; 0.99 */
-    double far;              /* what no part may be beyond; 0 = five times the tolerance */
-    int64_t maximum_centres; /* 16 .. 1000000; 8000.  A fit with sharp edges may have 32 for each of its sheets, if that
-                                is more: each is solved alone */
-    int64_t candidates;      /* places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
-    uint64_t random_seed;    /* any number; 1 */
-    double crease_angle;     /* degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what
-                                rounding would take four fifths of `far` off the mesh; 30 */
-    uint32_t edges;          /* HRBFNPR_EDGES_...; AUTO */
+    double tolerance;        /* distance within which surface and mesh shall be of each other, in units of the mesh;
+                                1e-6 diagonals or more; default 0 = 0.002 diagonals.  Smaller: more samples and time */
+    double share;            /* share of both that must be within the tolerance; above 0, up to 1; default 0.99 */
+    double far;              /* distance that no part may exceed, in units of the mesh; not below the tolerance; default
+                                0 = five times the tolerance */
+    int64_t maximum_centres; /* the most centres of the fit, 16 .. 1000000; default 8000.  A fit with sharp edges may
+                                have 32 for each of its sheets, if that is more, as each sheet is solved alone */
+    int64_t candidates;      /* places on the mesh to choose samples from, 1000 .. 10000000; default 0 = by its area and
+                                its details */
+    uint64_t random_seed;    /* seed of the places, any number; default 1 */
+    double crease_angle;     /* angle between the normals of two faces, in degrees, above which their edge is sharp;
+                                5 .. 175; default 30.  Edges of coarse faces are sharp, too, if rounding would move the
+                                surface off the mesh by four fifths of `far` */
+    uint32_t edges;          /* which edges are sharp, HRBFNPR_EDGES_...; default AUTO */
     uint32_t reserved2;
 } hrbfnpr_mesh_fit_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size);
 
-/* What a fit to a mesh came to: the last of the measurements that it went by,
- * at places of their own.  hrbfnpr_model_compare_mesh measures again, and more. */
+/* The result of a fit to a mesh.  Distances are in units of the mesh.  They come from the fit's last measurement, at
+ * places that it did not use before. hrbfnpr_model_compare_mesh measures again, and more. */
 typedef struct hrbfnpr_mesh_fit_info {
     uint32_t struct_size;
-    uint32_t reached;            /* 1: tolerance, share and far are kept, both ways */
-    double tolerance;            /* as used */
-    double far;
-    int64_t candidates;
-    int64_t centres;             /* all */
-    int64_t off_surface_centres; /* of these, the last ones: where f is held to the distance from the mesh */
-    int32_t rounds;              /* fits */
+    uint32_t reached;            /* 1: surface and mesh keep the tolerance, the share and `far`, both ways */
+    double tolerance;            /* tolerance as used */
+    double far;                  /* `far` as used */
+    int64_t candidates;          /* places on the mesh that samples were chosen from */
+    int64_t centres;             /* all centres */
+    int64_t off_surface_centres; /* centres off the surface, at which f is held to the distance from the mesh.  They are
+                                    the last ones */
+    int32_t rounds;              /* number of fits */
     uint32_t supported;          /* 1: the mesh has a border, and the surface beyond it was not counted */
-    double surface_share;        /* of the surface, within the tolerance of the mesh */
-    double surface_p99;
-    double surface_max;
-    double mesh_share;           /* of the mesh, within the tolerance of the surface */
-    double mesh_p99;
-    double mesh_max;
-    double seconds_sample;
-    double seconds_fit;          /* of all rounds */
-    double seconds_measure;
-    double seconds_total;
-    int32_t sheets;              /* smooth pieces that the surface is made of; 1: it has no edges */
+    double surface_share;        /* share of the surface within the tolerance of the mesh, 0 .. 1 */
+    double surface_p99;          /* 99th percentile of the surface's distances from the mesh */
+    double surface_max;          /* greatest distance of the surface from the mesh */
+    double mesh_share;           /* share of the mesh within the tolerance of the surface, 0 .. 1 */
+    double mesh_p99;             /* 99th percentile of the mesh's distances from the surface */
+    double mesh_max;             /* greatest distance of the mesh from the surface */
+    double seconds_sample;       /* time for choosing samples */
+    double seconds_fit;          /* time for the fits of all rounds */
+    double seconds_measure;      /* time for measuring distances */
+    double seconds_total;        /* time of the whole call */
+    int32_t sheets;              /* smooth sheets that the surface consists of; 1 if it has no sharp edges */
     uint32_t reserved;
-    double crease_length;        /* of the mesh's edges that are sharp */
-    double smooth_length;        /* of those that are not, as the mesh could not be cut there */
-    int64_t cells;               /* of space, in each of which a few sheets rule */
-    int64_t poor_cells;          /* in which no maximum and minimum of its sheets does all that the mesh does */
-    int32_t touching_parts[2];   /* of the mesh, from 0: two that are nearer to each other than the tolerance, so that the
-                                    surface may join them; -1, -1: none were found */
-    double touching_place[3];    /* where they are */
-    uint32_t parts_may_cross;    /* 1: they may go through each other there; 0: they are near to each other */
+    double crease_length;        /* length of the mesh's edges that are sharp, in units of the mesh */
+    double smooth_length;        /* length of edges that stay smooth because the mesh could not be cut there, in units
+                                    of the mesh */
+    int64_t cells;               /* cells of space, in each of which a few sheets make the surface */
+    int64_t poor_cells;          /* cells in which no maximum and minimum of sheets follows the mesh everywhere */
+    int32_t touching_parts[2];   /* numbers of two parts of the mesh, from 0, that are nearer to each other than the
+                                    tolerance, so that the surface may join them; -1, -1 if none were found */
+    double touching_place[3];    /* place where these parts are near each other */
+    uint32_t parts_may_cross;    /* 1: these parts may go through each other there; 0 if they are near each other
+                                    only */
     uint32_t reserved2;
 } hrbfnpr_mesh_fit_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
 
-/* Fits a surface to a mesh with as many samples as that takes: some hundred
- * even ones, then, in rounds, more where the surface is off the mesh or the mesh
- * off the surface.  Where the surface goes on far from the mesh, f is held to
- * the signed distance from the mesh at a few places off it, if it is clear on
- * which side of the mesh they lie, whatever small holes it has: these are the
- * last centres of the model, whose normal is the way to the mesh or from it.
+/* Fits a surface to a mesh, with as many samples as the tolerance takes.  It begins with some hundred even samples.  In
+ * rounds it adds samples where surface and mesh are far from each other.  Where the surface goes on far from the mesh,
+ * f is held to the signed distance from the mesh at a few places off it.  These places are the last centres of the
+ * model.  Their normals point to the mesh or away from it.
  *
- * An end short of the tolerance is no error: `reached` is 0, and the log warns.
- * It comes with maximum_centres, or where more centres gain nothing.  Of a smooth
- * fit edges are rounded by some tenths of the samples' spacing there, and coarse
- * faces with smooth normals contradict these: both take many centres.
+ * A fit that ends short of the tolerance is no error: `reached` is 0, and the log warns.  It ends at maximum_centres,
+ * or when more centres gain nothing.  A smooth fit rounds edges by some tenths of the samples' spacing there.
  *
- * A mesh with edges, as `edges` says, is cut along them into smooth patches.  Each
- * gets a fit of its own, a sheet, and cells of space say which maximum and minimum
- * of their sheets the surface is there [Ohtake et al. 2003, whose pieces are local];
- * away from the surface they have the mesh's signs.  Sheets are held to a fortieth
- * of the tolerance at edges, and to a quarter of it far from them.  An edge that ends
- * within a patch is made to go on, smoothly.  The points and normals of such a model
- * are places all over the mesh, not centres.
- * Trimmed by places on the mesh is what was fitted to an open one, or not reached.
- * desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
- * the fits; its points and normals must be empty, its tolerance and maximum_centres
- * 0; a solver_tolerance of 0 is, of a smooth fit, the tolerance / 200 diagonals,
- * from 1e-8 to 1e-5: what a distance shows is a hundred times as much.
- * info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
- * stack it needs as well. */
+ * A mesh with sharp edges, as `edges` says, is cut along them into smooth patches.  Each patch gets its own fit, a
+ * sheet.  The surface is a maximum and minimum of sheets, which changes from cell to cell of space [Ohtake et al.
+ * 2003].  The points and normals of such a model are places all over the mesh, not its centres. docs/fitting.md
+ * explains how edges are kept.
+ *
+ * The model is trimmed by places on the mesh if the mesh is open, or if the fit did not reach the tolerance, unless the
+ * trim of `fit` is NEVER.
+ *
+ * `fit` (may be NULL) gives kernel, solver, regularization and trim.  Its points and normals must be empty, and its
+ * tolerance and maximum_centres 0.  With a smooth fit, a solver_tolerance of 0 is the tolerance / 200 diagonals, within
+ * 1e-8 .. 1e-5.  `desc`, `info` and `operation` may be NULL.  The call needs the stack of hrbfnpr_model_fit.
+ * Errors: those of hrbfnpr_model_fit. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
                                                   const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info,
                                                   hrbfnpr_operation* operation, hrbfnpr_model** out_model,
@@ -2862,180 +3013,199 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, cons
  * 13  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
  * ==========================================================================
  *
- * A page holds drawings, each at its place and scale, and texts and lines beside
- * them.  Its unit is the millimetre, from the top-left corner, y down.  Strokes are
- * cubic Bezier curves within a tolerance of the drawing's [Schneider 1990], or for
- * plotters straight lines within it.
+ * A page holds drawings, each at its place and scale, and texts and lines beside them.  Its unit is the millimetre,
+ * from the top-left corner, y down.  Strokes become cubic Bezier curves within a tolerance of the drawing's lines
+ * [Schneider 1990].  For plotters they become straight lines within that tolerance.
  *
- * Ink stands in named groups, the layers of a file: of marks the layer's name in
- * its point set, such as "stipples" or "hatch-2"; of lines "contour", "suggestive",
- * "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
- * or the name of own ones.  What is behind n layers of surface has " hidden n" at its end, a second
- * layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
- * before the others; in a group strokes stand far to near.  Where inks of several
- * colours lie upon each other groups begin anew, with ", run 2" behind their names,
- * and so on up to 32, so that all is painted far to near there, as the raster does;
- * not in plot order, where each pen is taken up once.  Pens go by names without that.
- * The bytes are the same for every thread count and locale.
+ * Ink is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
+ * "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "valley", "apparent ridge",
+ * "parabolic", "isophote", "section", "border", "crease", or have the name of lines of kind OWN.  Ink behind n layers
+ * of surface has " hidden n" at the end of its name.  A second layer of the same name has " 2".
+ *
+ * Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in order from far to near.  Where
+ * inks of several colours lie on each other, groups begin anew with ", run 2" at the end of their names, up to 32 runs,
+ * so that all ink is painted from far to near there.  In plot order there is one run, so that each pen is taken up
+ * once.  Names of pens do not include the run.
+ *
+ * The bytes of a page are the same for every thread count and locale.
  */
 
+/* The format of a file. */
 enum {
-    HRBFNPR_PAGE_FORMAT_SVG = 0,  /* 1.1; groups are layers of Inkscape */
-    HRBFNPR_PAGE_FORMAT_PDF = 1,  /* 1.5; groups are optional content, which viewers list as layers */
-    HRBFNPR_PAGE_FORMAT_HPGL = 2, /* for plotters: absolute, 40 units a millimetre, y up from the lower left corner */
-    HRBFNPR_PAGE_FORMAT_GCODE = 3 /* for plotters: G0 and G1, millimetres, y up from the lower left corner */
+    HRBFNPR_PAGE_FORMAT_SVG = 0,  /* SVG 1.1, with groups as layers of Inkscape */
+    HRBFNPR_PAGE_FORMAT_PDF = 1,  /* PDF 1.5, with groups as optional content, which viewers list as layers */
+    HRBFNPR_PAGE_FORMAT_HPGL = 2, /* HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left
+                                     corner */
+    HRBFNPR_PAGE_FORMAT_GCODE = 3 /* G-code for plotters: G0 and G1 in mm, y up from the lower left corner */
 };
 
 /* How strokes are written whose width varies. */
 enum {
-    HRBFNPR_WIDTHS_OUTLINES = 0, /* filled outlines; SVG and PDF */
-    HRBFNPR_WIDTHS_CLASSES = 1   /* lines of even widths, `width_step` apart */
+    HRBFNPR_WIDTHS_OUTLINES = 0, /* filled outlines, in SVG and PDF */
+    HRBFNPR_WIDTHS_CLASSES = 1   /* lines of even widths, whose ratios are powers of `width_step` */
 };
 
 /* How dots are written. */
 enum {
-    HRBFNPR_DOT_SHAPE_CIRCLES = 0, /* circles; plotters fill them, with SINGLE_PASS draw round them */
-    HRBFNPR_DOT_SHAPE_LINES = 1,   /* lines of no length with round ends; plotters touch the paper */
-    HRBFNPR_DOT_SHAPE_SPIRALS = 2  /* spirals that a pen fills the disc with, if it is wider than the pen */
+    HRBFNPR_DOT_SHAPE_CIRCLES = 0, /* circles.  Plotters fill them, or with SINGLE_PASS draw their outline */
+    HRBFNPR_DOT_SHAPE_LINES = 1,   /* lines of length 0 with round ends, at which a plotter touches the paper */
+    HRBFNPR_DOT_SHAPE_SPIRALS = 2  /* spirals with which a pen fills the dot, if the dot is wider than the pen */
 };
 
+/* Options of a page. */
 enum {
-    HRBFNPR_PAGE_IN_PLOT_ORDER = 1, /* groups are sorted so that a pen travels little, as HPGL and GCODE always are:
-                                       greedily, then by 2-opt and Or-opt; lines may be turned round, closed ones begin
-                                       elsewhere, and lines whose ends are nearer than `join` become one */
-    HRBFNPR_PAGE_SINGLE_PASS = 4,   /* a line that is wider than its pen is drawn once, along its centre; else, with
-                                       HPGL and GCODE and with pens in plot order, it is filled: by passes side by
-                                       side, 0.8 of the pen's width apart or a little less, each only where the line is
-                                       so wide.  A line up to 1.2 times as wide as the pen takes one */
-    HRBFNPR_PAGE_WITHOUT_PAPER = 2  /* else the page has the paper of its first drawing, white without one, and other
-                                       drawings with another paper theirs; plotters draw none */
+    HRBFNPR_PAGE_IN_PLOT_ORDER = 1, /* sorts each group so that a pen travels little.  HPGL and GCODE are always sorted.
+                                       Lines may be turned round, closed lines may begin elsewhere, and lines whose ends
+                                       are nearer than `join` become one */
+    HRBFNPR_PAGE_SINGLE_PASS = 4,   /* draws a line that is wider than its pen once, along its centre.  Without this
+                                       flag, HPGL, GCODE and pens in plot order fill such a line by several passes, side
+                                       by side.  A line up to 1.2 times as wide as its pen takes one pass in any case */
+    HRBFNPR_PAGE_WITHOUT_PAPER = 2  /* leaves out the paper.  Without this flag the page has the paper of its first
+                                       drawing, or white, and drawings with another paper have theirs.  Plotters never
+                                       draw paper */
 };
 
-/* Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds of dashes 6, 12 and 24,
- * a gap 3, a space 18; a little more or less, so that lines begin and end with a dash. */
+/* Types of lines, by the numbers of ISO 128-2.  Lengths in line widths: a dot is 0.5, dashes of the three kinds are 6,
+ * 12 and 24, a gap is 3, a space is 18.  They are stretched a little, so that each line begins and ends with a dash. */
 enum {
-    HRBFNPR_LINE_TYPE_AS_DRAWN = 0,
-    HRBFNPR_LINE_TYPE_CONTINUOUS = 1,
-    HRBFNPR_LINE_TYPE_DASHED = 2, /* hidden edges */
-    HRBFNPR_LINE_TYPE_DASHED_SPACED = 3,
-    HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED = 4, /* axes */
-    HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_DOTTED = 5,
-    HRBFNPR_LINE_TYPE_LONG_DASHED_TRIPLE_DOTTED = 6,
-    HRBFNPR_LINE_TYPE_DOTTED = 7,
-    HRBFNPR_LINE_TYPE_LONG_DASHED_SHORT_DASHED = 8,
-    HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_SHORT_DASHED = 9,
-    HRBFNPR_LINE_TYPE_DASHED_DOTTED = 10,
-    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOTTED = 11,
-    HRBFNPR_LINE_TYPE_DASHED_DOUBLE_DOTTED = 12,
-    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOUBLE_DOTTED = 13,
-    HRBFNPR_LINE_TYPE_DASHED_TRIPLE_DOTTED = 14,
-    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED = 15
+    HRBFNPR_LINE_TYPE_AS_DRAWN = 0,                       /* lines as the drawing has them */
+    HRBFNPR_LINE_TYPE_CONTINUOUS = 1,                     /* a continuous line */
+    HRBFNPR_LINE_TYPE_DASHED = 2,                         /* dashes, for hidden edges */
+    HRBFNPR_LINE_TYPE_DASHED_SPACED = 3,                  /* dashes with spaces between */
+    HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED = 4,             /* a long dash, then a dot; for axes */
+    HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_DOTTED = 5,      /* a long dash, then two dots */
+    HRBFNPR_LINE_TYPE_LONG_DASHED_TRIPLE_DOTTED = 6,      /* a long dash, then three dots */
+    HRBFNPR_LINE_TYPE_DOTTED = 7,                         /* dots */
+    HRBFNPR_LINE_TYPE_LONG_DASHED_SHORT_DASHED = 8,       /* a long dash, then a short dash */
+    HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_SHORT_DASHED = 9, /* a long dash, then two short dashes */
+    HRBFNPR_LINE_TYPE_DASHED_DOTTED = 10,                 /* a dash, then a dot */
+    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOTTED = 11,          /* two dashes, then a dot */
+    HRBFNPR_LINE_TYPE_DASHED_DOUBLE_DOTTED = 12,          /* a dash, then two dots */
+    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOUBLE_DOTTED = 13,   /* two dashes, then two dots */
+    HRBFNPR_LINE_TYPE_DASHED_TRIPLE_DOTTED = 14,          /* a dash, then three dots */
+    HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED = 15    /* two dashes, then three dots */
 };
 
 /* A drawing on a page. */
 typedef struct hrbfnpr_page_item {
     uint32_t struct_size;
-    uint32_t reserved;              /* 0 */
-    const hrbfnpr_drawing* drawing; /* what lies beyond its viewport is cut off */
-    double x;                       /* mm: the viewport's left edge; 0 */
-    double y;                       /* mm: its top edge; 0 */
-    double scale;                   /* mm of a pixel, > 0; 25.4 / 96 */
-    const char* name;               /* UTF-8, of the group around it; NULL = none */
+    uint32_t reserved;              /* must be 0 */
+    const hrbfnpr_drawing* drawing; /* the drawing, not NULL; what lies beyond its viewport is cut off */
+    double x;                       /* place of the viewport's left edge, in mm; -1e6 .. 1e6; default 0 */
+    double y;                       /* place of the viewport's top edge, in mm; -1e6 .. 1e6; default 0 */
+    double scale;                   /* mm of a pixel; above 0, up to 1e6; default 25.4 / 96 */
+    const char* name;               /* name of the group around the drawing, UTF-8; default NULL = no name */
 } hrbfnpr_page_item;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_item_init(hrbfnpr_page_item* item, uint32_t struct_size);
 
-/* What some groups are drawn with. */
+/* A pen that draws some groups. */
 typedef struct hrbfnpr_pen {
     uint32_t struct_size;
-    uint32_t line_type; /* HRBFNPR_LINE_TYPE_...; AS_DRAWN */
-    const char* groups; /* a group's name, or the beginning of names and a '*'; NULL = all.  Of pens that fit a group
-                           the last one is taken */
-    double width;       /* mm, >= 0; 0 = as drawn.  Plotters: of the pen; 0 = 0.3 */
-    float ink[4];       /* straight RGBA; alpha 0 = as drawn, the default */
-    uint32_t number;    /* 1 to 255, of a plotter's; 1 */
-    uint32_t reserved;  /* 0 */
+    uint32_t line_type; /* type of the lines, HRBFNPR_LINE_TYPE_...; default AS_DRAWN */
+    const char* groups; /* the groups: a name, or the beginning of names and a '*'; default NULL = all groups.  The last
+                           pen that fits a group draws it */
+    double width;       /* width of all lines, in mm; 0 .. 1e6; default 0 = as drawn.  For plotters it is the width of
+                           the pen, 0.3 if it is 0 */
+    float ink[4];       /* colour of the ink, straight RGBA; default alpha 0 = as drawn */
+    uint32_t number;    /* number of a plotter's pen, 1 .. 255; default 1 */
+    uint32_t reserved;  /* must be 0 */
 } hrbfnpr_pen;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_pen_init(hrbfnpr_pen* pen, uint32_t struct_size);
 
-/* A line, a filled shape or a text beside the drawings. */
+/* A line or a text beside the drawings. */
 typedef struct hrbfnpr_annotation {
     uint32_t struct_size;
-    uint32_t line_type;   /* HRBFNPR_LINE_TYPE_...; CONTINUOUS */
-    const char* group;    /* UTF-8, of 1 to 95 bytes; "annotations".  Those of one group that follow each other share
-                             its layer and pen; their inks and types are those of its first */
-    const char* text;     /* UTF-8; NULL = the points are a line.  Plotters: HPGL writes labels, GCODE none */
-    hrbfnpr_array points; /* FLOAT32 or FLOAT64, 2, mm: the line, or where the text's baseline begins */
-    double width;         /* mm, > 0: of the line, or the height of the text's capitals; 0.35 */
-    float ink[4];         /* straight RGBA; black */
+    uint32_t line_type;   /* type of the line, HRBFNPR_LINE_TYPE_...; default CONTINUOUS */
+    const char* group;    /* name of its group, UTF-8, 1 to 95 bytes; default "annotations".  Consecutive annotations of
+                             one group share its layer and pen, and the ink and line type of the first of them */
+    const char* text;     /* a text, UTF-8; default NULL = the points are a line.  HPGL writes texts as labels, GCODE
+                             leaves them out */
+    hrbfnpr_array points; /* points of the line, two at least, or the start of the text's baseline, in mm; n x 2,
+                             FLOAT32 or FLOAT64 */
+    double width;         /* width of the line, or height of the text's capitals, in mm; above 0, up to 1e6; default
+                             0.35 */
+    float ink[4];         /* colour of the ink, straight RGBA; default black */
 } hrbfnpr_annotation;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint32_t struct_size);
 
+/* A page to write. */
 typedef struct hrbfnpr_page_desc {
     uint32_t struct_size;
-    uint32_t format; /* HRBFNPR_PAGE_FORMAT_...; SVG */
-    uint32_t flags;  /* HRBFNPR_PAGE_IN_PLOT_ORDER and others; 0 */
-    uint32_t widths; /* HRBFNPR_WIDTHS_...; OUTLINES */
-    uint32_t dots;   /* HRBFNPR_DOT_SHAPE_...; CIRCLES */
+    uint32_t format; /* format of the file, HRBFNPR_PAGE_FORMAT_...; default SVG */
+    uint32_t flags;  /* HRBFNPR_PAGE_IN_PLOT_ORDER and others; default 0 */
+    uint32_t widths; /* how strokes of varying width are written, HRBFNPR_WIDTHS_...; default OUTLINES */
+    uint32_t dots;   /* how dots are written, HRBFNPR_DOT_SHAPE_...; default CIRCLES */
     uint32_t reserved;
-    double width;              /* mm, >= 0; 0 = as far as the drawings reach */
-    double height;             /* mm, >= 0; 0 = as far as the drawings reach */
-    double tolerance;          /* mm, 0.001 to 10: between what is drawn and what is written; 0.05 */
-    double width_step;         /* 1.01 to 4: ratio of neighbouring classes of widths; 1.25 */
-    double join;               /* mm, >= 0: in plot order, see there; 0 = the pen's width */
-    double shortest;           /* mm, >= 0: in plot order shorter lines are dropped; 0 = half the pen's width */
-    double dot_distance;       /* mm, >= 0: in plot order dots nearer to one that stays are dropped; 0 = half the pen's
-                                  width */
-    double draw_speed;         /* mm/s, > 0; 30 */
-    double travel_speed;       /* mm/s, > 0; 80 */
-    double pen_seconds;        /* >= 0: to lower or to raise the pen; 0.15 */
-    const char* pen_down;      /* GCODE: lines that lower it; NULL = "G1 Z0" */
-    const char* pen_up;        /* GCODE: lines that raise it; NULL = "G0 Z5" */
-    const char* title;         /* UTF-8, or NULL */
-    const char* description;   /* UTF-8, or NULL */
-    const char* metadata;      /* UTF-8, or NULL: text on the model, the camera, the style; the version is added */
-    const hrbfnpr_page_item* items; /* a list */
-    int64_t item_count;
-    int64_t item_stride;
-    const hrbfnpr_pen* pens; /* a list; NULL and 0 */
-    int64_t pen_count;
-    int64_t pen_stride;
-    const hrbfnpr_annotation* annotations; /* a list; NULL and 0 */
-    int64_t annotation_count;
-    int64_t annotation_stride;
+    double width;              /* width of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
+    double height;             /* height of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
+    double tolerance;          /* greatest distance between drawn and written lines, in mm; 0.001 .. 10; default 0.05.
+                                  Larger: smaller files, rougher curves */
+    double width_step;         /* ratio of the widths of two consecutive classes (WIDTHS_CLASSES); 1.01 .. 4; default
+                                  1.25 */
+    double join;               /* in plot order, distance between the ends of two lines below which they become one, in
+                                  mm; 0 .. 1e6; default 0 = the pen's width */
+    double shortest;           /* in plot order, length below which lines are dropped, in mm; 0 .. 1e6; default 0 = half
+                                  the pen's width */
+    double dot_distance;       /* in plot order, distance from a dot that stays below which other dots are dropped, in
+                                  mm; 0 .. 1e6; default 0 = half the pen's width */
+    double draw_speed;         /* speed of a plotter's pen on the paper, in mm/s; above 0, up to 1e6; default 30 */
+    double travel_speed;       /* speed of a plotter's pen above the paper, in mm/s; above 0, up to 1e6; default 80 */
+    double pen_seconds;        /* seconds that it takes to lower or to raise the pen; 0 .. 3600; default 0.15 */
+    const char* pen_down;      /* GCODE: lines that lower the pen; default NULL = "G1 Z0" */
+    const char* pen_up;        /* GCODE: lines that raise the pen; default NULL = "G0 Z5" */
+    const char* title;         /* title of the file, UTF-8; default NULL = none */
+    const char* description;   /* description of the file, UTF-8; default NULL = none */
+    const char* metadata;      /* text about the model, the camera or the style, UTF-8; default NULL = none.  The
+                                  library's version is added */
+    const hrbfnpr_page_item* items; /* a list of drawings; default NULL */
+    int64_t item_count;             /* number of `items`, 0 .. 4096; default 0 */
+    int64_t item_stride;            /* bytes from one element of `items` to the next; default 0 = struct_size */
+    const hrbfnpr_pen* pens; /* a list of pens; default NULL */
+    int64_t pen_count;       /* number of `pens`, 0 .. 4096; default 0 */
+    int64_t pen_stride;      /* bytes from one element of `pens` to the next; default 0 = struct_size */
+    const hrbfnpr_annotation* annotations; /* a list of annotations; default NULL */
+    int64_t annotation_count;              /* number of `annotations`, 0 .. 10000000; default 0 */
+    int64_t annotation_stride;             /* bytes from one element of `annotations` to the next; default 0 =
+                                              struct_size */
 } hrbfnpr_page_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size);
 
 /* What was written. */
 typedef struct hrbfnpr_page_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t bytes;
-    int64_t groups;
+    int64_t bytes;          /* bytes of the file */
+    int64_t groups;         /* groups of ink */
     int64_t paths;          /* lines and outlines */
     int64_t segments;       /* curves or straight lines of all paths */
-    int64_t dots;
-    int64_t joined;         /* in plot order: pairs of ends that became one line */
-    int64_t dropped_paths;  /* too short for the pen */
-    int64_t dropped_dots;   /* too near to others for the pen */
-    double width;           /* mm, of the page */
-    double height;          /* mm, of the page */
-    double drawn;           /* mm that a pen draws; in plot order, else 0, as are the next two */
-    double travelled;       /* mm between */
-    double seconds;         /* that a plotter takes at the given speeds */
+    int64_t dots;           /* dots */
+    int64_t joined;         /* in plot order, pairs of ends that became one line */
+    int64_t dropped_paths;  /* lines dropped because they are too short for the pen */
+    int64_t dropped_dots;   /* dots dropped because they are too near to others for the pen */
+    double width;           /* width of the page, in mm */
+    double height;          /* height of the page, in mm */
+    double drawn;           /* length that a pen draws, in mm; in plot order, else 0 */
+    double travelled;       /* length that a pen travels above the paper, in mm; in plot order, else 0 */
+    double seconds;         /* time that a plotter takes at the given speeds, in seconds; in plot order, else 0 */
     int64_t filled_paths;   /* lines wider than their pen, drawn in several passes */
 } hrbfnpr_page_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
 
-/* Writes a page, a buffer at a time; memory grows with the drawing's largest stroke,
- * in plot order with its largest group.  info and operation may be NULL.
- * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; text that
- * is not UTF-8; discs of paper, which PUBLISHED frames have, for plotters or in plot
- * order), IO (write failed), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+/* Writes a page, one buffer at a time.  Memory grows with the drawing's largest stroke; in plot order it grows with the
+ * largest group.  `info` and `operation` may be NULL.
+ * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not UTF-8; a drawing with
+ * VISIBILITY_PUBLISHED, which has discs of paper, for plotters or in plot order), IO (`write` failed), OUT_OF_MEMORY,
+ * CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc,
                                               hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,
                                               hrbfnpr_operation* operation, hrbfnpr_error* error);
@@ -3045,428 +3215,512 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hr
  * 14  PICTURE: from any source to a drawing in one call
  * ==========================================================================
  *
- * A picture chooses what a user leaves open: repairs, samples, the fit, where the
- * surface ends, which way is up, the camera, the size of the pen, how many marks
- * there are, and which lines are drawn.  It is made of the calls of the sections
- * above, and each part of it can be taken out and used by them.
+ * A picture chooses what a user leaves open: repairs, samples, the fit, where the surface ends, which way is up, the
+ * camera, the size of the pen, the number of marks, and the lines.  It is made by the calls of the sections above, and
+ * each of its parts can be taken out for these calls.
  *
- * Every choice that a user may want to know is a note: a code, its figures and a
- * sentence.  A picture keeps its notes and the seconds of its stages.
+ * Each choice that a user may want to know is a note: a code, its figures and a sentence.  A picture keeps its notes,
+ * and the seconds of its stages. docs/pictures.md shows how to make pictures.
  */
 
+/* A picture: what was chosen for sources, and made of them. */
 typedef struct hrbfnpr_picture hrbfnpr_picture;
+/* Settings of a picture, read from a file. */
 typedef struct hrbfnpr_settings hrbfnpr_settings;
 
 /* ---- What is drawn ---------------------------------------------------------- */
 
+/* What is known about a source. */
 enum {
-    HRBFNPR_SOURCE_HAS_SHARP_EDGES = 1, /* `sharp_edges` is known, even if it is empty */
-    HRBFNPR_SOURCE_HAS_VIEWPOINT = 2,   /* `viewpoint` is known */
-    HRBFNPR_SOURCE_IS_PHOTO = 4         /* the points are one picture of a depth camera that stood at `viewpoint` */
+    HRBFNPR_SOURCE_HAS_SHARP_EDGES = 1, /* says that `sharp_edges` is known, even if it is empty */
+    HRBFNPR_SOURCE_HAS_VIEWPOINT = 2,   /* says that `viewpoint` is known */
+    HRBFNPR_SOURCE_IS_PHOTO = 4         /* says that the points are one image of a depth camera that stood at
+                                           `viewpoint` */
 };
 
-/* One of four kinds: points (with or without normals), a mesh (points and triangles), a
- * model, or a point set.  A model and a point set together are a model with its marks,
- * which are then used as they are. */
+/* What is drawn, of one of four kinds: points (with or without normals), a mesh (points and triangles), a model, or a
+ * point set.  A model and a point set together are a model with its marks, which are used as they are. */
 typedef struct hrbfnpr_picture_source {
     uint32_t struct_size;
-    uint32_t flags;            /* HRBFNPR_SOURCE_...; 0 */
-    hrbfnpr_array points;      /* n x 3, FLOAT32 or FLOAT64: points, or the vertices of the triangles.  Points that are
+    uint32_t flags;            /* HRBFNPR_SOURCE_...; default 0 */
+    hrbfnpr_array points;      /* points, or the vertices of the triangles; n x 3, FLOAT32 or FLOAT64.  Points that are
                                   not finite are left out */
-    hrbfnpr_array normals;     /* n x 3, FLOAT32 or FLOAT64, of any length; not given or all zero = none.  Not read of a
-                                  mesh */
-    hrbfnpr_array triangles;   /* m x 3, INT32, INT64 or UINT32: a mesh; not given = points */
-    hrbfnpr_array sharp_edges; /* k x 2, INT32, INT64 or UINT32: of a mesh, the pairs of vertices whose faces have normals
-                                  of their own in its file; with HAS_SHARP_EDGES */
-    const hrbfnpr_model* model;         /* kept; NULL */
-    const hrbfnpr_point_set* point_set; /* kept; NULL */
-    double up[3];              /* which way is up by the convention of the file's format; 0, 0, 0 = not known */
-    const char* up_by;         /* why, for the note: "PLY files"; NULL = "files of this kind" */
-    double viewpoint[3];       /* where the scanner stood, with HAS_VIEWPOINT */
-    int64_t columns;           /* of a depth camera's image, whose points stand row by row; 0 = it is none */
-    int64_t rows;
-    const char* name;          /* UTF-8: of the file, for titles and metadata; NULL */
+    hrbfnpr_array normals;     /* normals of the points, of any length; n x 3, FLOAT32 or FLOAT64; not given, or all
+                                  zero = no normals.  They are not read for a mesh */
+    hrbfnpr_array triangles;   /* triangles of a mesh, as numbers of points from 0; m x 3, INT32, INT64 or UINT32; not
+                                  given = points */
+    hrbfnpr_array sharp_edges; /* edges of a mesh, as pairs of vertices, whose faces have separate normals in the file;
+                                  k x 2, INT32, INT64 or UINT32; read with HAS_SHARP_EDGES */
+    const hrbfnpr_model* model;         /* a model, which the picture keeps; default NULL */
+    const hrbfnpr_point_set* point_set; /* a point set, which the picture keeps; default NULL.  It must be the only
+                                           source, unless it comes with a model */
+    double up[3];              /* direction that is up by the convention of the file's format; default 0, 0, 0 = not
+                                  known */
+    const char* up_by;         /* reason for `up` in notes, such as "PLY files"; default NULL = "files of this kind" */
+    double viewpoint[3];       /* place where the scanner stood; read with HAS_VIEWPOINT */
+    int64_t columns;           /* number of columns of a depth camera's image, whose points are given row by row;
+                                  default 0 = the points are no image */
+    int64_t rows;              /* number of rows of that image; default 0 */
+    const char* name;          /* name of the file, for titles and metadata, UTF-8; default NULL */
 } hrbfnpr_picture_source;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size);
 
 /* ---- How it is drawn --------------------------------------------------------- */
 
+/* Options of a picture. */
 enum {
-    HRBFNPR_PICTURE_ALLOW_BLANK = 1,   /* drawing what can hardly be seen is no error */
-    HRBFNPR_PICTURE_FLIP = 2,          /* all normals are turned, whatever they look like */
-    HRBFNPR_PICTURE_CLOSE = 4,         /* the surface goes on beyond open data, as the fit has it */
-    HRBFNPR_PICTURE_TOGETHER = 8,      /* an open mesh is one surface, also where its parts cross */
-    HRBFNPR_PICTURE_TRANSPARENT = 16,  /* the paper lets all through */
-    HRBFNPR_PICTURE_KEEP_MARKS = 32,   /* layers have all their marks, also where the style draws lines alone: for marks
-                                          that are saved */
-    HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* no camera is chosen, no marks are placed, no lines are looked for: for the model
-                                          alone */
-    HRBFNPR_PICTURE_IS_SOLID = 128     /* nothing is said of a source that is a part of a solid, and no up is looked for */
+    HRBFNPR_PICTURE_ALLOW_BLANK = 1,   /* allows a drawing in which hardly anything can be seen */
+    HRBFNPR_PICTURE_FLIP = 2,          /* turns all normals, whatever they look like */
+    HRBFNPR_PICTURE_CLOSE = 4,         /* lets the surface go on beyond open data, as the fit has it */
+    HRBFNPR_PICTURE_TOGETHER = 8,      /* fits an open mesh as one surface, even where its parts cross */
+    HRBFNPR_PICTURE_TRANSPARENT = 16,  /* makes the paper transparent */
+    HRBFNPR_PICTURE_KEEP_MARKS = 32,   /* gives all layers all their marks, even if the style draws lines only; for
+                                          marks that are saved */
+    HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* makes the model only: chooses no camera, places no marks, looks for no
+                                          lines */
+    HRBFNPR_PICTURE_IS_SOLID = 128     /* says that the source is a part of a solid, so that up is y */
 };
 
-/* The edges of a mesh. */
+/* Which edges of a mesh are sharp. */
 enum {
-    HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0, /* as AUTO; where faces are coarse as the normals of the file tell, if they do */
-    HRBFNPR_PICTURE_EDGES_AUTO = 1,     /* HRBFNPR_EDGES_AUTO */
-    HRBFNPR_PICTURE_EDGES_SMOOTH = 2,   /* HRBFNPR_EDGES_SMOOTH */
-    HRBFNPR_PICTURE_EDGES_SHARP = 3     /* HRBFNPR_EDGES_SHARP, with `edge_angle` */
+    HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0, /* edges are found as with AUTO.  Where faces are coarse, the normals of the
+                                           file decide if they say anything about edges */
+    HRBFNPR_PICTURE_EDGES_AUTO = 1,     /* edges are found by HRBFNPR_EDGES_AUTO */
+    HRBFNPR_PICTURE_EDGES_SMOOTH = 2,   /* no edge is sharp (HRBFNPR_EDGES_SMOOTH) */
+    HRBFNPR_PICTURE_EDGES_SHARP = 3     /* edges are sharp that bend by more than `edge_angle` (HRBFNPR_EDGES_SHARP) */
 };
 
+/* Whether an upright section through the middle is drawn beside the drawing. */
 enum {
-    HRBFNPR_PROFILE_AUTO = 0, /* YES of the style archaeological, else NO */
-    HRBFNPR_PROFILE_YES = 1,  /* an upright section through the middle stands beside the drawing */
-    HRBFNPR_PROFILE_NO = 2
+    HRBFNPR_PROFILE_AUTO = 0, /* a section is drawn in the style archaeological only */
+    HRBFNPR_PROFILE_YES = 1,  /* a section is drawn */
+    HRBFNPR_PROFILE_NO = 2    /* no section is drawn */
 };
 
+/* The sides of a surface on which marks are drawn. */
 enum {
-    HRBFNPR_PICTURE_SIDES_AUTO = 0,  /* both of a surface that ends, else the front */
-    HRBFNPR_PICTURE_SIDES_FRONT = 1, /* HRBFNPR_SIDES_FRONT */
-    HRBFNPR_PICTURE_SIDES_BOTH = 2   /* HRBFNPR_SIDES_BOTH */
+    HRBFNPR_PICTURE_SIDES_AUTO = 0,  /* both sides of a surface that ends, and the front of other surfaces */
+    HRBFNPR_PICTURE_SIDES_FRONT = 1, /* the front (HRBFNPR_SIDES_FRONT) */
+    HRBFNPR_PICTURE_SIDES_BOTH = 2   /* both sides (HRBFNPR_SIDES_BOTH) */
 };
 
-/* How notes and errors name the options that they speak of. */
+/* How notes and errors write the options that they name. */
 enum {
-    HRBFNPR_WORDING_FIELDS = 0,   /* samples 400 */
-    HRBFNPR_WORDING_OPTIONS = 1,  /* --samples 400, of a command line */
-    HRBFNPR_WORDING_ARGUMENTS = 2 /* samples=400, of a call in Python */
+    HRBFNPR_WORDING_FIELDS = 0,   /* as fields of a descriptor: samples 400 */
+    HRBFNPR_WORDING_OPTIONS = 1,  /* as options of a command line: --samples 400 */
+    HRBFNPR_WORDING_ARGUMENTS = 2 /* as arguments of a call in Python: samples=400 */
 };
 
-/* One field that is changed on top of all that was chosen.  `field` is the path of a field:
- *   style.F            of hrbfnpr_style; style.ink is that of all layers, lines and contours
- *   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
- *   style.layers.F     of all layers of the style; share is multiplied
- *   style.lines.F      of hrbfnpr_line_style, of all lines
- *   style.LINE.F       the same, of a kind of lines: style.ridge.width
- *   fit.F              of hrbfnpr_fit_desc
- *   mesh_fit.F         of hrbfnpr_mesh_fit_desc
- *   marks.F            of hrbfnpr_generate_desc
- *   marks.KIND.F       of hrbfnpr_layer_desc, of a kind of layers; marks.layers.F of all
- *   line_set.F         of hrbfnpr_line_set_desc
- * Lengths in pixels are those of this picture: they are not scaled by the pen. */
+/* A field to change after everything was chosen.  `field` is the path of the field:
+ *
+ *    style.F            a field of hrbfnpr_style; style.ink is the ink of all layers, lines and contours
+ *    style.KIND.F       a field of hrbfnpr_layer_style, for one kind of layers: style.hatch.ink
+ *    style.layers.F     the same for all layers of the style; share is multiplied
+ *    style.lines.F      a field of hrbfnpr_line_style, for all lines
+ *    style.LINE.F       the same for one kind of lines: style.ridge.width
+ *    fit.F              a field of hrbfnpr_fit_desc
+ *    mesh_fit.F         a field of hrbfnpr_mesh_fit_desc
+ *    marks.F            a field of hrbfnpr_generate_desc
+ *    marks.KIND.F       a field of hrbfnpr_layer_desc, for one kind of layers; marks.layers.F for all layers
+ *    line_set.F         a field of hrbfnpr_line_set_desc
+ *
+ * Lengths in pixels are those of this picture: they are not scaled by the pen.  The last change of a field counts. */
 typedef struct hrbfnpr_change {
     uint32_t struct_size;
     uint32_t reserved;
-    const char* field;
-    const char* value; /* a number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a
-                          constant without its prefix: "blue-noise" */
+    const char* field; /* path of the field, UTF-8 */
+    const char* value; /* new value: a number, several numbers with commas between, a colour as #rrggbb or #rrggbbaa, or
+                          the name of a constant without its prefix, such as "blue-noise" */
 } hrbfnpr_change;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size);
 
-/* A stroke of a brush on the surface: within its radius what is painted goes towards a value. */
-enum { HRBFNPR_DAB_TONE = 0, HRBFNPR_DAB_DENSITY = 1, HRBFNPR_DAB_DIRECTION = 2 };
+/* What a dab paints. */
+enum {
+    HRBFNPR_DAB_TONE = 0,     /* the tone: 1 = light, 0 = dark */
+    HRBFNPR_DAB_DENSITY = 1,  /* the density of stipples: 1 = all, 0 = none */
+    HRBFNPR_DAB_DIRECTION = 2 /* the direction of hatching */
+};
 
+/* A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after the
+ * other. */
 typedef struct hrbfnpr_dab {
     uint32_t struct_size;
-    uint32_t map;        /* HRBFNPR_DAB_...; TONE: 1 = light, 0 = dark */
-    double position[3];
-    double normal[3];    /* unit: what faces away from it is not painted */
-    double radius;       /* > 0 */
-    double strength;     /* 0 .. 1 in the middle; it falls to 0 at the radius; 1 */
-    double value;        /* of TONE and DENSITY, 0 .. 1 */
-    double direction[3]; /* of DIRECTION: that of hatching */
+    uint32_t map;        /* what it paints, HRBFNPR_DAB_...; default TONE */
+    double position[3];  /* middle of the ball, in coordinates of the source */
+    double normal[3];    /* unit normal of the surface there; surface that faces away from it is not painted */
+    double radius;       /* radius of the ball, in units of the source; above 0 */
+    double strength;     /* strength in the middle, 0 .. 1; default 1.  It falls to 0 at the radius */
+    double value;        /* value of TONE and DENSITY, 0 .. 1; default 0 */
+    double direction[3]; /* direction of DIRECTION, which hatching follows */
 } hrbfnpr_dab;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
 
-/* The parts of the work. */
+/* The stages of the work. */
 enum {
-    HRBFNPR_STAGE_MESH = 1,    /* looking at a mesh: welding, turning faces */
-    HRBFNPR_STAGE_SAMPLE = 2,  /* choosing samples */
-    HRBFNPR_STAGE_ORIENT = 3,  /* looking for normals */
-    HRBFNPR_STAGE_SMOOTH = 4,  /* the image of a depth camera */
-    HRBFNPR_STAGE_FIT = 5,
-    HRBFNPR_STAGE_COMPARE = 6, /* the surface with the mesh */
-    HRBFNPR_STAGE_END = 7,     /* looking for the end of the surface */
-    HRBFNPR_STAGE_MARKS = 8,   /* placing marks */
-    HRBFNPR_STAGE_LINES = 9,   /* looking for lines */
-    HRBFNPR_STAGE_FRAME = 10,  /* drawing */
-    HRBFNPR_STAGE_VIEWS = 11   /* drawing the views of a sheet */
+    HRBFNPR_STAGE_MESH = 1,    /* looks at a mesh: joins vertices, turns faces */
+    HRBFNPR_STAGE_SAMPLE = 2,  /* chooses samples */
+    HRBFNPR_STAGE_ORIENT = 3,  /* finds normals */
+    HRBFNPR_STAGE_SMOOTH = 4,  /* smooths the image of a depth camera */
+    HRBFNPR_STAGE_FIT = 5,     /* fits the surface */
+    HRBFNPR_STAGE_COMPARE = 6, /* compares the surface with the mesh */
+    HRBFNPR_STAGE_END = 7,     /* finds the end of the surface */
+    HRBFNPR_STAGE_MARKS = 8,   /* places marks */
+    HRBFNPR_STAGE_LINES = 9,   /* finds lines */
+    HRBFNPR_STAGE_FRAME = 10,  /* draws */
+    HRBFNPR_STAGE_VIEWS = 11   /* draws the views of a sheet */
 };
 
+/* How much a note matters. */
 enum {
     HRBFNPR_SEVERITY_INFO = 0,    /* a measurement */
-    HRBFNPR_SEVERITY_NOTE = 1,    /* what was chosen, repaired or left out */
-    HRBFNPR_SEVERITY_WARNING = 2, /* the result may be wrong there */
-    HRBFNPR_SEVERITY_FAILURE = 3  /* there is no result: the error of the call, in full length */
+    HRBFNPR_SEVERITY_NOTE = 1,    /* something was chosen, repaired or left out */
+    HRBFNPR_SEVERITY_WARNING = 2, /* the result may be wrong in some place */
+    HRBFNPR_SEVERITY_FAILURE = 3  /* there is no result: the text is the error of the call, in full length */
 };
 
-/* Notes.  In brackets the figures of each. */
+/* Codes of notes.  Each line says when a note is given, with its figures in brackets; [] = no figures.  Figures are
+ * counts unless a line says otherwise.  Shares are 0 .. 1. */
 enum {
-    HRBFNPR_NOTE_FACES_NOT_FINITE = 1,        /* left out [faces] */
-    HRBFNPR_NOTE_NO_DATA = 2,                 /* points at a value that stands for none, left out [points, value] */
-    HRBFNPR_NOTE_STRAYS = 3,                  /* points far from all others, left out [points] */
-    HRBFNPR_NOTE_SOME_ORIENTED = 4,           /* so many that only some get normals [points, used] */
-    HRBFNPR_NOTE_NORMALS_MADE = 5,            /* there were none [points] */
-    HRBFNPR_NOTE_NORMALS_NOT_SURE = 6,        /* [confidence] */
-    HRBFNPR_NOTE_FRONT_NOT_TOLD = 7,          /* which side of an open surface is its front */
-    HRBFNPR_NOTE_SAMPLES_CHOSEN = 8,          /* [points, used] */
-    HRBFNPR_NOTE_POINTS_NOT_USABLE = 9,       /* without a position or normal, left out [points] */
-    HRBFNPR_NOTE_NORMALS_JOINED = 10,         /* several at one place: their mean [places] */
-    HRBFNPR_NOTE_NORMALS_OPPOSITE = 11,       /* opposite ones at one place, left out [places] */
-    HRBFNPR_NOTE_TERRAIN_TURNED = 12,         /* it looked down [axis] */
-    HRBFNPR_NOTE_NORMALS_TURNED = 13,         /* all looked inward */
-    HRBFNPR_NOTE_NORMALS_REPAIRED = 14,       /* [turned, made, what they were: HRBFNPR_NORMALS_...] */
-    HRBFNPR_NOTE_NORMALS_AGAINST = 15,        /* those around them [normals, of] */
-    HRBFNPR_NOTE_NORMALS_MIXED = 16,          /* some parts outward, others inward [share] */
-    HRBFNPR_NOTE_NORMALS_INWARD = 17,         /* most of an open surface */
-    HRBFNPR_NOTE_VIEWPOINT_NOT_USED = 18,
-    HRBFNPR_NOTE_PIXELS_LEFT_OUT = 19,        /* of a depth camera, on no surface [pixels] */
-    HRBFNPR_NOTE_DEPTH_NOISE = 20,            /* [noise, depth] */
-    HRBFNPR_NOTE_SMOOTHED = 21,               /* the samples have noise, and the surface does not go through all */
-    HRBFNPR_NOTE_SAMPLES_MERGED = 22,         /* at the same place [samples] */
-    HRBFNPR_NOTE_SAMPLES_NEAR = 23,           /* merged with another very near [samples] */
-    HRBFNPR_NOTE_SAMPLES_DROPPED = 24,        /* as strays [samples] */
-    HRBFNPR_NOTE_SAMPLES_FLIPPED = 25,        /* with a flipped normal, repaired [samples] */
-    HRBFNPR_NOTE_LIKE_STRAYS = 26,            /* samples that look so, and stay [samples] */
-    HRBFNPR_NOTE_LIKE_FLIPPED = 27,           /* samples that look so, and stay [samples] */
-    HRBFNPR_NOTE_FEW_POINTS = 28,             /* the surface is a guess [points] */
-    HRBFNPR_NOTE_ON_A_LINE = 29,              /* all points */
-    HRBFNPR_NOTE_IN_A_PLANE = 30,             /* all points */
-    HRBFNPR_NOTE_ALONG_CURVES = 31,           /* the points: the surface between them is drawn, too */
-    HRBFNPR_NOTE_END_NOT_FOUND = 32,          /* where the surface ends */
-    HRBFNPR_NOTE_UP = 33,                     /* another direction than y [x, y, z] */
-    HRBFNPR_NOTE_FACES_TURNED = 34,           /* against those beside them [faces] */
-    HRBFNPR_NOTE_INSIDE_OUT = 35,             /* a mesh, or parts of it, turned [parts] */
-    HRBFNPR_NOTE_FACES_LEFT_OUT = 36,         /* without area, or twice there [faces] */
-    HRBFNPR_NOTE_PARTS_INSIDE = 37,           /* others, left out [parts, faces] */
-    HRBFNPR_NOTE_CONTRARY_EDGES = 38,         /* a surface of one side, or one that crosses itself [edges] */
-    HRBFNPR_NOTE_PARTS_FAR = 39,              /* from all others, left out [parts, faces] */
-    HRBFNPR_NOTE_FLAPS = 40,                  /* faces on an edge of two others, left out [faces] */
-    HRBFNPR_NOTE_ALL_FLAT = 41,               /* by the normals of the file */
-    HRBFNPR_NOTE_EDGES_BY_NORMALS = 42,       /* some edges are sharp by the normals of the file */
-    HRBFNPR_NOTE_DIVIDED = 43,                /* faces [times, vertices moved, places between them raised, off a round
-                                                 surface; shares of the diagonal] */
-    HRBFNPR_NOTE_COARSE_FLAT = 44,            /* faces are coarse, but nothing round goes through them */
-    HRBFNPR_NOTE_GROUPS = 45,                 /* parts that cross are surfaces of their own [parts, groups] */
-    HRBFNPR_NOTE_NOT_REACHED = 46,            /* the tolerance [tolerance, share of the mesh, share of the surface, farthest;
-                                                 of the diagonal] */
-    HRBFNPR_NOTE_EDGES_STAY_SMOOTH = 47,      /* [their length in diagonals] */
-    HRBFNPR_NOTE_OFF_MESH = 48,               /* the surface, at a share of the mesh [share, farthest] */
-    HRBFNPR_NOTE_MADE_BY_FIT = 49,            /* parts of surface that the mesh does not have, left out [parts] */
-    HRBFNPR_NOTE_PARTS_TOO_THIN = 50,         /* parts of a mesh that the tolerance is too large for */
-    HRBFNPR_NOTE_MARKS_LIMITED = 51,          /* fewer than fill the darkest tone [wanted, made] */
-    HRBFNPR_NOTE_LEVELS_LIMITED = 52,         /* of the published recursion [wanted, taken] */
-    HRBFNPR_NOTE_SEEN_FROM_CAMERA = 53,       /* the depth camera's [azimuth] */
-    HRBFNPR_NOTE_SEEN_FROM_FRONT = 54,        /* of an open surface [azimuth] */
-    HRBFNPR_NOTE_NO_LINES_OF_MARKS = 55,      /* lines want a model, and the source is a point set */
-    HRBFNPR_NOTE_LINES_THIN = 56,             /* the surface is thinner than the cells that lines are looked for in
-                                                 [triangles turned, of, samples missed] */
-    HRBFNPR_NOTE_LINES_END = 57,              /* where the surface ends beyond its samples [borders, support, share] */
-    HRBFNPR_NOTE_LINES_BROKEN = 58,           /* curves that end inside the surface [curves] */
-    HRBFNPR_NOTE_LINES_DOUBTED = 59,          /* lines whose visibility contradicts itself [lines] */
-    HRBFNPR_NOTE_LINES_TANGLED = 60,          /* places with too many crossings of lines [places] */
-    HRBFNPR_NOTE_BLANK = 61,                  /* hardly anything can be seen [shown, marks, share of ink] */
-    HRBFNPR_NOTE_PENS = 62,                   /* that were chosen by the widths at hand */
-    HRBFNPR_NOTE_PLOTTED = 63,                /* [metres drawn, metres travelled, seconds] */
-    HRBFNPR_NOTE_NOT_IN_SETTINGS = 64,        /* what settings do not hold */
-    HRBFNPR_NOTE_UNIT_IS_METRE = 65,          /* of the format */
-    HRBFNPR_NOTE_NO_SYMMETRY = 66,            /* for centre lines */
-    HRBFNPR_NOTE_SECTION_OPEN = 67,           /* outlines of a cut that are not closed [outlines] */
-    HRBFNPR_NOTE_NORMALS_NOT_UNIT = 68,       /* made of length 1 [normals] */
-    HRBFNPR_NOTE_AT_ONE_PLACE = 69,           /* all points */
-    HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70,        /* for the source's size */
-    HRBFNPR_NOTE_VERTICES_JOINED = 71,        /* at the place of another [vertices] */
-    HRBFNPR_NOTE_VERTICES_UNUSED = 72,        /* of no face, left out [vertices] */
-    HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73,      /* of more than two faces [edges] */
-    HRBFNPR_NOTE_MESH_OPEN = 74,              /* [borders, their edges] */
-    HRBFNPR_NOTE_SEVERAL_PARTS = 75,          /* of a mesh [parts] */
-    HRBFNPR_NOTE_NOT_USABLE = 76              /* why a source cannot be drawn */
+    HRBFNPR_NOTE_FACES_NOT_FINITE = 1,        /* faces with a corner that is not finite are left out [faces] */
+    HRBFNPR_NOTE_NO_DATA = 2,                 /* points at a value that means "no data" are left out [points, the
+                                                 value] */
+    HRBFNPR_NOTE_STRAYS = 3,                  /* points far from all others are left out [points] */
+    HRBFNPR_NOTE_SOME_ORIENTED = 4,           /* only some of the points get normals, because there are many [points,
+                                                 points with normals] */
+    HRBFNPR_NOTE_NORMALS_MADE = 5,            /* the points have no normals, and get some [points] */
+    HRBFNPR_NOTE_NORMALS_NOT_SURE = 6,        /* normals that were found are not certain [confidence, 0 .. 1] */
+    HRBFNPR_NOTE_FRONT_NOT_TOLD = 7,          /* the surface is open, and nothing tells which side is its front [] */
+    HRBFNPR_NOTE_SAMPLES_CHOSEN = 8,          /* only some points are used as samples [points, points used] */
+    HRBFNPR_NOTE_POINTS_NOT_USABLE = 9,       /* points without a usable position or normal are left out [points] */
+    HRBFNPR_NOTE_NORMALS_JOINED = 10,         /* places with several normals get the mean of these [places] */
+    HRBFNPR_NOTE_NORMALS_OPPOSITE = 11,       /* places with opposite normals are left out [places] */
+    HRBFNPR_NOTE_TERRAIN_TURNED = 12,         /* a terrain looked down, and its normals are turned [axis: 1 = y, 2 =
+                                                 z] */
+    HRBFNPR_NOTE_NORMALS_TURNED = 13,         /* all normals looked inward, and are turned [] */
+    HRBFNPR_NOTE_NORMALS_REPAIRED = 14,       /* given normals are repaired [normals turned, normals made, what they
+                                                 were: HRBFNPR_NORMALS_...] */
+    HRBFNPR_NOTE_NORMALS_AGAINST = 15,        /* some normals look against those around them [these normals, all
+                                                 normals] */
+    HRBFNPR_NOTE_NORMALS_MIXED = 16,          /* some parts have outward normals and others inward ones [share that
+                                                 looks inward] */
+    HRBFNPR_NOTE_NORMALS_INWARD = 17,         /* most of an open surface looks inward [] */
+    HRBFNPR_NOTE_VIEWPOINT_NOT_USED = 18,     /* `viewpoint` is given, but the source needs none [] */
+    HRBFNPR_NOTE_PIXELS_LEFT_OUT = 19,        /* pixels of a depth camera that lie on no surface are left out
+                                                 [pixels] */
+    HRBFNPR_NOTE_DEPTH_NOISE = 20,            /* the noise of a depth camera was measured [standard deviation, depth
+                                                 where it holds; units of the source] */
+    HRBFNPR_NOTE_SMOOTHED = 21,               /* the samples have noise, and the surface does not pass through all of
+                                                 them [] */
+    HRBFNPR_NOTE_SAMPLES_MERGED = 22,         /* samples at the same place are merged [samples] */
+    HRBFNPR_NOTE_SAMPLES_NEAR = 23,           /* samples very near to another are merged with it [samples] */
+    HRBFNPR_NOTE_SAMPLES_DROPPED = 24,        /* samples are dropped as strays [samples] */
+    HRBFNPR_NOTE_SAMPLES_FLIPPED = 25,        /* flipped normals of samples are repaired [samples] */
+    HRBFNPR_NOTE_LIKE_STRAYS = 26,            /* samples that look like strays are kept [samples] */
+    HRBFNPR_NOTE_LIKE_FLIPPED = 27,           /* samples whose normals look flipped are kept [samples] */
+    HRBFNPR_NOTE_FEW_POINTS = 28,             /* the surface is a guess, because there are few points [points] */
+    HRBFNPR_NOTE_ON_A_LINE = 29,              /* all points are on a line [] */
+    HRBFNPR_NOTE_IN_A_PLANE = 30,             /* all points are in a plane [] */
+    HRBFNPR_NOTE_ALONG_CURVES = 31,           /* the points lie along curves, and the surface between these is drawn,
+                                                 too [] */
+    HRBFNPR_NOTE_END_NOT_FOUND = 32,          /* the end of the surface was not found, and the surface goes on to the
+                                                 end of its box [] */
+    HRBFNPR_NOTE_UP = 33,                     /* another direction than y is chosen as up [x, y, z] */
+    HRBFNPR_NOTE_FACES_TURNED = 34,           /* faces that looked to the other side than those beside them are turned
+                                                 [faces] */
+    HRBFNPR_NOTE_INSIDE_OUT = 35,             /* a mesh, or some of its parts, is inside out, and is turned [parts] */
+    HRBFNPR_NOTE_FACES_LEFT_OUT = 36,         /* faces without area, and repeated faces, are left out [faces] */
+    HRBFNPR_NOTE_PARTS_INSIDE = 37,           /* parts of a mesh inside others are left out [parts, their faces] */
+    HRBFNPR_NOTE_CONTRARY_EDGES = 38,         /* faces beside each other look to opposite sides and cannot be turned:
+                                                 the surface has one side, or crosses itself [edges] */
+    HRBFNPR_NOTE_PARTS_FAR = 39,              /* parts of a mesh far from all others are left out [parts, their
+                                                 faces] */
+    HRBFNPR_NOTE_FLAPS = 40,                  /* faces that hang on an edge of two others are left out [faces] */
+    HRBFNPR_NOTE_ALL_FLAT = 41,               /* all faces stay flat, because the normals of the file say so [] */
+    HRBFNPR_NOTE_EDGES_BY_NORMALS = 42,       /* some edges are sharp, because the normals of the file say so [] */
+    HRBFNPR_NOTE_DIVIDED = 43,                /* coarse faces are divided towards a round surface [rounds; how far
+                                                 vertices moved; how far places between them were raised; how far the
+                                                 faces were off a round surface, if they are coarse; shares of the
+                                                 diagonal] */
+    HRBFNPR_NOTE_COARSE_FLAT = 44,            /* coarse faces stay flat, because no round surface goes through them
+                                                 [] */
+    HRBFNPR_NOTE_GROUPS = 45,                 /* parts of a mesh that cross or are close are fitted in groups, each as a
+                                                 separate surface [parts, groups] */
+    HRBFNPR_NOTE_NOT_REACHED = 46,            /* the fit did not reach its tolerance everywhere [tolerance in diagonals,
+                                                 share of the mesh within it, share of the surface within it, greatest
+                                                 distance in diagonals] */
+    HRBFNPR_NOTE_EDGES_STAY_SMOOTH = 47,      /* some sharp edges of a mesh stay smooth [their length in diagonals] */
+    HRBFNPR_NOTE_OFF_MESH = 48,               /* the surface is far from the mesh in some places [share of the mesh,
+                                                 greatest distance in diagonals] */
+    HRBFNPR_NOTE_MADE_BY_FIT = 49,            /* the fit made parts of surface that the mesh does not have, and they are
+                                                 left out [parts] */
+    HRBFNPR_NOTE_PARTS_TOO_THIN = 50,         /* two parts of a mesh are nearer to each other than the tolerance, so
+                                                 that the surface may join them [numbers of both parts, from 0; x, y and
+                                                 z of the place] */
+    HRBFNPR_NOTE_MARKS_LIMITED = 51,          /* a layer has fewer marks than fill the darkest tone [marks wanted, marks
+                                                 made] */
+    HRBFNPR_NOTE_LEVELS_LIMITED = 52,         /* the published method makes fewer refinement steps than fill the picture
+                                                 [steps wanted, steps made] */
+    HRBFNPR_NOTE_SEEN_FROM_CAMERA = 53,       /* the image of a depth camera is seen from where the camera stood
+                                                 [azimuth in degrees] */
+    HRBFNPR_NOTE_SEEN_FROM_FRONT = 54,        /* an open surface is seen from its front [azimuth in degrees] */
+    HRBFNPR_NOTE_NO_LINES_OF_MARKS = 55,      /* no lines are drawn, because the source is a point set without a model
+                                                 [] */
+    HRBFNPR_NOTE_LINES_THIN = 56,             /* the surface is thinner than the cells in which lines are searched, so
+                                                 that lines may be missing [triangles that look away, all triangles,
+                                                 samples missed] */
+    HRBFNPR_NOTE_LINES_END = 57,              /* lines end where the surface ends beyond its samples [borders, support,
+                                                 share of the area left out] */
+    HRBFNPR_NOTE_LINES_BROKEN = 58,           /* some curves end inside the surface, or were missed [curves] */
+    HRBFNPR_NOTE_LINES_DOUBTED = 59,          /* the visibility of some lines contradicts itself [lines] */
+    HRBFNPR_NOTE_LINES_TANGLED = 60,          /* lines cross so often in some places of the picture that no crossing was
+                                                 used [places] */
+    HRBFNPR_NOTE_BLANK = 61,                  /* hardly anything can be seen [marks shown, all marks, share of the
+                                                 picture that ink covers] */
+    HRBFNPR_NOTE_PENS = 62,                   /* pens are chosen by the widths at hand [] */
+    HRBFNPR_NOTE_PLOTTED = 63,                /* a plotter's file is written [metres drawn, metres travelled,
+                                                 seconds] */
+    HRBFNPR_NOTE_NOT_IN_SETTINGS = 64,        /* something that the picture was made with is not in its settings [] */
+    HRBFNPR_NOTE_UNIT_IS_METRE = 65,          /* the unit of the source is taken as a metre, because its format says so
+                                                 [] */
+    HRBFNPR_NOTE_NO_SYMMETRY = 66,            /* centre lines are asked for, but no plane of symmetry was found [] */
+    HRBFNPR_NOTE_SECTION_OPEN = 67,           /* outlines of a cut are not closed, and are not hatched [outlines] */
+    HRBFNPR_NOTE_NORMALS_NOT_UNIT = 68,       /* normals get the length 1 [normals] */
+    HRBFNPR_NOTE_AT_ONE_PLACE = 69,           /* all points are at one place [] */
+    HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70,        /* the source is so far from the origin that single precision loses its
+                                                 details [] */
+    HRBFNPR_NOTE_VERTICES_JOINED = 71,        /* vertices at the place of another are joined with it [vertices] */
+    HRBFNPR_NOTE_VERTICES_UNUSED = 72,        /* vertices of no face are left out [vertices] */
+    HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73,      /* edges have more than two faces [edges] */
+    HRBFNPR_NOTE_MESH_OPEN = 74,              /* a mesh is open [borders, their edges] */
+    HRBFNPR_NOTE_SEVERAL_PARTS = 75,          /* a mesh has several parts [parts] */
+    HRBFNPR_NOTE_NOT_USABLE = 76              /* a source cannot be drawn; the text says why [] */
 };
 
+/* A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
 typedef struct hrbfnpr_note {
     uint32_t struct_size;
-    uint32_t code;       /* HRBFNPR_NOTE_... */
-    uint32_t severity;   /* HRBFNPR_SEVERITY_... */
-    uint32_t figure_count;
-    double figures[8];   /* as above, in that order */
+    uint32_t code;       /* what it is about, HRBFNPR_NOTE_... */
+    uint32_t severity;   /* how much it matters, HRBFNPR_SEVERITY_... */
+    uint32_t figure_count; /* number of `figures` that are set, 0 .. 8 */
+    double figures[8];   /* figures of the code, in the order of its brackets */
     const char* text;    /* one sentence without a full stop, UTF-8, in the words of `wording` */
     const char* advice;  /* what to do about it, in the same words; NULL where the text says it, or there is nothing to
                             say */
 } hrbfnpr_note;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
 
-/* What happens while a picture is made. */
+/* What happens while a picture is made: a new note, or the progress of a stage. */
 typedef struct hrbfnpr_picture_event {
     uint32_t struct_size;
-    uint32_t stage;      /* HRBFNPR_STAGE_... that runs; 0 = between two */
-    double fraction;     /* of the stage, 0 when it begins, 1 when it is over */
-    double seconds;      /* of the stage, when it is over */
-    const char* name;    /* of the stage: "place marks" */
-    const char* doing;   /* the same for a progress bar: "placing marks" */
-    const char* says;    /* what the stage came to, when it is over; else NULL */
-    const hrbfnpr_note* note; /* a new one; NULL = this is about the stage */
+    uint32_t stage;      /* stage that runs, HRBFNPR_STAGE_...; 0 = none runs */
+    double fraction;     /* progress of the stage: 0 when it begins, 1 when it ends; 0 with a note */
+    double seconds;      /* time that the stage took, when it ends; else 0 */
+    const char* name;    /* name of the stage, such as "place marks"; NULL with a note */
+    const char* doing;   /* the same for a progress bar, such as "placing marks"; NULL with a note */
+    const char* says;    /* result of the stage in words, when it ends; else NULL */
+    const hrbfnpr_note* note; /* a new note; NULL = the event is about the stage */
 } hrbfnpr_picture_event;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_event_init(hrbfnpr_picture_event* event, uint32_t struct_size);
-/* Runs on the thread that entered; what it is given lives during the call only. */
+/* Gets an event.  It runs on the thread that entered the library.  The event lives during the call only. */
 typedef void (*hrbfnpr_picture_event_fn)(void* user, const hrbfnpr_picture_event* event);
 
-/* Every field has a default that makes a good picture; a source and, if wanted, a style are enough.
- * NaN (or 0 or NULL, where a line says so) stands for what is chosen. */
+/* How a picture is made.  Each field has a default that makes a good picture.  A source is enough, and a style if
+ * wanted.  A default of NaN, 0 or NULL is chosen by the picture, as its line says. */
 typedef struct hrbfnpr_picture_desc {
     uint32_t struct_size;
-    uint32_t flags;                        /* HRBFNPR_PICTURE_...; 0 */
-    const hrbfnpr_picture_source* sources; /* a list, 1 and more: each is a surface of its own */
-    int64_t source_count;
-    int64_t source_stride;
+    uint32_t flags;                        /* HRBFNPR_PICTURE_...; default 0 */
+    const hrbfnpr_picture_source* sources; /* a list of 1 to 10000 sources, each a separate surface; NULL for
+                                              hrbfnpr_picture_restyle */
+    int64_t source_count;                  /* number of `sources`; default 0 */
+    int64_t source_stride;                 /* bytes from one element of `sources` to the next; default 0 =
+                                              struct_size */
 
     /* Style. */
-    uint32_t preset;               /* HRBFNPR_PRESET_...; CONTOUR_AND_STIPPLE */
-    uint32_t wording;              /* HRBFNPR_WORDING_...; FIELDS */
-    const char* style_name;        /* the name of a preset, in place of its number; NULL */
-    const hrbfnpr_style* style;    /* used as it is, with lengths in pixels of this picture; NULL.  `preset` then says
-                                      which layers of marks there are */
-    const hrbfnpr_settings* settings; /* what this descriptor leaves at its defaults; kept; NULL */
-    const hrbfnpr_change* changes; /* a list; NULL and 0 */
-    int64_t change_count;
-    int64_t change_stride;
-    const hrbfnpr_dab* dabs;       /* what is painted, a list; NULL and 0 */
-    int64_t dab_count;
-    int64_t dab_stride;
+    uint32_t preset;               /* named style, HRBFNPR_PRESET_...; default CONTOUR_AND_STIPPLE */
+    uint32_t wording;              /* how notes and errors write options, HRBFNPR_WORDING_...; default FIELDS */
+    const char* style_name;        /* name of a preset, in place of its number; default NULL */
+    const hrbfnpr_style* style;    /* a style to use as it is, with lengths in pixels of this picture; default NULL.
+                                      `preset` then says which layers of marks there are */
+    const hrbfnpr_settings* settings; /* settings for what this descriptor leaves at its defaults; the picture keeps
+                                         them; default NULL */
+    const hrbfnpr_change* changes; /* a list of fields to change; default NULL */
+    int64_t change_count;          /* number of `changes`; default 0 */
+    int64_t change_stride;         /* bytes from one element of `changes` to the next; default 0 = struct_size */
+    const hrbfnpr_dab* dabs;       /* a list of dabs that paint the surface; default NULL */
+    int64_t dab_count;             /* number of `dabs`, 0 .. 1000000; default 0 */
+    int64_t dab_stride;            /* bytes from one element of `dabs` to the next; default 0 = struct_size */
 
     /* Size, in pixels. */
-    int32_t width;     /* 1 .. 32768, with `height`; 0 = from `size` */
-    int32_t height;
-    int32_t size;      /* of the longer side, 1 .. 32768; the shorter one is as the object needs it; 0 = 1600 */
-    uint32_t sides;    /* HRBFNPR_PICTURE_SIDES_...; AUTO */
-    double pen;        /* radius of the pen, which styles vary a little; 0 = an 800th of the longer side, at least 0.75 */
-    double line_width; /* of contours; others are finer; 0 = that of the style */
+    int32_t width;     /* width of the drawing, in pixels, 1 .. 32768, given with `height`; default 0 = from `size` */
+    int32_t height;    /* height of the drawing, in pixels, 1 .. 32768, given with `width`; default 0 = from `size` */
+    int32_t size;      /* longer side of the drawing, in pixels, 1 .. 32768; the shorter side is as the object needs it;
+                          default 0 = 1600 */
+    uint32_t sides;    /* sides on which marks are drawn, HRBFNPR_PICTURE_SIDES_...; default AUTO */
+    double pen;        /* radius of the pen in pixels, which styles vary a little; 1e-6 .. 1e6; default 0 = an 800th of
+                          the longer side, at least 0.75 */
+    double line_width; /* width of contours, in pixels; other lines are finer; 1e-6 .. 1e6; default 0 = that of the
+                          style */
 
     /* Camera. */
-    const hrbfnpr_camera* camera; /* used as it is, with its viewport as size; NULL */
-    double up[3];        /* 0, 0, 0 = by the format and the shape, y where neither tells */
-    double azimuth;      /* degrees, of the camera about the up axis; NaN = 30, and another where that sees the back of
-                            an open surface */
-    double elevation;    /* degrees, of the camera above the horizon; NaN = 20 */
-    double direction[3]; /* from the eye into the scene, in place of these two; 0, 0, 0 = not given */
-    double eye[3];       /* place of the eye, which looks at `target`; NaN = not given */
-    double target[3];    /* NaN = the middle of the model */
-    double fov;          /* degrees, vertical angle of view, 0 = orthographic; NaN = 30, 0 of the style archaeological */
-    double margin;       /* share that is free on each side, 0 .. 0.45; NaN = 0.05 */
-    double turn;         /* degrees, of an orbit that starts here: the picture has room for all of it; 0 = a still */
-    int32_t turn_frames; /* of that orbit, 1 and more; 36 */
+    const hrbfnpr_camera* camera; /* a camera to use as it is, with its viewport as the size; default NULL */
+    double up[3];        /* direction that is up; default 0, 0, 0 = by the format and the shape, or y where neither
+                            tells */
+    double azimuth;      /* azimuth of the camera about the up axis, from the front to the right, in degrees; default
+                            NaN = 30, and another where that sees the back of an open surface */
+    double elevation;    /* elevation of the camera above the horizon, in degrees; default NaN = 20 */
+    double direction[3]; /* direction from the eye into the scene, in place of azimuth and elevation; default 0, 0, 0 =
+                            not given */
+    double eye[3];       /* place of the eye, which looks at `target`; default NaN = not given */
+    double target[3];    /* place that the eye looks at; default NaN = the middle of the model */
+    double fov;          /* vertical angle of view, in degrees, 0.01 .. 179; 0 = orthographic; default NaN = 30, or 0 in
+                            the style archaeological */
+    double margin;       /* share of the picture that is free on each side, 0 .. 0.45; default NaN = 0.05 */
+    double turn;         /* angle of an orbit that starts here, in degrees; the picture has room for all of it; default
+                            0 = a still picture */
+    int32_t turn_frames; /* number of frames of that orbit, 1 .. 1000000; default 36 */
 
     /* From the source to a surface. */
-    uint32_t normals;        /* HRBFNPR_NORMALS_...: what is known of those of points; AUTO */
-    int64_t samples;         /* of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096 */
-    double tolerance;        /* units of the source: samples are chosen until all is this near; 0 = 0.002 diagonals of a
-                                mesh, none of points */
-    int64_t maximum_centres; /* the most samples that are chosen; 0 = 8000 of a mesh, no limit of points */
-    uint32_t parts;          /* HRBFNPR_PARTS_...: of a mesh; OUTER */
-    uint32_t edges;          /* HRBFNPR_PICTURE_EDGES_...: of a mesh; AS_GIVEN */
-    double edge_angle;       /* degrees, 5 .. 175: of EDGES_SHARP; 30 */
-    double crease_angle;     /* degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; NaN = 60 */
-    int32_t subdivide;       /* how often faces are divided into four towards something round, 0 .. 6; -1 = where they
-                                are coarse and no edges stand out */
-    uint32_t profile;        /* HRBFNPR_PROFILE_...; AUTO */
-    double viewpoint[3];     /* where the scanner stood: open surfaces without normals look to it; NaN = as the source
-                                tells */
-    double depth_smoothing;  /* factor of the width over which the image of a depth camera is smoothed; 0 leaves its
-                                points where they are; NaN = 1 */
-    uint64_t random_seed;    /* of all that is random; 1 */
+    uint32_t normals;        /* what is known of the normals of points, HRBFNPR_NORMALS_...; default AUTO */
+    int64_t samples;         /* number of samples of a mesh, or chosen from points, 0 .. 1e9; default 0 = as many as a
+                                mesh needs, and of points all up to 4096 */
+    double tolerance;        /* samples are chosen until the surface is this near to the mesh, or to all points, in
+                                units of the source; 0 or more; default 0 = 0.002 diagonals for a mesh, and no such end
+                                for points */
+    int64_t maximum_centres; /* the most samples that are chosen, 0 or more; default 0 = 8000 for a mesh, and no limit
+                                for points */
+    uint32_t parts;          /* parts of a mesh that are kept, HRBFNPR_PARTS_...; default OUTER */
+    uint32_t edges;          /* edges of a mesh that are sharp, HRBFNPR_PICTURE_EDGES_...; default AS_GIVEN */
+    double edge_angle;       /* angle between the normals of two faces, in degrees, above which their edge is sharp,
+                                with EDGES_SHARP; 5 .. 175; default 30 */
+    double crease_angle;     /* angle between the normals of two faces, in degrees, above which they do not share corner
+                                normals; 0 .. 180; default NaN = 60 */
+    int32_t subdivide;       /* how often faces are divided into four towards a round surface, 0 .. 6; default -1 =
+                                where faces are coarse and no edges stand out */
+    uint32_t profile;        /* whether a section is drawn beside the drawing, HRBFNPR_PROFILE_...; default AUTO */
+    double viewpoint[3];     /* place where the scanner stood, to which open surfaces without normals look; default NaN
+                                = as the source says */
+    double depth_smoothing;  /* factor of the width over which the image of a depth camera is smoothed, 0 .. 100; 0
+                                leaves its points where they are; default NaN = 1 */
+    uint64_t random_seed;    /* seed of all random numbers; default 1 */
 
     /* Marks, lines, and what stands beside the drawing. */
-    const char* mark_kinds;    /* kinds of layers with commas between, "stipples,hatch"; NULL = those of the style */
-    hrbfnpr_array seed_points; /* n x 3: where marks of PUBLISHED start; not given */
-    double hatch_angle;        /* degrees by which all lines of hatching are turned; 0 */
-    const char* lines;         /* kinds with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
-                                  isophotes=0.3:0.6, section=z:20, border, crease; "none": contours by marks; NULL =
+    const char* mark_kinds;    /* kinds of layers of marks with commas between, such as "stipples,hatch"; default NULL =
                                   those of the style */
-    const char* scale_bar;     /* the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style
-                                  archaeological, else "none" */
+    hrbfnpr_array seed_points; /* points where marks of the published method start; n x 3, FLOAT32 or FLOAT64; not given
+                                  = by seed_source of hrbfnpr_generate_desc */
+    double hatch_angle;        /* angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0 */
+    const char* lines;         /* kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
+                                  parabolic, isophotes=0.3:0.6, section=z:20, border, crease; "none" = no lines, so that
+                                  contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of
+                                  the style */
+    const char* scale_bar;     /* unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
+                                  style archaeological, else "none" */
 
-    hrbfnpr_picture_event_fn on_event; /* NULL; called for as long as the picture lives */
-    void* event_user;                  /* outlives the picture */
+    hrbfnpr_picture_event_fn on_event; /* gets events for as long as the picture lives; default NULL */
+    void* event_user;                  /* passed to on_event; it must outlive the picture */
 } hrbfnpr_picture_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
 
 /* ---- What a source holds ------------------------------------------------------ */
 
-/* What it is. */
+/* The kind of a source. */
 enum {
-    HRBFNPR_SOURCE_KIND_POINTS = 1,
-    HRBFNPR_SOURCE_KIND_MESH = 2,
-    HRBFNPR_SOURCE_KIND_MODEL = 3,
-    HRBFNPR_SOURCE_KIND_POINT_SET = 4
+    HRBFNPR_SOURCE_KIND_POINTS = 1,   /* points, with or without normals */
+    HRBFNPR_SOURCE_KIND_MESH = 2,     /* a mesh */
+    HRBFNPR_SOURCE_KIND_MODEL = 3,    /* a model, with or without marks */
+    HRBFNPR_SOURCE_KIND_POINT_SET = 4 /* a point set without a model */
 };
 
 /* Which way normals look. */
 enum {
-    HRBFNPR_NORMALS_LOOK_UNKNOWN = 0, /* there are none, or the source cannot be drawn */
-    HRBFNPR_NORMALS_LOOK_OUTWARD = 1,
-    HRBFNPR_NORMALS_LOOK_INWARD = 2,
-    HRBFNPR_NORMALS_LOOK_MIXED = 3,   /* some outward, others inward */
+    HRBFNPR_NORMALS_LOOK_UNKNOWN = 0, /* there are no normals, or the source cannot be drawn */
+    HRBFNPR_NORMALS_LOOK_OUTWARD = 1, /* all look outward */
+    HRBFNPR_NORMALS_LOOK_INWARD = 2,  /* all look inward */
+    HRBFNPR_NORMALS_LOOK_MIXED = 3,   /* some look outward, others inward */
     HRBFNPR_NORMALS_LOOK_OPEN = 4,    /* they agree, and the surface encloses nothing */
-    HRBFNPR_NORMALS_LOOK_FOREIGN = 5  /* they belong to other points; told of points along curves */
+    HRBFNPR_NORMALS_LOOK_FOREIGN = 5  /* they belong to other points; found for points along curves only */
 };
 
-/* What is not known of this kind of source is 0, and so is what would have been found out after the finding that it
- * cannot be drawn. */
+/* What a source holds.  A field that does not apply to the kind of source is 0.  If the source cannot be drawn, fields
+ * that were not examined any more are 0. */
 typedef struct hrbfnpr_source_info {
     uint32_t struct_size;
-    uint32_t kind;            /* HRBFNPR_SOURCE_KIND_... */
-    uint32_t severity;        /* HRBFNPR_SEVERITY_... of the worst finding: INFO = there is none, NOTE = a picture repairs
-                                 it, WARNING, FAILURE = it cannot be drawn */
-    uint32_t normals_look;    /* HRBFNPR_NORMALS_LOOK_...: of points or faces */
-    int64_t points;           /* as given; vertices of a mesh, centres of a model, marks of a point set */
-    int64_t triangles;        /* as given */
-    int64_t no_data;          /* points at a value that stands for none; what follows is without them */
-    int64_t strays;           /* points far from all others; what follows is without them */
-    int64_t points_not_finite;
+    uint32_t kind;            /* kind of the source, HRBFNPR_SOURCE_KIND_... */
+    uint32_t severity;        /* severity of the worst finding, HRBFNPR_SEVERITY_...: INFO = no finding; NOTE = a
+                                 picture repairs it; WARNING = something is wrong; FAILURE = it cannot be drawn */
+    uint32_t normals_look;    /* which way the normals of points or faces look, HRBFNPR_NORMALS_LOOK_... */
+    int64_t points;           /* points as given: points, vertices of a mesh, centres of a model, marks of a point
+                                 set */
+    int64_t triangles;        /* triangles as given */
+    int64_t no_data;          /* points at a value that means "no data"; all fields below leave them out */
+    int64_t strays;           /* points far from all others; all fields below leave them out */
+    int64_t points_not_finite; /* points without a finite position */
     int64_t duplicates;       /* points, or vertices of faces, at the place of another */
-    double bounds_min[3];     /* of finite points */
-    double bounds_max[3];
-    double diagonal;          /* of these bounds */
-    double up[3];             /* that a picture chooses by itself, of points and meshes; the reason is at the end */
+    double bounds_min[3];     /* least coordinates of the finite points */
+    double bounds_max[3];     /* greatest coordinates of the finite points */
+    double diagonal;          /* diagonal of these bounds */
+    double up[3];             /* direction that a picture chooses as up, for points and meshes; up_reason says why */
 
-    /* Normals of points; looks_down, normals_closed and normals_flipped_share of faces, too. */
-    uint32_t has_normals;         /* 1: there are some that are not zero */
-    uint32_t along_curves;        /* 1: the points lie along curves, as those of wires and cross sections */
-    uint32_t looks_down;          /* a terrain looks down along an axis: 1 = y, 2 = z; 0 = it does not, or is none */
+    /* Normals of points. looks_down, normals_closed and normals_flipped_share are set for faces, too. */
+    uint32_t has_normals;         /* 1: some normals are given that are not zero */
+    uint32_t along_curves;        /* 1: the points lie along curves, such as wires or cross sections */
+    uint32_t looks_down;          /* axis along which a terrain looks down: 1 = y, 2 = z; 0 = it does not, or is no
+                                     terrain */
     uint32_t reserved;
-    int64_t normals_zero;
-    int64_t normals_not_finite;
-    double normals_unit_share;    /* of length 1, of those that can be used; 0 .. 1 */
-    double normals_closed;        /* sum of the winding numbers on both sides of the samples, in the middle: 1 closed and
-                                     outward, -1 inward, 0 a flat sheet; not of points along curves */
-    double normals_flipped_share; /* judged by neighbours; not of points along curves */
+    int64_t normals_zero;         /* normals that are zero */
+    int64_t normals_not_finite;   /* normals that are not finite */
+    double normals_unit_share;    /* share of the usable normals that have length 1, 0 .. 1 */
+    double normals_closed;        /* median over the samples of the sum of the winding numbers on both sides: 1 = closed
+                                     and outward, -1 = inward, 0 = a flat sheet; 0 for points along curves */
+    double normals_flipped_share; /* share of the normals that look flipped beside their neighbours, 0 .. 1; 0 for
+                                     points along curves */
 
-    /* The picture of a depth camera that has no normals. */
+    /* The image of a depth camera, if it has no normals. */
     int64_t image_seen;    /* pixels that have a point */
-    int64_t image_dropped; /* of these, on no surface */
-    double image_depth;    /* median of those that were seen */
-    double image_noise;    /* standard deviation at that depth */
+    int64_t image_dropped; /* pixels among these that lie on no surface */
+    double image_depth;    /* median depth of the pixels that have a point */
+    double image_noise;    /* standard deviation of the depth, at that depth */
 
-    /* A mesh, as given but for vertices at the same place, which are joined. */
+    /* A mesh as it was given, except that vertices at the same place are joined. */
     uint32_t closed;               /* 1: each edge has two faces, which run along it in opposite directions */
-    uint32_t inside_out;           /* 1: it is closed, and its faces look inward */
+    uint32_t inside_out;           /* 1: the mesh is closed, and its faces look inward */
     int64_t components;            /* parts that share no vertex */
-    int64_t components_inside_out; /* parts without border whose faces look inward; inside another one it is a cavity */
-    int64_t boundary_edges;        /* of one face */
+    int64_t components_inside_out; /* parts without a border whose faces look inward; inside another part it is a
+                                      cavity */
+    int64_t boundary_edges;        /* edges with one face */
     int64_t boundary_loops;        /* borders */
-    int64_t nonmanifold_edges;     /* of more than two faces */
-    int64_t nonmanifold_left;      /* what hrbfnpr_mesh_create leaves of them */
-    int64_t contrary_edges;        /* of two faces, one of which is turned over */
-    int64_t faces_not_finite;      /* with a corner that is not finite */
-    int64_t degenerate_faces;      /* without area */
-    int64_t repeated_faces;        /* with the corners of another */
-    int64_t unused_vertices;       /* of no face */
-    double area;
-    double volume;                 /* enclosed; 0 where the mesh is not closed */
+    int64_t nonmanifold_edges;     /* edges with more than two faces */
+    int64_t nonmanifold_left;      /* edges among these that hrbfnpr_mesh_create cannot mend */
+    int64_t contrary_edges;        /* edges with two faces, one of which is turned over */
+    int64_t faces_not_finite;      /* faces with a corner that is not finite */
+    int64_t degenerate_faces;      /* faces without area */
+    int64_t repeated_faces;        /* faces with the same corners as another */
+    int64_t unused_vertices;       /* vertices of no face */
+    double area;                   /* area, in squared units of the source */
+    double volume;                 /* enclosed volume, in cubed units of the source; 0 if the mesh is not closed */
 
-    char up_reason[128];           /* "it is so in PLY files"; "" = up is not known */
+    char up_reason[128];           /* reason for `up`, such as "it is so in PLY files"; "" = up is not known */
 } hrbfnpr_source_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint32_t struct_size);
 
-/* Looks at a source without drawing it: facts into info, findings as notes of on_event.  NOTE: what a picture repairs;
- * WARNING: what is wrong, with advice; FAILURE: a code NOT_USABLE that says why it cannot be drawn, and the call is
- * OK all the same.  One matter may be both repaired and wrong.  wording: HRBFNPR_WORDING_...; on_event and operation
- * may be NULL.
+/* Looks at a source without drawing it.  It puts facts into `info`, and passes findings to on_event as notes.  A NOTE
+ * is something that a picture repairs.  A WARNING is something that is wrong, with advice.  One matter may give both.
+ * A FAILURE, with the code NOT_USABLE, says why the source cannot be drawn; the call succeeds all the same.  `wording`
+ * is HRBFNPR_WORDING_...; on_event and `operation` may be NULL.
  * Errors: INVALID_ARGUMENT (fields of the source), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, const hrbfnpr_picture_source* source,
                                                   uint32_t wording, hrbfnpr_picture_event_fn on_event,
@@ -3475,117 +3729,145 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, cons
 
 /* ---- Making and drawing ------------------------------------------------------ */
 
-/* Fits, places marks and looks for lines; draws nothing yet.  operation may be NULL.
- * Needs the stack of hrbfnpr_model_fit.
- * Errors: INVALID_ARGUMENT (also for a source that cannot be drawn), SINGULAR_SYSTEM,
- * NOT_CONVERGED, OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+/* Makes a picture: fits surfaces, places marks and finds lines.  It draws nothing yet.  `operation` may be NULL.  The
+ * call needs the stack of hrbfnpr_model_fit.
+ * Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn), SINGULAR_SYSTEM, NOT_CONVERGED,
+ * OUT_OF_MEMORY, CANCELLED, CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
                                                   hrbfnpr_operation* operation, hrbfnpr_picture** out_picture,
                                                   hrbfnpr_error* error);
-/* The same surfaces in another style, size or view: desc has no sources.  Marks and lines
- * that fit are used again; else they are placed and looked for anew. */
+/* Makes a picture of the same surfaces in another style, size or view.  `desc` has no sources.  Marks and lines that
+ * fit are used again; others are made anew.  `operation` may be NULL.
+ * Errors: those of hrbfnpr_picture_create; INVALID_ARGUMENT, too, if the picture was made with SURFACE_ONLY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_restyle(const hrbfnpr_picture* picture, const hrbfnpr_picture_desc* desc,
                                                    hrbfnpr_operation* operation, hrbfnpr_picture** out_picture,
                                                    hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_picture_retain(hrbfnpr_picture* picture);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_picture_release(hrbfnpr_picture* picture); /* any thread; NULL is ignored */
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_picture_retain(hrbfnpr_picture* picture);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_picture_release(hrbfnpr_picture* picture);
 
-/* Draws it.  camera NULL: as it was planned, and INVALID_ARGUMENT with a note BLANK if hardly
- * anything could be seen (ALLOW_BLANK lets it be).  Lines keep their numbers from one
- * drawing to the next.  operation may be NULL. */
+/* Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one drawing to the next.
+ * `operation` may be NULL.
+ * Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned camera, a drawing in which
+ * hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more), OUT_OF_MEMORY, CANCELLED,
+ * CALLBACK. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
                                                 hrbfnpr_operation* operation, hrbfnpr_drawing** out_drawing,
                                                 hrbfnpr_error* error);
 
+/* What a picture is made of. */
 typedef struct hrbfnpr_picture_info {
     uint32_t struct_size;
-    uint32_t preset;      /* HRBFNPR_PRESET_... */
-    int64_t parts;        /* surfaces, or 1 of a point set */
-    int64_t marks;        /* of all parts */
-    int64_t notes;
-    int64_t stages;
-    int32_t width;        /* pixels, of the drawing */
-    int32_t height;
-    double bounds_min[3]; /* of all parts */
-    double bounds_max[3];
-    double up[3];         /* as used */
-    double pen;           /* radius, pixels, as used */
-    double seconds;       /* that it took to make */
+    uint32_t preset;      /* named style as used, HRBFNPR_PRESET_... */
+    int64_t parts;        /* number of surfaces; 1 for a point set */
+    int64_t marks;        /* marks of all parts */
+    int64_t notes;        /* number of notes, for hrbfnpr_picture_get_note */
+    int64_t stages;       /* number of stages that have ended, for hrbfnpr_picture_get_stage */
+    int32_t width;        /* width of the drawing, in pixels; 0 with SURFACE_ONLY */
+    int32_t height;       /* height of the drawing, in pixels; 0 with SURFACE_ONLY */
+    double bounds_min[3]; /* least coordinates of all parts */
+    double bounds_max[3]; /* greatest coordinates of all parts */
+    double up[3];         /* direction that is up, as used */
+    double pen;           /* radius of the pen as used, in pixels */
+    double seconds;       /* time that it took to make the picture */
 } hrbfnpr_picture_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_info_init(hrbfnpr_picture_info* info, uint32_t struct_size);
+/* Gets what a picture is made of. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_info(const hrbfnpr_picture* picture, hrbfnpr_picture_info* info,
                                                     hrbfnpr_error* error);
 
-/* One surface: handles without references of their own, valid while the picture lives. */
+/* One surface of a picture.  Its handles are valid while the picture lives; the caller retains those that it keeps
+ * longer. */
 typedef struct hrbfnpr_picture_part {
     uint32_t struct_size;
-    uint32_t sides;                     /* HRBFNPR_SIDES_... as used */
-    const hrbfnpr_model* model;         /* NULL of a point set */
-    const hrbfnpr_point_set* point_set; /* NULL with SURFACE_ONLY */
-    const hrbfnpr_line_set* line_set;   /* NULL without lines */
-    const hrbfnpr_mesh* mesh;           /* of a mesh, as it was fitted to; else NULL */
+    uint32_t sides;                     /* sides on which marks are drawn, as used, HRBFNPR_SIDES_... */
+    const hrbfnpr_model* model;         /* its model; NULL for a point set */
+    const hrbfnpr_point_set* point_set; /* its marks; NULL with SURFACE_ONLY */
+    const hrbfnpr_line_set* line_set;   /* its lines; NULL without lines */
+    const hrbfnpr_mesh* mesh;           /* the mesh that it was fitted to; NULL for other sources */
 } hrbfnpr_picture_part;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint32_t struct_size);
-/* number: 0 .. hrbfnpr_picture_info.parts - 1; the largest is 0. */
+/* Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the largest surface is 0.
+ * Errors: INVALID_ARGUMENT (no such part). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* picture, int64_t number,
                                                     hrbfnpr_picture_part* part, hrbfnpr_error* error);
-/* What was chosen for hrbfnpr_renderer_draw, valid while the picture lives. */
+/* Gets the style that was chosen for hrbfnpr_renderer_draw.  It is valid while the picture lives.
+ * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_style(const hrbfnpr_picture* picture, const hrbfnpr_style** style,
                                                      hrbfnpr_error* error);
-/* The descriptor that hrbfnpr_point_set_generate was given; *desc is NULL where the caller gave the marks. */
+/* Gets the descriptor with which hrbfnpr_point_set_generate made the marks.  It is valid while the picture lives. *desc
+ * is NULL where the caller gave the marks.
+ * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture,
                                                      const hrbfnpr_generate_desc** desc, hrbfnpr_error* error);
-/* number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives. */
+/* Gets a note.  `number` is 0 .. hrbfnpr_picture_info.notes - 1.  Its texts are valid while the picture lives.
+ * Errors: INVALID_ARGUMENT (no such note). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_note(const hrbfnpr_picture* picture, int64_t number,
                                                     hrbfnpr_note* note, hrbfnpr_error* error);
-/* number: 0 .. hrbfnpr_picture_info.stages - 1: those that are over, as their last event. */
+/* Gets the last event of a stage that has ended.  `number` is 0 .. hrbfnpr_picture_info.stages - 1.
+ * Errors: INVALID_ARGUMENT (no such stage). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_stage(const hrbfnpr_picture* picture, int64_t number,
                                                      hrbfnpr_picture_event* stage, hrbfnpr_error* error);
 
 /* ---- Cameras ------------------------------------------------------------------ */
 
-/* The camera that was planned. */
+/* Gets the planned camera.
+ * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnpr_camera* camera,
                                                       hrbfnpr_error* error);
-/* One from another side, with the size, the lens and the margin of the picture: along `direction`, or from azimuth and
- * elevation in degrees, where direction is NULL; NaN = as planned. */
+/* Gets a camera that looks from another side, with the size, the lens and the margin of the picture.  It looks along
+ * `direction` (3 doubles, from the eye into the scene).  If that is NULL, it looks from `azimuth` and `elevation`, in
+ * degrees; NaN = as planned.
+ * Errors: INVALID_ARGUMENT (a number is not finite; a picture made with SURFACE_ONLY). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction,
                                                 double azimuth, double elevation, hrbfnpr_camera* camera,
                                                 hrbfnpr_error* error);
-/* The planned one, turned about the up axis through the middle of the model (or the target of an eye). */
+/* Gets the planned camera, turned by an angle in degrees about the up axis through the middle of the model.  If the
+ * descriptor gave an eye, the axis goes through its target.
+ * Errors: INVALID_ARGUMENT (the angle is not finite; a picture made with SURFACE_ONLY). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees,
                                                  hrbfnpr_camera* camera, hrbfnpr_error* error);
 
 /* ---- As an image and as vectors ------------------------------------------------ */
 
-/* A plate is a drawing with the section and the scale bar that the picture has beside it; without these it is the
- * drawing alone.  In this part `camera` is the one that the drawing was made by; NULL = the planned one.
- * *width and *height get the pixels of the plate. */
+/* Gets the size of a picture's plate, in pixels.  A plate is a drawing with the section and the scale bar beside it.
+ * Without these it is the drawing alone.  `camera` is the camera that the drawing was made with; NULL = the planned
+ * camera.
+ * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY). */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_plate_size(const hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
                                                       int32_t* width, int32_t* height, hrbfnpr_error* error);
-/* The plate as an image of at least plate_size pixels, from its top-left corner; as hrbfnpr_drawing_rasterize. */
+/* Draws the plate of a picture into an image, from the top-left corner on.  The image has at least the size that
+ * hrbfnpr_picture_plate_size gives.  `camera` is the camera that the drawing was made with; NULL = the planned camera.
+ * Errors: those of hrbfnpr_drawing_rasterize; INVALID_ARGUMENT, too, if the image is too small. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
                                                      const hrbfnpr_camera* camera, const hrbfnpr_image* image,
                                                      hrbfnpr_error* error);
 
-/* On which paper a drawing is written, and with which pens. */
+/* The paper and the pens with which a drawing is written. */
 typedef struct hrbfnpr_picture_page_desc {
     uint32_t struct_size;
     uint32_t reserved;
-    const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds, pens and the like; its items, annotations and
-                                      size are set by this call, and its title, description and metadata where they
-                                      are NULL; NULL = its defaults */
-    const char* paper;             /* "a0" .. "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills
-                                      it, turned as it fits better; NULL = a pixel is 25.4 / 96 mm */
-    double paper_margin;           /* mm, free on each side of the paper; 10 */
-    hrbfnpr_array pen_widths;      /* FLOAT64, 1, mm, ascending: of the pens at hand; each group gets that which is
-                                      nearest to its lines' median width; not given */
+    const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds, pens and the like; default NULL = its defaults.
+                                      The call sets items, annotations and size, and title, description and metadata
+                                      where they are NULL */
+    const char* paper;             /* paper that the drawing fills, turned as it fits better: "a0" .. "a6", "letter",
+                                      "legal", "tabloid", or width and height in mm, such as "210x297"; default NULL = a
+                                      pixel is 25.4 / 96 mm */
+    double paper_margin;           /* free margin on each side of the paper, in mm; 0 or more; default 10 */
+    hrbfnpr_array pen_widths;      /* widths of the pens at hand, in mm, ascending; n x 1, FLOAT64; not given = `page`
+                                      says.  Each group gets the pen nearest to the median width of its lines */
 } hrbfnpr_picture_page_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size);
-/* The plate as vectors; as hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds notes PENS and PLOTTED. */
+/* Writes the plate of a picture as vectors.  `camera` is the camera that the drawing was made with; NULL = the planned
+ * camera.  `desc`, `info` and `operation` may be NULL.  The picture gets notes PENS and PLOTTED.
+ * Errors: those of hrbfnpr_page_write; INVALID_ARGUMENT, too, for a paper that is not known or has no room. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
                                                  const hrbfnpr_camera* camera,
                                                  const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write,
@@ -3594,114 +3876,121 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const
 
 /* ---- Settings: a descriptor as JSON --------------------------------------------- */
 
-/* Reads what _write_settings or the viewer wrote (docs/settings.md).
- * Errors: IO, INVALID_ARGUMENT that names the key and what would be right, OUT_OF_MEMORY. */
+/* Reads settings that hrbfnpr_picture_write_settings or the viewer wrote. docs/settings.md describes the format.
+ * Errors: IO (`read` failed), INVALID_ARGUMENT (the message names the key and says what would be right),
+ * OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
                                                  hrbfnpr_settings** out_settings, hrbfnpr_error* error);
-HRBFNPR_API void hrbfnpr_settings_retain(const hrbfnpr_settings* settings);  /* any thread; NULL is ignored */
-HRBFNPR_API void hrbfnpr_settings_release(const hrbfnpr_settings* settings); /* any thread; NULL is ignored */
-/* Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS. */
+/* Adds a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_settings_retain(const hrbfnpr_settings* settings);
+/* Releases a reference.  Any thread may call it; NULL is ignored. */
+HRBFNPR_API void hrbfnpr_settings_release(const hrbfnpr_settings* settings);
+/* Writes what a picture was made with.  The picture gets a note NOT_IN_SETTINGS about what settings do not hold.
+ * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY), IO (`write` failed), OUT_OF_MEMORY. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write,
                                                           void* user, hrbfnpr_error* error);
 
 /*
  * ==========================================================================
- * 15  VIEWS: technical drawings on a sheet, to scale
+ * 15  SHEETS: technical drawings in several views, to scale
  * ==========================================================================
  *
- * A sheet has orthographic views of a model, and sections, with the line conventions
- * of ISO 128: outlines are thick, hidden edges thin and dashed, cut faces hatched.
- * Views stand around the front view [ISO 5456-2], sections follow at the right, or
- * below if they are seen from above.  Where lines coincide one is drawn: outlines of
- * cuts before visible edges, then hidden ones, then smooth ones [ISO 128-2].  The
- * sheet has a frame [ISO 5457], a title block [ISO 7200] without a date, a scale bar,
- * and arrows and letters where it is cut [ISO 128-3].
+ * A sheet has orthographic views and sections of a model, with the line conventions of ISO 128: outlines are thick,
+ * hidden edges are thin and dashed, cut faces are hatched.  Views stand around the front view [ISO 5456-2].  Sections
+ * follow at the right, or below if they are seen from above.  Where lines coincide, the first in this order is drawn:
+ * outlines of cuts, visible edges, hidden edges, smooth edges [ISO 128-2].  The sheet has a frame [ISO 5457], a title
+ * block [ISO 7200] without a date, a scale bar, and arrows and letters at each cutting plane [ISO 128-3].
  *
- * The model stands along the up axis of its picture; its front is +z, or -y where z
- * is up.  Contours and outlines of cuts are curves of the surface.  Sharp edges are
- * those of the model, or of the mesh that it was fitted to.
+ * The model stands along the up axis of its picture.  Its front is +z, or -y where z is up.  Contours and outlines of
+ * cuts are curves of the surface.  Sharp edges are those of the model, or of the mesh that it was fitted to.
  *
- * Layers of the page have the name of their kind of lines and of their view: "outlines
- * front", "hidden top", "hatching A-A".  Of plotters, pen 1 is the wide one, pen 2 the
- * fine one.
+ * Layers of the page have the name of their kind of lines and of their view, such as "outlines front", "hidden top" or
+ * "hatching A-A".  For plotters, pen 1 is the wide pen and pen 2 the fine one. docs/technical.md shows sheets.
  */
 
+/* Options of a sheet. */
 enum {
-    HRBFNPR_VIEWS_CENTRE_LINES = 1, /* planes of symmetry through the middle have a centre line in each view that sees
-                                       them as a line; a note NO_SYMMETRY says that there are none */
-    HRBFNPR_VIEWS_LABELS = 2,       /* the name of each view stands above it; that of a section always does */
-    HRBFNPR_VIEWS_UNIT_IS_METRE = 4 /* the format of the source is in metres, as glTF: a unit_mm of 0 is 1000, with a
-                                       note UNIT_IS_METRE */
+    HRBFNPR_VIEWS_CENTRE_LINES = 1, /* draws a centre line for each plane of symmetry through the middle, in each view
+                                       that sees the plane as a line.  A note NO_SYMMETRY says that there is no such
+                                       plane */
+    HRBFNPR_VIEWS_LABELS = 2,       /* writes the name of each view above it.  Sections always have their names */
+    HRBFNPR_VIEWS_UNIT_IS_METRE = 4 /* says that the format of the source is in metres, as glTF is.  A unit_mm of 0 then
+                                       means 1000, and a note UNIT_IS_METRE says so */
 };
 
 /* Where views stand [ISO 5456-2]. */
 enum {
-    HRBFNPR_VIEWS_ANGLE_FIRST = 0, /* first angle: the left view at the right, the top view below */
-    HRBFNPR_VIEWS_ANGLE_THIRD = 1  /* third angle: the left view at the left, the top view above */
+    HRBFNPR_VIEWS_ANGLE_FIRST = 0, /* first angle: the left view stands at the right, the top view below */
+    HRBFNPR_VIEWS_ANGLE_THIRD = 1  /* third angle: the left view stands at the left, the top view above */
 };
 
-/* Hidden edges.  Sections never have any [ISO 128-3]. */
+/* How hidden edges are drawn.  Sections never have hidden edges [ISO 128-3]. */
 enum {
-    HRBFNPR_VIEWS_HIDDEN_DASHED = 0, /* dashed thin lines */
-    HRBFNPR_VIEWS_HIDDEN_NONE = 1,   /* they are not drawn */
-    HRBFNPR_VIEWS_HIDDEN_SHOWN = 2   /* continuous thin lines */
+    HRBFNPR_VIEWS_HIDDEN_DASHED = 0, /* hidden edges are dashed thin lines */
+    HRBFNPR_VIEWS_HIDDEN_NONE = 1,   /* hidden edges are not drawn */
+    HRBFNPR_VIEWS_HIDDEN_SHOWN = 2   /* hidden edges are continuous thin lines */
 };
 
-/* Texts are UTF-8 and are read during the call only. */
+/* A sheet of views.  Texts are UTF-8, and are read during the call only. */
 typedef struct hrbfnpr_views_desc {
     uint32_t struct_size;
-    uint32_t flags;       /* HRBFNPR_VIEWS_...; 0 */
-    uint32_t projection;  /* HRBFNPR_VIEWS_ANGLE_...; FIRST */
-    uint32_t hidden;      /* HRBFNPR_VIEWS_HIDDEN_...; DASHED */
-    const char* views;    /* names with commas between: front, back, left, right, top, bottom, iso; each is drawn once.
-                             NULL = "front,left,top,iso", with ANGLE_THIRD "front,right,top,iso" */
-    const char* sections; /* planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at
-                             x + y = 5.  An axis without a sign is seen from the front, from above or from the side that
-                             is drawn; "+z:20" from above, "-z:20" from below.  They are called A-A, B-B, ...; NULL =
-                             none */
-    const char* paper;    /* "a0" .. "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm;
-                             "auto" = the smallest of a4 to a0 that has room at the scale, a3 where the scale is "auto",
-                             too; NULL = "auto" */
-    const char* scale;    /* "1:2" = half as large as it is; "auto" = the largest of 1, 2 and 5 times a power of ten
-                             [ISO 5455] that has room on the paper; NULL = "auto" */
-    const char* smooth;   /* thin lines where the surface bends without an edge: kinds with commas between, ridges,
-                             valleys, suggestive; "none"; NULL = "none" */
-    const char* title;    /* in the title block; NULL or "" = `model` without the ending of its name */
-    const char* model;    /* the file's name, in the title block; NULL or "" = the name of the picture's source */
-    double unit_mm;       /* mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE */
-    double crease_angle;  /* degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30.  Larger:
-                             fewer edges */
-    double line_width;    /* mm, 0.01 .. 1000: of outlines; thin lines are half as wide; 0.5 */
-    double hatch_spacing; /* mm, 0.01 .. 1000: between the lines in cut faces; 3 */
-    double spacing;       /* mm, > 0: free between views; 15 */
-    const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds and the like; its items, annotations, pens and
-                                      size are set by this call, and its title and description where they are NULL; NULL
-                                      = its defaults with a tolerance of 0.02 */
+    uint32_t flags;       /* HRBFNPR_VIEWS_...; default 0 */
+    uint32_t projection;  /* where views stand, HRBFNPR_VIEWS_ANGLE_...; default FIRST */
+    uint32_t hidden;      /* how hidden edges are drawn, HRBFNPR_VIEWS_HIDDEN_...; default DASHED */
+    const char* views;    /* names of views with commas between: front, back, left, right, top, bottom, iso; each is
+                             drawn once; default NULL = "front,left,top,iso", or "front,right,top,iso" with
+                             ANGLE_THIRD */
+    const char* sections; /* cutting planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle,
+                             "1:1:0:5" at x + y = 5; default NULL = none. "+z:20" is seen from above and "-z:20" from
+                             below.  An axis without a sign is seen from the front, from above, or from the side that is
+                             drawn.  Sections are called A-A, B-B and so on */
+    const char* paper;    /* paper: "a0" .. "a6", "letter", "legal" or "tabloid", in landscape format, or width and
+                             height in mm, such as "297x210"; default NULL = "auto" = the smallest of a4 to a0 that has
+                             room at the scale, or a3 if the scale is "auto", too */
+    const char* scale;    /* scale, such as "1:2" for half the size; default NULL = "auto" = the largest of 1, 2 and 5
+                             times a power of ten that has room on the paper [ISO 5455] */
+    const char* smooth;   /* thin lines where the surface bends without an edge, as kinds with commas between: ridges,
+                             valleys, suggestive; default NULL = "none" */
+    const char* title;    /* title in the title block; default NULL; NULL and "" = `model` without the ending of its
+                             name */
+    const char* model;    /* name of the file in the title block; default NULL; NULL and "" = the name of the picture's
+                             source */
+    double unit_mm;       /* mm of a unit of the model, above 0, up to 1e9; default 0 = 1, or 1000 with UNIT_IS_METRE */
+    double crease_angle;  /* angle between two faces of a mesh, in degrees, above which their edge is sharp; above 0, up
+                             to 1e9; default 30.  Larger: fewer edges */
+    double line_width;    /* width of outlines, in mm; thin lines are half as wide; 0.01 .. 1000; default 0.5 */
+    double hatch_spacing; /* distance between the lines in cut faces, in mm; 0.01 .. 1000; default 3 */
+    double spacing;       /* free space between views, in mm; above 0, up to 1e9; default 15 */
+    const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds and the like; default NULL = its defaults with a
+                                      tolerance of 0.02.  The call sets items, annotations, pens and size, and title and
+                                      description where they are NULL */
 } hrbfnpr_views_desc;
 
+/* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size);
 
-/* What was drawn. */
+/* The sheet that was written. */
 typedef struct hrbfnpr_views_info {
     uint32_t struct_size;
     uint32_t reserved;
-    int64_t views;       /* sections are among them */
-    int64_t bytes;       /* that were written */
-    double width;        /* mm, of the page */
-    double height;       /* mm, of the page */
-    double scale;        /* 0.5 of 1:2 */
+    int64_t views;       /* number of views and sections */
+    int64_t bytes;       /* bytes that were written */
+    double width;        /* width of the page, in mm */
+    double height;       /* height of the page, in mm */
+    double scale;        /* scale as a number: 0.5 for 1:2 */
     double unit_mm;      /* mm of a unit of the model, as used */
-    char scale_text[64]; /* "1:2" */
-    char paper[64];      /* "a3", "297 x 210" */
+    char scale_text[64]; /* scale in words, such as "1:2" */
+    char paper[64];      /* paper, such as "a3" or "297 x 210" */
 } hrbfnpr_views_info;
 
+/* Sets struct_size; all other fields are 0. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size);
 
-/* Draws the first part of a picture, which has a model, as a sheet of views; a picture made with SURFACE_ONLY is
- * enough.  desc, info and operation may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE,
- * NO_SYMMETRY and SECTION_OPEN.
+/* Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY is
+ * enough.  `desc`, `info` and `operation` may be NULL.  The picture gets stages LINES and VIEWS, and notes
+ * UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
  * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the model;
- * views that have no room on the paper at the scale: the message says which scale or paper has), and those of
+ * views that have no room on the paper at the scale: the message names a scale or paper with room), and those of
  * hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write_views(hrbfnpr_picture* picture, const hrbfnpr_views_desc* desc,
                                                        hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info,

@@ -6,44 +6,47 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_PRESET_")]
     public enum Preset
     {
-        /// <summary>Stipples by light, no contours.</summary>
+        /// <summary>Stipples, denser where it is darker, without contours.</summary>
         Stipple = 0,
-        /// <summary>Lines of one width, more of them where it is darker, and contours.</summary>
+        /// <summary>Lines of one width, denser where it is darker, and contours.</summary>
         Hatch = 1,
         /// <summary>
-        /// Up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours.
+        /// Up to three sets of lines of one width, at 0, 35 and -30 degrees, each for a darker tone, and contours.
         /// </summary>
         CrossHatch = 2,
-        /// <summary>Lines along Stark's combing direction, a second set in the darks, and contours.</summary>
+        /// <summary>Lines along Stark's combing direction, with a second set in the darks, and contours.</summary>
         Combing = 3,
-        /// <summary>Contours only, hidden ones attenuated.</summary>
+        /// <summary>Contours only; hidden ones are paler.</summary>
         Silhouette = 4,
         /// <summary>Contours and stipples.</summary>
         ContourAndStipple = 5,
-        /// <summary>Contours only, hidden ones shown.</summary>
+        /// <summary>Contours only; hidden ones are dashed.</summary>
         Xray = 6,
-        /// <summary>Stipples, cross hatching in the darks, contours and halo: Figure 1 (e).</summary>
+        /// <summary>Stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)].</summary>
         Full = 7,
-        /// <summary>One set of lines that swell with the tone, and contours; lights are empty.</summary>
+        /// <summary>One set of lines that swell with the tone, and contours; lights stay empty.</summary>
         Engraving = 8,
         /// <summary>
-        /// Up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours.
+        /// Up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours.
         /// </summary>
         Etching = 9,
         /// <summary>Few wide lines, which close up to black, and heavy contours.</summary>
         Woodcut = 10,
-        /// <summary>Fine stipples lit from the upper left, empty lights; outlines swell in the shade.</summary>
+        /// <summary>
+        /// Fine stipples lit from the upper left, and outlines that swell in the shade; lights stay empty.
+        /// </summary>
         ScientificStipple = 11,
         /// <summary>
-        /// Pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice.
+        /// Pencil on warm paper: two sets of lines that stray and run past their ends, and contours drawn twice.
         /// </summary>
         Sketch = 12,
         /// <summary>
-        /// Pale lines on blue without tone: contours, borders, creases and lines called "crease", hidden ones dashed.
+        /// Pale lines on blue without tone: contours, borders, creases and lines called "crease"; hidden ones are
+        /// dashed.
         /// </summary>
         Blueprint = 13,
         /// <summary>
-        /// Lit from the upper left: short lines along curvature that taper to the light, heavy outlines, and the RIDGE
+        /// Short lines along the curvature that taper to the light from the upper left, heavy outlines, and the RIDGE
         /// lines of a line set.
         /// </summary>
         Archaeological = 14,

@@ -438,25 +438,25 @@ class LineSetInfo:
     triangles : int
         Of the mesh that curves are looked for on.
     turned : int
-        Of these, triangles that look away from the surface: it is finer than the cells there, and curves may be
-        missed.
+        Triangles of that mesh that face away from the surface. The surface is finer than the cells there, and
+        curves may be missed.
     missed_seeds : int
-        Seeds that no triangle is near: a part of the surface is too thin for the cells.
+        Seeds that no triangle is near. A part of the surface is too thin for the cells there.
     lines : int
         Lines that were found once.
     borders : int
         Curves where the surface ends.
     cell_size : float
-        As used.
+        Side of the cells as used, in units of the model.
     seconds : float
-        That it took to make.
+        Time that it took to make the line set.
     bytes : int
-        Kept.
+        Memory that the line set keeps.
     left_out : float
         The share of the area that was looked at that lies beyond its samples, 0 to 1; 0 without `support`. Of a
         trimmed model little beyond its end is looked at: see `Model.trim_info`.
     creases : int
-        Curves where sheets of the surface meet, at any angle: from corner to corner, or closed.
+        Creases at any angle, each from corner to corner or closed.
     """
 
     triangles: int
@@ -481,60 +481,64 @@ class DrawingInfo:
     layers : int
         Layers of the drawing, of one ink and one class each.
     dots : int
-        Of ink.
+        Dots of ink.
     strokes : int
+        Strokes of marks and of lines.
     stroke_points : int
-        Of all strokes.
+        Points of all strokes.
     marks : int
-        In all items, of the layers that the styles use: outside + front + back + silhouette + culled.
+        Marks of the layers that the styles use, in all items.
     outside : int
-        Outside the frustum.
+        Marks outside the view frustum.
     front : int
-        Of those inside: by class.
+        Marks of class front inside the frustum.
     back : int
         Of those inside, too.
     silhouette : int
         Of those inside, too.
     culled : int
-        "depth_layers": marks that are of no class, since no tone could show them: they were not looked at one by
-        one.
+        Marks without a class, because no tone could show them and they were skipped; "depth_layers" only.
     shown : int
-        Drawn as ink.
+        Marks drawn as ink.
     dropped_tone : int
         Front marks not shown because of light or share.
     dropped_depth : int
-        Front and silhouette marks not shown because of depth attenuation.
+        Front and silhouette marks not shown because of their distance.
     dropped_zoom : int
-        Front marks not shown because of tone scaling.
+        Front marks not shown because of the zoom.
     dropped_hidden : int
-        Marks not drawn because nothing of them is seen through what is in front.
+        Marks not drawn because the surface in front of them lets nothing of them through.
     splats : int
-        "published": discs of paper; "depth_layers": marks that depth layers were found from.
+        With "published", discs of paper; with "depth_layers", marks from which depth layers were found.
     nanoseconds_classify : int
-        Transform, classify, tone.
-    nanoseconds_visibility, nanoseconds_sort : int
+        Time for transforms, classes and tones.
+    nanoseconds_visibility : int
+        Time for finding what hides marks.
+    nanoseconds_sort : int
+        Time for ordering ink.
     bytes : int
-        Kept by the drawing.
+        Memory that the drawing keeps.
     scratch_bytes : int
-        Kept by its renderer, drawings left out.
+        Memory that its renderer keeps, without drawings.
     line_curves : int
         Curves that lines were drawn from.
     line_cusps : int
-        Of these.
+        Cusps of these curves.
     line_crossings : int
-        Of their images, where the farther one changes its visibility.
+        Crossings of their images at which the farther curve changes its visibility.
     line_broken : int
-        Curves that end inside the surface, and places where one was missed.
+        Curves that end inside the surface, and places where a curve was missed.
     line_settled : int
-        Curves whose visibility did not add up: each part is as a ray of its own says.
+        Curves whose visibility did not add up. A ray decided for each of their parts.
     line_contradictions : int
-        Of these, curves with a part whose ray was not certain.
+        Curves among these with a part whose ray was not certain.
     nanoseconds_lines : int
+        Time for lines.
     line_refined : int
-        Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
+        Curves whose visibility did not add up at first. They, and those that cross them, were refined.
     line_tangles : int
-        Cells of the image, four pixels wide or more, with so many crossings that none was taken: lines run to and
-        fro over one another there, as on a flat face seen edge-on.
+        Cells of the image, four pixels wide or more, with so many crossings that none was used. Lines run to and
+        fro over each other there, as on a flat face seen edge-on.
     """
 
     items: int
@@ -588,7 +592,10 @@ class DrawingLayerFields:
         Of that layer, or the name in the style of the lines.
     ink : tuple of float
         Straight RGBA.
-    dots, strokes : int
+    dots : int
+        Dots of the layer.
+    strokes : int
+        Strokes of the layer.
     """
 
     mark_class: str
@@ -608,6 +615,7 @@ class MarkIdentity:
     Attributes
     ----------
     id : int
+        The id itself.
     item : int
         Number of the item.
     layer : int
@@ -633,28 +641,32 @@ class PageInfo:
 
     Attributes
     ----------
-    bytes, groups : int
+    bytes : int
+        Bytes of the file.
+    groups : int
+        Groups of ink.
     paths : int
         Lines and outlines.
     segments : int
         Curves or straight lines of all paths.
     dots : int
+        Dots.
     joined : int
-        In plot order: pairs of ends that became one line.
+        In plot order, pairs of ends that became one line.
     dropped_paths : int
-        Too short for the pen.
+        Lines dropped because they are too short for the pen.
     dropped_dots : int
-        Too near to others for the pen.
+        Dots dropped because they are too near to others for the pen.
     width : float
-        Millimetres, of the page.
+        Width of the page, in mm.
     height : float
-        Millimetres, of the page.
+        Height of the page, in mm.
     drawn : float
-        Millimetres that a pen draws; in plot order, else 0, as are the next two.
+        Length that a pen draws, in mm; in plot order, else 0.
     travelled : float
-        Millimetres between.
+        Length that a pen travels above the paper, in mm; in plot order, else 0.
     seconds : float
-        That a plotter takes at the given speeds.
+        Time that a plotter takes at the given speeds, in seconds; in plot order, else 0.
     filled_paths : int
         Lines wider than their pen, drawn in several passes.
     """
@@ -682,48 +694,63 @@ class MeshInfo:
     ----------
     closed : bool
         Whether no edge is at the boundary or not manifold, and all faces agree.
-    given_vertices, given_faces : int
+    given_vertices : int
+        Vertices that were given.
+    given_faces : int
+        Faces that were given.
     vertices : int
-        Kept; more than were given where solids that touch in an edge are parted there, at most three for each face.
+        Vertices that are kept. They are more than were given where solids that touch in an edge are parted, at most
+        three for each face.
     faces : int
+        Faces that are kept.
     welded_vertices : int
-        In the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another.
+        Vertices at the place of another, joined with it; on borders also those within 1e-6 diagonals of another.
     degenerate_faces : int
-        Without area but for the rounding of single precision, left out; the face across the largest side is cut in
-        two at the corner that lies within it, so that no slit stays.
+        Faces left out because they have no area beyond the rounding of single precision. The face across the
+        longest side is cut in two at the corner on it, so that no slit stays.
     repeated_faces : int
-        With the corners of another, left out; both where two solids share a wall.
+        Faces left out because another has the same corners; both where two solids share a wall.
     turned_faces : int
-        Against those beside them, turned.
+        Faces turned to agree with those beside them.
     components : int
-        Of the given faces.
+        Components of the given faces.
     turned_components : int
-        Closed and inside out, turned.
+        Closed components turned because they were inside out.
     nested_components : int
-        Inside a closed one.
+        Components inside a closed one.
     left_out_components : int
+        Components left out, by `parts`.
     left_out_faces : int
-        Of these.
-    boundary_edges, boundary_loops, nonmanifold_edges : int
+        Faces of the components left out.
+    boundary_edges : int
+        Edges with one face.
+    boundary_loops : int
+        Loops that these edges form.
+    nonmanifold_edges : int
+        Edges with more than two faces.
     contrary_edges : int
-        Whose two faces do not agree: the mesh cannot be oriented, or was not to be.
+        Edges whose two faces do not agree, because the mesh cannot be oriented or was not to be.
     euler_characteristic : int
         Vertices - edges + faces.
     genus : int
-        Sum of the handles of all components; -1 where the mesh is not closed.
+        Number of handles of all components; -1 if the mesh is not closed.
     area : float
+        Area, in squared units of the mesh.
     volume : float or None
-        Enclosed; None where the mesh is not closed.
-    bounds_min, bounds_max : tuple of float
+        Enclosed volume, in cubed units of the mesh; None if the mesh is not closed.
+    bounds_min : tuple of float
+        Least coordinates of the vertices.
+    bounds_max : tuple of float
+        Greatest coordinates of the vertices.
     seconds : float
-        That making it took.
+        Time that making it took.
     bytes : int
-        Kept by the mesh.
+        Memory that the mesh keeps.
     crease_length : float
-        Of the edges that bend by more than 30 degrees, in diagonals of the bounds.
+        Length of the edges that bend by more than 30 degrees, in diagonals of the bounds.
     creases : bool
-        Whether these stand out, as those of machine parts; `Model.fit_mesh` with edges "auto" and the default
-        crease angle keeps them sharp.
+        Whether the mesh has edges that stand out, as those of machine parts do. `Model.fit_mesh` keeps them sharp
+        with edges "auto" and the default crease_angle.
     """
 
     closed: bool
@@ -762,17 +789,18 @@ class MeshEdgesInfo:
     Attributes
     ----------
     edges : int
-        The number of sharp edges.
+        Number of sharp edges.
     patches : int
-        The number of smooth patches between them; 1 where no edge is sharp.
+        Number of smooth patches between them; 1 if no edge is sharp.
     length : float
-        Of the sharp edges, in units of the mesh.
+        Length of the sharp edges.
     fading : float
-        Of those among them that have the same patch on both sides, as where a crease fades out.
+        Length of those sharp edges that have the same patch on both sides, as where a crease fades out.
     doubtful : float
-        With "auto": of edges that bend more than crease_angle but do not stand out, in units of the mesh; 0 where
-        edges are sharp.
+        With "auto", length of edges that bend more than crease_angle but do not stand out; 0 if the mesh has sharp
+        edges.
     seconds : float
+        Time that the search took.
     """
 
     edges: int
@@ -789,46 +817,51 @@ class MeshFitInfo:
     Attributes
     ----------
     reached : bool
-        Whether tolerance, share and far are kept, both ways.
+        Whether surface and mesh keep the tolerance, the share and `far`, both ways.
     tolerance : float
-        As used.
+        Tolerance as used.
     far : float
         As used.
     candidates : int
+        Places on the mesh that samples were chosen from.
     centres : int
         As many as the model has.
     off_surface_centres : int
-        Of these, the last ones: where f is held to the distance from the mesh.
+        Centres off the surface, at which f is held to the distance from the mesh. They are the last ones.
     rounds : int
-        Fits.
+        Number of fits.
     supported : bool
         Whether the mesh has a border, and the surface beyond it was not counted.
     surface_share : float
-        Of the surface, within the tolerance of the mesh.
+        Share of the surface within the tolerance of the mesh, 0 to 1.
     surface_p99 : float
         99 % of the surface are not farther from the mesh.
     surface_max : float
         The greatest distance of the surface from the mesh.
     mesh_share : float
-        Of the mesh, within the tolerance of the surface.
+        Share of the mesh within the tolerance of the surface, 0 to 1.
     mesh_p99 : float
         Of the mesh: the same from the surface.
     mesh_max : float
         Of the mesh: the same from the surface.
     seconds_sample : float
+        Time for choosing samples.
     seconds_fit : float
-        Of all rounds.
-    seconds_measure, seconds_total : float
+        Time for the fits of all rounds.
+    seconds_measure : float
+        Time for measuring distances.
+    seconds_total : float
+        Time of the whole call.
     sheets : int
-        Smooth pieces that the surface is made of; 1: it has no edges.
+        Smooth sheets that the surface consists of; 1 if it has no sharp edges.
     crease_length : float
-        Of the mesh's edges that are sharp.
+        Length of the mesh's edges that are sharp, in units of the mesh.
     smooth_length : float
-        Of those that are not, as the mesh could not be cut there.
+        Length of edges that stay smooth because the mesh could not be cut there, in units of the mesh.
     cells : int
-        Of space, in each of which a few sheets rule.
+        Cells of space, in each of which a few sheets make the surface.
     poor_cells : int
-        In which no maximum and minimum of its sheets does all that the mesh does.
+        Cells in which no maximum and minimum of sheets follows the mesh everywhere.
     """
 
     reached: bool
@@ -864,40 +897,44 @@ class Comparison:
     surface_points : int
         Places on the surface, even over its area.
     surface_mean : float
-        Of their distances from the mesh.
+        Mean of their distances from the mesh.
     surface_p99 : float
         99 % are not farther.
     surface_max : float
         The greatest of them.
     surface_share : float
-        Within the tolerance.
+        Share of the surface within the tolerance of the mesh, 0 to 1.
     invented_share : float
-        Of the surface, beyond `far`.
+        Share of the surface farther than `far` from the mesh, 0 to 1.
     left_out_share : float
-        Of the surface: beyond the mesh's border, or by `support`; in none of the above.
+        Share of the surface left out, beyond the mesh's border or by `support`, 0 to 1; no other figure includes
+        it.
     mesh_points : int
         Places on the mesh, even over its area.
     mesh_mean : float
-        Of their distances from the surface.
+        Mean of their distances from the surface.
     mesh_p99 : float
         99 % are not farther.
     mesh_max : float
         The greatest of them.
     mesh_share : float
-        Within the tolerance.
+        Share of the mesh within the tolerance of the surface, 0 to 1.
     missed_share : float
-        Of the mesh, beyond `far`.
+        Share of the mesh farther than `far` from the surface, 0 to 1.
     normal_mean : float
-        Degrees between the mesh's normals and the surface's beside them.
+        Mean angle between the mesh's normals and those of the surface beside them, in degrees.
     normal_p99 : float
         99 % are not above.
     components : int
-        Of the surface.
+        Components of the surface.
     genus : int
-        Of the surface, sum over its components; -1 if it has a border in the box.
+        Genus of the surface, summed over its components; -1 if it has a border in the box.
     tolerance : float
-        As used.
-    diagonal, seconds : float
+        Tolerance as used.
+    diagonal : float
+        Diagonal of the mesh.
+    seconds : float
+        Time that the comparison took.
     """
 
     surface_points: int
@@ -940,7 +977,7 @@ class MeshFacts:
     inconsistent_edges : int
         Edges whose two triangles run the same way: one of them is turned over.
     inside_out : bool
-        Whether it is closed, and its faces look inward.
+        Whether the mesh is closed, and its faces look inward.
     parts_inside_out : int
         Closed parts whose faces look inward; one in another is a cavity.
     degenerate_triangles : int
@@ -954,8 +991,9 @@ class MeshFacts:
     faces_not_finite : int
         Triangles with a corner that is not finite.
     area : float
+        Area, in squared units of the source.
     volume : float
-        Enclosed; 0 where the mesh is not closed.
+        Enclosed volume, in cubed units of the source; 0 if the mesh is not closed.
     """
 
     components: int
@@ -981,13 +1019,13 @@ class PageItem:
     Attributes
     ----------
     drawing : Drawing
-        What lies beyond its viewport is cut off.
+        The drawing, not NULL; what lies beyond its viewport is cut off.
     x : float
         Millimetres from the page's left edge to the viewport's.
     y : float
         Millimetres from the page's top edge to the viewport's.
     scale : float
-        Millimetres of a pixel, > 0; 25.4 / 96.
+        Millimetres of a pixel; above 0, up to 1e6; default 25.4 / 96.
     name : str, optional
         Of the group around it.
     """
@@ -1007,7 +1045,8 @@ class Pen:
     groups : str
         A group's name, or the beginning of names and a '*'. Of pens that fit a group the last one is taken.
     width : float
-        Millimetres, >= 0; 0 = as drawn. Plotters: of the pen; 0 = 0.3.
+        Width of all lines, in mm; 0 to 1e6; default 0 = as drawn. For plotters it is the width of the pen, 0.3 if
+        it is 0.
     ink : tuple of float, optional
         Red, green, blue and alpha, from 0 to 1; None = as drawn.
     number : int
@@ -1038,7 +1077,7 @@ class Annotation:
     group : str
         Annotations of one group that follow each other are one layer, in the ink and line type of the first.
     width : float
-        Millimetres, > 0: of the line, or the height of the text's capitals; 0.35.
+        Width of the line, or height of the text's capitals, in mm; above 0, up to 1e6; default 0.35.
     ink : tuple of float
         Red, green, blue and alpha, from 0 to 1; black.
     line_type : {"as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted", "long_dashed_double_dotted",
@@ -1066,12 +1105,13 @@ class LinesFields:
     name : str
         For `LineStyle.name`.
     lower : float
-        Lines go on while their strength is at least `lower` ...
+        Least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are 0, it is 6 for
+        ridges and valleys, and 0 for other kinds.
     upper : float
-        ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of ridges and valleys, 0
-        and 0 else.
+        Strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0. If `lower` and
+        `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds.
     shortest : float
-        Shorter ones are dropped, in diagonals; 0.01.
+        Length below which a line is dropped, in diagonals; 0 or more; default 0.01.
     plane : sequence of float
         Of sections: the normal of the planes.
     levels : sequence of float

@@ -573,38 +573,50 @@ export type MarkAttributeName = "position" | "normal" | "direction" | "curvature
   "width" | "stroke-first" | "stroke-order" | "tone-normal";
 
 /**
- * Kinds of lines.  Those marked "once" are found when a line set is made, for each element of its list; the
- * others
- * with every drawing.  Strengths have no unit: lengths are in diagonals of the model.
+ * Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
+ * hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.  All others are found
+ * for
+ * every drawing.  The strength says how marked a line is at a place.  It has no unit, because lengths are
+ * measured in
+ * diagonals of the model.  Kinds marked WITH_CURVATURE need a line set with that flag.
  */
 export declare const LINE_KIND: {
-  /** occluding contours: the line of sight is tangent to the surface */
+  /** occluding contours: the line of sight is tangent to the surface there */
   readonly CONTOUR: 1;
   /**
-   * where a contour would appear soon; strength: the derivative of the radial curvature towards the eye;
-   * WITH_CURVATURE [DeCarlo 2003]
+   * curves that become contours in a nearby view; WITH_CURVATURE. Strength: the derivative of the radial curvature
+   * towards the eye [DeCarlo et al. 2003]
    */
   readonly SUGGESTIVE_CONTOUR: 2;
-  /** once; strength: curvature across the ridge less that along it [Ohtake, Belyaev & Seidel 2004] */
+  /**
+   * convex ridges; once. Strength: the curvature across the ridge minus the absolute value of the one along it
+   * [Ohtake, Belyaev & Seidel 2004]
+   */
   readonly RIDGE: 3;
-  /** once; the same */
+  /** concave valleys; once. The strength is that of ridges */
   readonly VALLEY: 4;
-  /** strength: view-dependent curvature; WITH_CURVATURE [Judd 2007] */
+  /**
+   * extrema of the view-dependent curvature, which is also the strength; WITH_CURVATURE [Judd, Durand & Adelson
+   * 2007]
+   */
   readonly APPARENT_RIDGE: 5;
-  /** once; Gaussian curvature 0 */
+  /** curves of Gaussian curvature 0; once */
   readonly PARABOLIC: 6;
-  /** n . l = the levels of the style, l its light; WITH_CURVATURE */
+  /**
+   * curves on which n . l is one of the line style's `levels`, n the normal and l the direction to the style's
+   * light; WITH_CURVATURE
+   */
   readonly ISOPHOTE: 7;
-  /** once; parallel planes */
+  /** cuts of the surface by parallel planes; once */
   readonly SECTION: 8;
-  /** where the surface ends: at the search box, or beyond the last samples (hrbfnpr_line_set_desc.support) */
+  /** curves where the surface ends: at the search box, or beyond the last samples (hrbfnpr_line_set_desc.support) */
   readonly BORDER: 9;
-  /** once; polylines of the caller, such as creases of a mesh */
+  /** polylines of the caller, such as creases of a mesh; once */
   readonly OWN: 10;
   /**
-   * where smooth sheets of the surface meet, of models that have such edges; found with the line set, in no list.
-   * Strength: the angle between the sheets' normals, degrees. Where one of them faces the eye and the other does
-   * not, a crease is a part of the CONTOUR and drawn as that
+   * edges and grooves in which smooth sheets of the surface meet, in models that have them. Strength: the angle
+   * between the normals of both sheets, in degrees. Where one sheet faces the eye and the other faces away, the
+   * crease is part of the CONTOUR and is drawn as CONTOUR
    */
   readonly CREASE: 11;
 };
@@ -612,188 +624,210 @@ export declare const LINE_KIND: {
 export type LineKindName = "contour" | "suggestive-contour" | "ridge" | "valley" | "apparent-ridge" | "parabolic" |
   "isophote" | "section" | "border" | "own" | "crease";
 
+/** What a line set measures. */
 export declare const LINE_SET_WITH: {
-  /** measure curvatures and their derivatives, for kinds that need them with every drawing */
+  /** measures curvatures and their derivatives, which suggestive contours, apparent ridges and isophotes need */
   readonly CURVATURE: 1;
 };
 /** A constant of LINE_SET_WITH as options spell it. */
 export type LineSetWithName = "curvature";
 
-/** Range of window depth from near to far plane. */
+/** How depth runs from the near plane to the far plane. */
 export declare const DEPTH: {
-  /** clip space of OpenGL; written depth is 0 .. 1 */
+  /** clip depth from -1 to 1, as in OpenGL; window depth from 0 to 1 */
   readonly NEGATIVE_ONE_TO_ONE: 0;
-  /** Direct3D, Vulkan, Metal */
+  /** clip and window depth from 0 to 1, as in Direct3D, Vulkan and Metal */
   readonly ZERO_TO_ONE: 1;
-  /** 1 at the near plane, 0 at the far plane */
+  /** clip and window depth from 1 at the near plane to 0 at the far plane */
   readonly REVERSED: 2;
 };
 /** A constant of DEPTH as options spell it. */
 export type DepthName = "negative-one-to-one" | "zero-to-one" | "reversed";
 
+/** How ink is drawn that lies behind a depth layer of surface. */
 export declare const HIDDEN_LINES: {
-  /** seen faintly through the surface in front [NPAR 6.1] */
+  /** ink is seen faintly through the surface in front of it [NPAR 6.1] */
   readonly ATTENUATE: 0;
-  /** marks behind a nearer depth layer are not drawn */
+  /** ink behind a nearer depth layer is not drawn */
   readonly HIDE: 1;
-  /** as if nothing were in front (lambda = 0) */
+  /** ink is drawn as if nothing were in front of it: lambda is 0 */
   readonly SHOW: 2;
 };
 /** A constant of HIDDEN_LINES as options spell it. */
 export type HiddenLinesName = "attenuate" | "hide" | "show";
 
+/** How the marks that a surface hides are found. */
 export declare const VISIBILITY: {
   /**
-   * Each mark of ink is seen through the depth layers of surface in front of it, which are found
-   * from the marks: its opacity is multiplied by their transmittance.  A depth layer never dims its
-   * own ink, and the picture does not depend on the number of marks.
+   * Depth layers of surface are found from the marks.  The ink of each mark is multiplied by the transmittance of
+   * the
+   * layers in front of it.  A depth layer never dims its own ink.  The picture does not depend on the number of
+   * marks.
    */
   readonly DEPTH_LAYERS: 0;
-  /** As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1]. */
+  /** Marks paint discs of paper and of ink from far to near, as published [NPAR 6.1]. */
   readonly PUBLISHED: 1;
 };
 /** A constant of VISIBILITY as options spell it. */
 export type VisibilityName = "depth-layers" | "published";
 
+/** How many marks a tone shows. */
 export declare const TONE_CURVE: {
   /**
-   * The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
-   * follows from their size, their density on the screen and how they overlap, so that the
-   * tone stays when the zoom or the budget changes.  Where all marks together cover less than
-   * 0.6, the tone 0.6 shows all of them and the others are paler alike.
+   * The ink covers the share 1 - tau of the paper.  The number of marks follows from their size, their density in
+   * the
+   * picture and their overlap, so that the tone stays when the zoom or the budget changes.  If all marks together
+   * cover less than 0.6, all of them are shown where 0.6 is asked for, and fewer in proportion where less is asked
+   * for.
    */
   readonly COVERAGE: 0;
-  /** the share of marks is 1 - tau [NPAR 6.2] */
+  /** the share of marks that is shown is 1 - tau [NPAR 6.2] */
   readonly LINEAR: 1;
 };
 /** A constant of TONE_CURVE as options spell it. */
 export type ToneCurveName = "coverage" | "linear";
 
+/** What the tone tau of a front mark comes from: 1 = light, 0 = dark. */
 export declare const TONE: {
   /** tau = 0: all front marks are shown */
   readonly NONE: 0;
-  /** tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light */
+  /** tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light on the unlit side */
   readonly LIGHT: 1;
-  /** tau from tone_function */
+  /** tau is what tone_function returns */
   readonly CALLBACK: 2;
 };
 /** A constant of TONE as options spell it. */
 export type ToneName = "none" | "light" | "callback";
 
+/**
+ * Which front marks are shown. u is the rank of a mark, tau its tone, tau_d the tone of its distance (depth_min,
+ * depth_max), scale that of its zoom (zoom_reference), and share that of the layer style.
+ */
 export declare const TONE_RULE: {
   /**
-   * A front mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share: all effects thin
-   * one and the same order of marks, so that a blue-noise order stays one.
+   * A mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share.  All effects thin the same order of marks, so
+   * that
+   * a blue-noise order stays one.
    */
   readonly SHARE: 0;
-  /** As published, test by test: u >= tau, u < tau_d, u < scale, u < share. */
+  /** A mark is shown if it passes each test, as published: u >= tau, u < tau_d, u < scale, u < share [NPAR 6.2]. */
   readonly PUBLISHED: 1;
 };
 /** A constant of TONE_RULE as options spell it. */
 export type ToneRuleName = "share" | "published";
 
+/** The space in which the direction to the light is given. */
 export declare const LIGHT: {
+  /** world space: the light stays where it is when the camera moves */
   readonly WORLD: 0;
+  /** eye space: the light moves with the camera */
   readonly CAMERA: 1;
 };
 /** A constant of LIGHT as options spell it. */
 export type LightName = "world" | "camera";
 
 /**
- * How the front marks of a layer of strokes are drawn.  Layers without strokes are dots; so is everything with
- * VISIBILITY_PUBLISHED.
+ * How the front marks of a layer of strokes are drawn.  Layers without strokes are always dots, and so is
+ * everything
+ * with VISIBILITY_PUBLISHED.
  */
 export declare const SHAPE: {
   /** each mark is a dot */
   readonly DOTS: 0;
   /**
-   * marks that follow each other along a stroke, and are shown, are one line whose width and opacity are theirs; a
-   * single one is a dot
+   * consecutive marks of a stroke that are shown form one line, with their width and opacity. A single mark is a
+   * dot
    */
   readonly STROKES: 1;
   /**
-   * strokes are curves, drawn where the tone is dark enough, and their width makes the tone: hatch_... of
-   * hrbfnpr_layer_style. Of nested lines (those of level k midway between those of lower levels) as many levels
-   * are drawn as the picture has room for, so that the tone does not depend on the zoom. Points of lines have the
-   * id of the nearest mark; a stroke whose ends meet is closed. [Winkenbach & Salesin 1994; Praun et al. 2001]
+   * strokes are curves that are drawn where the tone is dark enough, and their width makes the tone. The hatch_
+   * fields of hrbfnpr_layer_style apply. Lines are nested: those of level k lie midway between those of lower
+   * levels. As many levels are drawn as the picture has room for, so that the tone does not depend on the zoom.
+   * Points of a line have the id of the nearest mark. A stroke whose ends meet is closed [Winkenbach & Salesin
+   * 1994; Praun et al. 2001]
    */
   readonly HATCH: 2;
 };
 /** A constant of SHAPE as options spell it. */
 export type ShapeName = "dots" | "strokes" | "hatch";
 
-/** What is drawn of the parts of a line that surface hides. */
+/** How the parts of a line that surface hides are drawn.  A layer of surface is two sheets. */
 export declare const HIDDEN_PARTS: {
+  /** hidden parts are not drawn */
   readonly NONE: 0;
-  /** paler with each layer of surface (two sheets) before them */
+  /** hidden parts get paler with each layer of surface in front of them */
   readonly ATTENUATED: 1;
-  /** dashes, the shorter the more layers lie before them */
+  /** hidden parts are dashed; the more layers lie in front, the shorter the dashes */
   readonly DASHED: 2;
-  /** like what is visible */
+  /** hidden parts are drawn like visible ones */
   readonly SHOWN: 3;
 };
 /** A constant of HIDDEN_PARTS as options spell it. */
 export type HiddenPartsName = "none" | "attenuated" | "dashed" | "shown";
 
 /**
- * How a line ends where it ends in the picture without meeting another: at a cusp, where it turns behind its own
- * surface.
+ * The shape of a free end of a line: one that meets no other line in the picture, such as a cusp, where a
+ * contour turns
+ * behind its own surface.
  */
 export declare const CAP: {
+  /** half a disc beyond the end */
   readonly ROUND: 0;
+  /** cut off straight at the end */
   readonly FLAT: 1;
-  /** narrowing to a tip; the tip's length is twice the width there */
+  /** a tip, twice as long as the line is wide there */
   readonly POINTED: 2;
 };
 /** A constant of CAP as options spell it. */
 export type CapName = "round" | "flat" | "pointed";
 
-/** Creases by the way that the surface bends there. */
+/** Which creases are drawn. */
 export declare const CREASES: {
+  /** all creases */
   readonly ALL: 0;
-  /** edges */
+  /** convex creases: edges */
   readonly CONVEX: 1;
-  /** grooves, and where something stands on a face */
+  /** concave creases: grooves, and where something stands on a face */
   readonly CONCAVE: 2;
 };
 /** A constant of CREASES as options spell it. */
 export type CreasesName = "all" | "convex" | "concave";
 
 /**
- * Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list from
+ * Named styles, each with a picture in docs/presets.md. bindings/generate writes this list from
  * bindings/presets.py.
  */
 export declare const PRESET: {
-  /** stipples by light, no contours */
+  /** stipples, denser where it is darker, without contours */
   readonly STIPPLE: 0;
-  /** lines of one width, more of them where it is darker, and contours */
+  /** lines of one width, denser where it is darker, and contours */
   readonly HATCH: 1;
-  /** up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours */
+  /** up to three sets of lines of one width, at 0, 35 and -30 degrees, each for a darker tone, and contours */
   readonly CROSS_HATCH: 2;
-  /** lines along Stark's combing direction, a second set in the darks, and contours */
+  /** lines along Stark's combing direction, with a second set in the darks, and contours */
   readonly COMBING: 3;
-  /** contours only, hidden ones attenuated */
+  /** contours only; hidden ones are paler */
   readonly SILHOUETTE: 4;
   /** contours and stipples */
   readonly CONTOUR_AND_STIPPLE: 5;
-  /** contours only, hidden ones shown */
+  /** contours only; hidden ones are dashed */
   readonly XRAY: 6;
-  /** stipples, cross hatching in the darks, contours and halo: Figure 1 (e) */
+  /** stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)] */
   readonly FULL: 7;
-  /** one set of lines that swell with the tone, and contours; lights are empty */
+  /** one set of lines that swell with the tone, and contours; lights stay empty */
   readonly ENGRAVING: 8;
-  /** up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours */
+  /** up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours */
   readonly ETCHING: 9;
   /** few wide lines, which close up to black, and heavy contours */
   readonly WOODCUT: 10;
-  /** fine stipples lit from the upper left, empty lights; outlines swell in the shade */
+  /** fine stipples lit from the upper left, and outlines that swell in the shade; lights stay empty */
   readonly SCIENTIFIC_STIPPLE: 11;
-  /** pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice */
+  /** pencil on warm paper: two sets of lines that stray and run past their ends, and contours drawn twice */
   readonly SKETCH: 12;
-  /** pale lines on blue without tone: contours, borders, creases and lines called "crease", hidden ones dashed */
+  /** pale lines on blue without tone: contours, borders, creases and lines called "crease"; hidden ones are dashed */
   readonly BLUEPRINT: 13;
   /**
-   * lit from the upper left: short lines along curvature that taper to the light, heavy outlines, and the RIDGE
+   * short lines along the curvature that taper to the light from the upper left, heavy outlines, and the RIDGE
    * lines of a line set
    */
   readonly ARCHAEOLOGICAL: 14;
@@ -803,56 +837,61 @@ export type PresetName = "stipple" | "hatch" | "cross-hatch" | "combing" | "silh
   "xray" | "full" | "engraving" | "etching" | "woodcut" | "scientific-stipple" | "sketch" | "blueprint" |
   "archaeological";
 
-/** Which sides of an item's surface its marks are drawn on. */
+/** The sides of an item's surface on which its marks are drawn.  Lines are seen from both sides in any case. */
 export declare const SIDES: {
-  /** that which the normals look to: a solid's inside is never seen */
+  /** the side that the normals point to; for a solid, whose inside is never seen */
   readonly FRONT: 0;
   /**
-   * of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to the camera: with
-   * opposite normals for tone. Such marks count twice in hrbfnpr_drawing_info, as of the front and of the back,
-   * their ids are the same, and the drawing has their layers once more, behind those of all items. Lines are seen
-   * from both sides anyway. With ATTENUATE a depth layer is as opaque as two, one that faces the camera and one
-   * that faces away, as those of a solid before what it hides
+   * both sides; for a surface that ends, such as a bowl or a leaf. Where the other side faces the camera, marks
+   * are drawn with opposite normals. Such marks keep their ids, count as front and as back in
+   * hrbfnpr_drawing_info, and are in separate layers after those of all items. With ATTENUATE a depth layer of
+   * such an item is as opaque as two, one that faces the camera and one that faces away
    */
   readonly BOTH: 1;
 };
 /** A constant of SIDES as options spell it. */
 export type SidesName = "front" | "both";
 
-/** What a mark is for the camera. */
+/** How a mark faces the camera [NPAR 6]. */
 export declare const CLASS: {
+  /** no mark, or a mark that is not drawn */
   readonly NONE: 0;
+  /** a mark whose normal points towards the eye */
   readonly FRONT: 1;
+  /** a mark whose normal points away from the eye */
   readonly BACK: 2;
+  /** a mark near a contour, with VISIBILITY_PUBLISHED */
   readonly SILHOUETTE: 3;
 };
 /** A constant of CLASS as options spell it. */
 export type ClassName = "none" | "front" | "back" | "silhouette";
 
+/** Options of rasterizing. */
 export declare const RASTER: {
   /**
-   * lay the drawing over the image's contents instead of replacing them inside the viewport; wants a style with
-   * transparent paper
+   * lays the drawing over the image instead of replacing the image inside the viewport. Use it with transparent
+   * paper
    */
   readonly OVER: 1;
-  /** blend in linear light (sRGB decoded), not in encoded values */
+  /** blends in linear light (sRGB decoded) instead of in encoded values */
   readonly LINEAR_LIGHT: 2;
 };
 /** A constant of RASTER as options spell it. */
 export type RasterName = "over" | "linear-light";
 
+/** What vertices are written for. */
 export declare const PRIMITIVE: {
-  /** the dots: one vertex each */
+  /** dots, with one vertex each */
   readonly POINTS: 1;
-  /** the strokes: one vertex for each of their points */
+  /** strokes, with one vertex for each of their points */
   readonly LINE_STRIPS: 2;
-  /** the strokes: two for each point, on their left and right side */
+  /** strokes, with two vertices for each point, on its left and right side */
   readonly TRIANGLE_STRIPS: 3;
 };
 /** A constant of PRIMITIVE as options spell it. */
 export type PrimitiveName = "points" | "line-strips" | "triangle-strips";
 
-/** Ends a strip in an array of indices. */
+/** The index that ends a strip: 0xFFFFFFFF as UINT32. */
 export declare const INDEX: {
   readonly RESTART: -1;
 };
@@ -862,40 +901,40 @@ export type IndexName = "restart";
 /** What a vertex can carry, and the types it can have. */
 export declare const VERTEX_ATTRIBUTE: {
   /**
-   * world, FLOAT32 x 3. Of marks and their line strips that of the mark; of lines, of hatching and of triangles
-   * what is drawn, as exact as the window depth
+   * world position; FLOAT32 x 3. For marks and their line strips it is the place of the mark. For lines, hatching
+   * and triangles it is the drawn place, as exact as the window depth
    */
   readonly POSITION: 0;
-  /** pixel x, pixel y, depth; FLOAT32 x 3 */
+  /** pixel x, pixel y and depth; FLOAT32 x 3 */
   readonly WINDOW: 1;
-  /** pixels; FLOAT32 */
+  /** radius of a dot or half the width of a stroke, in pixels; FLOAT32 */
   readonly RADIUS: 2;
-  /** straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
+  /** colour, straight RGBA; FLOAT32 x 4 or UINT8 x 4 */
   readonly COLOR: 3;
-  /** world, unit; of lines 0; FLOAT32 x 3 */
+  /** unit normal in the world, 0 for lines; FLOAT32 x 3 */
   readonly NORMAL: 4;
-  /** world, unit; of lines 0; FLOAT32 x 3 */
+  /** unit direction in the world, 0 for lines; FLOAT32 x 3 */
   readonly DIRECTION: 5;
-  /** of the mark; 0 of lines; UINT32 */
+  /** id of the mark, 0 for lines; UINT32 */
   readonly ID: 6;
-  /** HRBFNPR_CLASS_...; UINT8 or UINT32 */
+  /** class of the mark, HRBFNPR_CLASS_...; UINT8 or UINT32 */
   readonly CLASS: 7;
   /** 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
   readonly IS_PAPER: 8;
-  /** of the drawing; UINT32 */
+  /** number of the layer in the drawing; UINT32 */
   readonly LAYER: 9;
-  /** along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
+  /** length along the stroke from its first point, in pixels, 0 for a dot; FLOAT32 */
   readonly LENGTH: 10;
-  /** layers of surface before that part of a line, 0 = it is visible; 0 of marks; UINT32 */
+  /** number of layers of surface in front of this part of a line, 0 if it is visible or a mark; UINT32 */
   readonly HIDDEN_LAYERS: 11;
   /**
-   * item of the nearest surface before that part of a line; HRBFNPR_INDEX_RESTART = it is visible, or a mark;
-   * UINT32
+   * number of the item whose surface is nearest in front of this part of a line, HRBFNPR_INDEX_RESTART if it is
+   * visible or a mark; UINT32
    */
   readonly HIDDEN_BY: 12;
   /**
-   * of lines: a number that a line keeps from one drawing of a renderer to the next, where the camera moves
-   * little; 0 of all else; UINT32
+   * number of the line, 0 for all else; UINT32. A line keeps it from one drawing of a renderer to the next where
+   * the camera moves little
    */
   readonly LINE: 13;
 };
@@ -903,41 +942,42 @@ export declare const VERTEX_ATTRIBUTE: {
 export type VertexAttributeName = "position" | "window" | "radius" | "color" | "normal" | "direction" | "id" | "class"
   | "is-paper" | "layer" | "length" | "hidden-layers" | "hidden-by" | "line";
 
-/**
- * Which components are kept.  A component is what hangs together by shared
- * vertices.
- */
+/** Which components of a mesh are kept.  Faces that share vertices belong to one component. */
 export declare const PARTS: {
-  /** all but those that lie inside a closed one: eyes in a head, inner shells */
+  /** keeps all components except those inside a closed one, such as eyes in a head or inner shells */
   readonly OUTER: 0;
-  /** all; one that lies inside an odd number of closed ones is a cavity if its faces say so, and is not turned */
+  /**
+   * keeps all components. One that lies inside an odd number of closed ones is a cavity if its faces say so, and
+   * is not turned
+   */
   readonly ALL: 1;
-  /** that of the largest area */
+  /** keeps the component of the largest area */
   readonly LARGEST: 2;
 };
 /** A constant of PARTS as options spell it. */
 export type PartsName = "outer" | "all" | "largest";
 
-/** What becomes of the order of a face's corners. */
+/** Whether the order of a face's corners may change. */
 export declare const FACES: {
-  /** faces are turned to agree with their component, and closed components outward */
+  /** faces are turned to agree with their component, and closed components to face outward */
   readonly TURN: 0;
-  /** as they are */
+  /** faces stay as they are */
   readonly KEEP: 1;
 };
 /** A constant of FACES as options spell it. */
 export type FacesName = "turn" | "keep";
 
+/** Arrays of a mesh. */
 export declare const MESH_ATTRIBUTE: {
-  /** places, FLOAT64 x 3 */
+  /** positions of the vertices; FLOAT64 x 3 */
   readonly VERTEX: 0;
-  /** numbers of vertices, INT32 x 3, of each face */
+  /** numbers of the vertices of each face; INT32 x 3 */
   readonly TRIANGLE: 1;
-  /** from 0, INT32 x 1, of each face */
+  /** number of the component of each face, from 0; INT32 x 1 */
   readonly COMPONENT: 2;
-  /** the number that the face was given by, INT32 x 1 */
+  /** number of each face among the given ones; INT32 x 1 */
   readonly GIVEN_FACE: 3;
-  /** unit normals of the three corners, FLOAT64 x 9, of each face */
+  /** unit normals of the three corners of each face; FLOAT64 x 9 */
   readonly CORNER_NORMAL: 4;
 };
 /** A constant of MESH_ATTRIBUTE as options spell it. */
@@ -946,26 +986,27 @@ export type MeshAttributeName = "vertex" | "triangle" | "component" | "given-fac
 /** Which edges of a mesh are sharp. */
 export declare const EDGES: {
   /**
-   * sharp where the mesh has edges: they stand out, as those of machine parts do, from what is beside them; noise
-   * and coarse faces of round shapes do not. Closed parts that cross are fitted apart, and meet in creases
+   * edges are sharp if they stand out from the faces beside them, as those of machine parts do. Noise and coarse
+   * faces of round shapes do not stand out. Closed parts that cross are fitted separately, and meet in creases
    */
   readonly AUTO: 0;
-  /** no edge is: a fit is one smooth surface, which rounds them */
+  /** no edge is sharp: a fit is one smooth surface, which rounds all edges */
   readonly SMOOTH: 1;
-  /** sharp wherever faces meet at more than crease_angle */
+  /** all edges are sharp whose faces meet at more than crease_angle */
   readonly SHARP: 2;
 };
 /** A constant of EDGES as options spell it. */
 export type EdgesName = "auto" | "smooth" | "sharp";
 
+/** The format of a file. */
 export declare const PAGE_FORMAT: {
-  /** 1.1; groups are layers of Inkscape */
+  /** SVG 1.1, with groups as layers of Inkscape */
   readonly SVG: 0;
-  /** 1.5; groups are optional content, which viewers list as layers */
+  /** PDF 1.5, with groups as optional content, which viewers list as layers */
   readonly PDF: 1;
-  /** for plotters: absolute, 40 units a millimetre, y up from the lower left corner */
+  /** HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left corner */
   readonly HPGL: 2;
-  /** for plotters: G0 and G1, millimetres, y up from the lower left corner */
+  /** G-code for plotters: G0 and G1 in mm, y up from the lower left corner */
   readonly GCODE: 3;
 };
 /** A constant of PAGE_FORMAT as options spell it. */
@@ -973,9 +1014,9 @@ export type PageFormatName = "svg" | "pdf" | "hpgl" | "gcode";
 
 /** How strokes are written whose width varies. */
 export declare const WIDTHS: {
-  /** filled outlines; SVG and PDF */
+  /** filled outlines, in SVG and PDF */
   readonly OUTLINES: 0;
-  /** lines of even widths, `width_step` apart */
+  /** lines of even widths, whose ratios are powers of `width_step` */
   readonly CLASSES: 1;
 };
 /** A constant of WIDTHS as options spell it. */
@@ -983,32 +1024,32 @@ export type WidthsName = "outlines" | "classes";
 
 /** How dots are written. */
 export declare const DOT_SHAPE: {
-  /** circles; plotters fill them, with SINGLE_PASS draw round them */
+  /** circles. Plotters fill them, or with SINGLE_PASS draw their outline */
   readonly CIRCLES: 0;
-  /** lines of no length with round ends; plotters touch the paper */
+  /** lines of length 0 with round ends, at which a plotter touches the paper */
   readonly LINES: 1;
-  /** spirals that a pen fills the disc with, if it is wider than the pen */
+  /** spirals with which a pen fills the dot, if the dot is wider than the pen */
   readonly SPIRALS: 2;
 };
 /** A constant of DOT_SHAPE as options spell it. */
 export type DotShapeName = "circles" | "lines" | "spirals";
 
+/** Options of a page. */
 export declare const PAGE: {
   /**
-   * groups are sorted so that a pen travels little, as HPGL and GCODE always are: greedily, then by 2-opt and Or-
-   * opt; lines may be turned round, closed ones begin elsewhere, and lines whose ends are nearer than `join`
-   * become one
+   * sorts each group so that a pen travels little. HPGL and GCODE are always sorted. Lines may be turned round,
+   * closed lines may begin elsewhere, and lines whose ends are nearer than `join` become one
    */
   readonly IN_PLOT_ORDER: 1;
   /**
-   * a line that is wider than its pen is drawn once, along its centre; else, with HPGL and GCODE and with pens in
-   * plot order, it is filled: by passes side by side, 0.8 of the pen's width apart or a little less, each only
-   * where the line is so wide. A line up to 1.2 times as wide as the pen takes one
+   * draws a line that is wider than its pen once, along its centre. Without this flag, HPGL, GCODE and pens in
+   * plot order fill such a line by several passes, side by side. A line up to 1.2 times as wide as its pen takes
+   * one pass in any case
    */
   readonly SINGLE_PASS: 4;
   /**
-   * else the page has the paper of its first drawing, white without one, and other drawings with another paper
-   * theirs; plotters draw none
+   * leaves out the paper. Without this flag the page has the paper of its first drawing, or white, and drawings
+   * with another paper have theirs. Plotters never draw paper
    */
   readonly WITHOUT_PAPER: 2;
 };
@@ -1016,28 +1057,43 @@ export declare const PAGE: {
 export type PageName = "in-plot-order" | "single-pass" | "without-paper";
 
 /**
- * Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds of dashes 6, 12 and
- * 24,
- * a gap 3, a space 18; a little more or less, so that lines begin and end with a dash.
+ * Types of lines, by the numbers of ISO 128-2.  Lengths in line widths: a dot is 0.5, dashes of the three kinds
+ * are 6,
+ * 12 and 24, a gap is 3, a space is 18.  They are stretched a little, so that each line begins and ends with a
+ * dash.
  */
 export declare const LINE_TYPE: {
+  /** lines as the drawing has them */
   readonly AS_DRAWN: 0;
+  /** a continuous line */
   readonly CONTINUOUS: 1;
-  /** hidden edges */
+  /** dashes, for hidden edges */
   readonly DASHED: 2;
+  /** dashes with spaces between */
   readonly DASHED_SPACED: 3;
-  /** axes */
+  /** a long dash, then a dot; for axes */
   readonly LONG_DASHED_DOTTED: 4;
+  /** a long dash, then two dots */
   readonly LONG_DASHED_DOUBLE_DOTTED: 5;
+  /** a long dash, then three dots */
   readonly LONG_DASHED_TRIPLE_DOTTED: 6;
+  /** dots */
   readonly DOTTED: 7;
+  /** a long dash, then a short dash */
   readonly LONG_DASHED_SHORT_DASHED: 8;
+  /** a long dash, then two short dashes */
   readonly LONG_DASHED_DOUBLE_SHORT_DASHED: 9;
+  /** a dash, then a dot */
   readonly DASHED_DOTTED: 10;
+  /** two dashes, then a dot */
   readonly DOUBLE_DASHED_DOTTED: 11;
+  /** a dash, then two dots */
   readonly DASHED_DOUBLE_DOTTED: 12;
+  /** two dashes, then two dots */
   readonly DOUBLE_DASHED_DOUBLE_DOTTED: 13;
+  /** a dash, then three dots */
   readonly DASHED_TRIPLE_DOTTED: 14;
+  /** two dashes, then three dots */
   readonly DOUBLE_DASHED_TRIPLE_DOTTED: 15;
 };
 /** A constant of LINE_TYPE as options spell it. */
@@ -1046,288 +1102,321 @@ export type LineTypeName = "as-drawn" | "continuous" | "dashed" | "dashed-spaced
   "long-dashed-double-short-dashed" | "dashed-dotted" | "double-dashed-dotted" | "dashed-double-dotted" |
   "double-dashed-double-dotted" | "dashed-triple-dotted" | "double-dashed-triple-dotted";
 
+/** What is known about a source. */
 export declare const SOURCE: {
-  /** `sharp_edges` is known, even if it is empty */
+  /** says that `sharp_edges` is known, even if it is empty */
   readonly HAS_SHARP_EDGES: 1;
-  /** `viewpoint` is known */
+  /** says that `viewpoint` is known */
   readonly HAS_VIEWPOINT: 2;
-  /** the points are one picture of a depth camera that stood at `viewpoint` */
+  /** says that the points are one image of a depth camera that stood at `viewpoint` */
   readonly IS_PHOTO: 4;
 };
 /** A constant of SOURCE as options spell it. */
 export type SourceName = "has-sharp-edges" | "has-viewpoint" | "is-photo";
 
+/** Options of a picture. */
 export declare const PICTURE: {
-  /** drawing what can hardly be seen is no error */
+  /** allows a drawing in which hardly anything can be seen */
   readonly ALLOW_BLANK: 1;
-  /** all normals are turned, whatever they look like */
+  /** turns all normals, whatever they look like */
   readonly FLIP: 2;
-  /** the surface goes on beyond open data, as the fit has it */
+  /** lets the surface go on beyond open data, as the fit has it */
   readonly CLOSE: 4;
-  /** an open mesh is one surface, also where its parts cross */
+  /** fits an open mesh as one surface, even where its parts cross */
   readonly TOGETHER: 8;
-  /** the paper lets all through */
+  /** makes the paper transparent */
   readonly TRANSPARENT: 16;
-  /** layers have all their marks, also where the style draws lines alone: for marks that are saved */
+  /** gives all layers all their marks, even if the style draws lines only; for marks that are saved */
   readonly KEEP_MARKS: 32;
-  /** no camera is chosen, no marks are placed, no lines are looked for: for the model alone */
+  /** makes the model only: chooses no camera, places no marks, looks for no lines */
   readonly SURFACE_ONLY: 64;
-  /** nothing is said of a source that is a part of a solid, and no up is looked for */
+  /** says that the source is a part of a solid, so that up is y */
   readonly IS_SOLID: 128;
 };
 /** A constant of PICTURE as options spell it. */
 export type PictureName = "allow-blank" | "flip" | "close" | "together" | "transparent" | "keep-marks" |
   "surface-only" | "is-solid";
 
-/** The edges of a mesh. */
+/** Which edges of a mesh are sharp. */
 export declare const PICTURE_EDGES: {
-  /** as AUTO; where faces are coarse as the normals of the file tell, if they do */
+  /**
+   * edges are found as with AUTO. Where faces are coarse, the normals of the file decide if they say anything
+   * about edges
+   */
   readonly AS_GIVEN: 0;
-  /** HRBFNPR_EDGES_AUTO */
+  /** edges are found by HRBFNPR_EDGES_AUTO */
   readonly AUTO: 1;
-  /** HRBFNPR_EDGES_SMOOTH */
+  /** no edge is sharp (HRBFNPR_EDGES_SMOOTH) */
   readonly SMOOTH: 2;
-  /** HRBFNPR_EDGES_SHARP, with `edge_angle` */
+  /** edges are sharp that bend by more than `edge_angle` (HRBFNPR_EDGES_SHARP) */
   readonly SHARP: 3;
 };
 /** A constant of PICTURE_EDGES as options spell it. */
 export type PictureEdgesName = "as-given" | "auto" | "smooth" | "sharp";
 
+/** Whether an upright section through the middle is drawn beside the drawing. */
 export declare const PROFILE: {
-  /** YES of the style archaeological, else NO */
+  /** a section is drawn in the style archaeological only */
   readonly AUTO: 0;
-  /** an upright section through the middle stands beside the drawing */
+  /** a section is drawn */
   readonly YES: 1;
+  /** no section is drawn */
   readonly NO: 2;
 };
 /** A constant of PROFILE as options spell it. */
 export type ProfileName = "auto" | "yes" | "no";
 
+/** The sides of a surface on which marks are drawn. */
 export declare const PICTURE_SIDES: {
-  /** both of a surface that ends, else the front */
+  /** both sides of a surface that ends, and the front of other surfaces */
   readonly AUTO: 0;
-  /** HRBFNPR_SIDES_FRONT */
+  /** the front (HRBFNPR_SIDES_FRONT) */
   readonly FRONT: 1;
-  /** HRBFNPR_SIDES_BOTH */
+  /** both sides (HRBFNPR_SIDES_BOTH) */
   readonly BOTH: 2;
 };
 /** A constant of PICTURE_SIDES as options spell it. */
 export type PictureSidesName = "auto" | "front" | "both";
 
-/** How notes and errors name the options that they speak of. */
+/** How notes and errors write the options that they name. */
 export declare const WORDING: {
-  /** samples 400 */
+  /** as fields of a descriptor: samples 400 */
   readonly FIELDS: 0;
-  /** --samples 400, of a command line */
+  /** as options of a command line: --samples 400 */
   readonly OPTIONS: 1;
-  /** samples=400, of a call in Python */
+  /** as arguments of a call in Python: samples=400 */
   readonly ARGUMENTS: 2;
 };
 /** A constant of WORDING as options spell it. */
 export type WordingName = "fields" | "options" | "arguments";
 
-/** A stroke of a brush on the surface: within its radius what is painted goes towards a value. */
+/** What a dab paints. */
 export declare const DAB: {
+  /** the tone: 1 = light, 0 = dark */
   readonly TONE: 0;
+  /** the density of stipples: 1 = all, 0 = none */
   readonly DENSITY: 1;
+  /** the direction of hatching */
   readonly DIRECTION: 2;
 };
 /** A constant of DAB as options spell it. */
 export type DabName = "tone" | "density" | "direction";
 
-/** The parts of the work. */
+/** The stages of the work. */
 export declare const STAGE: {
-  /** looking at a mesh: welding, turning faces */
+  /** looks at a mesh: joins vertices, turns faces */
   readonly MESH: 1;
-  /** choosing samples */
+  /** chooses samples */
   readonly SAMPLE: 2;
-  /** looking for normals */
+  /** finds normals */
   readonly ORIENT: 3;
-  /** the image of a depth camera */
+  /** smooths the image of a depth camera */
   readonly SMOOTH: 4;
+  /** fits the surface */
   readonly FIT: 5;
-  /** the surface with the mesh */
+  /** compares the surface with the mesh */
   readonly COMPARE: 6;
-  /** looking for the end of the surface */
+  /** finds the end of the surface */
   readonly END: 7;
-  /** placing marks */
+  /** places marks */
   readonly MARKS: 8;
-  /** looking for lines */
+  /** finds lines */
   readonly LINES: 9;
-  /** drawing */
+  /** draws */
   readonly FRAME: 10;
-  /** drawing the views of a sheet */
+  /** draws the views of a sheet */
   readonly VIEWS: 11;
 };
 /** A constant of STAGE as options spell it. */
 export type StageName = "mesh" | "sample" | "orient" | "smooth" | "fit" | "compare" | "end" | "marks" | "lines" |
   "frame" | "views";
 
+/** How much a note matters. */
 export declare const SEVERITY: {
   /** a measurement */
   readonly INFO: 0;
-  /** what was chosen, repaired or left out */
+  /** something was chosen, repaired or left out */
   readonly NOTE: 1;
-  /** the result may be wrong there */
+  /** the result may be wrong in some place */
   readonly WARNING: 2;
-  /** there is no result: the error of the call, in full length */
+  /** there is no result: the text is the error of the call, in full length */
   readonly FAILURE: 3;
 };
 /** A constant of SEVERITY as options spell it. */
 export type SeverityName = "info" | "note" | "warning" | "failure";
 
-/** Notes.  In brackets the figures of each. */
+/**
+ * Codes of notes.  Each line says when a note is given, with its figures in brackets; [] = no figures.  Figures
+ * are
+ * counts unless a line says otherwise.  Shares are 0 .. 1.
+ */
 export declare const NOTE: {
-  /** left out [faces] */
+  /** faces with a corner that is not finite are left out [faces] */
   readonly FACES_NOT_FINITE: 1;
-  /** points at a value that stands for none, left out [points, value] */
+  /** points at a value that means "no data" are left out [points, the value] */
   readonly NO_DATA: 2;
-  /** points far from all others, left out [points] */
+  /** points far from all others are left out [points] */
   readonly STRAYS: 3;
-  /** so many that only some get normals [points, used] */
+  /** only some of the points get normals, because there are many [points, points with normals] */
   readonly SOME_ORIENTED: 4;
-  /** there were none [points] */
+  /** the points have no normals, and get some [points] */
   readonly NORMALS_MADE: 5;
-  /** [confidence] */
+  /** normals that were found are not certain [confidence, 0 .. 1] */
   readonly NORMALS_NOT_SURE: 6;
-  /** which side of an open surface is its front */
+  /** the surface is open, and nothing tells which side is its front [] */
   readonly FRONT_NOT_TOLD: 7;
-  /** [points, used] */
+  /** only some points are used as samples [points, points used] */
   readonly SAMPLES_CHOSEN: 8;
-  /** without a position or normal, left out [points] */
+  /** points without a usable position or normal are left out [points] */
   readonly POINTS_NOT_USABLE: 9;
-  /** several at one place: their mean [places] */
+  /** places with several normals get the mean of these [places] */
   readonly NORMALS_JOINED: 10;
-  /** opposite ones at one place, left out [places] */
+  /** places with opposite normals are left out [places] */
   readonly NORMALS_OPPOSITE: 11;
-  /** it looked down [axis] */
+  /** a terrain looked down, and its normals are turned [axis: 1 = y, 2 = z] */
   readonly TERRAIN_TURNED: 12;
-  /** all looked inward */
+  /** all normals looked inward, and are turned [] */
   readonly NORMALS_TURNED: 13;
-  /** [turned, made, what they were: HRBFNPR_NORMALS_...] */
+  /** given normals are repaired [normals turned, normals made, what they were: HRBFNPR_NORMALS_...] */
   readonly NORMALS_REPAIRED: 14;
-  /** those around them [normals, of] */
+  /** some normals look against those around them [these normals, all normals] */
   readonly NORMALS_AGAINST: 15;
-  /** some parts outward, others inward [share] */
+  /** some parts have outward normals and others inward ones [share that looks inward] */
   readonly NORMALS_MIXED: 16;
-  /** most of an open surface */
+  /** most of an open surface looks inward [] */
   readonly NORMALS_INWARD: 17;
+  /** `viewpoint` is given, but the source needs none [] */
   readonly VIEWPOINT_NOT_USED: 18;
-  /** of a depth camera, on no surface [pixels] */
+  /** pixels of a depth camera that lie on no surface are left out [pixels] */
   readonly PIXELS_LEFT_OUT: 19;
-  /** [noise, depth] */
+  /** the noise of a depth camera was measured [standard deviation, depth where it holds; units of the source] */
   readonly DEPTH_NOISE: 20;
-  /** the samples have noise, and the surface does not go through all */
+  /** the samples have noise, and the surface does not pass through all of them [] */
   readonly SMOOTHED: 21;
-  /** at the same place [samples] */
+  /** samples at the same place are merged [samples] */
   readonly SAMPLES_MERGED: 22;
-  /** merged with another very near [samples] */
+  /** samples very near to another are merged with it [samples] */
   readonly SAMPLES_NEAR: 23;
-  /** as strays [samples] */
+  /** samples are dropped as strays [samples] */
   readonly SAMPLES_DROPPED: 24;
-  /** with a flipped normal, repaired [samples] */
+  /** flipped normals of samples are repaired [samples] */
   readonly SAMPLES_FLIPPED: 25;
-  /** samples that look so, and stay [samples] */
+  /** samples that look like strays are kept [samples] */
   readonly LIKE_STRAYS: 26;
-  /** samples that look so, and stay [samples] */
+  /** samples whose normals look flipped are kept [samples] */
   readonly LIKE_FLIPPED: 27;
-  /** the surface is a guess [points] */
+  /** the surface is a guess, because there are few points [points] */
   readonly FEW_POINTS: 28;
-  /** all points */
+  /** all points are on a line [] */
   readonly ON_A_LINE: 29;
-  /** all points */
+  /** all points are in a plane [] */
   readonly IN_A_PLANE: 30;
-  /** the points: the surface between them is drawn, too */
+  /** the points lie along curves, and the surface between these is drawn, too [] */
   readonly ALONG_CURVES: 31;
-  /** where the surface ends */
+  /** the end of the surface was not found, and the surface goes on to the end of its box [] */
   readonly END_NOT_FOUND: 32;
-  /** another direction than y [x, y, z] */
+  /** another direction than y is chosen as up [x, y, z] */
   readonly UP: 33;
-  /** against those beside them [faces] */
+  /** faces that looked to the other side than those beside them are turned [faces] */
   readonly FACES_TURNED: 34;
-  /** a mesh, or parts of it, turned [parts] */
+  /** a mesh, or some of its parts, is inside out, and is turned [parts] */
   readonly INSIDE_OUT: 35;
-  /** without area, or twice there [faces] */
+  /** faces without area, and repeated faces, are left out [faces] */
   readonly FACES_LEFT_OUT: 36;
-  /** others, left out [parts, faces] */
+  /** parts of a mesh inside others are left out [parts, their faces] */
   readonly PARTS_INSIDE: 37;
-  /** a surface of one side, or one that crosses itself [edges] */
+  /**
+   * faces beside each other look to opposite sides and cannot be turned: the surface has one side, or crosses
+   * itself [edges]
+   */
   readonly CONTRARY_EDGES: 38;
-  /** from all others, left out [parts, faces] */
+  /** parts of a mesh far from all others are left out [parts, their faces] */
   readonly PARTS_FAR: 39;
-  /** faces on an edge of two others, left out [faces] */
+  /** faces that hang on an edge of two others are left out [faces] */
   readonly FLAPS: 40;
-  /** by the normals of the file */
+  /** all faces stay flat, because the normals of the file say so [] */
   readonly ALL_FLAT: 41;
-  /** some edges are sharp by the normals of the file */
+  /** some edges are sharp, because the normals of the file say so [] */
   readonly EDGES_BY_NORMALS: 42;
-  /** faces [times, vertices moved, places between them raised, off a round surface; shares of the diagonal] */
+  /**
+   * coarse faces are divided towards a round surface [rounds; how far vertices moved; how far places between them
+   * were raised; how far the faces were off a round surface, if they are coarse; shares of the diagonal]
+   */
   readonly DIVIDED: 43;
-  /** faces are coarse, but nothing round goes through them */
+  /** coarse faces stay flat, because no round surface goes through them [] */
   readonly COARSE_FLAT: 44;
-  /** parts that cross are surfaces of their own [parts, groups] */
+  /** parts of a mesh that cross or are close are fitted in groups, each as a separate surface [parts, groups] */
   readonly GROUPS: 45;
-  /** the tolerance [tolerance, share of the mesh, share of the surface, farthest; of the diagonal] */
+  /**
+   * the fit did not reach its tolerance everywhere [tolerance in diagonals, share of the mesh within it, share of
+   * the surface within it, greatest distance in diagonals]
+   */
   readonly NOT_REACHED: 46;
-  /** [their length in diagonals] */
+  /** some sharp edges of a mesh stay smooth [their length in diagonals] */
   readonly EDGES_STAY_SMOOTH: 47;
-  /** the surface, at a share of the mesh [share, farthest] */
+  /** the surface is far from the mesh in some places [share of the mesh, greatest distance in diagonals] */
   readonly OFF_MESH: 48;
-  /** parts of surface that the mesh does not have, left out [parts] */
+  /** the fit made parts of surface that the mesh does not have, and they are left out [parts] */
   readonly MADE_BY_FIT: 49;
-  /** parts of a mesh that the tolerance is too large for */
+  /**
+   * two parts of a mesh are nearer to each other than the tolerance, so that the surface may join them [numbers of
+   * both parts, from 0; x, y and z of the place]
+   */
   readonly PARTS_TOO_THIN: 50;
-  /** fewer than fill the darkest tone [wanted, made] */
+  /** a layer has fewer marks than fill the darkest tone [marks wanted, marks made] */
   readonly MARKS_LIMITED: 51;
-  /** of the published recursion [wanted, taken] */
+  /** the published method makes fewer refinement steps than fill the picture [steps wanted, steps made] */
   readonly LEVELS_LIMITED: 52;
-  /** the depth camera's [azimuth] */
+  /** the image of a depth camera is seen from where the camera stood [azimuth in degrees] */
   readonly SEEN_FROM_CAMERA: 53;
-  /** of an open surface [azimuth] */
+  /** an open surface is seen from its front [azimuth in degrees] */
   readonly SEEN_FROM_FRONT: 54;
-  /** lines want a model, and the source is a point set */
+  /** no lines are drawn, because the source is a point set without a model [] */
   readonly NO_LINES_OF_MARKS: 55;
-  /** the surface is thinner than the cells that lines are looked for in [triangles turned, of, samples missed] */
+  /**
+   * the surface is thinner than the cells in which lines are searched, so that lines may be missing [triangles
+   * that look away, all triangles, samples missed]
+   */
   readonly LINES_THIN: 56;
-  /** where the surface ends beyond its samples [borders, support, share] */
+  /** lines end where the surface ends beyond its samples [borders, support, share of the area left out] */
   readonly LINES_END: 57;
-  /** curves that end inside the surface [curves] */
+  /** some curves end inside the surface, or were missed [curves] */
   readonly LINES_BROKEN: 58;
-  /** lines whose visibility contradicts itself [lines] */
+  /** the visibility of some lines contradicts itself [lines] */
   readonly LINES_DOUBTED: 59;
-  /** places with too many crossings of lines [places] */
+  /** lines cross so often in some places of the picture that no crossing was used [places] */
   readonly LINES_TANGLED: 60;
-  /** hardly anything can be seen [shown, marks, share of ink] */
+  /** hardly anything can be seen [marks shown, all marks, share of the picture that ink covers] */
   readonly BLANK: 61;
-  /** that were chosen by the widths at hand */
+  /** pens are chosen by the widths at hand [] */
   readonly PENS: 62;
-  /** [metres drawn, metres travelled, seconds] */
+  /** a plotter's file is written [metres drawn, metres travelled, seconds] */
   readonly PLOTTED: 63;
-  /** what settings do not hold */
+  /** something that the picture was made with is not in its settings [] */
   readonly NOT_IN_SETTINGS: 64;
-  /** of the format */
+  /** the unit of the source is taken as a metre, because its format says so [] */
   readonly UNIT_IS_METRE: 65;
-  /** for centre lines */
+  /** centre lines are asked for, but no plane of symmetry was found [] */
   readonly NO_SYMMETRY: 66;
-  /** outlines of a cut that are not closed [outlines] */
+  /** outlines of a cut are not closed, and are not hatched [outlines] */
   readonly SECTION_OPEN: 67;
-  /** made of length 1 [normals] */
+  /** normals get the length 1 [normals] */
   readonly NORMALS_NOT_UNIT: 68;
-  /** all points */
+  /** all points are at one place [] */
   readonly AT_ONE_PLACE: 69;
-  /** for the source's size */
+  /** the source is so far from the origin that single precision loses its details [] */
   readonly FAR_FROM_ORIGIN: 70;
-  /** at the place of another [vertices] */
+  /** vertices at the place of another are joined with it [vertices] */
   readonly VERTICES_JOINED: 71;
-  /** of no face, left out [vertices] */
+  /** vertices of no face are left out [vertices] */
   readonly VERTICES_UNUSED: 72;
-  /** of more than two faces [edges] */
+  /** edges have more than two faces [edges] */
   readonly NONMANIFOLD_EDGES: 73;
-  /** [borders, their edges] */
+  /** a mesh is open [borders, their edges] */
   readonly MESH_OPEN: 74;
-  /** of a mesh [parts] */
+  /** a mesh has several parts [parts] */
   readonly SEVERAL_PARTS: 75;
-  /** why a source cannot be drawn */
+  /** a source cannot be drawn; the text says why [] */
   readonly NOT_USABLE: 76;
 };
 /** A constant of NOTE as options spell it. */
@@ -1344,11 +1433,15 @@ export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriente
   | "unit-is-metre" | "no-symmetry" | "section-open" | "normals-not-unit" | "at-one-place" | "far-from-origin" |
   "vertices-joined" | "vertices-unused" | "nonmanifold-edges" | "mesh-open" | "several-parts" | "not-usable";
 
-/** What it is. */
+/** The kind of a source. */
 export declare const SOURCE_KIND: {
+  /** points, with or without normals */
   readonly POINTS: 1;
+  /** a mesh */
   readonly MESH: 2;
+  /** a model, with or without marks */
   readonly MODEL: 3;
+  /** a point set without a model */
   readonly POINT_SET: 4;
 };
 /** A constant of SOURCE_KIND as options spell it. */
@@ -1356,29 +1449,35 @@ export type SourceKindName = "points" | "mesh" | "model" | "point-set";
 
 /** Which way normals look. */
 export declare const NORMALS_LOOK: {
-  /** there are none, or the source cannot be drawn */
+  /** there are no normals, or the source cannot be drawn */
   readonly UNKNOWN: 0;
+  /** all look outward */
   readonly OUTWARD: 1;
+  /** all look inward */
   readonly INWARD: 2;
-  /** some outward, others inward */
+  /** some look outward, others inward */
   readonly MIXED: 3;
   /** they agree, and the surface encloses nothing */
   readonly OPEN: 4;
-  /** they belong to other points; told of points along curves */
+  /** they belong to other points; found for points along curves only */
   readonly FOREIGN: 5;
 };
 /** A constant of NORMALS_LOOK as options spell it. */
 export type NormalsLookName = "unknown" | "outward" | "inward" | "mixed" | "open" | "foreign";
 
+/** Options of a sheet. */
 export declare const VIEWS: {
   /**
-   * planes of symmetry through the middle have a centre line in each view that sees them as a line; a note
-   * NO_SYMMETRY says that there are none
+   * draws a centre line for each plane of symmetry through the middle, in each view that sees the plane as a line.
+   * A note NO_SYMMETRY says that there is no such plane
    */
   readonly CENTRE_LINES: 1;
-  /** the name of each view stands above it; that of a section always does */
+  /** writes the name of each view above it. Sections always have their names */
   readonly LABELS: 2;
-  /** the format of the source is in metres, as glTF: a unit_mm of 0 is 1000, with a note UNIT_IS_METRE */
+  /**
+   * says that the format of the source is in metres, as glTF is. A unit_mm of 0 then means 1000, and a note
+   * UNIT_IS_METRE says so
+   */
   readonly UNIT_IS_METRE: 4;
 };
 /** A constant of VIEWS as options spell it. */
@@ -1386,21 +1485,21 @@ export type ViewsName = "centre-lines" | "labels" | "unit-is-metre";
 
 /** Where views stand [ISO 5456-2]. */
 export declare const VIEWS_ANGLE: {
-  /** first angle: the left view at the right, the top view below */
+  /** first angle: the left view stands at the right, the top view below */
   readonly FIRST: 0;
-  /** third angle: the left view at the left, the top view above */
+  /** third angle: the left view stands at the left, the top view above */
   readonly THIRD: 1;
 };
 /** A constant of VIEWS_ANGLE as options spell it. */
 export type ViewsAngleName = "first" | "third";
 
-/** Hidden edges.  Sections never have any [ISO 128-3]. */
+/** How hidden edges are drawn.  Sections never have hidden edges [ISO 128-3]. */
 export declare const VIEWS_HIDDEN: {
-  /** dashed thin lines */
+  /** hidden edges are dashed thin lines */
   readonly DASHED: 0;
-  /** they are not drawn */
+  /** hidden edges are not drawn */
   readonly NONE: 1;
-  /** continuous thin lines */
+  /** hidden edges are continuous thin lines */
   readonly SHOWN: 2;
 };
 /** A constant of VIEWS_HIDDEN as options spell it. */

@@ -745,13 +745,13 @@ export interface Functions {
   /**
    * hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_line_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_line_set_desc_init(hrbfnpr_line_set_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_line_set_desc_init(desc: Pointer, struct_size: number): number;
   /**
@@ -759,64 +759,73 @@ export interface Functions {
    * hrbfnpr_line_set_desc* desc, hrbfnpr_operation* operation, hrbfnpr_line_set** out_line_set, hrbfnpr_error*
    * error)
    *
-   * The line set keeps the model.  desc NULL = defaults.
-   * Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size; a support without samples),
-   * NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   * Makes the line set of a model.  The line set keeps the model alive.  `desc` may be NULL for the defaults, and
+   * `operation` may be NULL.
+   * Errors: INVALID_ARGUMENT (a field of `desc`; more than 4 000 000 triangles: give a larger cell_size; a support
+   * without samples), NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED,
+   * CALLBACK.
    */
   hrbfnpr_line_set_create(context: Pointer, model: Pointer, desc: Pointer, operation: Pointer, out_line_set: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_line_set_retain(const hrbfnpr_line_set* line_set)
    *
-   * any thread; NULL is ignored
+   * Adds a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_line_set_retain(line_set: Pointer): void;
   /**
    * void hrbfnpr_line_set_release(const hrbfnpr_line_set* line_set)
    *
-   * any thread; NULL is ignored
+   * Releases a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_line_set_release(line_set: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_line_set_info_init(hrbfnpr_line_set_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_line_set_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_line_set_get_info(const hrbfnpr_line_set* line_set, hrbfnpr_line_set_info* info,
    * hrbfnpr_error* error)
    *
-   *
+   * Gets what making a line set found.
    */
   hrbfnpr_line_set_get_info(line_set: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size)
    *
-   * Identity matrices, viewport 0 x 0 (which _draw refuses).
+   * Sets struct_size, identity matrices and a viewport of 0 x 0.
    */
   hrbfnpr_camera_init(camera: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye, const double* target, const
    * double* up, hrbfnpr_error* error)
    *
-   * Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
-   * INVALID_ARGUMENT if eye = target or up is parallel to the view.
+   * Sets `view` so that the camera looks from `eye` towards `target`, with `up` roughly upward in the picture; 3
+   * doubles
+   * each.
+   * Errors: INVALID_ARGUMENT (eye and target are the same; `up` is 0 or parallel to the view; a number is not
+   * finite).
    */
   hrbfnpr_camera_look_at(camera: Pointer, eye: Pointer, target: Pointer, up: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle, double width, double
    * height, double near_plane, double far_plane, hrbfnpr_error* error)
    *
-   * Sets `projection` and the viewport's size.  vertical_angle in radians, in
-   * (0, pi); 0 < near_plane < far_plane.
+   * Sets a perspective `projection`, and the viewport's width and height in pixels.  `vertical_angle` is the
+   * vertical
+   * angle of view in radians, in (0, pi).  The planes are distances from the eye, 0 < near_plane < far_plane.
+   * Errors: INVALID_ARGUMENT (an argument is out of range).
    */
   hrbfnpr_camera_perspective(camera: Pointer, vertical_angle: number, width: number, height: number, near_plane: number, far_plane: number, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height, double width, double
    * height, double near_plane, double far_plane, hrbfnpr_error* error)
    *
-   * Sets `projection` and the viewport's size; `view_height` is the height of
-   * the visible slab in world units; near_plane < far_plane, either sign.
+   * Sets an orthographic `projection`, and the viewport's width and height in pixels.  `view_height` is the height
+   * of
+   * what is seen, in world units, above 0. near_plane < far_plane; either may be negative.
+   * Errors: INVALID_ARGUMENT (an argument is out of range).
    */
   hrbfnpr_camera_orthographic(camera: Pointer, view_height: number, width: number, height: number, near_plane: number, far_plane: number, error: Pointer): number;
   /**
@@ -824,9 +833,13 @@ export interface Functions {
    * bounds_max, const double* direction, const double* up, double vertical_angle, double width, double height,
    * double margin, hrbfnpr_error* error)
    *
-   * Sets view, projection and viewport so that the box fills the picture but for
-   * `margin` (share of the picture on each side, 0 .. 0.45), seen along
-   * `direction` (from the eye into the scene).  vertical_angle 0 = orthographic.
+   * Sets view, projection and viewport so that a box fills the picture.  `direction` points from the eye into the
+   * scene,
+   * `up` roughly upward in the picture; 3 doubles each.  `vertical_angle` is in radians, in [0, pi); 0 =
+   * orthographic.
+   * `width` and `height` are in pixels.  `margin` is the share of the picture that stays free on each side, 0 ..
+   * 0.45.
+   * Errors: INVALID_ARGUMENT (an argument is out of range; `up` is parallel to the direction).
    */
   hrbfnpr_camera_fit_bounds(camera: Pointer, bounds_min: Pointer, bounds_max: Pointer, direction: Pointer, up: Pointer, vertical_angle: number, width: number, height: number, margin: number, error: Pointer): number;
   /**
@@ -834,82 +847,89 @@ export interface Functions {
    * origin, const double* direction, const double* up, double vertical_angle, double width, double height, double
    * margin, hrbfnpr_error* error)
    *
-   * The same for n x 3 points, FLOAT32 or FLOAT64, n >= 1: the points themselves
-   * fill the picture, not the corners of their box, and lie in its middle.
-   * `origin` (3 doubles, NULL = 0) is added to each: with a point set's POSITION
-   * give its info's origin.
+   * Sets view, projection and viewport so that points fill the picture, and lie in its middle.  It fits the points
+   * themselves, not the corners of their box.  `points` is n x 3, FLOAT32 or FLOAT64, n >= 1.  `origin` (3
+   * doubles, NULL
+   * = 0) is added to each point: with a point set's POSITION give the origin of its info.  The other arguments are
+   * those
+   * of hrbfnpr_camera_fit_bounds.
+   * Errors: INVALID_ARGUMENT (no points; a number is not finite; as for hrbfnpr_camera_fit_bounds).
    */
   hrbfnpr_camera_fit_points(camera: Pointer, points: Pointer, origin: Pointer, direction: Pointer, up: Pointer, vertical_angle: number, width: number, height: number, margin: number, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_layer_style_init(hrbfnpr_layer_style* style, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_layer_style_init(style: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_line_style_init(style: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_style_init(style: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
    * hrbfnpr_error* error)
    *
-   * A full set of fields that a caller goes on changing.  style->layers and style->lines
-   * point to constants of the library: copy an element to change it.
+   * Sets all fields of a style to those of a preset. style->layers and style->lines point to constants of the
+   * library:
+   * copy an element to change it.
+   * Errors: INVALID_ARGUMENT (no such preset).
    */
   hrbfnpr_style_init_preset(style: Pointer, struct_size: number, preset: number, error: Pointer): number;
   /**
    * const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count)
    *
-   * The layers that a preset draws, with defaults: a list of constants for
-   * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
-   * NULL and 0 for a number that is no preset's.
+   * Gets the layers of marks that a preset draws, with their defaults: a list of constants for
+   * hrbfnpr_generate_desc.layers, with layer_stride 0. *count gets their number.  The result is NULL, with a count
+   * of 0,
+   * for a number that no preset has.
    */
   hrbfnpr_preset_layers(preset: number, count: Pointer): Pointer;
   /**
    * const char* hrbfnpr_preset_name(uint32_t preset)
    *
-   * "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
-   * presets are numbered from 0 without gaps.
+   * Gets the name of a preset, such as "cross-hatch"; static.  The result is NULL for a number that no preset has.
+   * Presets are numbered from 0 without gaps.
    */
   hrbfnpr_preset_name(preset: number): Pointer;
   /**
    * hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer,
    * hrbfnpr_error* error)
    *
-   *
+   * Makes a renderer.
+   * Errors: INVALID_ARGUMENT (a NULL argument), OUT_OF_MEMORY.
    */
   hrbfnpr_renderer_create(context: Pointer, out_renderer: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer)
    *
-   * any thread; NULL is ignored
+   * Adds a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_renderer_retain(renderer: Pointer): void;
   /**
    * void hrbfnpr_renderer_release(hrbfnpr_renderer* renderer)
    *
-   * any thread; NULL is ignored
+   * Releases a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_renderer_release(renderer: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_layer_pose_init(pose: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size)
    *
-   * NULL pointers and the identity transform.
+   * Sets struct_size, NULL pointers and the identity transform.
    */
   hrbfnpr_item_init(item: Pointer, struct_size: number): number;
   /**
@@ -917,12 +937,18 @@ export interface Functions {
    * item_count, int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error*
    * error)
    *
-   * Classifies, shades and orders the marks of a list of items for one camera.
-   * Styles of one drawing must have the same paper and visibility.
-   * Contours of line sets begin with those of the renderer's last drawing where the
-   * camera moved little, and are proven complete again: in their last digits, and by
-   * `wobble`, a picture of lines depends on the drawings before it.
-   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK.
+   * Draws a list of items for one camera: it classifies, shades and orders their marks, and traces their lines.
+   * item_stride is the number of bytes from one item to the next; 0 = struct_size.  All styles must have the same
+   * paper
+   * and visibility.  All items together have at most 2147483647 marks.
+   *
+   * Where the camera moved little, contours begin with those of the renderer's last drawing, and are proven
+   * complete
+   * again.  So a picture of lines depends on the drawings before it: in its last digits, and by the wobble of its
+   * lines.
+   *
+   * Errors: INVALID_ARGUMENT (an item, a style or the camera; lines that need curvatures from a line set without
+   * WITH_CURVATURE), OUT_OF_MEMORY, CALLBACK.
    */
   hrbfnpr_renderer_draw(renderer: Pointer, items: Pointer, item_count: number, item_stride: number, camera: Pointer, out_drawing: Pointer, error: Pointer): number;
   /**
@@ -930,82 +956,88 @@ export interface Functions {
    * int64_t item_count, int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_operation* operation,
    * hrbfnpr_drawing** out_drawing, hrbfnpr_error* error)
    *
-   * The same with an operation (NULL = none), for frames that take long: lines of
-   * a fine surface, millions of marks, rays of an item's model, callbacks of tone.
-   * After a cancel there is no drawing, and the renderer goes on as if the call
-   * had not been made, but that contours of line sets are traced from nothing.
-   * Errors: also CANCELLED.
+   * Draws like hrbfnpr_renderer_draw, with an operation (NULL = none).  Use it for frames that take long: lines of
+   * a fine
+   * surface, millions of marks, rays of an item's model, tone callbacks.  After a cancel there is no drawing.  The
+   * renderer then goes on as if the call had not been made, except that contours are not continued from the last
+   * drawing.
+   * Errors: those of hrbfnpr_renderer_draw, and CANCELLED.
    */
   hrbfnpr_renderer_draw_with_operation(renderer: Pointer, items: Pointer, item_count: number, item_stride: number, camera: Pointer, operation: Pointer, out_drawing: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing)
    *
-   * any thread; NULL is ignored
+   * Adds a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_drawing_retain(drawing: Pointer): void;
   /**
    * void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing)
    *
-   * any thread; NULL is ignored
+   * Releases a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_drawing_release(drawing: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_drawing_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
    * hrbfnpr_error* error)
    *
-   *
+   * Gets what a drawing holds, and what making it did.
    */
   hrbfnpr_drawing_get_info(drawing: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_drawing_layer_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_get_layer_info(const hrbfnpr_drawing* drawing, int64_t number,
    * hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error)
    *
-   * number: 0 .. hrbfnpr_drawing_info.layers - 1.
+   * Gets what a layer of a drawing holds.  `number` is 0 .. hrbfnpr_drawing_info.layers - 1.
+   * Errors: INVALID_ARGUMENT (no such layer).
    */
   hrbfnpr_drawing_get_layer_info(drawing: Pointer, number: number, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_raster_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_image* image, const
    * hrbfnpr_raster_desc* desc, hrbfnpr_error* error)
    *
-   * Draws into an image.  The viewport (clipped to the image) is filled with
-   * paper and ink; pixels outside it are not touched.  desc may be NULL.
+   * Draws into an image.  It fills the viewport, clipped to the image, with paper and ink, and leaves other pixels
+   * as
+   * they are.  `desc` may be NULL for the defaults.
+   * Errors: INVALID_ARGUMENT (a field of the image or of `desc`), OUT_OF_MEMORY.
    */
   hrbfnpr_drawing_rasterize(drawing: Pointer, image: Pointer, desc: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_vertex_attribute_init(attribute: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_vertex_layout_init(hrbfnpr_vertex_layout* layout, uint32_t struct_size)
    *
-   * Points, and no attributes.
+   * Sets struct_size, POINTS and no attributes.
    */
   hrbfnpr_vertex_layout_init(layout: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_vertex_bound(const hrbfnpr_drawing* drawing, uint32_t primitive, int64_t*
    * vertices, int64_t* indices, hrbfnpr_error* error)
    *
-   * How many vertices and indices a primitive has; each may be NULL.
+   * Gets the numbers of vertices and indices that hrbfnpr_drawing_write_vertices writes for a primitive
+   * (HRBFNPR_PRIMITIVE_...).  `vertices` and `indices` may be NULL.
+   * Errors: INVALID_ARGUMENT (no such primitive).
    */
   hrbfnpr_drawing_vertex_bound(drawing: Pointer, primitive: number, vertices: Pointer, indices: Pointer, error: Pointer): number;
   /**
@@ -1013,32 +1045,41 @@ export interface Functions {
    * layout, void* vertices, int64_t vertex_capacity, int64_t* vertex_count, uint32_t* indices, int64_t
    * index_capacity, int64_t* index_count, hrbfnpr_error* error)
    *
-   * Writes the drawing's dots or strokes, far to near.
+   * Writes the vertices of a drawing's dots or strokes, from far to near.
    *
-   * POINTS: discs of paper and of ink.  A host that paints them in this order as
-   * round anti-aliased points with ordinary "source over" blending gets the
-   * dots of _rasterize (without its host_depth; a dot of a radius r below half a
-   * pixel is painted with half a pixel, its alpha times (2 r)^2).  With transparent paper, the
-   * discs of paper must erase: destination times (1 - alpha).
-   * Strips: `indices` (UINT32, nullable) lists, far to near, the vertices of one stroke after
-   * the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
-   * 0, 1, 2 ...  A triangle strip has two vertices for each point, left and right of it, and two at the tip of a
-   * pointed end; round ends are cut off flat.
-   * Capacities are in vertices and in indices; *vertex_count and *index_count
-   * (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL.
+   * POINTS: discs of paper and of ink.  A host gets the dots of hrbfnpr_drawing_rasterize if it paints them in
+   * this
+   * order, as round anti-aliased points with "source over" blending; only host_depth has no effect.  A dot with a
+   * radius
+   * r below half a pixel is written with half a pixel, and its alpha times (2 r)^2.  With transparent paper the
+   * discs of
+   * paper must erase: destination times (1 - alpha).
+   *
+   * Strips: `indices` (UINT32, may be NULL) gets the vertices of one stroke after the other, each stroke ended by
+   * HRBFNPR_INDEX_RESTART.  A triangle strip has two vertices for each point, on its left and right, and two at
+   * the tip
+   * of a pointed end.  Round ends are cut off flat.  For POINTS `indices` gets 0, 1, 2 and so on.
+   *
+   * Capacities are numbers of vertices and of indices. *vertex_count and *index_count (may be NULL) get the
+   * numbers that
+   * were written, or that are needed with BUFFER_TOO_SMALL.
+   * Errors: INVALID_ARGUMENT (a field of the layout; a negative capacity), BUFFER_TOO_SMALL (a capacity is too
+   * small;
+   * nothing is written), OUT_OF_MEMORY.
    */
   hrbfnpr_drawing_write_vertices(drawing: Pointer, layout: Pointer, vertices: Pointer, vertex_capacity: number, vertex_count: Pointer, indices: Pointer, index_capacity: number, index_count: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_mark_results_init(hrbfnpr_mark_results* results, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; no array is given.
    */
   hrbfnpr_mark_results_init(results: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_mark_results(const hrbfnpr_drawing* drawing, int64_t item, int64_t layer,
    * hrbfnpr_mark_results* results, hrbfnpr_error* error)
    *
-   * Of one layer of one item's point set; also of a layer that is not drawn.
+   * Gets how each mark of one layer of one item's point set is drawn.  The layer need not be drawn.
+   * Errors: INVALID_ARGUMENT (no such item or layer; an array of another size or type).
    */
   hrbfnpr_drawing_mark_results(drawing: Pointer, item: number, layer: number, results: Pointer, error: Pointer): number;
   /**
@@ -1046,75 +1087,88 @@ export interface Functions {
    * uint32_t mark_class, uint32_t primitive, uint32_t* indices, int64_t capacity, int64_t* count, hrbfnpr_error*
    * error)
    *
-   * Which marks of a layer are drawn: numbers of marks, UINT32.
-   * POINTS: those that are shown, far to near.  LINE_STRIPS: along strokes, a run
-   * of shown marks each, ended by HRBFNPR_INDEX_RESTART.  TRIANGLE_STRIPS: the
-   * same, 2 * number and 2 * number + 1 for each mark.
-   * mark_class: HRBFNPR_CLASS_FRONT or SILHOUETTE.  *count gets the number written, or needed
-   * with BUFFER_TOO_SMALL; indices may be NULL when capacity is 0.
+   * Writes which marks of a layer are drawn as one class: the numbers of these marks, UINT32.  `mark_class` is
+   * HRBFNPR_CLASS_FRONT or SILHOUETTE.  With POINTS they are the marks that are shown, from far to near.  With
+   * LINE_STRIPS they are runs of shown marks along strokes, each ended by HRBFNPR_INDEX_RESTART.  With
+   * TRIANGLE_STRIPS
+   * they are the same runs, with 2 * number and 2 * number + 1 for each mark.
+   *
+   * *count (not NULL) gets the number of indices written, or needed with BUFFER_TOO_SMALL.  `indices` may be NULL
+   * if
+   * capacity is 0.
+   * Errors: INVALID_ARGUMENT (no such item, layer, class or primitive), BUFFER_TOO_SMALL (nothing is written),
+   * OUT_OF_MEMORY.
    */
   hrbfnpr_drawing_write_mark_indices(drawing: Pointer, item: number, layer: number, mark_class: number, primitive: number, indices: Pointer, capacity: number, count: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_mark_identity_init(hrbfnpr_mark_identity* identity, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_mark_identity_init(identity: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_drawing_identify(const hrbfnpr_drawing* drawing, uint32_t id, hrbfnpr_mark_identity*
    * identity, hrbfnpr_error* error)
    *
-   * What an id stands for.  INVALID_ARGUMENT for one that is no mark's.
+   * Finds the mark that has an id.
+   * Errors: INVALID_ARGUMENT (no mark has the id).
    */
   hrbfnpr_drawing_identify(drawing: Pointer, id: number, identity: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_desc_init(hrbfnpr_mesh_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_mesh_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_create(hrbfnpr_context* context, const hrbfnpr_mesh_desc* desc, hrbfnpr_operation*
    * operation, hrbfnpr_mesh** out_mesh, hrbfnpr_error* error)
    *
-   * operation may be NULL.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+   * Makes a mesh from triangles, and repairs it.  `operation` may be NULL.
+   * Errors: INVALID_ARGUMENT (a corner that is not the number of a vertex, or whose vertex is not finite: the
+   * message
+   * names the face and the index; coordinates beyond 1e60; a mesh less than 1e-60 across; a mesh that has no face
+   * left),
+   * OUT_OF_MEMORY, CANCELLED.
    */
   hrbfnpr_mesh_create(context: Pointer, desc: Pointer, operation: Pointer, out_mesh: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_mesh_retain(const hrbfnpr_mesh* mesh)
    *
-   * any thread; NULL is ignored
+   * Adds a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_mesh_retain(mesh: Pointer): void;
   /**
    * void hrbfnpr_mesh_release(const hrbfnpr_mesh* mesh)
    *
-   * any thread; NULL is ignored
+   * Releases a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_mesh_release(mesh: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_mesh_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info* info, hrbfnpr_error* error)
    *
-   *
+   * Gets what making a mesh found, and did.
    */
   hrbfnpr_mesh_get_info(mesh: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute, hrbfnpr_array* out_view,
    * hrbfnpr_error* error)
    *
-   * A zero-copy view of what is kept, valid while the mesh lives.
+   * Gets a view of an array of the mesh, HRBFNPR_MESH_ATTRIBUTE_..., without a copy.  It is valid while the mesh
+   * lives.
+   * Errors: INVALID_ARGUMENT (no such attribute).
    */
   hrbfnpr_mesh_view(mesh: Pointer, attribute: number, out_view: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_sample_desc_init(desc: Pointer, struct_size: number): number;
   /**
@@ -1122,25 +1176,28 @@ export interface Functions {
    * hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)
    *
-   * As many samples of the mesh as `points` has elements (at least 1, 10000000 at
-   * most): random places, even over its area, of which each next one that is
-   * taken is the farthest from those before, so that every prefix is even.
-   * points, normals: n x 3, FLOAT32 or FLOAT64; normals (may be NULL) are unit,
-   * interpolated between those of the corners, which take in the faces about
-   * their vertex within the crease angle, by their angles there.
-   * desc may be NULL; operation too.
+   * Samples a mesh evenly, with as many samples as `points` has elements, 1 .. 10000000.  Each sample is the
+   * candidate
+   * farthest from those before, so that every prefix is even.  `points` and `normals` are n x 3, FLOAT32 or
+   * FLOAT64.
+   * `normals` may be NULL.  They are unit, and interpolated between the normals of the corners.  A corner's normal
+   * takes
+   * in the faces around its vertex within the crease angle, weighted by their angles there.  `desc` and
+   * `operation` may
+   * be NULL.
+   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
    */
   hrbfnpr_mesh_sample(mesh: Pointer, desc: Pointer, points: Pointer, normals: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_mesh_edges_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_edges_info_init(hrbfnpr_mesh_edges_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_mesh_edges_info_init(info: Pointer, struct_size: number): number;
   /**
@@ -1148,19 +1205,22 @@ export interface Functions {
    * hrbfnpr_array_out* patch, const hrbfnpr_array_out* sharp, hrbfnpr_mesh_edges_info* info, hrbfnpr_operation*
    * operation, hrbfnpr_error* error)
    *
-   * Finds the sharp edges of a mesh and the smooth patches between them, as
-   * hrbfnpr_model_fit_mesh does with the same edges, crease_angle and far.  Edges
-   * that bend by more than crease_angle are sharp; where one ends, it goes on along
-   * edges that bend by 8 degrees or more and keep its direction; short sharp edges
-   * that part nothing are dropped as noise.  Edges of one face, and of more than
-   * two, end patches, but are not sharp.
-   * patch: m x 1, INT64, INT32 or UINT32 for the m faces of the mesh: the number of
-   *        each face's patch, from 0 in the order of their first faces.  NULL: not
-   *        wanted.
-   * sharp: m x 3, the same types: 1 where the edge from corner k of the face to the
-   *        next corner is sharp, else 0.  NULL: not wanted.
-   * desc, info and operation may be NULL.  The call is thread-safe: it only reads
-   * the mesh.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+   * Finds the sharp edges of a mesh and the smooth patches between them, as hrbfnpr_model_fit_mesh does with the
+   * same
+   * edges, crease_angle and far.  A sharp edge that ends within a patch goes on along edges that keep its
+   * direction and
+   * bend by 8 degrees or more.  Short sharp edges that separate nothing are dropped as noise.  Edges with one
+   * face, or
+   * with more than two, end patches but are not sharp.
+   *
+   * `patch` is m x 1 for the m faces of the mesh, INT64, INT32 or UINT32: it gets the number of each face's patch,
+   * from 0
+   * in the order of their first faces.  `sharp` is m x 3, of the same types: it gets 1 if the edge from corner k
+   * of the
+   * face to the next corner is sharp, else 0.  `patch`, `sharp`, `desc`, `info` and `operation` may be NULL.  The
+   * call
+   * only reads the mesh, so several threads may make it at the same time.
+   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
    */
   hrbfnpr_mesh_edges(mesh: Pointer, desc: Pointer, patch: Pointer, sharp: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
   /**
@@ -1168,26 +1228,30 @@ export interface Functions {
    * hrbfnpr_array_out* indices, const hrbfnpr_array_out* distance, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)
    *
-   * Farthest-point order: each is the point farthest from those before it, the
-   * first the one nearest to the middle of the bounding box; of equals the one of
-   * lower number.  Every prefix is an even choice [Gonzalez 1985].
-   * points:   n x 3, FLOAT32 or FLOAT64, finite, below 1e100.
-   * indices:  k x 1, INT64, INT32 or UINT32, k <= n: numbers of points.
-   * distance: k x 1, FLOAT32 or FLOAT64, or NULL: from those before; infinite for
-   *           the first.
-   * 20 000 of a million take half a second.  operation may be NULL.
+   * Orders points so that each is the farthest from those before it (farthest-point order), so that every prefix
+   * is an
+   * even choice [Gonzalez 1985].  The first is the point nearest to the middle of the bounding box.  If two points
+   * are
+   * equally far, the one with the lower number comes first.
+   *
+   * `points` is n x 3, FLOAT32 or FLOAT64, finite, up to 1e100.  `indices` is k x 1, INT64, INT32 or UINT32, 1 <=
+   * k <= n:
+   * it gets the numbers of the points.  `distance` is k x 1, FLOAT32 or FLOAT64, or NULL: it gets the distance of
+   * each
+   * from those before; infinite for the first.  `operation` may be NULL.
+   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
    */
   hrbfnpr_farthest_points(context: Pointer, points: Pointer, indices: Pointer, distance: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_compare_desc_init(hrbfnpr_compare_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_compare_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_comparison_init(comparison: Pointer, struct_size: number): number;
   /**
@@ -1195,22 +1259,23 @@ export interface Functions {
    * hrbfnpr_compare_desc* desc, hrbfnpr_comparison* comparison, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)
    *
-   * Measures both ways, for any model, in the same coordinates as the mesh.  The
-   * surface is found from places on the mesh and from 16^3 places of the box: a
-   * small part of it that neither leads to is missed.
-   * desc may be NULL; operation too.
+   * Measures how near the surface of any model and a mesh are to each other, both ways.  Both are in the same
+   * coordinates.  The search for the surface starts from places on the mesh and from a lattice of 16^3 places in
+   * the box.
+   * A small part of the surface that is near none of these is missed.  `desc` and `operation` may be NULL.
+   * Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
   hrbfnpr_model_compare_mesh(model: Pointer, mesh: Pointer, desc: Pointer, comparison: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_mesh_fit_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_mesh_fit_info_init(info: Pointer, struct_size: number): number;
   /**
@@ -1218,115 +1283,121 @@ export interface Functions {
    * hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,
    * hrbfnpr_error* error)
    *
-   * Fits a surface to a mesh with as many samples as that takes: some hundred
-   * even ones, then, in rounds, more where the surface is off the mesh or the mesh
-   * off the surface.  Where the surface goes on far from the mesh, f is held to
-   * the signed distance from the mesh at a few places off it, if it is clear on
-   * which side of the mesh they lie, whatever small holes it has: these are the
-   * last centres of the model, whose normal is the way to the mesh or from it.
+   * Fits a surface to a mesh, with as many samples as the tolerance takes.  It begins with some hundred even
+   * samples.  In
+   * rounds it adds samples where surface and mesh are far from each other.  Where the surface goes on far from the
+   * mesh,
+   * f is held to the signed distance from the mesh at a few places off it.  These places are the last centres of
+   * the
+   * model.  Their normals point to the mesh or away from it.
    *
-   * An end short of the tolerance is no error: `reached` is 0, and the log warns.
-   * It comes with maximum_centres, or where more centres gain nothing.  Of a smooth
-   * fit edges are rounded by some tenths of the samples' spacing there, and coarse
-   * faces with smooth normals contradict these: both take many centres.
+   * A fit that ends short of the tolerance is no error: `reached` is 0, and the log warns.  It ends at
+   * maximum_centres,
+   * or when more centres gain nothing.  A smooth fit rounds edges by some tenths of the samples' spacing there.
    *
-   * A mesh with edges, as `edges` says, is cut along them into smooth patches.  Each
-   * gets a fit of its own, a sheet, and cells of space say which maximum and minimum
-   * of their sheets the surface is there [Ohtake et al. 2003, whose pieces are local];
-   * away from the surface they have the mesh's signs.  Sheets are held to a fortieth
-   * of the tolerance at edges, and to a quarter of it far from them.  An edge that ends
-   * within a patch is made to go on, smoothly.  The points and normals of such a model
-   * are places all over the mesh, not centres.
-   * Trimmed by places on the mesh is what was fitted to an open one, or not reached.
-   * desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
-   * the fits; its points and normals must be empty, its tolerance and maximum_centres
-   * 0; a solver_tolerance of 0 is, of a smooth fit, the tolerance / 200 diagonals,
-   * from 1e-8 to 1e-5: what a distance shows is a hundred times as much.
-   * info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
-   * stack it needs as well.
+   * A mesh with sharp edges, as `edges` says, is cut along them into smooth patches.  Each patch gets its own fit,
+   * a
+   * sheet.  The surface is a maximum and minimum of sheets, which changes from cell to cell of space [Ohtake et
+   * al.
+   * 2003].  The points and normals of such a model are places all over the mesh, not its centres. docs/fitting.md
+   * explains how edges are kept.
+   *
+   * The model is trimmed by places on the mesh if the mesh is open, or if the fit did not reach the tolerance,
+   * unless the
+   * trim of `fit` is NEVER.
+   *
+   * `fit` (may be NULL) gives kernel, solver, regularization and trim.  Its points and normals must be empty, and
+   * its
+   * tolerance and maximum_centres 0.  With a smooth fit, a solver_tolerance of 0 is the tolerance / 200 diagonals,
+   * within
+   * 1e-8 .. 1e-5.  `desc`, `info` and `operation` may be NULL.  The call needs the stack of hrbfnpr_model_fit.
+   * Errors: those of hrbfnpr_model_fit.
    */
   hrbfnpr_model_fit_mesh(mesh: Pointer, desc: Pointer, fit: Pointer, info: Pointer, operation: Pointer, out_model: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_page_item_init(hrbfnpr_page_item* item, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_page_item_init(item: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_pen_init(hrbfnpr_pen* pen, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_pen_init(pen: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_annotation_init(hrbfnpr_annotation* annotation, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_annotation_init(annotation: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_page_desc_init(hrbfnpr_page_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_page_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_page_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn
    * write, void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error)
    *
-   * Writes a page, a buffer at a time; memory grows with the drawing's largest stroke,
-   * in plot order with its largest group.  info and operation may be NULL.
-   * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; text that
-   * is not UTF-8; discs of paper, which PUBLISHED frames have, for plotters or in plot
-   * order), IO (write failed), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   * Writes a page, one buffer at a time.  Memory grows with the drawing's largest stroke; in plot order it grows
+   * with the
+   * largest group.  `info` and `operation` may be NULL.
+   * Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not UTF-8; a drawing
+   * with
+   * VISIBILITY_PUBLISHED, which has discs of paper, for plotters or in plot order), IO (`write` failed),
+   * OUT_OF_MEMORY,
+   * CANCELLED, CALLBACK.
    */
   hrbfnpr_page_write(context: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_picture_source_init(source: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_change_init(change: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_dab_init(dab: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_note_init(note: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_event_init(hrbfnpr_picture_event* event, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_picture_event_init(event: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_picture_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_source_info_init(info: Pointer, struct_size: number): number;
   /**
@@ -1334,13 +1405,13 @@ export interface Functions {
    * wording, hrbfnpr_picture_event_fn on_event, void* event_user, hrbfnpr_operation* operation,
    * hrbfnpr_source_info* info, hrbfnpr_error* error)
    *
-   * Looks at a source without drawing it: facts into info, findings as notes of on_event.  NOTE: what a picture
-   * repairs;
-   * WARNING: what is wrong, with advice; FAILURE: a code NOT_USABLE that says why it cannot be drawn, and the call
-   * is
-   * OK all the same.  One matter may be both repaired and wrong.  wording: HRBFNPR_WORDING_...; on_event and
-   * operation
-   * may be NULL.
+   * Looks at a source without drawing it.  It puts facts into `info`, and passes findings to on_event as notes.  A
+   * NOTE
+   * is something that a picture repairs.  A WARNING is something that is wrong, with advice.  One matter may give
+   * both.
+   * A FAILURE, with the code NOT_USABLE, says why the source cannot be drawn; the call succeeds all the same.
+   * `wording`
+   * is HRBFNPR_WORDING_...; on_event and `operation` may be NULL.
    * Errors: INVALID_ARGUMENT (fields of the source), OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
   hrbfnpr_source_inspect(context: Pointer, source: Pointer, wording: number, on_event: Pointer, event_user: Pointer, operation: Pointer, info: Pointer, error: Pointer): number;
@@ -1348,139 +1419,164 @@ export interface Functions {
    * hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
    * hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error)
    *
-   * Fits, places marks and looks for lines; draws nothing yet.  operation may be NULL.
-   * Needs the stack of hrbfnpr_model_fit.
-   * Errors: INVALID_ARGUMENT (also for a source that cannot be drawn), SINGULAR_SYSTEM,
-   * NOT_CONVERGED, OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   * Makes a picture: fits surfaces, places marks and finds lines.  It draws nothing yet.  `operation` may be NULL.
+   * The
+   * call needs the stack of hrbfnpr_model_fit.
+   * Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn), SINGULAR_SYSTEM, NOT_CONVERGED,
+   * OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
   hrbfnpr_picture_create(context: Pointer, desc: Pointer, operation: Pointer, out_picture: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_restyle(const hrbfnpr_picture* picture, const hrbfnpr_picture_desc* desc,
    * hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error)
    *
-   * The same surfaces in another style, size or view: desc has no sources.  Marks and lines
-   * that fit are used again; else they are placed and looked for anew.
+   * Makes a picture of the same surfaces in another style, size or view.  `desc` has no sources.  Marks and lines
+   * that
+   * fit are used again; others are made anew.  `operation` may be NULL.
+   * Errors: those of hrbfnpr_picture_create; INVALID_ARGUMENT, too, if the picture was made with SURFACE_ONLY.
    */
   hrbfnpr_picture_restyle(picture: Pointer, desc: Pointer, operation: Pointer, out_picture: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_picture_retain(hrbfnpr_picture* picture)
    *
-   * any thread; NULL is ignored
+   * Adds a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_picture_retain(picture: Pointer): void;
   /**
    * void hrbfnpr_picture_release(hrbfnpr_picture* picture)
    *
-   * any thread; NULL is ignored
+   * Releases a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_picture_release(picture: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera, hrbfnpr_operation*
    * operation, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error)
    *
-   * Draws it.  camera NULL: as it was planned, and INVALID_ARGUMENT with a note BLANK if hardly
-   * anything could be seen (ALLOW_BLANK lets it be).  Lines keep their numbers from one
-   * drawing to the next.  operation may be NULL.
+   * Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one drawing to the next.
+   * `operation` may be NULL.
+   * Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned camera, a drawing in
+   * which
+   * hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more), OUT_OF_MEMORY, CANCELLED,
+   * CALLBACK.
    */
   hrbfnpr_picture_draw(picture: Pointer, camera: Pointer, operation: Pointer, out_drawing: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_info_init(hrbfnpr_picture_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_picture_info_init(info: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_info(const hrbfnpr_picture* picture, hrbfnpr_picture_info* info,
    * hrbfnpr_error* error)
    *
-   *
+   * Gets what a picture is made of.
    */
   hrbfnpr_picture_get_info(picture: Pointer, info: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_picture_part_init(part: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* picture, int64_t number, hrbfnpr_picture_part*
    * part, hrbfnpr_error* error)
    *
-   * number: 0 .. hrbfnpr_picture_info.parts - 1; the largest is 0.
+   * Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the largest surface is 0.
+   * Errors: INVALID_ARGUMENT (no such part).
    */
   hrbfnpr_picture_get_part(picture: Pointer, number: number, part: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_style(const hrbfnpr_picture* picture, const hrbfnpr_style** style,
    * hrbfnpr_error* error)
    *
-   * What was chosen for hrbfnpr_renderer_draw, valid while the picture lives.
+   * Gets the style that was chosen for hrbfnpr_renderer_draw.  It is valid while the picture lives.
+   * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
    */
   hrbfnpr_picture_get_style(picture: Pointer, style: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture, const hrbfnpr_generate_desc** desc,
    * hrbfnpr_error* error)
    *
-   * The descriptor that hrbfnpr_point_set_generate was given; *desc is NULL where the caller gave the marks.
+   * Gets the descriptor with which hrbfnpr_point_set_generate made the marks.  It is valid while the picture
+   * lives. *desc
+   * is NULL where the caller gave the marks.
+   * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
    */
   hrbfnpr_picture_get_marks(picture: Pointer, desc: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_note(const hrbfnpr_picture* picture, int64_t number, hrbfnpr_note* note,
    * hrbfnpr_error* error)
    *
-   * number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives.
+   * Gets a note.  `number` is 0 .. hrbfnpr_picture_info.notes - 1.  Its texts are valid while the picture lives.
+   * Errors: INVALID_ARGUMENT (no such note).
    */
   hrbfnpr_picture_get_note(picture: Pointer, number: number, note: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_stage(const hrbfnpr_picture* picture, int64_t number,
    * hrbfnpr_picture_event* stage, hrbfnpr_error* error)
    *
-   * number: 0 .. hrbfnpr_picture_info.stages - 1: those that are over, as their last event.
+   * Gets the last event of a stage that has ended.  `number` is 0 .. hrbfnpr_picture_info.stages - 1.
+   * Errors: INVALID_ARGUMENT (no such stage).
    */
   hrbfnpr_picture_get_stage(picture: Pointer, number: number, stage: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnpr_camera* camera,
    * hrbfnpr_error* error)
    *
-   * The camera that was planned.
+   * Gets the planned camera.
+   * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
    */
   hrbfnpr_picture_get_camera(picture: Pointer, camera: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction, double azimuth,
    * double elevation, hrbfnpr_camera* camera, hrbfnpr_error* error)
    *
-   * One from another side, with the size, the lens and the margin of the picture: along `direction`, or from
-   * azimuth and
-   * elevation in degrees, where direction is NULL; NaN = as planned.
+   * Gets a camera that looks from another side, with the size, the lens and the margin of the picture.  It looks
+   * along
+   * `direction` (3 doubles, from the eye into the scene).  If that is NULL, it looks from `azimuth` and
+   * `elevation`, in
+   * degrees; NaN = as planned.
+   * Errors: INVALID_ARGUMENT (a number is not finite; a picture made with SURFACE_ONLY).
    */
   hrbfnpr_picture_look(picture: Pointer, direction: Pointer, azimuth: number, elevation: number, camera: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees, hrbfnpr_camera* camera,
    * hrbfnpr_error* error)
    *
-   * The planned one, turned about the up axis through the middle of the model (or the target of an eye).
+   * Gets the planned camera, turned by an angle in degrees about the up axis through the middle of the model.  If
+   * the
+   * descriptor gave an eye, the axis goes through its target.
+   * Errors: INVALID_ARGUMENT (the angle is not finite; a picture made with SURFACE_ONLY).
    */
   hrbfnpr_picture_orbit(picture: Pointer, degrees: number, camera: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_plate_size(const hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
    * int32_t* width, int32_t* height, hrbfnpr_error* error)
    *
-   * A plate is a drawing with the section and the scale bar that the picture has beside it; without these it is
-   * the
-   * drawing alone.  In this part `camera` is the one that the drawing was made by; NULL = the planned one.
-   * *width and *height get the pixels of the plate.
+   * Gets the size of a picture's plate, in pixels.  A plate is a drawing with the section and the scale bar beside
+   * it.
+   * Without these it is the drawing alone.  `camera` is the camera that the drawing was made with; NULL = the
+   * planned
+   * camera.
+   * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
    */
   hrbfnpr_picture_plate_size(picture: Pointer, camera: Pointer, width: Pointer, height: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing, const
    * hrbfnpr_camera* camera, const hrbfnpr_image* image, hrbfnpr_error* error)
    *
-   * The plate as an image of at least plate_size pixels, from its top-left corner; as hrbfnpr_drawing_rasterize.
+   * Draws the plate of a picture into an image, from the top-left corner on.  The image has at least the size that
+   * hrbfnpr_picture_plate_size gives.  `camera` is the camera that the drawing was made with; NULL = the planned
+   * camera.
+   * Errors: those of hrbfnpr_drawing_rasterize; INVALID_ARGUMENT, too, if the image is too small.
    */
   hrbfnpr_picture_rasterize(picture: Pointer, drawing: Pointer, camera: Pointer, image: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_picture_page_desc_init(desc: Pointer, struct_size: number): number;
   /**
@@ -1488,47 +1584,51 @@ export interface Functions {
    * hrbfnpr_camera* camera, const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write, void* user,
    * hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error)
    *
-   * The plate as vectors; as hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds notes PENS and
-   * PLOTTED.
+   * Writes the plate of a picture as vectors.  `camera` is the camera that the drawing was made with; NULL = the
+   * planned
+   * camera.  `desc`, `info` and `operation` may be NULL.  The picture gets notes PENS and PLOTTED.
+   * Errors: those of hrbfnpr_page_write; INVALID_ARGUMENT, too, for a paper that is not known or has no room.
    */
   hrbfnpr_picture_write(picture: Pointer, drawing: Pointer, camera: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
    * hrbfnpr_settings** out_settings, hrbfnpr_error* error)
    *
-   * Reads what _write_settings or the viewer wrote (docs/settings.md).
-   * Errors: IO, INVALID_ARGUMENT that names the key and what would be right, OUT_OF_MEMORY.
+   * Reads settings that hrbfnpr_picture_write_settings or the viewer wrote. docs/settings.md describes the format.
+   * Errors: IO (`read` failed), INVALID_ARGUMENT (the message names the key and says what would be right),
+   * OUT_OF_MEMORY.
    */
   hrbfnpr_settings_load(context: Pointer, read: Pointer, user: Pointer, out_settings: Pointer, error: Pointer): number;
   /**
    * void hrbfnpr_settings_retain(const hrbfnpr_settings* settings)
    *
-   * any thread; NULL is ignored
+   * Adds a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_settings_retain(settings: Pointer): void;
   /**
    * void hrbfnpr_settings_release(const hrbfnpr_settings* settings)
    *
-   * any thread; NULL is ignored
+   * Releases a reference.  Any thread may call it; NULL is ignored.
    */
   hrbfnpr_settings_release(settings: Pointer): void;
   /**
    * hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write, void* user,
    * hrbfnpr_error* error)
    *
-   * Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS.
+   * Writes what a picture was made with.  The picture gets a note NOT_IN_SETTINGS about what settings do not hold.
+   * Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY), IO (`write` failed), OUT_OF_MEMORY.
    */
   hrbfnpr_picture_write_settings(picture: Pointer, write: Pointer, user: Pointer, error: Pointer): number;
   /**
    * hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size)
    *
-   *
+   * Sets struct_size and all defaults.
    */
   hrbfnpr_views_desc_init(desc: Pointer, struct_size: number): number;
   /**
    * hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size)
    *
-   *
+   * Sets struct_size; all other fields are 0.
    */
   hrbfnpr_views_info_init(info: Pointer, struct_size: number): number;
   /**
@@ -1536,13 +1636,13 @@ export interface Functions {
    * hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)
    *
-   * Draws the first part of a picture, which has a model, as a sheet of views; a picture made with SURFACE_ONLY is
-   * enough.  desc, info and operation may be NULL.  The picture gets stages LINES and VIEWS, and notes
-   * UNIT_IS_METRE,
-   * NO_SYMMETRY and SECTION_OPEN.
+   * Writes a sheet of views of a picture's first part, which must have a model.  A picture made with SURFACE_ONLY
+   * is
+   * enough.  `desc`, `info` and `operation` may be NULL.  The picture gets stages LINES and VIEWS, and notes
+   * UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
    * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the
    * model;
-   * views that have no room on the paper at the scale: the message says which scale or paper has), and those of
+   * views that have no room on the paper at the scale: the message names a scale or paper with room), and those of
    * hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write.
    */
   hrbfnpr_picture_write_views(picture: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;

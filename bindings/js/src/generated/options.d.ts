@@ -873,1006 +873,1195 @@ export interface PlacementInfo {
   readonly droppedBudget: number;
 }
 
-/** Lines to find once. */
+/** Lines to find once, when the line set is made. */
 export interface LineDesc {
-  /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; RIDGE */
+  /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; default RIDGE */
   kind?: LineKindName | number;
-  /** up to 63 bytes of UTF-8, for styles; NULL = "" */
+  /** name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL = "" */
   name?: string;
-  /** lines go on while their strength is at least `lower` ... */
+  /**
+   * least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are 0, it is 6 for ridges
+   * and valleys, and 0 for other kinds
+   */
   lower?: number;
   /**
-   * ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of ridges and valleys, 0
-   * and 0 else
+   * strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0. If `lower` and
+   * `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds
    */
   upper?: number;
-  /** shorter ones are dropped, in diagonals; 0.01 */
+  /** length below which a line is dropped, in diagonals; 0 or more; default 0.01 */
   shortest?: number;
-  /** of SECTION: normal of the planes, of any length; (0, 0, 1) */
+  /** SECTION: normal of the planes, of any length but 0; default (0, 0, 1) */
   plane?: Numbers;
-  /** of SECTION: FLOAT64, 1: where the planes are, along the unit normal */
+  /**
+   * SECTION: places of the planes along the unit normal, in units of the model; n x 1, FLOAT32 or FLOAT64; at
+   * least one
+   */
   levels?: ArrayInput;
-  /** of OWN: FLOAT32 or FLOAT64, 3: on the surface or near it */
+  /** OWN: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64 */
   position?: ArrayInput;
   /**
-   * of OWN: UINT32, 1: the first position of each line, ascending, and the end; one whose last position is its
-   * first is closed
+   * OWN: number of the first position of each line, ascending, then the end of the last line; n x 1, UINT32. A
+   * line whose last position equals its first is closed
    */
   lineFirst?: ArrayInput;
 }
 
+/** How a line set is made. */
 export interface LineSetDesc {
-  /** HRBFNPR_LINE_SET_WITH_...; 0 */
+  /** HRBFNPR_LINE_SET_WITH_...; default 0 */
   flags?: number;
   /**
-   * of the mesh on which curves are looked for, units of the model; 0 = half the samples' spacing, and finer where
-   * walls are thin. Loops that are smaller, and walls that are thinner than 1.75 cells, may be missed
+   * side of the cells in which curves are searched, in units of the model; 0 or more; default 0 = half the
+   * samples' spacing, and finer where walls are thin. Loops smaller than a cell and walls thinner than 1.75 cells
+   * may be missed
    */
   cellSize?: number;
   /**
-   * FLOAT32 or FLOAT64, 3: near each part of the surface; not given = the samples, or places found in the bounds
-   * of a custom model
+   * points near each part of the surface, where the search begins; n x 3, FLOAT32 or FLOAT64; not given = the
+   * samples, or places found within the bounds of a custom model
    */
   seedPoints?: ArrayInput;
-  /** a list; NULL and 0 */
+  /** a list of lines to find once; default NULL */
   lines?: readonly LineDesc[];
   /**
-   * where the surface ends for want of samples, as an open scan or a terrain does: where s(x), as of
-   * hrbfnpr_trim_desc, exceeds this. Mesh, curves, and what hides them end there, and the end is a border. 1.5
-   * ends it some 0.7 spacings beyond the last samples, 3 some 0.9, and leaves larger holes closed. 0 = it ends at
-   * the search box only; 0 or more, 0
+   * limit of s(x), as in hrbfnpr_trim_desc, beyond which the surface ends because samples are missing, as in an
+   * open scan or a terrain; 0 or more; default 0 = the surface ends where its model does: trimmed, or at the
+   * search box. The mesh and all curves end there, what lies beyond hides nothing, and the end is a BORDER. 1.5
+   * ends the surface about 0.7 sample spacings beyond the last samples; 3 ends it about 0.9 spacings beyond them,
+   * and leaves larger holes closed
    */
   support?: number;
   /**
-   * FLOAT32 or FLOAT64, 3: those samples; not given = the model's centres. All points of a scan tell better where
-   * it ends than the centres chosen from them
+   * samples that `support` is measured from; n x 3, FLOAT32 or FLOAT64; not given = the model's centres. All
+   * points of a scan show where it ends better than the centres chosen from them
    */
   supportPoints?: ArrayInput;
-  /** FLOAT32 or FLOAT64, 3: of support_points, as many, of any length; not given = the surface's own there */
+  /**
+   * normals of support_points, as many, of any length but 0; n x 3, FLOAT32 or FLOAT64; not given = normals of the
+   * surface there
+   */
   supportNormals?: ArrayInput;
 }
 
+/** What making a line set found. */
 export interface LineSetInfo {
-  /** of the mesh */
+  /** triangles of the mesh on which curves are searched */
   readonly triangles: number;
   /**
-   * of these, triangles that look away from the surface: it is finer than the cells there, and curves may be
-   * missed
+   * triangles of that mesh that face away from the surface. The surface is finer than the cells there, and curves
+   * may be missed
    */
   readonly turned: number;
-  /** seeds that no triangle is near: a part of the surface is too thin for the cells */
+  /** seeds that no triangle is near. A part of the surface is too thin for the cells there */
   readonly missedSeeds: number;
-  /** that were found once, of all elements of the list */
+  /** lines that were found once, for all elements of the list */
   readonly lines: number;
   /** curves where the surface ends */
   readonly borders: number;
-  /** as used */
+  /** side of the cells as used, in units of the model */
   readonly cellSize: number;
-  /** that it took to make */
+  /** time that it took to make the line set */
   readonly seconds: number;
-  /** kept */
+  /** memory that the line set keeps */
   readonly bytes: number;
   /**
-   * the share of the area that was looked at that lies beyond the samples, 0 to 1; 0 without support. Of a trimmed
-   * model little beyond its end is looked at: see its trim info
+   * share of the examined area that lies beyond the samples, 0 .. 1; 0 without a support. Little is examined
+   * beyond the end of a trimmed model: see its trim info
    */
   readonly leftOut: number;
-  /** curves where sheets of the surface meet, at any angle: from corner to corner, or closed */
+  /** creases at any angle, each from corner to corner or closed */
   readonly creases: number;
 }
 
+/** A camera: two matrices and a viewport. */
 export interface Camera {
-  /** HRBFNPR_DEPTH_...; of `projection` and of depth buffers */
+  /** depth of `projection` and of depth buffers, HRBFNPR_DEPTH_...; default NEGATIVE_ONE_TO_ONE */
   depthConvention?: DepthName | number;
-  /** world to eye, column-major; the eye looks along -z */
+  /** world to eye, column-major, invertible; the eye looks along -z; default the identity */
   view?: Numbers;
-  /** eye to clip */
+  /** eye to clip, column-major, invertible; default the identity */
   projection?: Numbers;
-  /** x, y of the top-left corner, width, height, in pixels */
+  /**
+   * x and y of the top-left corner, width and height, in pixels; up to 1048576 each; default 0 x 0, which drawing
+   * refuses
+   */
   viewport?: Numbers;
 }
 
-/** How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded. */
+/**
+ * How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.  Lengths in pixels are
+ * those of
+ * the picture.
+ */
 export interface LayerStyle {
-  /** the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY */
+  /** kind of the layers that this style is for, HRBFNPR_LAYER_KIND_...; default ANY */
   kind?: LayerKindName | number;
-  /** ... and are called so; NULL = any name. Read during _draw only */
+  /** name of the layers that this style is for; default NULL = any name. It is read during _draw only */
   name?: string;
-  /** 1 or 0: whether front marks are drawn; 1 */
+  /** 1 or 0: whether front marks are drawn; default 1 */
   shown?: number;
   /**
-   * 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; 1. Not of OWN strokes, which may be
-   * few
+   * 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; default 1. Strokes of kind OWN never
+   * do, as they may be few. If `shown` is 0 and this is 1, the layer still hides what lies behind its surface; if
+   * both are 0, it takes no part
    */
   contours?: number;
-  /** of strokes: bit 0 the first direction, bit 1 the second; 3 */
+  /** which strokes are drawn: bit 0 the first direction, bit 1 the second; default 3 */
   directions?: number;
-  /** HRBFNPR_SHAPE_...; DOTS */
+  /** shape of front marks, HRBFNPR_SHAPE_...; default DOTS */
   shape?: ShapeName | number;
-  /** 0 .. 1: share of the layer's marks that is used at all; 1 */
+  /** share of the layer's marks that is used at all, 0 .. 1; default 1. Less makes the layer paler */
   share?: number;
-  /** of a mark, half the width of a stroke, pixels, > 0; 1 */
+  /** radius of a mark, and half the width of a stroke, in pixels; above 0, up to 16384; default 1 */
   radius?: number;
-  /** 0: radius is in pixels at any zoom; 1: grows with the zoom; between; 0 */
+  /**
+   * how the radius follows the zoom, relative to zoom_reference of the style; 0 .. 1; default 0 = the radius stays
+   * the same in pixels; 1 = it grows with the zoom
+   */
   radiusZoom?: number;
-  /** black */
+  /** colour of the ink, straight RGBA; default black */
   ink?: Numbers;
   /**
-   * darkness from which on there are lines, 0 .. 1; 0.15
+   * darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15. Larger: lights are emptier
    *
-   * Of SHAPE_HATCH.  Darkness is 1 - tau, 0 .. 1; the share of the paper that the lines cover grows with it, times
-   * `share`.  Lines whose separation is not known have the width 2 * radius where that share is the greatest.
+   * SHAPE_HATCH.  Lines cover a share of the paper that grows with the darkness, 1 - tau.
    */
   hatchToneBegin?: number;
-  /** darkness from which on they get no wider, > hatch_tone_begin, to 1; 0.95 */
+  /** darkness, 1 - tau, from which on lines get no wider; above hatch_tone_begin, up to 1; default 0.95 */
   hatchToneEnd?: number;
-  /** > 0, to 1: share covered at hatch_tone_begin; 0.1 */
+  /** share of the paper that lines cover at hatch_tone_begin, times `share`; above 0, up to 1; default 0.1 */
   hatchCoverageBegin?: number;
-  /** > 0, to 1: share covered at hatch_tone_end; 0.82 */
+  /**
+   * share of the paper that lines cover at hatch_tone_end, times `share`; above 0, up to 1; default 0.82. Lines of
+   * unknown separation have the width 2 * radius there
+   */
   hatchCoverageEnd?: number;
-  /** least from line to line, pixels, > 0; 4.6 */
+  /** least distance from line to line, in pixels; above 0, up to 16384; default 4.6. Larger: fewer, wider lines */
   hatchSpacing?: number;
   /**
-   * least width of a line, pixels, > 0; 0.6. Less only where lines fade in or end, or are closer together than
-   * hatch_spacing
+   * least width of a line, in pixels; above 0, up to 16384; default 0.6. Lines are thinner only where they fade in
+   * or end, or are closer together than hatch_spacing
    */
   hatchPen?: number;
-  /** left between lines at least, pixels, 0 or more; 1.2 */
+  /** least width of the paper between lines, in pixels; 0 .. 16384; default 1.2 */
   hatchWhite?: number;
   /**
-   * over which a line narrows where it ends by its tone, pixels, 0 or more; 20. Where it ends for another reason
-   * it is shorter
+   * length over which a line narrows where its tone ends, in pixels; 0 .. 16384; default 20. Where it ends for
+   * another reason, it narrows over a shorter length
    */
   hatchTaper?: number;
-  /** pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or more; 10 */
+  /**
+   * length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10. Pieces up to twice as
+   * long are thinner
+   */
   hatchShortest?: number;
   /**
-   * how far a line may stray to either side, as of an unsteady hand, in hatch_pens, 0 .. 16; 0. From swing to
-   * swing it is about 60 hatch_pens
+   * how far a line strays to either side, as if drawn by an unsteady hand, in multiples of hatch_pen; 0 .. 16;
+   * default 0. A swing is about 60 hatch_pen long
    */
   hatchWobble?: number;
-  /** lines run on past the tone that they end at by up to this, each by another length; pixels, 0 or more; 0 */
+  /**
+   * greatest length by which a line runs on past the end of its tone, in pixels; 0 .. 16384; default 0. Each end
+   * has another length
+   */
   hatchOvershoot?: number;
-  /** of the two above: any number; 0 */
+  /** seed of hatch_wobble and hatch_overshoot; any number; default 0 */
   hatchSeed?: number;
 }
 
-/** How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels. */
+/**
+ * How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a field
+ * says
+ * otherwise.
+ */
 export interface LineStyle {
-  /** HRBFNPR_LINE_KIND_...; CONTOUR */
+  /** kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR */
   kind?: LineKindName | number;
-  /** of lines found once: those that are called so; NULL = any name. Read during _draw only */
+  /**
+   * name (hrbfnpr_line_desc.name) of the lines found once that this style is for; default NULL = any name. It is
+   * read during _draw only
+   */
   name?: string;
-  /** HRBFNPR_HIDDEN_PARTS_...; NONE */
+  /** how hidden parts are drawn, HRBFNPR_HIDDEN_PARTS_...; default NONE */
   hidden?: HiddenPartsName | number;
-  /** HRBFNPR_CAP_...: of free ends; ROUND */
+  /** shape of free ends, HRBFNPR_CAP_...; default ROUND */
   cap?: CapName | number;
-  /** > 0; 2 */
+  /** width of a line, in pixels; above 0, up to 16384; default 2 */
   width?: number;
   /**
-   * over which a line narrows to a free end, half an ellipse; 0 = not at all; 12. A part with a free end that is
-   * shorter than two tapers is the thinner, the shorter it is
+   * length over which a line narrows to a free end, as half an ellipse, in pixels; 0 .. 16384; default 12; 0 = it
+   * does not narrow. A part with a free end that is shorter than two tapers is thinner the shorter it is
    */
   taper?: number;
-  /** of ATTENUATED and DASHED, > 0; 1.2 */
+  /** width of ATTENUATED and DASHED parts, in pixels; above 0, up to 16384; default 1.2 */
   hiddenWidth?: number;
-  /** 0 .. 1: of ATTENUATED, for each layer; 0.35 */
+  /** factor of the opacity of ATTENUATED parts for each layer in front, 0 .. 1; default 0.35 */
   hiddenOpacity?: number;
-  /** of DASHED, in hidden_widths, > 0; 5 */
+  /** length of a dash of DASHED parts, in hidden_widths; above 0, up to 16384; default 5 */
   dash?: number;
-  /** between dashes, in hidden_widths, > 0; 3 */
+  /** length of a gap between dashes, in hidden_widths; above 0, up to 16384; default 3 */
   gap?: number;
   /**
-   * parts with a free end, and hidden ones, that are shorter are not drawn; 2. Feature lines that are found with
-   * every drawing measure 0.01 diagonals or more
+   * length below which parts with a free end, and hidden parts, are not drawn, in pixels; 0 .. 16384; default 2.
+   * Feature lines that are found for every drawing are at least 0.01 diagonals long in any case
    */
   shortest?: number;
-  /** 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1 */
+  /**
+   * how much paler a line is where its strength is `lower` than where it is `upper`, 0 .. 1; default 1; 0 = it
+   * does not fade
+   */
   fade?: number;
   /**
-   * strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive contours, 12 and 25 of
-   * apparent ridges, 15 and 30 (degrees) of creases
+   * least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0. If `lower` and `upper`
+   * are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15 (degrees) for creases, and 0 for other
+   * kinds
    */
   lower?: number;
+  /**
+   * strength that a line must reach somewhere to be drawn; 0 or more; default 0. If `lower` and `upper` are 0, it
+   * is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees) for creases, and 0 for other kinds
+   */
   upper?: number;
-  /** of ISOPHOTE: FLOAT64, 1: -1 .. 1. Read during _draw only */
+  /**
+   * values of n . l at which an ISOPHOTE lies; n x 1, FLOAT64, packed, -1 .. 1; at least one for ISOPHOTE. It is
+   * read during _draw only
+   */
   levels?: ArrayInput;
-  /** straight RGBA; black */
+  /** colour of the ink, straight RGBA; default black */
   ink?: Numbers;
   /**
-   * of CONTOUR and BORDER, where nothing lies beside the line on its outer side: the outline of all items that
-   * have lines. Falls to 1 over 6 widths beyond its ends; 1
+   * factor of the width of CONTOUR and BORDER where nothing lies beside the line on its outer side: on the outline
+   * of all items that have lines; 0 .. 16; default 1. Beyond the ends of the outline it changes to 1 over 6
+   * widths. All factors that apply to a place are multiplied
    *
-   * Laws of the width: factors, 0 .. 16, of which all that apply to a place are multiplied; 1 = no effect.  By
-   * depth,
-   * light and radial curvature goes the distance between a contour and an isophote [Goodwin et al. 2007].
+   * Laws of the width: factors of `width`, 0 .. 16; 1 = no effect.  All that apply to a place are multiplied.
+   * They
+   * follow the distance in the picture between a contour and an isophote [Goodwin et al. 2007].
    */
   outlineFactor?: number;
   /**
-   * at the farthest place in the viewport of lines that are drawn, hidden ones too; 1 at the nearest, evenly by
-   * depth between; 1
+   * factor of the width at the farthest place of all lines in the viewport, hidden ones too; 0 .. 16; default 1.
+   * It is 1 at the nearest place, and changes evenly with depth
    */
   farFactor?: number;
   /**
-   * where the surface faces the style's light, whatever its tone; 1 where it faces away, evenly by n . l between;
-   * 1
+   * factor of the width where the surface faces the style's light, whatever its tone; 0 .. 16; default 1. It is 1
+   * where the surface faces away, and changes evenly with n . l
    */
   litFactor?: number;
   /**
-   * where the surface bends sharply; 1 where its radius of curvature is curvature_radius or more, evenly by the
-   * radius between. Of CONTOUR the radial curvature, along the line of sight; of others the normal curvature
-   * across the line; 1
+   * factor of the width where the surface bends sharply; 0 .. 16; default 1. It is 1 where the radius of curvature
+   * is curvature_radius or more, and changes evenly with the radius. For CONTOUR it is the radial curvature, along
+   * the line of sight; for other kinds it is the normal curvature across the line
    */
   curvatureFactor?: number;
-  /** diagonals, > 0; 0.1 */
+  /** radius of curvature from which on curvature_factor has no effect, in diagonals; above 0; default 0.1 */
   curvatureRadius?: number;
   /**
-   * how far a line may stray to either side, widths, 0 .. 16; 0
+   * how far a line strays to either side, in widths; 0 .. 16; default 0
    *
-   * An unsteady hand, the same in each drawing and, as the lengths are in widths, at each size of the picture.
+   * An unsteady hand.  It is the same in each drawing and, as lengths are in widths, at each size of the picture.
    */
   wobble?: number;
-  /** 0 .. 1: the share by which its width may vary; 0 */
+  /** share by which the width of a line varies; 0 .. 1; default 0 */
   wobbleWidth?: number;
-  /** from swing to swing, about, widths, >= 1; 40 */
+  /** approximate length from swing to swing, in widths; 1 .. 16384; default 40 */
   wobbleLength?: number;
-  /** 0 */
+  /** seed of the wobble; any number; default 0 */
   wobbleSeed?: number;
-  /** of CREASE: HRBFNPR_CREASES_...; ALL */
+  /** which lines of kind CREASE are drawn, HRBFNPR_CREASES_...; default ALL */
   creases?: CreasesName | number;
 }
 
+/** How an item is drawn. docs/presets.md shows named styles, and docs/frames.md explains the method. */
 export interface Style {
-  /** HRBFNPR_TONE_...; LIGHT */
+  /** source of the tone, HRBFNPR_TONE_...; default LIGHT */
   tone?: ToneName | number;
-  /** straight RGBA; alpha 0 = transparent; white. One for all styles of a drawing */
+  /**
+   * colour of the paper, straight RGBA; default white; alpha 0 = transparent. It must be the same in all styles of
+   * a drawing
+   */
   paper?: Numbers;
-  /** a list: a layer of marks takes the first that is for it, or the defaults of _layer_style_init; NULL and 0 */
+  /**
+   * a list of layer styles; default NULL. A layer of marks takes the first that is for it, or else the defaults of
+   * hrbfnpr_layer_style_init
+   */
   layers?: readonly LayerStyle[];
   /**
-   * HRBFNPR_TONE_RULE_...; SHARE
+   * which marks are shown, HRBFNPR_TONE_RULE_...; default SHARE
    *
    * Tone.
    */
   toneRule?: ToneRuleName | number;
-  /** HRBFNPR_TONE_CURVE_...; COVERAGE. For TONE_RULE_SHARE */
+  /** how many marks a tone shows, HRBFNPR_TONE_CURVE_...; default COVERAGE. Only for TONE_RULE_SHARE */
   toneCurve?: ToneCurveName | number;
-  /** towards the light, normalised on use; (-0.4, 0.6, 0.7) */
+  /** direction to the light, of any length but 0 where a light is used; default (-0.4, 0.6, 0.7) */
   light?: Numbers;
-  /** lambda of the tone law, > 0; 1 */
+  /** lambda, the exponent of the tone law; above 0; default 1. Larger: the picture gets darker */
   toneExponent?: number;
-  /** for CALLBACK */
+  /** tone of TONE_CALLBACK; default NULL */
   toneFunction?: ToneFn;
-  /** HRBFNPR_LIGHT_...; CAMERA */
+  /** space of `light`, HRBFNPR_LIGHT_...; default CAMERA */
   lightSpace?: LightName | number;
   /**
-   * 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this share of the marks shown, instead
-   * of popping; 0 = it pops; 0.25
+   * share of the shown marks over which a mark grows from nothing to its full area, 0 .. 1; default 0.25; 0 =
+   * marks pop in. With DEPTH_LAYERS only
    */
   toneFade?: number;
   /**
-   * delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera to the mark [NPAR 6];
-   * 0.2
+   * delta, which separates classes with PUBLISHED, in (0, 1); default 0.2. A mark is front if n . v < -delta, back
+   * if n . v > delta, else silhouette, where v points from the camera to the mark [NPAR 6]. Larger: wider contours
    *
-   * Contours that marks draw, with VISIBILITY_PUBLISHED only.  With DEPTH_LAYERS contours are lines of an item's
-   * line set.
+   * Contours made of marks, with VISIBILITY_PUBLISHED.  With DEPTH_LAYERS contours are lines of an item's line
+   * set.
    */
   silhouetteThreshold?: number;
-  /** of a mark, pixels; 1 */
+  /** radius of a silhouette mark, in pixels, with PUBLISHED; above 0, up to 16384; default 1 */
   silhouetteRadius?: number;
-  /** as radius_zoom; 0 */
+  /** how silhouette_radius follows the zoom, as radius_zoom of hrbfnpr_layer_style; 0 .. 1; default 0 */
   silhouetteRadiusZoom?: number;
-  /** black */
+  /** colour of silhouette marks, straight RGBA, with PUBLISHED; default black */
   silhouetteInk?: Numbers;
   /**
-   * HRBFNPR_VISIBILITY_...; DEPTH_LAYERS. One for all styles of a drawing
+   * how hidden marks are found, HRBFNPR_VISIBILITY_...; default DEPTH_LAYERS. It must be the same in all styles of
+   * a drawing
    *
    * Hidden lines.
    */
   visibility?: VisibilityName | number;
-  /** HRBFNPR_HIDDEN_LINES_...; ATTENUATE */
+  /** how hidden ink is drawn, HRBFNPR_HIDDEN_LINES_...; default ATTENUATE */
   hiddenLines?: HiddenLinesName | number;
-  /** lambda of alpha_f = nu^2 lambda; 1 */
+  /**
+   * lambda of alpha_f = nu^2 lambda, the opacity of surface that faces the eye, nu = n . v; 0 or more; default 1.
+   * Larger: hidden ink is paler
+   */
   attenuationFront?: number;
-  /** lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1 */
+  /**
+   * lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda, the opacity of surface that faces away; 0 or more; default
+   * 1. Larger: hidden ink is paler
+   */
   attenuationBack?: number;
-  /** of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing on the screen */
+  /**
+   * radius of the splat, the disc of surface around a mark, in pixels; 0 .. 16384; default 0 = from the marks'
+   * spacing in the picture
+   */
   splatRadius?: number;
   /**
-   * n > 0: a depth layer is as opaque as n overlapping splats of opacity alpha, 1 - (1 - alpha)^n, whatever the
-   * marks' density and the zoom; 0: each mark paints with alpha itself, as published; 8
+   * number n of splats that overlap in a depth layer, whose opacity is 1 - (1 - alpha)^n whatever the marks'
+   * density and the zoom; 0 .. 1e6; default 8; 0 = each mark paints with alpha itself, as published. Larger:
+   * hidden ink is paler
    */
   splatOverlap?: number;
   /**
-   * DEPTH_LAYERS: how far beyond its contour a surface hides what lies behind, pixels at any zoom. PUBLISHED: how
-   * much wider the paper of back marks is, pixels; 2
+   * width of the halo, in pixels at any zoom; 0 .. 16384; default 2. With DEPTH_LAYERS a surface hides what lies
+   * behind it up to this far beyond its contour. With PUBLISHED it is added to the radius of the paper of back
+   * marks
    */
   haloWidth?: number;
   /**
-   * distance from the camera where depth attenuation starts, > 0
+   * distance from the camera at which marks begin to vanish, in world units; default 0. Either 0 < depth_min <
+   * depth_max, or both are 0 and distance has no effect. Between the two the share of marks falls with the
+   * logarithm of the distance
    *
    * Distance and zoom.
    */
   depthMin?: number;
-  /** ... and where nothing is shown any more; 0 and 0 = off (default) */
+  /**
+   * distance from the camera from which on nothing is shown, in world units; above depth_min; default 0 = no
+   * effect
+   */
   depthMax?: number;
   /**
-   * pixels per world unit at which marks are shown in full; 0 = off. Below it the chance to be shown is scale =
-   * zoom^zoom_exponent, exponential in the zoom level ln zoom; the area of the paper of back marks scales alike
-   * [NPAR 6.2]
+   * pixels per world unit from which on all marks are shown; 0 or more; default 0 = no effect. Below it the share
+   * zoom^zoom_exponent of the marks is shown, where zoom is the pixels per world unit at a mark divided by this.
+   * The area of the paper of back marks scales alike [NPAR 6.2]
    */
   zoomReference?: number;
-  /** >= 0; 2 keeps the ink per area */
+  /** exponent of the zoom, 0 or more; default 2, which keeps the ink per area */
   zoomExponent?: number;
   /**
-   * a list; NULL and 0
+   * a list of line styles; default NULL = no lines
    *
-   * Lines, with DEPTH_LAYERS, of items that have a line set.
+   * Lines of items that have a line set, with DEPTH_LAYERS.
    */
   lines?: readonly LineStyle[];
   /**
-   * Of TONE_LIGHT, DEPTH_LAYERS and TONE_RULE_SHARE: 0 .. 1, light from the side opposite to `light`, so that what
-   * is turned away keeps its form: tau = fill_light * (n . l)^2 where n . l < 0.  The lit side stays as it is;
-   * 0.25
+   * strength of a light from the side opposite to `light`, which lets the unlit side keep its form: tau =
+   * fill_light * (n . l)^2 where n . l < 0; 0 .. 1; default 0.25. The lit side stays as it is. For TONE_LIGHT with
+   * DEPTH_LAYERS and TONE_RULE_SHARE
    */
   fillLight?: number;
 }
 
-/** Where the marks of one layer are in this drawing: of an animated surface. */
+/** The marks of one layer as they are in this drawing, for an animated surface. */
 export interface LayerPose {
-  /** of the item's point set */
+  /** number of the layer in the item's point set; each layer has one pose at most */
   layer?: number;
-  /** n x 3, FLOAT32 or FLOAT64, absolute, in the order of the layer's n marks */
+  /** absolute positions, in the order of the layer's n marks; n x 3, FLOAT32 or FLOAT64 */
   position?: ArrayInput;
-  /** n x 3, FLOAT32 or FLOAT64, unit, outward */
+  /** outward unit normals; n x 3, FLOAT32 or FLOAT64 */
   normal?: ArrayInput;
-  /** n x 3, FLOAT32 or FLOAT64, unit; empty = those of the set */
+  /** unit directions; n x 3, FLOAT32 or FLOAT64; empty = the directions of the set */
   direction?: ArrayInput;
 }
 
 /**
- * One thing to draw.  Everything it points to is read during _draw only, but
- * the drawing retains the point set.
+ * One thing to draw.  What it points to is read during _draw only, except that the drawing retains the point
+ * set.
  */
 export interface Item {
-  /** HRBFNPR_SIDES_...; FRONT */
+  /** sides on which marks are drawn, HRBFNPR_SIDES_...; default FRONT */
   sides?: SidesName | number;
+  /** marks to draw; not NULL */
   pointSet?: PointSet;
-  /** NULL = default style */
+  /** how they are drawn; default NULL = the defaults of hrbfnpr_style_init */
   style?: Style;
   /**
-   * NULL, or the surface that the marks lie on: with DEPTH_LAYERS, what hides a mark is then found by casting a
-   * ray from it to the eye, exact but slow
+   * surface that the marks lie on; default NULL. With it, and DEPTH_LAYERS, a ray from each mark to the eye finds
+   * what hides the mark: exact, but slow. It must be NULL if there are poses
    */
   model?: Model;
-  /** object to world, column-major, affine, invertible */
+  /** object to world, column-major, affine and invertible; default the identity */
   transform?: Numbers;
-  /** a list: layers whose marks have moved; NULL and 0 */
+  /** a list of layers whose marks have moved; default NULL */
   poses?: readonly LayerPose[];
   /**
-   * NULL, or what the style's lines are drawn from. All items of a drawing that have one hide each other's lines;
-   * others hide none
+   * what the style's lines are drawn from; default NULL = no lines. All items of a drawing that have one hide each
+   * other's lines; other items hide no lines. It must be NULL if there are poses
    */
   lineSet?: LineSet;
 }
 
+/**
+ * What a drawing holds, and what making it did.  The counts of marks are over the layers that the styles use, in
+ * all
+ * items: marks = outside + front + back + silhouette + culled.
+ */
 export interface DrawingInfo {
+  /** items that were drawn */
   readonly items: number;
-  /** for hrbfnpr_drawing_get_layer_info */
+  /** layers of the drawing, for hrbfnpr_drawing_get_layer_info */
   readonly layers: number;
-  /** of ink */
+  /** dots of ink */
   readonly dots: number;
+  /** strokes of marks and of lines */
   readonly strokes: number;
-  /** of all strokes */
+  /** points of all strokes */
   readonly strokePoints: number;
-  /** in all items, of the layers that the styles use: outside + front + back + silhouette + culled */
+  /** marks of the layers that the styles use, in all items */
   readonly marks: number;
-  /** outside the frustum */
+  /** marks outside the view frustum */
   readonly outside: number;
-  /** of those inside: by class */
+  /** marks of class front inside the frustum */
   readonly front: number;
+  /** marks of class back inside the frustum */
   readonly back: number;
-  /** PUBLISHED */
+  /** marks of class silhouette inside the frustum; PUBLISHED only */
   readonly silhouette: number;
-  /** DEPTH_LAYERS: marks that are of no class, since no tone could show them: they were not looked at one by one */
+  /** marks without a class, because no tone could show them and they were skipped; DEPTH_LAYERS only */
   readonly culled: number;
-  /** drawn as ink */
+  /** marks drawn as ink */
   readonly shown: number;
   /** front marks not shown because of light or share */
   readonly droppedTone: number;
-  /** front and silhouette marks not shown because of depth attenuation */
+  /** front and silhouette marks not shown because of their distance */
   readonly droppedDepth: number;
-  /** front marks not shown because of tone scaling */
+  /** front marks not shown because of the zoom */
   readonly droppedZoom: number;
-  /** marks not drawn because nothing of them is seen through what is in front */
+  /** marks not drawn because the surface in front of them lets nothing of them through */
   readonly droppedHidden: number;
-  /** PUBLISHED: discs of paper; DEPTH_LAYERS: marks that depth layers were found from */
+  /** with PUBLISHED, discs of paper; with DEPTH_LAYERS, marks from which depth layers were found */
   readonly splats: number;
-  /** transform, classify, tone */
+  /** time for transforms, classes and tones */
   readonly nanosecondsClassify: number;
+  /** time for finding what hides marks */
   readonly nanosecondsVisibility: number;
+  /** time for ordering ink */
   readonly nanosecondsSort: number;
-  /** kept by the drawing */
+  /** memory that the drawing keeps */
   readonly bytes: number;
-  /** kept by its renderer, drawings left out */
+  /** memory that its renderer keeps, without drawings */
   readonly scratchBytes: number;
   /** curves that lines were drawn from */
   readonly lineCurves: number;
-  /** of these */
+  /** cusps of these curves */
   readonly lineCusps: number;
-  /** of their images, where the farther one changes its visibility */
+  /** crossings of their images at which the farther curve changes its visibility */
   readonly lineCrossings: number;
-  /** curves that end inside the surface, and places where one was missed */
+  /** curves that end inside the surface, and places where a curve was missed */
   readonly lineBroken: number;
-  /** curves whose visibility did not add up: each part is as a ray of its own says */
+  /** curves whose visibility did not add up. A ray decided for each of their parts */
   readonly lineSettled: number;
-  /** of these, curves with a part whose ray was not certain */
+  /** curves among these with a part whose ray was not certain */
   readonly lineContradictions: number;
+  /** time for lines */
   readonly nanosecondsLines: number;
-  /** curves whose visibility did not add up at first: they, and those that cross them, were made finer */
+  /** curves whose visibility did not add up at first. They, and those that cross them, were refined */
   readonly lineRefined: number;
   /**
-   * cells of the image, four pixels wide or more, with so many crossings that none was taken: lines run to and fro
-   * over one another there, as on a flat face seen edge-on
+   * cells of the image, four pixels wide or more, with so many crossings that none was used. Lines run to and fro
+   * over each other there, as on a flat face seen edge-on
    */
   readonly lineTangles: number;
 }
 
-/** A layer of a drawing: ink of one layer of marks, of the front or (PUBLISHED) of contours; or lines. */
+/**
+ * A layer of a drawing: the ink of one layer of marks, for front marks or (with PUBLISHED) for contours; or the
+ * ink of
+ * lines.
+ */
 export interface DrawingLayerInfo {
-  /** HRBFNPR_CLASS_FRONT or SILHOUETTE */
+  /** class of its marks: HRBFNPR_CLASS_FRONT or SILHOUETTE */
   readonly markClass: ClassName | number;
+  /** number of the item */
   readonly item: number;
-  /** of the item's point set; -1: of lines */
+  /** number of the layer in the item's point set; -1 = lines */
   readonly layer: number;
-  /** HRBFNPR_LAYER_KIND_...; of lines HRBFNPR_LINE_KIND_... */
+  /** kind of that layer, HRBFNPR_LAYER_KIND_...; for lines HRBFNPR_LINE_KIND_... */
   readonly kind: LayerKindName | number;
-  /** HRBFNPR_SHAPE_... */
+  /** shape of the ink, HRBFNPR_SHAPE_... */
   readonly shape: ShapeName | number;
-  /** of that layer; of lines the style's, or empty */
+  /** name of that layer; for lines that of their style, or empty */
   readonly name: string;
-  /** straight RGBA */
+  /** colour of the ink, straight RGBA */
   readonly ink: Numbers;
+  /** dots of the layer */
   readonly dots: number;
+  /** strokes of the layer */
   readonly strokes: number;
 }
 
 /**
- * Optional inputs and outputs: width * height elements of one component each,
- * row by row from the top-left pixel of the image, stride between elements as
- * in every array.  Data NULL and count 0 = not wanted.
+ * Optional inputs and outputs of rasterizing.  Each array has width * height elements of one component, row by
+ * row from
+ * the top-left pixel of the image.  An array with data NULL and count 0 is not wanted.
  */
 export interface RasterDesc {
-  /** HRBFNPR_RASTER_...; 0 */
+  /** HRBFNPR_RASTER_...; default 0 */
   flags?: number;
-  /** FLOAT32, camera's convention: ink behind it is not drawn */
+  /** depth of the host's scene, FLOAT32 in the camera's depth convention; ink behind it is not drawn */
   hostDepth?: ArrayInput;
-  /** FLOAT32, camera's convention: the nearest surface, the far plane where there is none */
+  /**
+   * gets the depth of the nearest surface, FLOAT32 in the camera's depth convention; the far plane where there is
+   * no surface
+   */
   depth?: ArrayOutput;
-  /** UINT32: id of the nearest drawn mark; 0 = none */
+  /** gets the id of the nearest drawn mark, UINT32; 0 = none */
   id?: ArrayOutput;
-  /** UINT8 or UINT32: HRBFNPR_CLASS_... of that mark */
+  /** gets the class of that mark, HRBFNPR_CLASS_...; UINT8 or UINT32 */
   markClass?: ArrayOutput;
 }
 
+/** One attribute of a vertex. */
 export interface VertexAttribute {
-  /** HRBFNPR_VERTEX_ATTRIBUTE_... */
+  /** what it holds, HRBFNPR_VERTEX_ATTRIBUTE_...; default POSITION */
   attribute?: VertexAttributeName | number;
-  /** HRBFNPR_SCALAR_... */
+  /** type of its numbers, HRBFNPR_SCALAR_...; default FLOAT32 */
   scalar?: ScalarName | number;
-  /** bytes from the start of the vertex */
+  /** bytes from the start of the vertex; default 0 */
   offset?: number;
 }
 
+/** What vertices are written for, and what each holds. */
 export interface VertexLayout {
-  /** HRBFNPR_PRIMITIVE_...; POINTS */
+  /** what vertices are written for, HRBFNPR_PRIMITIVE_...; default POINTS */
   primitive?: PrimitiveName | number;
-  /** a list, 1 and more */
+  /** a list of 1 to 64 attributes */
   attributes?: readonly VertexAttribute[];
-  /** bytes of a vertex; 0 = up to the end of its last attribute */
+  /** bytes from one vertex to the next; default 0 = up to the end of the last attribute */
   stride?: number;
 }
 
 /**
- * How each mark of a layer is drawn, in the set's own order: a host keeps the
- * set's arrays on the graphics card and uploads only these.  Arrays of the
- * caller's, each of as many elements as the layer has marks, or not given.
+ * How each mark of a layer is drawn, in the set's own order.  A host keeps the set's arrays on the graphics card
+ * and
+ * uploads only these.  Each array of the caller's has as many elements as the layer has marks, or is not given.
  */
 export interface MarkResults {
-  /** UINT8: the class that it is drawn as, HRBFNPR_CLASS_FRONT or SILHOUETTE; NONE = it is not drawn */
+  /**
+   * gets the class as which the mark is drawn, HRBFNPR_CLASS_FRONT or SILHOUETTE, or NONE if it is not drawn; n x
+   * 1, UINT8
+   */
   shown?: ArrayOutput;
-  /** FLOAT32, pixels; 0 = not drawn */
+  /** gets the radius of the mark in pixels, 0 if it is not drawn; n x 1, FLOAT32 */
   radius?: ArrayOutput;
-  /** FLOAT32: the ink's alpha times what is let through; 0 = not drawn */
+  /** gets the ink's alpha times the transmittance of what lies in front, 0 if the mark is not drawn; n x 1, FLOAT32 */
   opacity?: ArrayOutput;
 }
 
+/** The mark that an id belongs to. */
 export interface MarkIdentity {
+  /** the id itself */
   readonly id: number;
+  /** number of the item */
   readonly item: number;
-  /** of the item's point set */
+  /** number of the layer in the item's point set */
   readonly layer: number;
-  /** of the layer */
+  /** number of the mark in the layer */
   readonly mark: number;
-  /** of the layer; -1 = of none */
+  /** number of its stroke in the layer; -1 = it is in no stroke */
   readonly stroke: number;
-  /** along the stroke */
+  /** its place along the stroke, from 0 */
   readonly place: number;
 }
 
-/**
- * Triangles; quadrilaterals and polygons are cut into them by the caller.
- * A corner that is no number of a vertex, or that a vertex which is not finite
- * belongs to, is INVALID_ARGUMENT, and the message names the face and the
- * index; so are coordinates beyond 1e60, a mesh less than 1e-60 across, and one that has no
- * face left.
- */
+/** A mesh as it is given: triangles.  The caller cuts quadrilaterals and polygons into triangles. */
 export interface MeshDesc {
-  /** HRBFNPR_PARTS_...; OUTER */
+  /** components that are kept, HRBFNPR_PARTS_...; default OUTER */
   parts?: PartsName | number;
-  /** n x 3, FLOAT32 or FLOAT64; n < 2^31 */
+  /** positions; n x 3, FLOAT32 or FLOAT64, n < 2^31 - 1; coordinates up to 1e60 */
   vertices?: ArrayInput;
-  /** m x 3, INT32, INT64 or UINT32: numbers of vertices, from 0, counter-clockwise as seen from outside; m < 2^29 */
+  /** numbers of vertices from 0, counter-clockwise as seen from outside; m x 3, INT32, INT64 or UINT32, m < 2^29 */
   triangles?: ArrayInput;
-  /** degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; 60 */
+  /**
+   * angle between the normals of two faces, in degrees, above which they do not share corner normals; 0 .. 180;
+   * default 60
+   */
   creaseAngle?: number;
-  /** HRBFNPR_FACES_...; TURN */
+  /** whether faces are turned, HRBFNPR_FACES_...; default TURN */
   faces?: FacesName | number;
 }
 
 /**
- * Of what is kept, but for the numbers of what was found on the way.  An edge is
- * at the boundary if one face has it, and not manifold if more than two have.
+ * What making a mesh found, and did.  Facts such as the numbers of vertices, faces and edges are those of the
+ * mesh that
+ * is kept; numbers of repairs are those of the mesh that was given.  An edge is at the boundary if it has one
+ * face, and
+ * not manifold if it has more than two.
  */
 export interface MeshInfo {
   /** 1: no edge is at the boundary or not manifold, and all faces agree */
   readonly closed: number;
+  /** vertices that were given */
   readonly givenVertices: number;
+  /** faces that were given */
   readonly givenFaces: number;
-  /** kept; more than were given where solids that touch in an edge are parted there, at most three for each face */
+  /**
+   * vertices that are kept. They are more than were given where solids that touch in an edge are parted, at most
+   * three for each face
+   */
   readonly vertices: number;
+  /** faces that are kept */
   readonly faces: number;
-  /** in the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another */
+  /** vertices at the place of another, joined with it; on borders also those within 1e-6 diagonals of another */
   readonly weldedVertices: number;
   /**
-   * without area but for the rounding of single precision, left out; the face across the largest side is cut in
-   * two at the corner that lies within it, so that no slit stays
+   * faces left out because they have no area beyond the rounding of single precision. The face across the longest
+   * side is cut in two at the corner on it, so that no slit stays
    */
   readonly degenerateFaces: number;
-  /** with the corners of another, left out; both where two solids share a wall */
+  /** faces left out because another has the same corners; both where two solids share a wall */
   readonly repeatedFaces: number;
-  /** against those beside them, turned */
+  /** faces turned to agree with those beside them */
   readonly turnedFaces: number;
-  /** of the given faces */
+  /** components of the given faces */
   readonly components: number;
-  /** closed and inside out, turned */
+  /** closed components turned because they were inside out */
   readonly turnedComponents: number;
-  /** inside a closed one */
+  /** components inside a closed one */
   readonly nestedComponents: number;
+  /** components left out, by `parts` */
   readonly leftOutComponents: number;
-  /** of these */
+  /** faces of the components left out */
   readonly leftOutFaces: number;
+  /** edges with one face */
   readonly boundaryEdges: number;
+  /** loops that these edges form */
   readonly boundaryLoops: number;
+  /** edges with more than two faces */
   readonly nonmanifoldEdges: number;
-  /** whose two faces do not agree: the mesh cannot be oriented, or was not to be */
+  /** edges whose two faces do not agree, because the mesh cannot be oriented or was not to be */
   readonly contraryEdges: number;
   /** vertices - edges + faces */
   readonly eulerCharacteristic: number;
-  /** sum of the handles of all components; -1 where the mesh is not closed */
+  /** number of handles of all components; -1 if the mesh is not closed */
   readonly genus: number;
+  /** area, in squared units of the mesh */
   readonly area: number;
-  /** enclosed; NaN where the mesh is not closed */
+  /** enclosed volume, in cubed units of the mesh; NaN if the mesh is not closed */
   readonly volume: number;
+  /** least coordinates of the vertices */
   readonly boundsMin: Numbers;
+  /** greatest coordinates of the vertices */
   readonly boundsMax: Numbers;
-  /** that making it took */
+  /** time that making it took */
   readonly seconds: number;
-  /** kept by the mesh */
+  /** memory that the mesh keeps */
   readonly bytes: number;
-  /** of the edges that bend by more than 30 degrees, in diagonals of the bounds */
+  /** length of the edges that bend by more than 30 degrees, in diagonals of the bounds */
   readonly creaseLength: number;
   /**
-   * 1: these stand out, as those of machine parts; hrbfnpr_model_fit_mesh with edges AUTO and the default crease
-   * angle keeps them sharp
+   * 1: the mesh has edges that stand out, as those of machine parts do. hrbfnpr_model_fit_mesh keeps them sharp
+   * with edges AUTO and the default crease_angle
    */
   readonly creases: CreasesName | number;
 }
 
+/** How a mesh is sampled. */
 export interface SampleDesc {
   /**
-   * random places to choose from, 0 = 40 for each sample, 1000000 at most; never fewer than samples; as many as
-   * samples: all of them, in random order
+   * random places to choose from, 0 .. 1000000; default 0 = 40 for each sample, up to 1000000. More: more even
+   * samples, in more time. There are never fewer than samples; with as many, the samples are all of them in random
+   * order
    */
   candidates?: number;
-  /** any number; 1 */
+  /** seed of the places, any number; default 1 */
   randomSeed?: number;
 }
 
 /** How sharp edges are found. */
 export interface MeshEdgesDesc {
-  /** HRBFNPR_EDGES_...; AUTO */
+  /** which edges are sharp, HRBFNPR_EDGES_...; default AUTO */
   edges?: EdgesName | number;
-  /** degrees between the normals of two faces, 1 .. 179: an edge that bends more is sharp; 30 */
+  /** angle between the normals of two faces, in degrees, above which their edge is sharp; 1 .. 179; default 30 */
   creaseAngle?: number;
   /**
-   * coarse faces that a round surface would leave by four fifths of this stay flat, with sharp edges; in units of
-   * the mesh; 0 = 0.01 diagonals. A large number, such as the diagonal: only the angle counts
+   * distance, in units of the mesh, that decides about coarse faces; 0 or more; default 0 = 0.01 diagonals. Faces
+   * stay flat, with sharp edges, if a round surface would leave them by more than four fifths of it. With a large
+   * number, such as the diagonal, the angle alone decides
    */
   far?: number;
 }
 
+/** The sharp edges of a mesh as a whole.  Lengths are in units of the mesh. */
 export interface MeshEdgesInfo {
-  /** the number of sharp edges */
+  /** number of sharp edges */
   readonly edges: number;
-  /** the number of smooth patches between them; 1 where no edge is sharp */
+  /** number of smooth patches between them; 1 if no edge is sharp */
   readonly patches: number;
-  /** of the sharp edges, in units of the mesh */
+  /** length of the sharp edges */
   readonly length: number;
-  /** of those among them that have the same patch on both sides, as where a crease fades out */
+  /** length of those sharp edges that have the same patch on both sides, as where a crease fades out */
   readonly fading: number;
   /**
-   * with AUTO: of edges that bend more than crease_angle but do not stand out, in units of the mesh; 0 where edges
-   * are sharp
+   * with AUTO, length of edges that bend more than crease_angle but do not stand out; 0 if the mesh has sharp
+   * edges
    */
   readonly doubtful: number;
+  /** time that the search took */
   readonly seconds: number;
 }
 
 /**
- * How near a surface is to a mesh.  "Surface": of the model, within the box of
- * the mesh, grown by 0.05 diagonals; "diagonal" is the mesh's.  What of it is
- * nearest to the mesh's border goes on beyond that, and is left out.  Where
- * closed components overlap, what lies inside is no part of the mesh.
+ * How a surface is compared with a mesh.  The surface is that of the model within the box of the mesh, grown by
+ * 0.05
+ * diagonals.  Diagonals are those of the mesh.  Parts of the surface whose nearest place on the mesh is on its
+ * border
+ * lie beyond the mesh, and are left out.  Where closed components overlap, what lies inside another is no part
+ * of the
+ * mesh.
  */
 export interface CompareDesc {
-  /** that shares are counted for, in units of the mesh; 0 = 0.002 diagonals */
+  /** distance within which shares are counted, in units of the mesh; 0 or more; default 0 = 0.002 diagonals */
   tolerance?: number;
-  /** beyond it a part of the surface is an invention, and a part of the mesh missed; 0 = 0.01 diagonals */
+  /**
+   * distance, in units of the mesh, beyond which surface is invented and mesh is missed; 0 or more; default 0 =
+   * 0.01 diagonals
+   */
   far?: number;
   /**
-   * > 0: what the samples of the model do not bear out by this limit is left out, as a line set with the same
-   * `support` does; a custom model has none; 0 = nothing is left out
+   * limit of the support of the model's samples, beyond which surface is left out, as in hrbfnpr_line_set_desc; 0
+   * or more; default 0 = nothing is left out. A custom model has no samples: give 0
    */
   support?: number;
-  /** on each side, 100 .. 10000000; 0 = 20000 */
+  /** places to measure at, on the surface and on the mesh each, 100 .. 10000000; default 0 = 20000 */
   points?: number;
   /**
-   * of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where it is thin. What is
-   * thinner or smaller may be missed
+   * side of the cells in which the surface is searched, in units of the mesh, at least 0.001 diagonals; default 0
+   * = 1/128 diagonal, and finer where the surface is thin. What is thinner or smaller may be missed
    */
   cellSize?: number;
-  /** any number; 1 */
+  /** seed of the places, any number; default 1 */
   randomSeed?: number;
 }
 
-/** Distances in units of the mesh.  p99: 99 % are not farther.  Of no points: NaN. */
+/**
+ * How near a surface and a mesh are to each other.  Distances are in units of the mesh.  99 % of the distances
+ * are not
+ * above p99.  Figures without any place to measure at are NaN.
+ */
 export interface Comparison {
   /** places on the surface, even over its area */
   readonly surfacePoints: number;
-  /** of their distances from the mesh */
+  /** mean of their distances from the mesh */
   readonly surfaceMean: number;
+  /** 99th percentile of these distances */
   readonly surfaceP99: number;
+  /** greatest of these distances */
   readonly surfaceMax: number;
-  /** within the tolerance */
+  /** share of the surface within the tolerance of the mesh, 0 .. 1 */
   readonly surfaceShare: number;
-  /** of the surface, beyond `far` */
+  /** share of the surface farther than `far` from the mesh, 0 .. 1 */
   readonly inventedShare: number;
-  /** of the surface: beyond the mesh's border, or by `support`; in none of the above */
+  /** share of the surface left out, beyond the mesh's border or by `support`, 0 .. 1; no other figure includes it */
   readonly leftOutShare: number;
   /** places on the mesh, even over its area */
   readonly meshPoints: number;
-  /** of their distances from the surface */
+  /** mean of their distances from the surface */
   readonly meshMean: number;
+  /** 99th percentile of these distances */
   readonly meshP99: number;
+  /** greatest of these distances */
   readonly meshMax: number;
-  /** within the tolerance */
+  /** share of the mesh within the tolerance of the surface, 0 .. 1 */
   readonly meshShare: number;
-  /** of the mesh, beyond `far` */
+  /** share of the mesh farther than `far` from the surface, 0 .. 1 */
   readonly missedShare: number;
-  /** degrees between the mesh's normals and the surface's beside them */
+  /** mean angle between the mesh's normals and those of the surface beside them, in degrees */
   readonly normalMean: number;
+  /** 99th percentile of these angles, in degrees */
   readonly normalP99: number;
-  /** of the surface */
+  /** components of the surface */
   readonly components: number;
-  /** of the surface, sum over its components; -1 if it has a border in the box */
+  /** genus of the surface, summed over its components; -1 if it has a border in the box */
   readonly genus: number;
-  /** as used */
+  /** tolerance as used */
   readonly tolerance: number;
+  /** diagonal of the mesh */
   readonly diagonal: number;
+  /** time that the comparison took */
   readonly seconds: number;
 }
 
 /** How a mesh is fitted. */
 export interface MeshFitDesc {
   /**
-   * how near the surface and the mesh are to be to each other, in units of the mesh; 0 = 0.002 diagonals; not
-   * below 1e-6 diagonals
+   * distance within which surface and mesh shall be of each other, in units of the mesh; 1e-6 diagonals or more;
+   * default 0 = 0.002 diagonals. Smaller: more samples and time
    */
   tolerance?: number;
-  /** of both that has to be within the tolerance, above 0, at most 1; 0.99 */
+  /** share of both that must be within the tolerance; above 0, up to 1; default 0.99 */
   share?: number;
-  /** what no part may be beyond; 0 = five times the tolerance */
+  /**
+   * distance that no part may exceed, in units of the mesh; not below the tolerance; default 0 = five times the
+   * tolerance
+   */
   far?: number;
   /**
-   * 16 .. 1000000; 8000. A fit with sharp edges may have 32 for each of its sheets, if that is more: each is
-   * solved alone
+   * the most centres of the fit, 16 .. 1000000; default 8000. A fit with sharp edges may have 32 for each of its
+   * sheets, if that is more, as each sheet is solved alone
    */
   maximumCentres?: number;
-  /** places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
+  /** places on the mesh to choose samples from, 1000 .. 10000000; default 0 = by its area and its details */
   candidates?: number;
-  /** any number; 1 */
+  /** seed of the places, any number; default 1 */
   randomSeed?: number;
   /**
-   * degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what rounding would take
-   * four fifths of `far` off the mesh; 30
+   * angle between the normals of two faces, in degrees, above which their edge is sharp; 5 .. 175; default 30.
+   * Edges of coarse faces are sharp, too, if rounding would move the surface off the mesh by four fifths of `far`
    */
   creaseAngle?: number;
-  /** HRBFNPR_EDGES_...; AUTO */
+  /** which edges are sharp, HRBFNPR_EDGES_...; default AUTO */
   edges?: EdgesName | number;
 }
 
 /**
- * What a fit to a mesh came to: the last of the measurements that it went by,
- * at places of their own.  hrbfnpr_model_compare_mesh measures again, and more.
+ * The result of a fit to a mesh.  Distances are in units of the mesh.  They come from the fit's last
+ * measurement, at
+ * places that it did not use before. hrbfnpr_model_compare_mesh measures again, and more.
  */
 export interface MeshFitInfo {
-  /** 1: tolerance, share and far are kept, both ways */
+  /** 1: surface and mesh keep the tolerance, the share and `far`, both ways */
   readonly reached: number;
-  /** as used */
+  /** tolerance as used */
   readonly tolerance: number;
+  /** `far` as used */
   readonly far: number;
+  /** places on the mesh that samples were chosen from */
   readonly candidates: number;
-  /** all */
+  /** all centres */
   readonly centres: number;
-  /** of these, the last ones: where f is held to the distance from the mesh */
+  /** centres off the surface, at which f is held to the distance from the mesh. They are the last ones */
   readonly offSurfaceCentres: number;
-  /** fits */
+  /** number of fits */
   readonly rounds: number;
   /** 1: the mesh has a border, and the surface beyond it was not counted */
   readonly supported: number;
-  /** of the surface, within the tolerance of the mesh */
+  /** share of the surface within the tolerance of the mesh, 0 .. 1 */
   readonly surfaceShare: number;
+  /** 99th percentile of the surface's distances from the mesh */
   readonly surfaceP99: number;
+  /** greatest distance of the surface from the mesh */
   readonly surfaceMax: number;
-  /** of the mesh, within the tolerance of the surface */
+  /** share of the mesh within the tolerance of the surface, 0 .. 1 */
   readonly meshShare: number;
+  /** 99th percentile of the mesh's distances from the surface */
   readonly meshP99: number;
+  /** greatest distance of the mesh from the surface */
   readonly meshMax: number;
+  /** time for choosing samples */
   readonly secondsSample: number;
-  /** of all rounds */
+  /** time for the fits of all rounds */
   readonly secondsFit: number;
+  /** time for measuring distances */
   readonly secondsMeasure: number;
+  /** time of the whole call */
   readonly secondsTotal: number;
-  /** smooth pieces that the surface is made of; 1: it has no edges */
+  /** smooth sheets that the surface consists of; 1 if it has no sharp edges */
   readonly sheets: number;
-  /** of the mesh's edges that are sharp */
+  /** length of the mesh's edges that are sharp, in units of the mesh */
   readonly creaseLength: number;
-  /** of those that are not, as the mesh could not be cut there */
+  /** length of edges that stay smooth because the mesh could not be cut there, in units of the mesh */
   readonly smoothLength: number;
-  /** of space, in each of which a few sheets rule */
+  /** cells of space, in each of which a few sheets make the surface */
   readonly cells: number;
-  /** in which no maximum and minimum of its sheets does all that the mesh does */
+  /** cells in which no maximum and minimum of sheets follows the mesh everywhere */
   readonly poorCells: number;
   /**
-   * of the mesh, from 0: two that are nearer to each other than the tolerance, so that the surface may join them;
-   * -1, -1: none were found
+   * numbers of two parts of the mesh, from 0, that are nearer to each other than the tolerance, so that the
+   * surface may join them; -1, -1 if none were found
    */
   readonly touchingParts: Numbers;
-  /** where they are */
+  /** place where these parts are near each other */
   readonly touchingPlace: Numbers;
-  /** 1: they may go through each other there; 0: they are near to each other */
+  /** 1: these parts may go through each other there; 0 if they are near each other only */
   readonly partsMayCross: number;
 }
 
 /** A drawing on a page. */
 export interface PageItem {
-  /** what lies beyond its viewport is cut off */
+  /** the drawing, not NULL; what lies beyond its viewport is cut off */
   drawing?: Drawing;
-  /** mm: the viewport's left edge; 0 */
+  /** place of the viewport's left edge, in mm; -1e6 .. 1e6; default 0 */
   x?: number;
-  /** mm: its top edge; 0 */
+  /** place of the viewport's top edge, in mm; -1e6 .. 1e6; default 0 */
   y?: number;
-  /** mm of a pixel, > 0; 25.4 / 96 */
+  /** mm of a pixel; above 0, up to 1e6; default 25.4 / 96 */
   scale?: number;
-  /** UTF-8, of the group around it; NULL = none */
+  /** name of the group around the drawing, UTF-8; default NULL = no name */
   name?: string;
 }
 
-/** What some groups are drawn with. */
+/** A pen that draws some groups. */
 export interface Pen {
-  /** HRBFNPR_LINE_TYPE_...; AS_DRAWN */
+  /** type of the lines, HRBFNPR_LINE_TYPE_...; default AS_DRAWN */
   lineType?: LineTypeName | number;
   /**
-   * a group's name, or the beginning of names and a '*'; NULL = all. Of pens that fit a group the last one is
-   * taken
+   * the groups: a name, or the beginning of names and a '*'; default NULL = all groups. The last pen that fits a
+   * group draws it
    */
   groups?: string;
-  /** mm, >= 0; 0 = as drawn. Plotters: of the pen; 0 = 0.3 */
+  /**
+   * width of all lines, in mm; 0 .. 1e6; default 0 = as drawn. For plotters it is the width of the pen, 0.3 if it
+   * is 0
+   */
   width?: number;
-  /** straight RGBA; alpha 0 = as drawn, the default */
+  /** colour of the ink, straight RGBA; default alpha 0 = as drawn */
   ink?: Numbers;
-  /** 1 to 255, of a plotter's; 1 */
+  /** number of a plotter's pen, 1 .. 255; default 1 */
   number?: number;
 }
 
-/** A line, a filled shape or a text beside the drawings. */
+/** A line or a text beside the drawings. */
 export interface Annotation {
-  /** HRBFNPR_LINE_TYPE_...; CONTINUOUS */
+  /** type of the line, HRBFNPR_LINE_TYPE_...; default CONTINUOUS */
   lineType?: LineTypeName | number;
   /**
-   * UTF-8, of 1 to 95 bytes; "annotations". Those of one group that follow each other share its layer and pen;
-   * their inks and types are those of its first
+   * name of its group, UTF-8, 1 to 95 bytes; default "annotations". Consecutive annotations of one group share its
+   * layer and pen, and the ink and line type of the first of them
    */
   group?: string;
-  /** UTF-8; NULL = the points are a line. Plotters: HPGL writes labels, GCODE none */
+  /** a text, UTF-8; default NULL = the points are a line. HPGL writes texts as labels, GCODE leaves them out */
   text?: string;
-  /** FLOAT32 or FLOAT64, 2, mm: the line, or where the text's baseline begins */
+  /** points of the line, two at least, or the start of the text's baseline, in mm; n x 2, FLOAT32 or FLOAT64 */
   points?: ArrayInput;
-  /** mm, > 0: of the line, or the height of the text's capitals; 0.35 */
+  /** width of the line, or height of the text's capitals, in mm; above 0, up to 1e6; default 0.35 */
   width?: number;
-  /** straight RGBA; black */
+  /** colour of the ink, straight RGBA; default black */
   ink?: Numbers;
 }
 
+/** A page to write. */
 export interface PageDesc {
-  /** HRBFNPR_PAGE_FORMAT_...; SVG */
+  /** format of the file, HRBFNPR_PAGE_FORMAT_...; default SVG */
   format?: PageFormatName | number;
-  /** HRBFNPR_PAGE_IN_PLOT_ORDER and others; 0 */
+  /** HRBFNPR_PAGE_IN_PLOT_ORDER and others; default 0 */
   flags?: number;
-  /** HRBFNPR_WIDTHS_...; OUTLINES */
+  /** how strokes of varying width are written, HRBFNPR_WIDTHS_...; default OUTLINES */
   widths?: WidthsName | number;
-  /** HRBFNPR_DOT_SHAPE_...; CIRCLES */
+  /** how dots are written, HRBFNPR_DOT_SHAPE_...; default CIRCLES */
   dots?: DotShapeName | number;
-  /** mm, >= 0; 0 = as far as the drawings reach */
+  /** width of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
   width?: number;
-  /** mm, >= 0; 0 = as far as the drawings reach */
+  /** height of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach */
   height?: number;
-  /** mm, 0.001 to 10: between what is drawn and what is written; 0.05 */
+  /**
+   * greatest distance between drawn and written lines, in mm; 0.001 .. 10; default 0.05. Larger: smaller files,
+   * rougher curves
+   */
   tolerance?: number;
-  /** 1.01 to 4: ratio of neighbouring classes of widths; 1.25 */
+  /** ratio of the widths of two consecutive classes (WIDTHS_CLASSES); 1.01 .. 4; default 1.25 */
   widthStep?: number;
-  /** mm, >= 0: in plot order, see there; 0 = the pen's width */
+  /**
+   * in plot order, distance between the ends of two lines below which they become one, in mm; 0 .. 1e6; default 0
+   * = the pen's width
+   */
   join?: number;
-  /** mm, >= 0: in plot order shorter lines are dropped; 0 = half the pen's width */
+  /** in plot order, length below which lines are dropped, in mm; 0 .. 1e6; default 0 = half the pen's width */
   shortest?: number;
-  /** mm, >= 0: in plot order dots nearer to one that stays are dropped; 0 = half the pen's width */
+  /**
+   * in plot order, distance from a dot that stays below which other dots are dropped, in mm; 0 .. 1e6; default 0 =
+   * half the pen's width
+   */
   dotDistance?: number;
-  /** mm/s, > 0; 30 */
+  /** speed of a plotter's pen on the paper, in mm/s; above 0, up to 1e6; default 30 */
   drawSpeed?: number;
-  /** mm/s, > 0; 80 */
+  /** speed of a plotter's pen above the paper, in mm/s; above 0, up to 1e6; default 80 */
   travelSpeed?: number;
-  /** >= 0: to lower or to raise the pen; 0.15 */
+  /** seconds that it takes to lower or to raise the pen; 0 .. 3600; default 0.15 */
   penSeconds?: number;
-  /** GCODE: lines that lower it; NULL = "G1 Z0" */
+  /** GCODE: lines that lower the pen; default NULL = "G1 Z0" */
   penDown?: string;
-  /** GCODE: lines that raise it; NULL = "G0 Z5" */
+  /** GCODE: lines that raise the pen; default NULL = "G0 Z5" */
   penUp?: string;
-  /** UTF-8, or NULL */
+  /** title of the file, UTF-8; default NULL = none */
   title?: string;
-  /** UTF-8, or NULL */
+  /** description of the file, UTF-8; default NULL = none */
   description?: string;
-  /** UTF-8, or NULL: text on the model, the camera, the style; the version is added */
+  /** text about the model, the camera or the style, UTF-8; default NULL = none. The library's version is added */
   metadata?: string;
-  /** a list */
+  /** a list of drawings; default NULL */
   items?: readonly PageItem[];
-  /** a list; NULL and 0 */
+  /** a list of pens; default NULL */
   pens?: readonly Pen[];
-  /** a list; NULL and 0 */
+  /** a list of annotations; default NULL */
   annotations?: readonly Annotation[];
 }
 
 /** What was written. */
 export interface PageInfo {
+  /** bytes of the file */
   readonly bytes: number;
+  /** groups of ink */
   readonly groups: number;
   /** lines and outlines */
   readonly paths: number;
   /** curves or straight lines of all paths */
   readonly segments: number;
+  /** dots */
   readonly dots: number;
-  /** in plot order: pairs of ends that became one line */
+  /** in plot order, pairs of ends that became one line */
   readonly joined: number;
-  /** too short for the pen */
+  /** lines dropped because they are too short for the pen */
   readonly droppedPaths: number;
-  /** too near to others for the pen */
+  /** dots dropped because they are too near to others for the pen */
   readonly droppedDots: number;
-  /** mm, of the page */
+  /** width of the page, in mm */
   readonly width: number;
-  /** mm, of the page */
+  /** height of the page, in mm */
   readonly height: number;
-  /** mm that a pen draws; in plot order, else 0, as are the next two */
+  /** length that a pen draws, in mm; in plot order, else 0 */
   readonly drawn: number;
-  /** mm between */
+  /** length that a pen travels above the paper, in mm; in plot order, else 0 */
   readonly travelled: number;
-  /** that a plotter takes at the given speeds */
+  /** time that a plotter takes at the given speeds, in seconds; in plot order, else 0 */
   readonly seconds: number;
   /** lines wider than their pen, drawn in several passes */
   readonly filledPaths: number;
 }
 
 /**
- * One of four kinds: points (with or without normals), a mesh (points and triangles), a
- * model, or a point set.  A model and a point set together are a model with its marks,
- * which are then used as they are.
+ * What is drawn, of one of four kinds: points (with or without normals), a mesh (points and triangles), a model,
+ * or a
+ * point set.  A model and a point set together are a model with its marks, which are used as they are.
  */
 export interface PictureSource {
-  /** HRBFNPR_SOURCE_...; 0 */
+  /** HRBFNPR_SOURCE_...; default 0 */
   flags?: number;
-  /** n x 3, FLOAT32 or FLOAT64: points, or the vertices of the triangles. Points that are not finite are left out */
+  /** points, or the vertices of the triangles; n x 3, FLOAT32 or FLOAT64. Points that are not finite are left out */
   points?: ArrayInput;
-  /** n x 3, FLOAT32 or FLOAT64, of any length; not given or all zero = none. Not read of a mesh */
+  /**
+   * normals of the points, of any length; n x 3, FLOAT32 or FLOAT64; not given, or all zero = no normals. They are
+   * not read for a mesh
+   */
   normals?: ArrayInput;
-  /** m x 3, INT32, INT64 or UINT32: a mesh; not given = points */
+  /** triangles of a mesh, as numbers of points from 0; m x 3, INT32, INT64 or UINT32; not given = points */
   triangles?: ArrayInput;
   /**
-   * k x 2, INT32, INT64 or UINT32: of a mesh, the pairs of vertices whose faces have normals of their own in its
-   * file; with HAS_SHARP_EDGES
+   * edges of a mesh, as pairs of vertices, whose faces have separate normals in the file; k x 2, INT32, INT64 or
+   * UINT32; read with HAS_SHARP_EDGES
    */
   sharpEdges?: ArrayInput;
-  /** kept; NULL */
+  /** a model, which the picture keeps; default NULL */
   model?: Model;
-  /** kept; NULL */
+  /** a point set, which the picture keeps; default NULL. It must be the only source, unless it comes with a model */
   pointSet?: PointSet;
-  /** which way is up by the convention of the file's format; 0, 0, 0 = not known */
+  /** direction that is up by the convention of the file's format; default 0, 0, 0 = not known */
   up?: Numbers;
-  /** why, for the note: "PLY files"; NULL = "files of this kind" */
+  /** reason for `up` in notes, such as "PLY files"; default NULL = "files of this kind" */
   upBy?: string;
-  /** where the scanner stood, with HAS_VIEWPOINT */
+  /** place where the scanner stood; read with HAS_VIEWPOINT */
   viewpoint?: Numbers;
-  /** of a depth camera's image, whose points stand row by row; 0 = it is none */
+  /**
+   * number of columns of a depth camera's image, whose points are given row by row; default 0 = the points are no
+   * image
+   */
   columns?: number;
+  /** number of rows of that image; default 0 */
   rows?: number;
-  /** UTF-8: of the file, for titles and metadata; NULL */
+  /** name of the file, for titles and metadata, UTF-8; default NULL */
   name?: string;
 }
 
 /**
- * One field that is changed on top of all that was chosen.  `field` is the path of a field:
- *   style.F            of hrbfnpr_style; style.ink is that of all layers, lines and contours
- *   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
- *   style.layers.F     of all layers of the style; share is multiplied
- *   style.lines.F      of hrbfnpr_line_style, of all lines
- *   style.LINE.F       the same, of a kind of lines: style.ridge.width
- *   fit.F              of hrbfnpr_fit_desc
- *   mesh_fit.F         of hrbfnpr_mesh_fit_desc
- *   marks.F            of hrbfnpr_generate_desc
- *   marks.KIND.F       of hrbfnpr_layer_desc, of a kind of layers; marks.layers.F of all
- *   line_set.F         of hrbfnpr_line_set_desc
- * Lengths in pixels are those of this picture: they are not scaled by the pen.
+ * A field to change after everything was chosen.  `field` is the path of the field:
+ *
+ *    style.F            a field of hrbfnpr_style; style.ink is the ink of all layers, lines and contours
+ *    style.KIND.F       a field of hrbfnpr_layer_style, for one kind of layers: style.hatch.ink
+ *    style.layers.F     the same for all layers of the style; share is multiplied
+ *    style.lines.F      a field of hrbfnpr_line_style, for all lines
+ *    style.LINE.F       the same for one kind of lines: style.ridge.width
+ *    fit.F              a field of hrbfnpr_fit_desc
+ *    mesh_fit.F         a field of hrbfnpr_mesh_fit_desc
+ *    marks.F            a field of hrbfnpr_generate_desc
+ *    marks.KIND.F       a field of hrbfnpr_layer_desc, for one kind of layers; marks.layers.F for all layers
+ *    line_set.F         a field of hrbfnpr_line_set_desc
+ *
+ * Lengths in pixels are those of this picture: they are not scaled by the pen.  The last change of a field
+ * counts.
  */
 export interface Change {
+  /** path of the field, UTF-8 */
   field?: string;
   /**
-   * a number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a constant without its
-   * prefix: "blue-noise"
+   * new value: a number, several numbers with commas between, a colour as #rrggbb or #rrggbbaa, or the name of a
+   * constant without its prefix, such as "blue-noise"
    */
   value?: string;
 }
 
+/**
+ * A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after
+ * the
+ * other.
+ */
 export interface Dab {
-  /** HRBFNPR_DAB_...; TONE: 1 = light, 0 = dark */
+  /** what it paints, HRBFNPR_DAB_...; default TONE */
   map?: DabName | number;
+  /** middle of the ball, in coordinates of the source */
   position?: Numbers;
-  /** unit: what faces away from it is not painted */
+  /** unit normal of the surface there; surface that faces away from it is not painted */
   normal?: Numbers;
-  /** > 0 */
+  /** radius of the ball, in units of the source; above 0 */
   radius?: number;
-  /** 0 .. 1 in the middle; it falls to 0 at the radius; 1 */
+  /** strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius */
   strength?: number;
-  /** of TONE and DENSITY, 0 .. 1 */
+  /** value of TONE and DENSITY, 0 .. 1; default 0 */
   value?: number;
-  /** of DIRECTION: that of hatching */
+  /** direction of DIRECTION, which hatching follows */
   direction?: Numbers;
 }
 
+/** A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
 export interface Note {
-  /** HRBFNPR_NOTE_... */
+  /** what it is about, HRBFNPR_NOTE_... */
   code?: NoteName | number;
-  /** HRBFNPR_SEVERITY_... */
+  /** how much it matters, HRBFNPR_SEVERITY_... */
   severity?: SeverityName | number;
+  /** number of `figures` that are set, 0 .. 8 */
   figureCount?: number;
-  /** as above, in that order */
+  /** figures of the code, in the order of its brackets */
   figures?: Numbers;
   /** one sentence without a full stop, UTF-8, in the words of `wording` */
   text?: string;
@@ -1880,388 +2069,439 @@ export interface Note {
   advice?: string;
 }
 
-/** What happens while a picture is made. */
+/** What happens while a picture is made: a new note, or the progress of a stage. */
 export interface PictureEvent {
-  /** HRBFNPR_STAGE_... that runs; 0 = between two */
+  /** stage that runs, HRBFNPR_STAGE_...; 0 = none runs */
   stage?: StageName | number;
-  /** of the stage, 0 when it begins, 1 when it is over */
+  /** progress of the stage: 0 when it begins, 1 when it ends; 0 with a note */
   fraction?: number;
-  /** of the stage, when it is over */
+  /** time that the stage took, when it ends; else 0 */
   seconds?: number;
-  /** of the stage: "place marks" */
+  /** name of the stage, such as "place marks"; NULL with a note */
   name?: string;
-  /** the same for a progress bar: "placing marks" */
+  /** the same for a progress bar, such as "placing marks"; NULL with a note */
   doing?: string;
-  /** what the stage came to, when it is over; else NULL */
+  /** result of the stage in words, when it ends; else NULL */
   says?: string;
-  /** a new one; NULL = this is about the stage */
+  /** a new note; NULL = the event is about the stage */
   note?: Note;
 }
 
 /**
- * Every field has a default that makes a good picture; a source and, if wanted, a style are enough.
- * NaN (or 0 or NULL, where a line says so) stands for what is chosen.
+ * How a picture is made.  Each field has a default that makes a good picture.  A source is enough, and a style
+ * if
+ * wanted.  A default of NaN, 0 or NULL is chosen by the picture, as its line says.
  */
 export interface PictureDesc {
-  /** HRBFNPR_PICTURE_...; 0 */
+  /** HRBFNPR_PICTURE_...; default 0 */
   flags?: number;
-  /** a list, 1 and more: each is a surface of its own */
+  /** a list of 1 to 10000 sources, each a separate surface; NULL for hrbfnpr_picture_restyle */
   sources?: readonly PictureSource[];
   /**
-   * HRBFNPR_PRESET_...; CONTOUR_AND_STIPPLE
+   * named style, HRBFNPR_PRESET_...; default CONTOUR_AND_STIPPLE
    *
    * Style.
    */
   preset?: PresetName | number;
-  /** HRBFNPR_WORDING_...; FIELDS */
+  /** how notes and errors write options, HRBFNPR_WORDING_...; default FIELDS */
   wording?: WordingName | number;
-  /** the name of a preset, in place of its number; NULL */
+  /** name of a preset, in place of its number; default NULL */
   styleName?: string;
   /**
-   * used as it is, with lengths in pixels of this picture; NULL. `preset` then says which layers of marks there
-   * are
+   * a style to use as it is, with lengths in pixels of this picture; default NULL. `preset` then says which layers
+   * of marks there are
    */
   style?: Style;
-  /** what this descriptor leaves at its defaults; kept; NULL */
+  /** settings for what this descriptor leaves at its defaults; the picture keeps them; default NULL */
   settings?: Settings;
-  /** a list; NULL and 0 */
+  /** a list of fields to change; default NULL */
   changes?: readonly Change[];
-  /** what is painted, a list; NULL and 0 */
+  /** a list of dabs that paint the surface; default NULL */
   dabs?: readonly Dab[];
   /**
-   * 1 .. 32768, with `height`; 0 = from `size`
+   * width of the drawing, in pixels, 1 .. 32768, given with `height`; default 0 = from `size`
    *
    * Size, in pixels.
    */
   width?: number;
+  /** height of the drawing, in pixels, 1 .. 32768, given with `width`; default 0 = from `size` */
   height?: number;
-  /** of the longer side, 1 .. 32768; the shorter one is as the object needs it; 0 = 1600 */
+  /**
+   * longer side of the drawing, in pixels, 1 .. 32768; the shorter side is as the object needs it; default 0 =
+   * 1600
+   */
   size?: number;
-  /** HRBFNPR_PICTURE_SIDES_...; AUTO */
+  /** sides on which marks are drawn, HRBFNPR_PICTURE_SIDES_...; default AUTO */
   sides?: PictureSidesName | number;
-  /** radius of the pen, which styles vary a little; 0 = an 800th of the longer side, at least 0.75 */
+  /**
+   * radius of the pen in pixels, which styles vary a little; 1e-6 .. 1e6; default 0 = an 800th of the longer side,
+   * at least 0.75
+   */
   pen?: number;
-  /** of contours; others are finer; 0 = that of the style */
+  /** width of contours, in pixels; other lines are finer; 1e-6 .. 1e6; default 0 = that of the style */
   lineWidth?: number;
   /**
-   * used as it is, with its viewport as size; NULL
+   * a camera to use as it is, with its viewport as the size; default NULL
    *
    * Camera.
    */
   camera?: Camera;
-  /** 0, 0, 0 = by the format and the shape, y where neither tells */
+  /** direction that is up; default 0, 0, 0 = by the format and the shape, or y where neither tells */
   up?: Numbers;
-  /** degrees, of the camera about the up axis; NaN = 30, and another where that sees the back of an open surface */
+  /**
+   * azimuth of the camera about the up axis, from the front to the right, in degrees; default NaN = 30, and
+   * another where that sees the back of an open surface
+   */
   azimuth?: number;
-  /** degrees, of the camera above the horizon; NaN = 20 */
+  /** elevation of the camera above the horizon, in degrees; default NaN = 20 */
   elevation?: number;
-  /** from the eye into the scene, in place of these two; 0, 0, 0 = not given */
+  /** direction from the eye into the scene, in place of azimuth and elevation; default 0, 0, 0 = not given */
   direction?: Numbers;
-  /** place of the eye, which looks at `target`; NaN = not given */
+  /** place of the eye, which looks at `target`; default NaN = not given */
   eye?: Numbers;
-  /** NaN = the middle of the model */
+  /** place that the eye looks at; default NaN = the middle of the model */
   target?: Numbers;
-  /** degrees, vertical angle of view, 0 = orthographic; NaN = 30, 0 of the style archaeological */
+  /**
+   * vertical angle of view, in degrees, 0.01 .. 179; 0 = orthographic; default NaN = 30, or 0 in the style
+   * archaeological
+   */
   fov?: number;
-  /** share that is free on each side, 0 .. 0.45; NaN = 0.05 */
+  /** share of the picture that is free on each side, 0 .. 0.45; default NaN = 0.05 */
   margin?: number;
-  /** degrees, of an orbit that starts here: the picture has room for all of it; 0 = a still */
+  /**
+   * angle of an orbit that starts here, in degrees; the picture has room for all of it; default 0 = a still
+   * picture
+   */
   turn?: number;
-  /** of that orbit, 1 and more; 36 */
+  /** number of frames of that orbit, 1 .. 1000000; default 36 */
   turnFrames?: number;
   /**
-   * HRBFNPR_NORMALS_...: what is known of those of points; AUTO
+   * what is known of the normals of points, HRBFNPR_NORMALS_...; default AUTO
    *
    * From the source to a surface.
    */
   normals?: NormalsName | number;
-  /** of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096 */
+  /**
+   * number of samples of a mesh, or chosen from points, 0 .. 1e9; default 0 = as many as a mesh needs, and of
+   * points all up to 4096
+   */
   samples?: number;
-  /** units of the source: samples are chosen until all is this near; 0 = 0.002 diagonals of a mesh, none of points */
+  /**
+   * samples are chosen until the surface is this near to the mesh, or to all points, in units of the source; 0 or
+   * more; default 0 = 0.002 diagonals for a mesh, and no such end for points
+   */
   tolerance?: number;
-  /** the most samples that are chosen; 0 = 8000 of a mesh, no limit of points */
+  /** the most samples that are chosen, 0 or more; default 0 = 8000 for a mesh, and no limit for points */
   maximumCentres?: number;
-  /** HRBFNPR_PARTS_...: of a mesh; OUTER */
+  /** parts of a mesh that are kept, HRBFNPR_PARTS_...; default OUTER */
   parts?: PartsName | number;
-  /** HRBFNPR_PICTURE_EDGES_...: of a mesh; AS_GIVEN */
+  /** edges of a mesh that are sharp, HRBFNPR_PICTURE_EDGES_...; default AS_GIVEN */
   edges?: PictureEdgesName | number;
-  /** degrees, 5 .. 175: of EDGES_SHARP; 30 */
+  /**
+   * angle between the normals of two faces, in degrees, above which their edge is sharp, with EDGES_SHARP; 5 ..
+   * 175; default 30
+   */
   edgeAngle?: number;
-  /** degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; NaN = 60 */
+  /**
+   * angle between the normals of two faces, in degrees, above which they do not share corner normals; 0 .. 180;
+   * default NaN = 60
+   */
   creaseAngle?: number;
   /**
-   * how often faces are divided into four towards something round, 0 .. 6; -1 = where they are coarse and no edges
-   * stand out
+   * how often faces are divided into four towards a round surface, 0 .. 6; default -1 = where faces are coarse and
+   * no edges stand out
    */
   subdivide?: number;
-  /** HRBFNPR_PROFILE_...; AUTO */
+  /** whether a section is drawn beside the drawing, HRBFNPR_PROFILE_...; default AUTO */
   profile?: ProfileName | number;
-  /** where the scanner stood: open surfaces without normals look to it; NaN = as the source tells */
+  /** place where the scanner stood, to which open surfaces without normals look; default NaN = as the source says */
   viewpoint?: Numbers;
   /**
-   * factor of the width over which the image of a depth camera is smoothed; 0 leaves its points where they are;
-   * NaN = 1
+   * factor of the width over which the image of a depth camera is smoothed, 0 .. 100; 0 leaves its points where
+   * they are; default NaN = 1
    */
   depthSmoothing?: number;
-  /** of all that is random; 1 */
+  /** seed of all random numbers; default 1 */
   randomSeed?: number;
   /**
-   * kinds of layers with commas between, "stipples,hatch"; NULL = those of the style
+   * kinds of layers of marks with commas between, such as "stipples,hatch"; default NULL = those of the style
    *
    * Marks, lines, and what stands beside the drawing.
    */
   markKinds?: string;
-  /** n x 3: where marks of PUBLISHED start; not given */
+  /**
+   * points where marks of the published method start; n x 3, FLOAT32 or FLOAT64; not given = by seed_source of
+   * hrbfnpr_generate_desc
+   */
   seedPoints?: ArrayInput;
-  /** degrees by which all lines of hatching are turned; 0 */
+  /** angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0 */
   hatchAngle?: number;
   /**
-   * kinds with commas between: contour, suggestive, ridges, valleys, apparent, parabolic, isophotes=0.3:0.6,
-   * section=z:20, border, crease; "none": contours by marks; NULL = those of the style
+   * kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
+   * isophotes=0.3:0.6, section=z:20, border, crease; "none" = no lines, so that contours are drawn by marks with
+   * VISIBILITY_PUBLISHED only; default NULL = those of the style
    */
   lines?: string;
   /**
-   * the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style archaeological, else
-   * "none"
+   * unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the style archaeological,
+   * else "none"
    */
   scaleBar?: string;
-  /** NULL; called for as long as the picture lives */
+  /** gets events for as long as the picture lives; default NULL */
   onEvent?: PictureEventFn;
 }
 
 /**
- * What is not known of this kind of source is 0, and so is what would have been found out after the finding that
- * it
- * cannot be drawn.
+ * What a source holds.  A field that does not apply to the kind of source is 0.  If the source cannot be drawn,
+ * fields
+ * that were not examined any more are 0.
  */
 export interface SourceInfo {
-  /** HRBFNPR_SOURCE_KIND_... */
+  /** kind of the source, HRBFNPR_SOURCE_KIND_... */
   readonly kind: SourceKindName | number;
   /**
-   * HRBFNPR_SEVERITY_... of the worst finding: INFO = there is none, NOTE = a picture repairs it, WARNING, FAILURE
-   * = it cannot be drawn
+   * severity of the worst finding, HRBFNPR_SEVERITY_...: INFO = no finding; NOTE = a picture repairs it; WARNING =
+   * something is wrong; FAILURE = it cannot be drawn
    */
   readonly severity: SeverityName | number;
-  /** HRBFNPR_NORMALS_LOOK_...: of points or faces */
+  /** which way the normals of points or faces look, HRBFNPR_NORMALS_LOOK_... */
   readonly normalsLook: NormalsLookName | number;
-  /** as given; vertices of a mesh, centres of a model, marks of a point set */
+  /** points as given: points, vertices of a mesh, centres of a model, marks of a point set */
   readonly points: number;
-  /** as given */
+  /** triangles as given */
   readonly triangles: number;
-  /** points at a value that stands for none; what follows is without them */
+  /** points at a value that means "no data"; all fields below leave them out */
   readonly noData: number;
-  /** points far from all others; what follows is without them */
+  /** points far from all others; all fields below leave them out */
   readonly strays: number;
+  /** points without a finite position */
   readonly pointsNotFinite: number;
   /** points, or vertices of faces, at the place of another */
   readonly duplicates: number;
-  /** of finite points */
+  /** least coordinates of the finite points */
   readonly boundsMin: Numbers;
+  /** greatest coordinates of the finite points */
   readonly boundsMax: Numbers;
-  /** of these bounds */
+  /** diagonal of these bounds */
   readonly diagonal: number;
-  /** that a picture chooses by itself, of points and meshes; the reason is at the end */
+  /** direction that a picture chooses as up, for points and meshes; up_reason says why */
   readonly up: Numbers;
   /**
-   * 1: there are some that are not zero
+   * 1: some normals are given that are not zero
    *
-   * Normals of points; looks_down, normals_closed and normals_flipped_share of faces, too.
+   * Normals of points. looks_down, normals_closed and normals_flipped_share are set for faces, too.
    */
   readonly hasNormals: number;
-  /** 1: the points lie along curves, as those of wires and cross sections */
+  /** 1: the points lie along curves, such as wires or cross sections */
   readonly alongCurves: number;
-  /** a terrain looks down along an axis: 1 = y, 2 = z; 0 = it does not, or is none */
+  /** axis along which a terrain looks down: 1 = y, 2 = z; 0 = it does not, or is no terrain */
   readonly looksDown: number;
+  /** normals that are zero */
   readonly normalsZero: number;
+  /** normals that are not finite */
   readonly normalsNotFinite: number;
-  /** of length 1, of those that can be used; 0 .. 1 */
+  /** share of the usable normals that have length 1, 0 .. 1 */
   readonly normalsUnitShare: number;
   /**
-   * sum of the winding numbers on both sides of the samples, in the middle: 1 closed and outward, -1 inward, 0 a
-   * flat sheet; not of points along curves
+   * median over the samples of the sum of the winding numbers on both sides: 1 = closed and outward, -1 = inward,
+   * 0 = a flat sheet; 0 for points along curves
    */
   readonly normalsClosed: number;
-  /** judged by neighbours; not of points along curves */
+  /** share of the normals that look flipped beside their neighbours, 0 .. 1; 0 for points along curves */
   readonly normalsFlippedShare: number;
   /**
    * pixels that have a point
    *
-   * The picture of a depth camera that has no normals.
+   * The image of a depth camera, if it has no normals.
    */
   readonly imageSeen: number;
-  /** of these, on no surface */
+  /** pixels among these that lie on no surface */
   readonly imageDropped: number;
-  /** median of those that were seen */
+  /** median depth of the pixels that have a point */
   readonly imageDepth: number;
-  /** standard deviation at that depth */
+  /** standard deviation of the depth, at that depth */
   readonly imageNoise: number;
   /**
    * 1: each edge has two faces, which run along it in opposite directions
    *
-   * A mesh, as given but for vertices at the same place, which are joined.
+   * A mesh as it was given, except that vertices at the same place are joined.
    */
   readonly closed: number;
-  /** 1: it is closed, and its faces look inward */
+  /** 1: the mesh is closed, and its faces look inward */
   readonly insideOut: number;
   /** parts that share no vertex */
   readonly components: number;
-  /** parts without border whose faces look inward; inside another one it is a cavity */
+  /** parts without a border whose faces look inward; inside another part it is a cavity */
   readonly componentsInsideOut: number;
-  /** of one face */
+  /** edges with one face */
   readonly boundaryEdges: number;
   /** borders */
   readonly boundaryLoops: number;
-  /** of more than two faces */
+  /** edges with more than two faces */
   readonly nonmanifoldEdges: number;
-  /** what hrbfnpr_mesh_create leaves of them */
+  /** edges among these that hrbfnpr_mesh_create cannot mend */
   readonly nonmanifoldLeft: number;
-  /** of two faces, one of which is turned over */
+  /** edges with two faces, one of which is turned over */
   readonly contraryEdges: number;
-  /** with a corner that is not finite */
+  /** faces with a corner that is not finite */
   readonly facesNotFinite: number;
-  /** without area */
+  /** faces without area */
   readonly degenerateFaces: number;
-  /** with the corners of another */
+  /** faces with the same corners as another */
   readonly repeatedFaces: number;
-  /** of no face */
+  /** vertices of no face */
   readonly unusedVertices: number;
+  /** area, in squared units of the source */
   readonly area: number;
-  /** enclosed; 0 where the mesh is not closed */
+  /** enclosed volume, in cubed units of the source; 0 if the mesh is not closed */
   readonly volume: number;
-  /** "it is so in PLY files"; "" = up is not known */
+  /** reason for `up`, such as "it is so in PLY files"; "" = up is not known */
   readonly upReason: string;
 }
 
+/** What a picture is made of. */
 export interface PictureInfo {
-  /** HRBFNPR_PRESET_... */
+  /** named style as used, HRBFNPR_PRESET_... */
   readonly preset: PresetName | number;
-  /** surfaces, or 1 of a point set */
+  /** number of surfaces; 1 for a point set */
   readonly parts: number;
-  /** of all parts */
+  /** marks of all parts */
   readonly marks: number;
+  /** number of notes, for hrbfnpr_picture_get_note */
   readonly notes: number;
+  /** number of stages that have ended, for hrbfnpr_picture_get_stage */
   readonly stages: number;
-  /** pixels, of the drawing */
+  /** width of the drawing, in pixels; 0 with SURFACE_ONLY */
   readonly width: number;
+  /** height of the drawing, in pixels; 0 with SURFACE_ONLY */
   readonly height: number;
-  /** of all parts */
+  /** least coordinates of all parts */
   readonly boundsMin: Numbers;
+  /** greatest coordinates of all parts */
   readonly boundsMax: Numbers;
-  /** as used */
+  /** direction that is up, as used */
   readonly up: Numbers;
-  /** radius, pixels, as used */
+  /** radius of the pen as used, in pixels */
   readonly pen: number;
-  /** that it took to make */
+  /** time that it took to make the picture */
   readonly seconds: number;
 }
 
-/** One surface: handles without references of their own, valid while the picture lives. */
+/**
+ * One surface of a picture.  Its handles are valid while the picture lives; the caller retains those that it
+ * keeps
+ * longer.
+ */
 export interface PicturePart {
-  /** HRBFNPR_SIDES_... as used */
+  /** sides on which marks are drawn, as used, HRBFNPR_SIDES_... */
   sides?: SidesName | number;
-  /** NULL of a point set */
+  /** its model; NULL for a point set */
   model?: Model;
-  /** NULL with SURFACE_ONLY */
+  /** its marks; NULL with SURFACE_ONLY */
   pointSet?: PointSet;
-  /** NULL without lines */
+  /** its lines; NULL without lines */
   lineSet?: LineSet;
-  /** of a mesh, as it was fitted to; else NULL */
+  /** the mesh that it was fitted to; NULL for other sources */
   mesh?: Mesh;
 }
 
-/** On which paper a drawing is written, and with which pens. */
+/** The paper and the pens with which a drawing is written. */
 export interface PicturePageDesc {
   /**
-   * format, flags, tolerance, speeds, pens and the like; its items, annotations and size are set by this call, and
-   * its title, description and metadata where they are NULL; NULL = its defaults
+   * format, flags, tolerance, speeds, pens and the like; default NULL = its defaults. The call sets items,
+   * annotations and size, and title, description and metadata where they are NULL
    */
   page?: PageDesc;
   /**
-   * "a0" .. "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it, turned as it fits
-   * better; NULL = a pixel is 25.4 / 96 mm
+   * paper that the drawing fills, turned as it fits better: "a0" .. "a6", "letter", "legal", "tabloid", or width
+   * and height in mm, such as "210x297"; default NULL = a pixel is 25.4 / 96 mm
    */
   paper?: string;
-  /** mm, free on each side of the paper; 10 */
+  /** free margin on each side of the paper, in mm; 0 or more; default 10 */
   paperMargin?: number;
   /**
-   * FLOAT64, 1, mm, ascending: of the pens at hand; each group gets that which is nearest to its lines' median
-   * width; not given
+   * widths of the pens at hand, in mm, ascending; n x 1, FLOAT64; not given = `page` says. Each group gets the pen
+   * nearest to the median width of its lines
    */
   penWidths?: ArrayInput;
 }
 
-/** Texts are UTF-8 and are read during the call only. */
+/** A sheet of views.  Texts are UTF-8, and are read during the call only. */
 export interface ViewsDesc {
-  /** HRBFNPR_VIEWS_...; 0 */
+  /** HRBFNPR_VIEWS_...; default 0 */
   flags?: number;
-  /** HRBFNPR_VIEWS_ANGLE_...; FIRST */
+  /** where views stand, HRBFNPR_VIEWS_ANGLE_...; default FIRST */
   projection?: ViewsAngleName | number;
-  /** HRBFNPR_VIEWS_HIDDEN_...; DASHED */
+  /** how hidden edges are drawn, HRBFNPR_VIEWS_HIDDEN_...; default DASHED */
   hidden?: ViewsHiddenName | number;
   /**
-   * names with commas between: front, back, left, right, top, bottom, iso; each is drawn once. NULL =
-   * "front,left,top,iso", with ANGLE_THIRD "front,right,top,iso"
+   * names of views with commas between: front, back, left, right, top, bottom, iso; each is drawn once; default
+   * NULL = "front,left,top,iso", or "front,right,top,iso" with ANGLE_THIRD
    */
   views?: string;
   /**
-   * planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y = 5. An axis
-   * without a sign is seen from the front, from above or from the side that is drawn; "+z:20" from above, "-z:20"
-   * from below. They are called A-A, B-B, ...; NULL = none
+   * cutting planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y = 5;
+   * default NULL = none. "+z:20" is seen from above and "-z:20" from below. An axis without a sign is seen from
+   * the front, from above, or from the side that is drawn. Sections are called A-A, B-B and so on
    */
   sections?: string;
   /**
-   * "a0" .. "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm; "auto" = the
-   * smallest of a4 to a0 that has room at the scale, a3 where the scale is "auto", too; NULL = "auto"
+   * paper: "a0" .. "a6", "letter", "legal" or "tabloid", in landscape format, or width and height in mm, such as
+   * "297x210"; default NULL = "auto" = the smallest of a4 to a0 that has room at the scale, or a3 if the scale is
+   * "auto", too
    */
   paper?: string;
   /**
-   * "1:2" = half as large as it is; "auto" = the largest of 1, 2 and 5 times a power of ten [ISO 5455] that has
-   * room on the paper; NULL = "auto"
+   * scale, such as "1:2" for half the size; default NULL = "auto" = the largest of 1, 2 and 5 times a power of ten
+   * that has room on the paper [ISO 5455]
    */
   scale?: string;
   /**
-   * thin lines where the surface bends without an edge: kinds with commas between, ridges, valleys, suggestive;
-   * "none"; NULL = "none"
+   * thin lines where the surface bends without an edge, as kinds with commas between: ridges, valleys, suggestive;
+   * default NULL = "none"
    */
   smooth?: string;
-  /** in the title block; NULL or "" = `model` without the ending of its name */
+  /** title in the title block; default NULL; NULL and "" = `model` without the ending of its name */
   title?: string;
-  /** the file's name, in the title block; NULL or "" = the name of the picture's source */
+  /** name of the file in the title block; default NULL; NULL and "" = the name of the picture's source */
   model?: string;
-  /** mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE */
+  /** mm of a unit of the model, above 0, up to 1e9; default 0 = 1, or 1000 with UNIT_IS_METRE */
   unitMm?: number;
-  /** degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30. Larger: fewer edges */
+  /**
+   * angle between two faces of a mesh, in degrees, above which their edge is sharp; above 0, up to 1e9; default
+   * 30. Larger: fewer edges
+   */
   creaseAngle?: number;
-  /** mm, 0.01 .. 1000: of outlines; thin lines are half as wide; 0.5 */
+  /** width of outlines, in mm; thin lines are half as wide; 0.01 .. 1000; default 0.5 */
   lineWidth?: number;
-  /** mm, 0.01 .. 1000: between the lines in cut faces; 3 */
+  /** distance between the lines in cut faces, in mm; 0.01 .. 1000; default 3 */
   hatchSpacing?: number;
-  /** mm, > 0: free between views; 15 */
+  /** free space between views, in mm; above 0, up to 1e9; default 15 */
   spacing?: number;
   /**
-   * format, flags, tolerance, speeds and the like; its items, annotations, pens and size are set by this call, and
-   * its title and description where they are NULL; NULL = its defaults with a tolerance of 0.02
+   * format, flags, tolerance, speeds and the like; default NULL = its defaults with a tolerance of 0.02. The call
+   * sets items, annotations, pens and size, and title and description where they are NULL
    */
   page?: PageDesc;
 }
 
-/** What was drawn. */
+/** The sheet that was written. */
 export interface ViewsInfo {
-  /** sections are among them */
+  /** number of views and sections */
   readonly views: number;
-  /** that were written */
+  /** bytes that were written */
   readonly bytes: number;
-  /** mm, of the page */
+  /** width of the page, in mm */
   readonly width: number;
-  /** mm, of the page */
+  /** height of the page, in mm */
   readonly height: number;
-  /** 0.5 of 1:2 */
+  /** scale as a number: 0.5 for 1:2 */
   readonly scale: number;
   /** mm of a unit of the model, as used */
   readonly unitMm: number;
-  /** "1:2" */
+  /** scale in words, such as "1:2" */
   readonly scaleText: string;
-  /** "a3", "297 x 210" */
+  /** paper, such as "a3" or "297 x 210" */
   readonly paper: string;
 }
 

@@ -145,28 +145,33 @@
 //! are made in one way and drawn in one style.  The number of a layer is its place
 //! in the list, from 0.  The marks of some layers form strokes.
 //!
-//! # LINE SET: what the lines of a surface are drawn from, immutable
+//! # LINE SET: the lines of a model's surface; immutable
 //!
-//! Contours as curves, traced on the surface itself for every camera, with a
-//! visibility that is counted and checked (Appel 1967, quantitative
-//! invisibility; Benard & Hertzmann 2019).  A line set is made once for a model;
-//! an item that has one, and a style with lines, is drawn with curves in the
-//! place of contour marks.
+//! A line set holds what the lines of one model are drawn from, for every camera.  Contours
+//! are traced as curves on the
+//! surface itself.  Their visibility is counted and checked (Appel 1967, quantitative
+//! invisibility; Benard & Hertzmann
+//! 2019).  Make a line set once for a model and give it to hrbfnpr_item.line_set.  An item
+//! that has a line set, and a
+//! style that lists `lines`, is drawn with curves.  The method is described in docs/lines.md.
 //!
 //! # RENDERER: from items and a camera to a drawing [NPAR 6]
 //!
-//! A renderer is the scratch of one thread.  It keeps a few of its last drawings
-//! and makes the next one in the memory of one that nobody else holds: a program
-//! that releases each drawing before it asks for the next but one allocates
-//! nothing once warm.  The last drawing's point sets live until the next is made,
-//! or the renderer is released.
+//! A renderer is the scratch memory of one thread.  It keeps a few of its last drawings, and
+//! makes the next one in the
+//! memory of a drawing that no one else holds.  So a program that releases each drawing
+//! before it makes the next but one
+//! allocates nothing after a few frames, unless lines are drawn.  The point sets of the last
+//! drawing stay alive until
+//! the next one is made or the renderer is released.
 //!
-//! # DRAWING: a picture as a value, immutable
+//! # DRAWING: a picture as a value; immutable
 //!
-//! A drawing is dots and strokes in window coordinates, in layers of one ink and
-//! one class each.  A mark's id is 1 + its running number, counted over items
-//! and layers in order.  All that reads a drawing may run on several threads at
-//! the same time; what memory it needs for that, the context keeps for the next.
+//! A drawing holds dots and strokes in window coordinates.  They are in layers of one ink and
+//! one class each.  The id of
+//! a mark is 1 + its number, counted over items and their layers in order.  All functions
+//! that read a drawing may run on
+//! several threads at the same time.  The context keeps the memory that they need, for the next call.
 //!
 //! ---- As an image ----------------------------------------------------------
 //!
@@ -176,40 +181,52 @@
 //!
 //! ---- Picking ---------------------------------------------------------------
 //!
-//! # MESH: triangles as they come, made usable; samples, fits and errors by it
+//! # MESH: triangles, repaired; samples, fits and comparisons
 //!
-//! A mesh is immutable.  Making one repairs what can be repaired, and counts it:
-//! vertices in exactly the same place are joined, triangles without area and
-//! repeated ones left out, unused vertices dropped; of each component the faces
-//! are turned to agree, and a closed one that is inside out is turned whole.
+//! A mesh is immutable.  Making one repairs what can be repaired, and counts the repairs:
+//! vertices at exactly the same
+//! place are joined; triangles without area and repeated triangles are left out; unused
+//! vertices are dropped; the faces
+//! of each component are turned to agree; and a closed component that is inside out is turned
+//! as a whole.
 //!
 //! # PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
 //!
-//! A page holds drawings, each at its place and scale, and texts and lines beside
-//! them.  Its unit is the millimetre, from the top-left corner, y down.  Strokes are
-//! cubic Bezier curves within a tolerance of the drawing's [Schneider 1990], or for
-//! plotters straight lines within it.
+//! A page holds drawings, each at its place and scale, and texts and lines beside them.  Its
+//! unit is the millimetre,
+//! from the top-left corner, y down.  Strokes become cubic Bezier curves within a tolerance
+//! of the drawing's lines
+//! [Schneider 1990].  For plotters they become straight lines within that tolerance.
 //!
-//! Ink stands in named groups, the layers of a file: of marks the layer's name in
-//! its point set, such as "stipples" or "hatch-2"; of lines "contour", "suggestive",
-//! "ridge", "valley", "apparent ridge", "parabolic", "isophote", "section", "border",
-//! or the name of own ones.  What is behind n layers of surface has " hidden n" at its end, a second
-//! layer of the same name " 2".  Groups follow the layers of the drawing, hidden ones
-//! before the others; in a group strokes stand far to near.  Where inks of several
-//! colours lie upon each other groups begin anew, with ", run 2" behind their names,
-//! and so on up to 32, so that all is painted far to near there, as the raster does;
-//! not in plot order, where each pen is taken up once.  Pens go by names without that.
-//! The bytes are the same for every thread count and locale.
+//! Ink is in named groups, the layers of a file.  The group of a layer of marks has that
+//! layer's name, such as
+//! "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge",
+//! "valley", "apparent ridge",
+//! "parabolic", "isophote", "section", "border", "crease", or have the name of lines of kind
+//! OWN.  Ink behind n layers
+//! of surface has " hidden n" at the end of its name.  A second layer of the same name has " 2".
+//!
+//! Groups follow the layers of the drawing, hidden ones first.  In a group strokes are in
+//! order from far to near.  Where
+//! inks of several colours lie on each other, groups begin anew with ", run 2" at the end of
+//! their names, up to 32 runs,
+//! so that all ink is painted from far to near there.  In plot order there is one run, so
+//! that each pen is taken up
+//! once.  Names of pens do not include the run.
+//!
+//! The bytes of a page are the same for every thread count and locale.
 //!
 //! # PICTURE: from any source to a drawing in one call
 //!
-//! A picture chooses what a user leaves open: repairs, samples, the fit, where the
-//! surface ends, which way is up, the camera, the size of the pen, how many marks
-//! there are, and which lines are drawn.  It is made of the calls of the sections
-//! above, and each part of it can be taken out and used by them.
+//! A picture chooses what a user leaves open: repairs, samples, the fit, where the surface
+//! ends, which way is up, the
+//! camera, the size of the pen, the number of marks, and the lines.  It is made by the calls
+//! of the sections above, and
+//! each of its parts can be taken out for these calls.
 //!
-//! Every choice that a user may want to know is a note: a code, its figures and a
-//! sentence.  A picture keeps its notes and the seconds of its stages.
+//! Each choice that a user may want to know is a note: a code, its figures and a sentence.  A
+//! picture keeps its notes,
+//! and the seconds of its stages. docs/pictures.md shows how to make pictures.
 //!
 //! ---- What is drawn ----------------------------------------------------------
 //!
@@ -225,23 +242,28 @@
 //!
 //! ---- Settings: a descriptor as JSON ---------------------------------------------
 //!
-//! # VIEWS: technical drawings on a sheet, to scale
+//! # SHEETS: technical drawings in several views, to scale
 //!
-//! A sheet has orthographic views of a model, and sections, with the line conventions
-//! of ISO 128: outlines are thick, hidden edges thin and dashed, cut faces hatched.
-//! Views stand around the front view [ISO 5456-2], sections follow at the right, or
-//! below if they are seen from above.  Where lines coincide one is drawn: outlines of
-//! cuts before visible edges, then hidden ones, then smooth ones [ISO 128-2].  The
-//! sheet has a frame [ISO 5457], a title block [ISO 7200] without a date, a scale bar,
-//! and arrows and letters where it is cut [ISO 128-3].
+//! A sheet has orthographic views and sections of a model, with the line conventions of ISO
+//! 128: outlines are thick,
+//! hidden edges are thin and dashed, cut faces are hatched.  Views stand around the front
+//! view [ISO 5456-2].  Sections
+//! follow at the right, or below if they are seen from above.  Where lines coincide, the
+//! first in this order is drawn:
+//! outlines of cuts, visible edges, hidden edges, smooth edges [ISO 128-2].  The sheet has a
+//! frame [ISO 5457], a title
+//! block [ISO 7200] without a date, a scale bar, and arrows and letters at each cutting plane
+//! [ISO 128-3].
 //!
-//! The model stands along the up axis of its picture; its front is +z, or -y where z
-//! is up.  Contours and outlines of cuts are curves of the surface.  Sharp edges are
-//! those of the model, or of the mesh that it was fitted to.
+//! The model stands along the up axis of its picture.  Its front is +z, or -y where z is up.
+//! Contours and outlines of
+//! cuts are curves of the surface.  Sharp edges are those of the model, or of the mesh that
+//! it was fitted to.
 //!
-//! Layers of the page have the name of their kind of lines and of their view: "outlines
-//! front", "hidden top", "hatching A-A".  Of plotters, pen 1 is the wide one, pen 2 the
-//! fine one.
+//! Layers of the page have the name of their kind of lines and of their view, such as
+//! "outlines front", "hidden top" or
+//! "hatching A-A".  For plotters, pen 1 is the wide pen and pen 2 the fine one.
+//! docs/technical.md shows sheets.
 #![no_std]
 #![allow(non_camel_case_types)]
 #![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
@@ -2487,118 +2509,141 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 8  LINE SET: what the lines of a surface are drawn from, immutable
+// 8  LINE SET: the lines of a model's surface; immutable
 
+/// The lines of one model.
 #[repr(C)]
 pub struct hrbfnpr_line_set {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-// Kinds of lines.  Those marked "once" are found when a line set is made, for each element
-// of its list; the others
-// with every drawing.  Strengths have no unit: lengths are in diagonals of the model.
-/// occluding contours: the line of sight is tangent to the surface
+// Kinds of lines.  Kinds marked "once" are found when the line set is made, for each element of
+// hrbfnpr_line_set_desc.lines.  BORDER and CREASE are found then, too, without an element.
+// All others are found for
+// every drawing.  The strength says how marked a line is at a place.  It has no unit,
+// because lengths are measured in
+// diagonals of the model.  Kinds marked WITH_CURVATURE need a line set with that flag.
+/// occluding contours: the line of sight is tangent to the surface there
 pub const HRBFNPR_LINE_KIND_CONTOUR: u32 = 1;
-/// where a contour would appear soon; strength: the derivative of the radial curvature
-/// towards the eye; WITH_CURVATURE [DeCarlo 2003]
+/// curves that become contours in a nearby view; WITH_CURVATURE. Strength: the derivative of
+/// the radial curvature towards the eye [DeCarlo et al. 2003]
 pub const HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR: u32 = 2;
-/// once; strength: curvature across the ridge less that along it [Ohtake, Belyaev & Seidel 2004]
+/// convex ridges; once. Strength: the curvature across the ridge minus the absolute value of
+/// the one along it [Ohtake, Belyaev & Seidel 2004]
 pub const HRBFNPR_LINE_KIND_RIDGE: u32 = 3;
-/// once; the same
+/// concave valleys; once. The strength is that of ridges
 pub const HRBFNPR_LINE_KIND_VALLEY: u32 = 4;
-/// strength: view-dependent curvature; WITH_CURVATURE [Judd 2007]
+/// extrema of the view-dependent curvature, which is also the strength; WITH_CURVATURE [Judd,
+/// Durand & Adelson 2007]
 pub const HRBFNPR_LINE_KIND_APPARENT_RIDGE: u32 = 5;
-/// once; Gaussian curvature 0
+/// curves of Gaussian curvature 0; once
 pub const HRBFNPR_LINE_KIND_PARABOLIC: u32 = 6;
-/// n . l = the levels of the style, l its light; WITH_CURVATURE
+/// curves on which n . l is one of the line style's `levels`, n the normal and l the
+/// direction to the style's light; WITH_CURVATURE
 pub const HRBFNPR_LINE_KIND_ISOPHOTE: u32 = 7;
-/// once; parallel planes
+/// cuts of the surface by parallel planes; once
 pub const HRBFNPR_LINE_KIND_SECTION: u32 = 8;
-/// where the surface ends: at the search box, or beyond the last samples
+/// curves where the surface ends: at the search box, or beyond the last samples
 /// (hrbfnpr_line_set_desc.support)
 pub const HRBFNPR_LINE_KIND_BORDER: u32 = 9;
-/// once; polylines of the caller, such as creases of a mesh
+/// polylines of the caller, such as creases of a mesh; once
 pub const HRBFNPR_LINE_KIND_OWN: u32 = 10;
-/// where smooth sheets of the surface meet, of models that have such edges; found with the
-/// line set, in no list. Strength: the angle between the sheets' normals, degrees. Where one
-/// of them faces the eye and the other does not, a crease is a part of the CONTOUR and drawn
-/// as that
+/// edges and grooves in which smooth sheets of the surface meet, in models that have them.
+/// Strength: the angle between the normals of both sheets, in degrees. Where one sheet faces
+/// the eye and the other faces away, the crease is part of the CONTOUR and is drawn as
+/// CONTOUR
 pub const HRBFNPR_LINE_KIND_CREASE: u32 = 11;
 
-/// Lines to find once.
+/// Lines to find once, when the line set is made.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; RIDGE
+    /// HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; default RIDGE
     pub kind: u32,
-    /// up to 63 bytes of UTF-8, for styles; NULL = ""
+    /// name by which hrbfnpr_line_style.name selects these lines; UTF-8, up to 63 bytes; default NULL = ""
     pub name: *const c_char,
-    /// lines go on while their strength is at least `lower` ...
+    /// least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are
+    /// 0, it is 6 for ridges and valleys, and 0 for other kinds
     pub lower: f64,
-    /// ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of
-    /// ridges and valleys, 0 and 0 else
+    /// strength that a line must reach somewhere, or it is dropped; not below `lower`; default 0.
+    /// If `lower` and `upper` are 0, it is 15 for ridges and valleys, and 0 for other kinds
     pub upper: f64,
-    /// shorter ones are dropped, in diagonals; 0.01
+    /// length below which a line is dropped, in diagonals; 0 or more; default 0.01
     pub shortest: f64,
-    /// of SECTION: normal of the planes, of any length; (0, 0, 1)
+    /// SECTION: normal of the planes, of any length but 0; default (0, 0, 1)
     pub plane: [f64; 3],
-    /// of SECTION: FLOAT64, 1: where the planes are, along the unit normal
+    /// SECTION: places of the planes along the unit normal, in units of the model; n x 1, FLOAT32
+    /// or FLOAT64; at least one
     pub levels: hrbfnpr_array,
-    /// of OWN: FLOAT32 or FLOAT64, 3: on the surface or near it
+    /// OWN: points of all lines, on the surface or near it; n x 3, FLOAT32 or FLOAT64
     pub position: hrbfnpr_array,
-    /// of OWN: UINT32, 1: the first position of each line, ascending, and the end; one whose last
-    /// position is its first is closed
+    /// OWN: number of the first position of each line, ascending, then the end of the last line;
+    /// n x 1, UINT32. A line whose last position equals its first is closed
     pub line_first: hrbfnpr_array,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_line_desc_init(desc: *mut hrbfnpr_line_desc, struct_size: u32) -> hrbfnpr_status;
 }
 
-/// measure curvatures and their derivatives, for kinds that need them with every drawing
+// What a line set measures.
+/// measures curvatures and their derivatives, which suggestive contours, apparent ridges and
+/// isophotes need
 pub const HRBFNPR_LINE_SET_WITH_CURVATURE: u32 = 1;
 
+/// How a line set is made.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_set_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_SET_WITH_...; 0
+    /// HRBFNPR_LINE_SET_WITH_...; default 0
     pub flags: u32,
-    /// of the mesh on which curves are looked for, units of the model; 0 = half the samples'
-    /// spacing, and finer where walls are thin. Loops that are smaller, and walls that are
-    /// thinner than 1.75 cells, may be missed
+    /// side of the cells in which curves are searched, in units of the model; 0 or more; default
+    /// 0 = half the samples' spacing, and finer where walls are thin. Loops smaller than a cell
+    /// and walls thinner than 1.75 cells may be missed
     pub cell_size: f64,
-    /// FLOAT32 or FLOAT64, 3: near each part of the surface; not given = the samples, or places
-    /// found in the bounds of a custom model
+    /// points near each part of the surface, where the search begins; n x 3, FLOAT32 or FLOAT64;
+    /// not given = the samples, or places found within the bounds of a custom model
     pub seed_points: hrbfnpr_array,
-    /// a list; NULL and 0
+    /// a list of lines to find once; default NULL
     pub lines: *const hrbfnpr_line_desc,
+    /// number of `lines`; default 0
     pub line_count: i64,
+    /// bytes from one element of `lines` to the next; default 0 = struct_size
     pub line_stride: i64,
-    /// where the surface ends for want of samples, as an open scan or a terrain does: where s(x),
-    /// as of hrbfnpr_trim_desc, exceeds this. Mesh, curves, and what hides them end there, and
-    /// the end is a border. 1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9,
-    /// and leaves larger holes closed. 0 = it ends at the search box only; 0 or more, 0
+    /// limit of s(x), as in hrbfnpr_trim_desc, beyond which the surface ends because samples are
+    /// missing, as in an open scan or a terrain; 0 or more; default 0 = the surface ends where
+    /// its model does: trimmed, or at the search box. The mesh and all curves end there, what
+    /// lies beyond hides nothing, and the end is a BORDER. 1.5 ends the surface about 0.7 sample
+    /// spacings beyond the last samples; 3 ends it about 0.9 spacings beyond them, and leaves
+    /// larger holes closed
     pub support: f64,
-    /// FLOAT32 or FLOAT64, 3: those samples; not given = the model's centres. All points of a
-    /// scan tell better where it ends than the centres chosen from them
+    /// samples that `support` is measured from; n x 3, FLOAT32 or FLOAT64; not given = the
+    /// model's centres. All points of a scan show where it ends better than the centres chosen
+    /// from them
     pub support_points: hrbfnpr_array,
-    /// FLOAT32 or FLOAT64, 3: of support_points, as many, of any length; not given = the
-    /// surface's own there
+    /// normals of support_points, as many, of any length but 0; n x 3, FLOAT32 or FLOAT64; not
+    /// given = normals of the surface there
     pub support_normals: hrbfnpr_array,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_line_set_desc_init(
         desc: *mut hrbfnpr_line_set_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// The line set keeps the model.  desc NULL = defaults.
-    /// Errors: INVALID_ARGUMENT (more than 4 000 000 triangles: a larger cell_size; a support
-    /// without samples),
-    /// NOT_CONVERGED (no surface was found, or none near its samples), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    /// Makes the line set of a model.  The line set keeps the model alive.  `desc` may be NULL
+    /// for the defaults, and
+    /// `operation` may be NULL.
+    /// Errors: INVALID_ARGUMENT (a field of `desc`; more than 4 000 000 triangles: give a larger
+    /// cell_size; a support
+    /// without samples), NOT_CONVERGED (no surface was found, or none near its samples),
+    /// OUT_OF_MEMORY, CANCELLED,
+    /// CALLBACK.
     pub fn hrbfnpr_line_set_create(
         context: *mut hrbfnpr_context,
         model: *const hrbfnpr_model,
@@ -2607,46 +2652,49 @@ extern "C" {
         out_line_set: *mut *mut hrbfnpr_line_set,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_line_set_retain(line_set: *const hrbfnpr_line_set);
-    /// any thread; NULL is ignored
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_line_set_release(line_set: *const hrbfnpr_line_set);
 }
 
+/// What making a line set found.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_set_info {
     pub struct_size: u32,
     pub reserved: u32,
-    /// of the mesh
+    /// triangles of the mesh on which curves are searched
     pub triangles: i64,
-    /// of these, triangles that look away from the surface: it is finer than the cells there, and
-    /// curves may be missed
+    /// triangles of that mesh that face away from the surface. The surface is finer than the
+    /// cells there, and curves may be missed
     pub turned: i64,
-    /// seeds that no triangle is near: a part of the surface is too thin for the cells
+    /// seeds that no triangle is near. A part of the surface is too thin for the cells there
     pub missed_seeds: i64,
-    /// that were found once, of all elements of the list
+    /// lines that were found once, for all elements of the list
     pub lines: i64,
     /// curves where the surface ends
     pub borders: i64,
-    /// as used
+    /// side of the cells as used, in units of the model
     pub cell_size: f64,
-    /// that it took to make
+    /// time that it took to make the line set
     pub seconds: f64,
-    /// kept
+    /// memory that the line set keeps
     pub bytes: i64,
-    /// the share of the area that was looked at that lies beyond the samples, 0 to 1; 0 without
-    /// support. Of a trimmed model little beyond its end is looked at: see its trim info
+    /// share of the examined area that lies beyond the samples, 0 .. 1; 0 without a support.
+    /// Little is examined beyond the end of a trimmed model: see its trim info
     pub left_out: f64,
-    /// curves where sheets of the surface meet, at any angle: from corner to corner, or closed
+    /// creases at any angle, each from corner to corner or closed
     pub creases: i64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_line_set_info_init(
         info: *mut hrbfnpr_line_set_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Gets what making a line set found.
     pub fn hrbfnpr_line_set_get_info(
         line_set: *const hrbfnpr_line_set,
         info: *mut hrbfnpr_line_set_info,
@@ -2656,33 +2704,38 @@ extern "C" {
 
 // 9  CAMERA AND STYLE: plain data
 
-// Range of window depth from near to far plane.
-/// clip space of OpenGL; written depth is 0 .. 1
+// How depth runs from the near plane to the far plane.
+/// clip depth from -1 to 1, as in OpenGL; window depth from 0 to 1
 pub const HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE: u32 = 0;
-/// Direct3D, Vulkan, Metal
+/// clip and window depth from 0 to 1, as in Direct3D, Vulkan and Metal
 pub const HRBFNPR_DEPTH_ZERO_TO_ONE: u32 = 1;
-/// 1 at the near plane, 0 at the far plane
+/// clip and window depth from 1 at the near plane to 0 at the far plane
 pub const HRBFNPR_DEPTH_REVERSED: u32 = 2;
 
+/// A camera: two matrices and a viewport.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_camera {
     pub struct_size: u32,
-    /// HRBFNPR_DEPTH_...; of `projection` and of depth buffers
+    /// depth of `projection` and of depth buffers, HRBFNPR_DEPTH_...; default NEGATIVE_ONE_TO_ONE
     pub depth_convention: u32,
-    /// world to eye, column-major; the eye looks along -z
+    /// world to eye, column-major, invertible; the eye looks along -z; default the identity
     pub view: [f64; 16],
-    /// eye to clip
+    /// eye to clip, column-major, invertible; default the identity
     pub projection: [f64; 16],
-    /// x, y of the top-left corner, width, height, in pixels
+    /// x and y of the top-left corner, width and height, in pixels; up to 1048576 each; default 0
+    /// x 0, which drawing refuses
     pub viewport: [f64; 4],
 }
 
 extern "C" {
-    /// Identity matrices, viewport 0 x 0 (which _draw refuses).
+    /// Sets struct_size, identity matrices and a viewport of 0 x 0.
     pub fn hrbfnpr_camera_init(camera: *mut hrbfnpr_camera, struct_size: u32) -> hrbfnpr_status;
-    /// Sets `view`: from eye towards target, up roughly along `up`; 3 doubles each.
-    /// INVALID_ARGUMENT if eye = target or up is parallel to the view.
+    /// Sets `view` so that the camera looks from `eye` towards `target`, with `up` roughly upward
+    /// in the picture; 3 doubles
+    /// each.
+    /// Errors: INVALID_ARGUMENT (eye and target are the same; `up` is 0 or parallel to the view;
+    /// a number is not finite).
     pub fn hrbfnpr_camera_look_at(
         camera: *mut hrbfnpr_camera,
         eye: *const f64,
@@ -2690,8 +2743,11 @@ extern "C" {
         up: *const f64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Sets `projection` and the viewport's size.  vertical_angle in radians, in
-    /// (0, pi); 0 < near_plane < far_plane.
+    /// Sets a perspective `projection`, and the viewport's width and height in pixels.
+    /// `vertical_angle` is the vertical
+    /// angle of view in radians, in (0, pi).  The planes are distances from the eye, 0 <
+    /// near_plane < far_plane.
+    /// Errors: INVALID_ARGUMENT (an argument is out of range).
     pub fn hrbfnpr_camera_perspective(
         camera: *mut hrbfnpr_camera,
         vertical_angle: f64,
@@ -2701,8 +2757,10 @@ extern "C" {
         far_plane: f64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Sets `projection` and the viewport's size; `view_height` is the height of
-    /// the visible slab in world units; near_plane < far_plane, either sign.
+    /// Sets an orthographic `projection`, and the viewport's width and height in pixels.
+    /// `view_height` is the height of
+    /// what is seen, in world units, above 0. near_plane < far_plane; either may be negative.
+    /// Errors: INVALID_ARGUMENT (an argument is out of range).
     pub fn hrbfnpr_camera_orthographic(
         camera: *mut hrbfnpr_camera,
         view_height: f64,
@@ -2712,9 +2770,13 @@ extern "C" {
         far_plane: f64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Sets view, projection and viewport so that the box fills the picture but for
-    /// `margin` (share of the picture on each side, 0 .. 0.45), seen along
-    /// `direction` (from the eye into the scene).  vertical_angle 0 = orthographic.
+    /// Sets view, projection and viewport so that a box fills the picture.  `direction` points
+    /// from the eye into the scene,
+    /// `up` roughly upward in the picture; 3 doubles each.  `vertical_angle` is in radians, in
+    /// [0, pi); 0 = orthographic.
+    /// `width` and `height` are in pixels.  `margin` is the share of the picture that stays free
+    /// on each side, 0 .. 0.45.
+    /// Errors: INVALID_ARGUMENT (an argument is out of range; `up` is parallel to the direction).
     pub fn hrbfnpr_camera_fit_bounds(
         camera: *mut hrbfnpr_camera,
         bounds_min: *const f64,
@@ -2727,10 +2789,14 @@ extern "C" {
         margin: f64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The same for n x 3 points, FLOAT32 or FLOAT64, n >= 1: the points themselves
-    /// fill the picture, not the corners of their box, and lie in its middle.
-    /// `origin` (3 doubles, NULL = 0) is added to each: with a point set's POSITION
-    /// give its info's origin.
+    /// Sets view, projection and viewport so that points fill the picture, and lie in its middle.
+    /// It fits the points
+    /// themselves, not the corners of their box.  `points` is n x 3, FLOAT32 or FLOAT64, n >= 1.
+    /// `origin` (3 doubles, NULL
+    /// = 0) is added to each point: with a point set's POSITION give the origin of its info.  The
+    /// other arguments are those
+    /// of hrbfnpr_camera_fit_bounds.
+    /// Errors: INVALID_ARGUMENT (no points; a number is not finite; as for hrbfnpr_camera_fit_bounds).
     pub fn hrbfnpr_camera_fit_points(
         camera: *mut hrbfnpr_camera,
         points: *const hrbfnpr_array,
@@ -2745,47 +2811,68 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// seen faintly through the surface in front [NPAR 6.1]
+// How ink is drawn that lies behind a depth layer of surface.
+/// ink is seen faintly through the surface in front of it [NPAR 6.1]
 pub const HRBFNPR_HIDDEN_LINES_ATTENUATE: u32 = 0;
-/// marks behind a nearer depth layer are not drawn
+/// ink behind a nearer depth layer is not drawn
 pub const HRBFNPR_HIDDEN_LINES_HIDE: u32 = 1;
-/// as if nothing were in front (lambda = 0)
+/// ink is drawn as if nothing were in front of it: lambda is 0
 pub const HRBFNPR_HIDDEN_LINES_SHOW: u32 = 2;
 
-/// Each mark of ink is seen through the depth layers of surface in front of it, which are found
-/// from the marks: its opacity is multiplied by their transmittance.  A depth layer never dims its
-/// own ink, and the picture does not depend on the number of marks.
+// How the marks that a surface hides are found.
+/// Depth layers of surface are found from the marks.  The ink of each mark is multiplied by
+/// the transmittance of the
+/// layers in front of it.  A depth layer never dims its own ink.  The picture does not depend
+/// on the number of
+/// marks.
 pub const HRBFNPR_VISIBILITY_DEPTH_LAYERS: u32 = 0;
-/// As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1].
+/// Marks paint discs of paper and of ink from far to near, as published [NPAR 6.1].
 pub const HRBFNPR_VISIBILITY_PUBLISHED: u32 = 1;
 
-/// The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
-/// follows from their size, their density on the screen and how they overlap, so that the
-/// tone stays when the zoom or the budget changes.  Where all marks together cover less than
-/// 0.6, the tone 0.6 shows all of them and the others are paler alike.
+// How many marks a tone shows.
+/// The ink covers the share 1 - tau of the paper.  The number of marks follows from their
+/// size, their density in the
+/// picture and their overlap, so that the tone stays when the zoom or the budget changes.  If
+/// all marks together
+/// cover less than 0.6, all of them are shown where 0.6 is asked for, and fewer in proportion
+/// where less is asked
+/// for.
 pub const HRBFNPR_TONE_CURVE_COVERAGE: u32 = 0;
-/// the share of marks is 1 - tau [NPAR 6.2]
+/// the share of marks that is shown is 1 - tau [NPAR 6.2]
 pub const HRBFNPR_TONE_CURVE_LINEAR: u32 = 1;
 
+// What the tone tau of a front mark comes from: 1 = light, 0 = dark.
 /// tau = 0: all front marks are shown
 pub const HRBFNPR_TONE_NONE: u32 = 0;
-/// tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light
+/// tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light on the unlit side
 pub const HRBFNPR_TONE_LIGHT: u32 = 1;
-/// tau from tone_function
+/// tau is what tone_function returns
 pub const HRBFNPR_TONE_CALLBACK: u32 = 2;
 
-/// A front mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share: all effects thin
-/// one and the same order of marks, so that a blue-noise order stays one.
+// Which front marks are shown. u is the rank of a mark, tau its tone, tau_d the tone of its
+// distance (depth_min,
+// depth_max), scale that of its zoom (zoom_reference), and share that of the layer style.
+/// A mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share.  All effects thin the same
+/// order of marks, so that
+/// a blue-noise order stays one.
 pub const HRBFNPR_TONE_RULE_SHARE: u32 = 0;
-/// As published, test by test: u >= tau, u < tau_d, u < scale, u < share.
+/// A mark is shown if it passes each test, as published: u >= tau, u < tau_d, u < scale, u <
+/// share [NPAR 6.2].
 pub const HRBFNPR_TONE_RULE_PUBLISHED: u32 = 1;
 
+// The space in which the direction to the light is given.
+/// world space: the light stays where it is when the camera moves
 pub const HRBFNPR_LIGHT_WORLD: u32 = 0;
+/// eye space: the light moves with the camera
 pub const HRBFNPR_LIGHT_CAMERA: u32 = 1;
 
-/// Any illumination model: fills tau (count, 1 = light, 0 = dark; clamped to
-/// [0,1], NaN is CALLBACK) from world positions and unit normals (count x 3
-/// each; TONE_NORMAL where there are any).  Runs on the thread that called _draw.  Non-zero fails it.
+/// Computes the tone of many places, by any illumination model.  It fills `tau` (count
+/// floats, 1 = light, 0 = dark) from
+/// world positions and unit normals (count x 3 floats each).  The normals are TONE_NORMAL if
+/// the layer has them.  Values
+/// are clamped to [0, 1].  It runs on the thread that called _draw.  A result other than 0,
+/// or a NaN in `tau`, makes
+/// that call fail with CALLBACK.
 pub type hrbfnpr_tone_fn = Option<
     unsafe extern "C" fn(
         user: *mut c_void,
@@ -2796,353 +2883,403 @@ pub type hrbfnpr_tone_fn = Option<
     ) -> i32,
 >;
 
-// How the front marks of a layer of strokes are drawn.  Layers without strokes are dots; so
-// is everything with
-// VISIBILITY_PUBLISHED.
+// How the front marks of a layer of strokes are drawn.  Layers without strokes are always
+// dots, and so is everything
+// with VISIBILITY_PUBLISHED.
 /// each mark is a dot
 pub const HRBFNPR_SHAPE_DOTS: u32 = 0;
-/// marks that follow each other along a stroke, and are shown, are one line whose width and
-/// opacity are theirs; a single one is a dot
+/// consecutive marks of a stroke that are shown form one line, with their width and opacity.
+/// A single mark is a dot
 pub const HRBFNPR_SHAPE_STROKES: u32 = 1;
-/// strokes are curves, drawn where the tone is dark enough, and their width makes the tone:
-/// hatch_... of hrbfnpr_layer_style. Of nested lines (those of level k midway between those
-/// of lower levels) as many levels are drawn as the picture has room for, so that the tone
-/// does not depend on the zoom. Points of lines have the id of the nearest mark; a stroke
-/// whose ends meet is closed. [Winkenbach & Salesin 1994; Praun et al. 2001]
+/// strokes are curves that are drawn where the tone is dark enough, and their width makes the
+/// tone. The hatch_ fields of hrbfnpr_layer_style apply. Lines are nested: those of level k
+/// lie midway between those of lower levels. As many levels are drawn as the picture has room
+/// for, so that the tone does not depend on the zoom. Points of a line have the id of the
+/// nearest mark. A stroke whose ends meet is closed [Winkenbach & Salesin 1994; Praun et al.
+/// 2001]
 pub const HRBFNPR_SHAPE_HATCH: u32 = 2;
 
-/// How layers are drawn.  Colours are straight RGBA in [0,1], sRGB-encoded.
+/// How layers of marks are drawn.  Colours are straight RGBA in [0, 1], sRGB-encoded.
+/// Lengths in pixels are those of
+/// the picture.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_style {
     pub struct_size: u32,
-    /// the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY
+    /// kind of the layers that this style is for, HRBFNPR_LAYER_KIND_...; default ANY
     pub kind: u32,
-    /// ... and are called so; NULL = any name. Read during _draw only
+    /// name of the layers that this style is for; default NULL = any name. It is read during _draw only
     pub name: *const c_char,
-    /// 1 or 0: whether front marks are drawn; 1
+    /// 1 or 0: whether front marks are drawn; default 1
     pub shown: u32,
-    /// 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; 1. Not of OWN
-    /// strokes, which may be few
+    /// 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; default 1.
+    /// Strokes of kind OWN never do, as they may be few. If `shown` is 0 and this is 1, the layer
+    /// still hides what lies behind its surface; if both are 0, it takes no part
     pub contours: u32,
-    /// of strokes: bit 0 the first direction, bit 1 the second; 3
+    /// which strokes are drawn: bit 0 the first direction, bit 1 the second; default 3
     pub directions: u32,
-    /// HRBFNPR_SHAPE_...; DOTS
+    /// shape of front marks, HRBFNPR_SHAPE_...; default DOTS
     pub shape: u32,
-    /// 0 .. 1: share of the layer's marks that is used at all; 1
+    /// share of the layer's marks that is used at all, 0 .. 1; default 1. Less makes the layer paler
     pub share: f32,
-    /// of a mark, half the width of a stroke, pixels, > 0; 1
+    /// radius of a mark, and half the width of a stroke, in pixels; above 0, up to 16384; default 1
     pub radius: f32,
-    /// 0: radius is in pixels at any zoom; 1: grows with the zoom; between; 0
+    /// how the radius follows the zoom, relative to zoom_reference of the style; 0 .. 1; default
+    /// 0 = the radius stays the same in pixels; 1 = it grows with the zoom
     pub radius_zoom: f32,
     pub reserved: u32,
-    /// black
+    /// colour of the ink, straight RGBA; default black
     pub ink: [f32; 4],
-    /// darkness from which on there are lines, 0 .. 1; 0.15
+    /// darkness, 1 - tau, at which lines begin; 0 .. 1; default 0.15. Larger: lights are emptier
     ///
-    /// Of SHAPE_HATCH.  Darkness is 1 - tau, 0 .. 1; the share of the paper that the lines cover
-    /// grows with it, times
-    /// `share`.  Lines whose separation is not known have the width 2 * radius where that share
-    /// is the greatest.
+    /// SHAPE_HATCH.  Lines cover a share of the paper that grows with the darkness, 1 - tau.
     pub hatch_tone_begin: f32,
-    /// darkness from which on they get no wider, > hatch_tone_begin, to 1; 0.95
+    /// darkness, 1 - tau, from which on lines get no wider; above hatch_tone_begin, up to 1; default 0.95
     pub hatch_tone_end: f32,
-    /// > 0, to 1: share covered at hatch_tone_begin; 0.1
+    /// share of the paper that lines cover at hatch_tone_begin, times `share`; above 0, up to 1;
+    /// default 0.1
     pub hatch_coverage_begin: f32,
-    /// > 0, to 1: share covered at hatch_tone_end; 0.82
+    /// share of the paper that lines cover at hatch_tone_end, times `share`; above 0, up to 1;
+    /// default 0.82. Lines of unknown separation have the width 2 * radius there
     pub hatch_coverage_end: f32,
-    /// least from line to line, pixels, > 0; 4.6
+    /// least distance from line to line, in pixels; above 0, up to 16384; default 4.6. Larger:
+    /// fewer, wider lines
     pub hatch_spacing: f32,
-    /// least width of a line, pixels, > 0; 0.6. Less only where lines fade in or end, or are
-    /// closer together than hatch_spacing
+    /// least width of a line, in pixels; above 0, up to 16384; default 0.6. Lines are thinner
+    /// only where they fade in or end, or are closer together than hatch_spacing
     pub hatch_pen: f32,
-    /// left between lines at least, pixels, 0 or more; 1.2
+    /// least width of the paper between lines, in pixels; 0 .. 16384; default 1.2
     pub hatch_white: f32,
-    /// over which a line narrows where it ends by its tone, pixels, 0 or more; 20. Where it ends
-    /// for another reason it is shorter
+    /// length over which a line narrows where its tone ends, in pixels; 0 .. 16384; default 20.
+    /// Where it ends for another reason, it narrows over a shorter length
     pub hatch_taper: f32,
-    /// pieces below this are not drawn, those up to twice of it are thinner; pixels, 0 or more; 10
+    /// length below which a piece of a line is not drawn, in pixels; 0 .. 16384; default 10.
+    /// Pieces up to twice as long are thinner
     pub hatch_shortest: f32,
     pub reserved2: u32,
-    /// how far a line may stray to either side, as of an unsteady hand, in hatch_pens, 0 .. 16;
-    /// 0. From swing to swing it is about 60 hatch_pens
+    /// how far a line strays to either side, as if drawn by an unsteady hand, in multiples of
+    /// hatch_pen; 0 .. 16; default 0. A swing is about 60 hatch_pen long
     pub hatch_wobble: f32,
-    /// lines run on past the tone that they end at by up to this, each by another length; pixels,
-    /// 0 or more; 0
+    /// greatest length by which a line runs on past the end of its tone, in pixels; 0 .. 16384;
+    /// default 0. Each end has another length
     pub hatch_overshoot: f32,
-    /// of the two above: any number; 0
+    /// seed of hatch_wobble and hatch_overshoot; any number; default 0
     pub hatch_seed: u32,
     pub reserved3: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_layer_style_init(
         style: *mut hrbfnpr_layer_style,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-// What is drawn of the parts of a line that surface hides.
+// How the parts of a line that surface hides are drawn.  A layer of surface is two sheets.
+/// hidden parts are not drawn
 pub const HRBFNPR_HIDDEN_PARTS_NONE: u32 = 0;
-/// paler with each layer of surface (two sheets) before them
+/// hidden parts get paler with each layer of surface in front of them
 pub const HRBFNPR_HIDDEN_PARTS_ATTENUATED: u32 = 1;
-/// dashes, the shorter the more layers lie before them
+/// hidden parts are dashed; the more layers lie in front, the shorter the dashes
 pub const HRBFNPR_HIDDEN_PARTS_DASHED: u32 = 2;
-/// like what is visible
+/// hidden parts are drawn like visible ones
 pub const HRBFNPR_HIDDEN_PARTS_SHOWN: u32 = 3;
 
-// How a line ends where it ends in the picture without meeting another: at a cusp, where it
-// turns behind its own
-// surface.
+// The shape of a free end of a line: one that meets no other line in the picture, such as a
+// cusp, where a contour turns
+// behind its own surface.
+/// half a disc beyond the end
 pub const HRBFNPR_CAP_ROUND: u32 = 0;
+/// cut off straight at the end
 pub const HRBFNPR_CAP_FLAT: u32 = 1;
-/// narrowing to a tip; the tip's length is twice the width there
+/// a tip, twice as long as the line is wide there
 pub const HRBFNPR_CAP_POINTED: u32 = 2;
 
-// Creases by the way that the surface bends there.
+// Which creases are drawn.
+/// all creases
 pub const HRBFNPR_CREASES_ALL: u32 = 0;
-/// edges
+/// convex creases: edges
 pub const HRBFNPR_CREASES_CONVEX: u32 = 1;
-/// grooves, and where something stands on a face
+/// concave creases: grooves, and where something stands on a face
 pub const HRBFNPR_CREASES_CONCAVE: u32 = 2;
 
-/// How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.
+/// How the lines of one kind are drawn, for items that have a line set.  Lengths are in
+/// pixels unless a field says
+/// otherwise.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_line_style {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_KIND_...; CONTOUR
+    /// kind of lines that this style is for, HRBFNPR_LINE_KIND_...; default CONTOUR
     pub kind: u32,
-    /// of lines found once: those that are called so; NULL = any name. Read during _draw only
+    /// name (hrbfnpr_line_desc.name) of the lines found once that this style is for; default NULL
+    /// = any name. It is read during _draw only
     pub name: *const c_char,
-    /// HRBFNPR_HIDDEN_PARTS_...; NONE
+    /// how hidden parts are drawn, HRBFNPR_HIDDEN_PARTS_...; default NONE
     pub hidden: u32,
-    /// HRBFNPR_CAP_...: of free ends; ROUND
+    /// shape of free ends, HRBFNPR_CAP_...; default ROUND
     pub cap: u32,
-    /// > 0; 2
+    /// width of a line, in pixels; above 0, up to 16384; default 2
     pub width: f32,
-    /// over which a line narrows to a free end, half an ellipse; 0 = not at all; 12. A part with
-    /// a free end that is shorter than two tapers is the thinner, the shorter it is
+    /// length over which a line narrows to a free end, as half an ellipse, in pixels; 0 .. 16384;
+    /// default 12; 0 = it does not narrow. A part with a free end that is shorter than two tapers
+    /// is thinner the shorter it is
     pub taper: f32,
-    /// of ATTENUATED and DASHED, > 0; 1.2
+    /// width of ATTENUATED and DASHED parts, in pixels; above 0, up to 16384; default 1.2
     pub hidden_width: f32,
-    /// 0 .. 1: of ATTENUATED, for each layer; 0.35
+    /// factor of the opacity of ATTENUATED parts for each layer in front, 0 .. 1; default 0.35
     pub hidden_opacity: f32,
-    /// of DASHED, in hidden_widths, > 0; 5
+    /// length of a dash of DASHED parts, in hidden_widths; above 0, up to 16384; default 5
     pub dash: f32,
-    /// between dashes, in hidden_widths, > 0; 3
+    /// length of a gap between dashes, in hidden_widths; above 0, up to 16384; default 3
     pub gap: f32,
-    /// parts with a free end, and hidden ones, that are shorter are not drawn; 2. Feature lines
-    /// that are found with every drawing measure 0.01 diagonals or more
+    /// length below which parts with a free end, and hidden parts, are not drawn, in pixels; 0 ..
+    /// 16384; default 2. Feature lines that are found for every drawing are at least 0.01
+    /// diagonals long in any case
     pub shortest: f32,
-    /// 0 .. 1: how much paler a line is where its strength is `lower` than where it is `upper`; 1
+    /// how much paler a line is where its strength is `lower` than where it is `upper`, 0 .. 1;
+    /// default 1; 0 = it does not fade
     pub fade: f32,
-    /// strengths as in hrbfnpr_line_desc; 0 and 0 = those of the kind: 10 and 30 of suggestive
-    /// contours, 12 and 25 of apparent ridges, 15 and 30 (degrees) of creases
+    /// least strength at which a line goes on, as in hrbfnpr_line_desc; 0 or more; default 0. If
+    /// `lower` and `upper` are 0, it is 10 for suggestive contours, 12 for apparent ridges, 15
+    /// (degrees) for creases, and 0 for other kinds
     pub lower: f64,
+    /// strength that a line must reach somewhere to be drawn; 0 or more; default 0. If `lower`
+    /// and `upper` are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 (degrees)
+    /// for creases, and 0 for other kinds
     pub upper: f64,
-    /// of ISOPHOTE: FLOAT64, 1: -1 .. 1. Read during _draw only
+    /// values of n . l at which an ISOPHOTE lies; n x 1, FLOAT64, packed, -1 .. 1; at least one
+    /// for ISOPHOTE. It is read during _draw only
     pub levels: hrbfnpr_array,
-    /// straight RGBA; black
+    /// colour of the ink, straight RGBA; default black
     pub ink: [f32; 4],
-    /// of CONTOUR and BORDER, where nothing lies beside the line on its outer side: the outline
-    /// of all items that have lines. Falls to 1 over 6 widths beyond its ends; 1
+    /// factor of the width of CONTOUR and BORDER where nothing lies beside the line on its outer
+    /// side: on the outline of all items that have lines; 0 .. 16; default 1. Beyond the ends of
+    /// the outline it changes to 1 over 6 widths. All factors that apply to a place are
+    /// multiplied
     ///
-    /// Laws of the width: factors, 0 .. 16, of which all that apply to a place are multiplied; 1
-    /// = no effect.  By depth,
-    /// light and radial curvature goes the distance between a contour and an isophote [Goodwin et
-    /// al. 2007].
+    /// Laws of the width: factors of `width`, 0 .. 16; 1 = no effect.  All that apply to a place
+    /// are multiplied.  They
+    /// follow the distance in the picture between a contour and an isophote [Goodwin et al. 2007].
     pub outline_factor: f32,
-    /// at the farthest place in the viewport of lines that are drawn, hidden ones too; 1 at the
-    /// nearest, evenly by depth between; 1
+    /// factor of the width at the farthest place of all lines in the viewport, hidden ones too; 0
+    /// .. 16; default 1. It is 1 at the nearest place, and changes evenly with depth
     pub far_factor: f32,
-    /// where the surface faces the style's light, whatever its tone; 1 where it faces away,
-    /// evenly by n . l between; 1
+    /// factor of the width where the surface faces the style's light, whatever its tone; 0 .. 16;
+    /// default 1. It is 1 where the surface faces away, and changes evenly with n . l
     pub lit_factor: f32,
-    /// where the surface bends sharply; 1 where its radius of curvature is curvature_radius or
-    /// more, evenly by the radius between. Of CONTOUR the radial curvature, along the line of
-    /// sight; of others the normal curvature across the line; 1
+    /// factor of the width where the surface bends sharply; 0 .. 16; default 1. It is 1 where the
+    /// radius of curvature is curvature_radius or more, and changes evenly with the radius. For
+    /// CONTOUR it is the radial curvature, along the line of sight; for other kinds it is the
+    /// normal curvature across the line
     pub curvature_factor: f32,
-    /// diagonals, > 0; 0.1
+    /// radius of curvature from which on curvature_factor has no effect, in diagonals; above 0;
+    /// default 0.1
     pub curvature_radius: f32,
-    /// how far a line may stray to either side, widths, 0 .. 16; 0
+    /// how far a line strays to either side, in widths; 0 .. 16; default 0
     ///
-    /// An unsteady hand, the same in each drawing and, as the lengths are in widths, at each size
-    /// of the picture.
+    /// An unsteady hand.  It is the same in each drawing and, as lengths are in widths, at each
+    /// size of the picture.
     pub wobble: f32,
-    /// 0 .. 1: the share by which its width may vary; 0
+    /// share by which the width of a line varies; 0 .. 1; default 0
     pub wobble_width: f32,
-    /// from swing to swing, about, widths, >= 1; 40
+    /// approximate length from swing to swing, in widths; 1 .. 16384; default 40
     pub wobble_length: f32,
-    /// 0
+    /// seed of the wobble; any number; default 0
     pub wobble_seed: u32,
-    /// of CREASE: HRBFNPR_CREASES_...; ALL
+    /// which lines of kind CREASE are drawn, HRBFNPR_CREASES_...; default ALL
     pub creases: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_line_style_init(
         style: *mut hrbfnpr_line_style,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// How an item is drawn. docs/presets.md shows named styles, and docs/frames.md explains the method.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_style {
     pub struct_size: u32,
-    /// HRBFNPR_TONE_...; LIGHT
+    /// source of the tone, HRBFNPR_TONE_...; default LIGHT
     pub tone: u32,
-    /// straight RGBA; alpha 0 = transparent; white. One for all styles of a drawing
+    /// colour of the paper, straight RGBA; default white; alpha 0 = transparent. It must be the
+    /// same in all styles of a drawing
     pub paper: [f32; 4],
-    /// a list: a layer of marks takes the first that is for it, or the defaults of
-    /// _layer_style_init; NULL and 0
+    /// a list of layer styles; default NULL. A layer of marks takes the first that is for it, or
+    /// else the defaults of hrbfnpr_layer_style_init
     pub layers: *const hrbfnpr_layer_style,
+    /// number of `layers`; default 0
     pub layer_count: i64,
+    /// bytes from one element of `layers` to the next; default 0 = struct_size
     pub layer_stride: i64,
-    /// HRBFNPR_TONE_RULE_...; SHARE
+    /// which marks are shown, HRBFNPR_TONE_RULE_...; default SHARE
     ///
     /// Tone.
     pub tone_rule: u32,
-    /// HRBFNPR_TONE_CURVE_...; COVERAGE. For TONE_RULE_SHARE
+    /// how many marks a tone shows, HRBFNPR_TONE_CURVE_...; default COVERAGE. Only for TONE_RULE_SHARE
     pub tone_curve: u32,
-    /// towards the light, normalised on use; (-0.4, 0.6, 0.7)
+    /// direction to the light, of any length but 0 where a light is used; default (-0.4, 0.6, 0.7)
     pub light: [f64; 3],
-    /// lambda of the tone law, > 0; 1
+    /// lambda, the exponent of the tone law; above 0; default 1. Larger: the picture gets darker
     pub tone_exponent: f64,
-    /// for CALLBACK
+    /// tone of TONE_CALLBACK; default NULL
     pub tone_function: hrbfnpr_tone_fn,
+    /// passed to tone_function; default NULL
     pub tone_user: *mut c_void,
-    /// HRBFNPR_LIGHT_...; CAMERA
+    /// space of `light`, HRBFNPR_LIGHT_...; default CAMERA
     pub light_space: u32,
-    /// 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this share of the
-    /// marks shown, instead of popping; 0 = it pops; 0.25
+    /// share of the shown marks over which a mark grows from nothing to its full area, 0 .. 1;
+    /// default 0.25; 0 = marks pop in. With DEPTH_LAYERS only
     pub tone_fade: f32,
-    /// delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera
-    /// to the mark [NPAR 6]; 0.2
+    /// delta, which separates classes with PUBLISHED, in (0, 1); default 0.2. A mark is front if
+    /// n . v < -delta, back if n . v > delta, else silhouette, where v points from the camera to
+    /// the mark [NPAR 6]. Larger: wider contours
     ///
-    /// Contours that marks draw, with VISIBILITY_PUBLISHED only.  With DEPTH_LAYERS contours are
-    /// lines of an item's
-    /// line set.
+    /// Contours made of marks, with VISIBILITY_PUBLISHED.  With DEPTH_LAYERS contours are lines
+    /// of an item's line
+    /// set.
     pub silhouette_threshold: f64,
-    /// of a mark, pixels; 1
+    /// radius of a silhouette mark, in pixels, with PUBLISHED; above 0, up to 16384; default 1
     pub silhouette_radius: f32,
-    /// as radius_zoom; 0
+    /// how silhouette_radius follows the zoom, as radius_zoom of hrbfnpr_layer_style; 0 .. 1; default 0
     pub silhouette_radius_zoom: f32,
-    /// black
+    /// colour of silhouette marks, straight RGBA, with PUBLISHED; default black
     pub silhouette_ink: [f32; 4],
-    /// HRBFNPR_VISIBILITY_...; DEPTH_LAYERS. One for all styles of a drawing
+    /// how hidden marks are found, HRBFNPR_VISIBILITY_...; default DEPTH_LAYERS. It must be the
+    /// same in all styles of a drawing
     ///
     /// Hidden lines.
     pub visibility: u32,
-    /// HRBFNPR_HIDDEN_LINES_...; ATTENUATE
+    /// how hidden ink is drawn, HRBFNPR_HIDDEN_LINES_...; default ATTENUATE
     pub hidden_lines: u32,
-    /// lambda of alpha_f = nu^2 lambda; 1
+    /// lambda of alpha_f = nu^2 lambda, the opacity of surface that faces the eye, nu = n . v; 0
+    /// or more; default 1. Larger: hidden ink is paler
     pub attenuation_front: f64,
-    /// lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda; 1
+    /// lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda, the opacity of surface that faces
+    /// away; 0 or more; default 1. Larger: hidden ink is paler
     pub attenuation_back: f64,
-    /// of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing on the screen
+    /// radius of the splat, the disc of surface around a mark, in pixels; 0 .. 16384; default 0 =
+    /// from the marks' spacing in the picture
     pub splat_radius: f32,
-    /// n > 0: a depth layer is as opaque as n overlapping splats of opacity alpha, 1 - (1 -
-    /// alpha)^n, whatever the marks' density and the zoom; 0: each mark paints with alpha itself,
-    /// as published; 8
+    /// number n of splats that overlap in a depth layer, whose opacity is 1 - (1 - alpha)^n
+    /// whatever the marks' density and the zoom; 0 .. 1e6; default 8; 0 = each mark paints with
+    /// alpha itself, as published. Larger: hidden ink is paler
     pub splat_overlap: f32,
-    /// DEPTH_LAYERS: how far beyond its contour a surface hides what lies behind, pixels at any
-    /// zoom. PUBLISHED: how much wider the paper of back marks is, pixels; 2
+    /// width of the halo, in pixels at any zoom; 0 .. 16384; default 2. With DEPTH_LAYERS a
+    /// surface hides what lies behind it up to this far beyond its contour. With PUBLISHED it is
+    /// added to the radius of the paper of back marks
     pub halo_width: f32,
     pub reserved: u32,
-    /// distance from the camera where depth attenuation starts, > 0
+    /// distance from the camera at which marks begin to vanish, in world units; default 0. Either
+    /// 0 < depth_min < depth_max, or both are 0 and distance has no effect. Between the two the
+    /// share of marks falls with the logarithm of the distance
     ///
     /// Distance and zoom.
     pub depth_min: f64,
-    /// ... and where nothing is shown any more; 0 and 0 = off (default)
+    /// distance from the camera from which on nothing is shown, in world units; above depth_min;
+    /// default 0 = no effect
     pub depth_max: f64,
-    /// pixels per world unit at which marks are shown in full; 0 = off. Below it the chance to be
-    /// shown is scale = zoom^zoom_exponent, exponential in the zoom level ln zoom; the area of
-    /// the paper of back marks scales alike [NPAR 6.2]
+    /// pixels per world unit from which on all marks are shown; 0 or more; default 0 = no effect.
+    /// Below it the share zoom^zoom_exponent of the marks is shown, where zoom is the pixels per
+    /// world unit at a mark divided by this. The area of the paper of back marks scales alike
+    /// [NPAR 6.2]
     pub zoom_reference: f64,
-    /// >= 0; 2 keeps the ink per area
+    /// exponent of the zoom, 0 or more; default 2, which keeps the ink per area
     pub zoom_exponent: f64,
-    /// a list; NULL and 0
+    /// a list of line styles; default NULL = no lines
     ///
-    /// Lines, with DEPTH_LAYERS, of items that have a line set.
+    /// Lines of items that have a line set, with DEPTH_LAYERS.
     pub lines: *const hrbfnpr_line_style,
+    /// number of `lines`; default 0
     pub line_count: i64,
+    /// bytes from one element of `lines` to the next; default 0 = struct_size
     pub line_stride: i64,
-    /// Of TONE_LIGHT, DEPTH_LAYERS and TONE_RULE_SHARE: 0 .. 1, light from the side opposite to
-    /// `light`, so that what
-    /// is turned away keeps its form: tau = fill_light * (n . l)^2 where n . l < 0.  The lit side
-    /// stays as it is;
-    /// 0.25
+    /// strength of a light from the side opposite to `light`, which lets the unlit side keep its
+    /// form: tau = fill_light * (n . l)^2 where n . l < 0; 0 .. 1; default 0.25. The lit side
+    /// stays as it is. For TONE_LIGHT with DEPTH_LAYERS and TONE_RULE_SHARE
     pub fill_light: f32,
     pub reserved2: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_style_init(style: *mut hrbfnpr_style, struct_size: u32) -> hrbfnpr_status;
 }
 
-// Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list
+// Named styles, each with a picture in docs/presets.md. bindings/generate writes this list
 // from bindings/presets.py.
-/// stipples by light, no contours
+/// stipples, denser where it is darker, without contours
 pub const HRBFNPR_PRESET_STIPPLE: u32 = 0;
-/// lines of one width, more of them where it is darker, and contours
+/// lines of one width, denser where it is darker, and contours
 pub const HRBFNPR_PRESET_HATCH: u32 = 1;
-/// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours
+/// up to three sets of lines of one width, at 0, 35 and -30 degrees, each for a darker tone,
+/// and contours
 pub const HRBFNPR_PRESET_CROSS_HATCH: u32 = 2;
-/// lines along Stark's combing direction, a second set in the darks, and contours
+/// lines along Stark's combing direction, with a second set in the darks, and contours
 pub const HRBFNPR_PRESET_COMBING: u32 = 3;
-/// contours only, hidden ones attenuated
+/// contours only; hidden ones are paler
 pub const HRBFNPR_PRESET_SILHOUETTE: u32 = 4;
 /// contours and stipples
 pub const HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: u32 = 5;
-/// contours only, hidden ones shown
+/// contours only; hidden ones are dashed
 pub const HRBFNPR_PRESET_XRAY: u32 = 6;
-/// stipples, cross hatching in the darks, contours and halo: Figure 1 (e)
+/// stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)]
 pub const HRBFNPR_PRESET_FULL: u32 = 7;
-/// one set of lines that swell with the tone, and contours; lights are empty
+/// one set of lines that swell with the tone, and contours; lights stay empty
 pub const HRBFNPR_PRESET_ENGRAVING: u32 = 8;
-/// up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours
+/// up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours
 pub const HRBFNPR_PRESET_ETCHING: u32 = 9;
 /// few wide lines, which close up to black, and heavy contours
 pub const HRBFNPR_PRESET_WOODCUT: u32 = 10;
-/// fine stipples lit from the upper left, empty lights; outlines swell in the shade
+/// fine stipples lit from the upper left, and outlines that swell in the shade; lights stay empty
 pub const HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: u32 = 11;
-/// pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice
+/// pencil on warm paper: two sets of lines that stray and run past their ends, and contours
+/// drawn twice
 pub const HRBFNPR_PRESET_SKETCH: u32 = 12;
-/// pale lines on blue without tone: contours, borders, creases and lines called "crease",
-/// hidden ones dashed
+/// pale lines on blue without tone: contours, borders, creases and lines called "crease";
+/// hidden ones are dashed
 pub const HRBFNPR_PRESET_BLUEPRINT: u32 = 13;
-/// lit from the upper left: short lines along curvature that taper to the light, heavy
+/// short lines along the curvature that taper to the light from the upper left, heavy
 /// outlines, and the RIDGE lines of a line set
 pub const HRBFNPR_PRESET_ARCHAEOLOGICAL: u32 = 14;
 
 extern "C" {
-    /// A full set of fields that a caller goes on changing.  style->layers and style->lines
-    /// point to constants of the library: copy an element to change it.
+    /// Sets all fields of a style to those of a preset. style->layers and style->lines point to
+    /// constants of the library:
+    /// copy an element to change it.
+    /// Errors: INVALID_ARGUMENT (no such preset).
     pub fn hrbfnpr_style_init_preset(
         style: *mut hrbfnpr_style,
         struct_size: u32,
         preset: u32,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The layers that a preset draws, with defaults: a list of constants for
-    /// hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
-    /// NULL and 0 for a number that is no preset's.
+    /// Gets the layers of marks that a preset draws, with their defaults: a list of constants for
+    /// hrbfnpr_generate_desc.layers, with layer_stride 0. *count gets their number.  The result
+    /// is NULL, with a count of 0,
+    /// for a number that no preset has.
     pub fn hrbfnpr_preset_layers(preset: u32, count: *mut i64) -> *const hrbfnpr_layer_desc;
-    /// "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
-    /// presets are numbered from 0 without gaps.
+    /// Gets the name of a preset, such as "cross-hatch"; static.  The result is NULL for a number
+    /// that no preset has.
+    /// Presets are numbered from 0 without gaps.
     pub fn hrbfnpr_preset_name(preset: u32) -> *const c_char;
 }
 
 // 10  RENDERER: from items and a camera to a drawing [NPAR 6]
 
+/// The scratch memory of one thread, for drawing.
 #[repr(C)]
 pub struct hrbfnpr_renderer {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// A picture as a value: dots and strokes in window coordinates.
 #[repr(C)]
 pub struct hrbfnpr_drawing {
     _data: [u8; 0],
@@ -3150,85 +3287,101 @@ pub struct hrbfnpr_drawing {
 }
 
 extern "C" {
+    /// Makes a renderer.
+    /// Errors: INVALID_ARGUMENT (a NULL argument), OUT_OF_MEMORY.
     pub fn hrbfnpr_renderer_create(
         context: *mut hrbfnpr_context,
         out_renderer: *mut *mut hrbfnpr_renderer,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_renderer_retain(renderer: *mut hrbfnpr_renderer);
-    /// any thread; NULL is ignored
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_renderer_release(renderer: *mut hrbfnpr_renderer);
 }
 
-/// Where the marks of one layer are in this drawing: of an animated surface.
+/// The marks of one layer as they are in this drawing, for an animated surface.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_pose {
     pub struct_size: u32,
     pub reserved: u32,
-    /// of the item's point set
+    /// number of the layer in the item's point set; each layer has one pose at most
     pub layer: i64,
-    /// n x 3, FLOAT32 or FLOAT64, absolute, in the order of the layer's n marks
+    /// absolute positions, in the order of the layer's n marks; n x 3, FLOAT32 or FLOAT64
     pub position: hrbfnpr_array,
-    /// n x 3, FLOAT32 or FLOAT64, unit, outward
+    /// outward unit normals; n x 3, FLOAT32 or FLOAT64
     pub normal: hrbfnpr_array,
-    /// n x 3, FLOAT32 or FLOAT64, unit; empty = those of the set
+    /// unit directions; n x 3, FLOAT32 or FLOAT64; empty = the directions of the set
     pub direction: hrbfnpr_array,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_layer_pose_init(
         pose: *mut hrbfnpr_layer_pose,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-// Which sides of an item's surface its marks are drawn on.
-/// that which the normals look to: a solid's inside is never seen
+// The sides of an item's surface on which its marks are drawn.  Lines are seen from both
+// sides in any case.
+/// the side that the normals point to; for a solid, whose inside is never seen
 pub const HRBFNPR_SIDES_FRONT: u32 = 0;
-/// of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to
-/// the camera: with opposite normals for tone. Such marks count twice in
-/// hrbfnpr_drawing_info, as of the front and of the back, their ids are the same, and the
-/// drawing has their layers once more, behind those of all items. Lines are seen from both
-/// sides anyway. With ATTENUATE a depth layer is as opaque as two, one that faces the camera
-/// and one that faces away, as those of a solid before what it hides
+/// both sides; for a surface that ends, such as a bowl or a leaf. Where the other side faces
+/// the camera, marks are drawn with opposite normals. Such marks keep their ids, count as
+/// front and as back in hrbfnpr_drawing_info, and are in separate layers after those of all
+/// items. With ATTENUATE a depth layer of such an item is as opaque as two, one that faces
+/// the camera and one that faces away
 pub const HRBFNPR_SIDES_BOTH: u32 = 1;
 
-/// One thing to draw.  Everything it points to is read during _draw only, but
-/// the drawing retains the point set.
+/// One thing to draw.  What it points to is read during _draw only, except that the drawing
+/// retains the point set.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_item {
     pub struct_size: u32,
-    /// HRBFNPR_SIDES_...; FRONT
+    /// sides on which marks are drawn, HRBFNPR_SIDES_...; default FRONT
     pub sides: u32,
+    /// marks to draw; not NULL
     pub point_set: *const hrbfnpr_point_set,
-    /// NULL = default style
+    /// how they are drawn; default NULL = the defaults of hrbfnpr_style_init
     pub style: *const hrbfnpr_style,
-    /// NULL, or the surface that the marks lie on: with DEPTH_LAYERS, what hides a mark is then
-    /// found by casting a ray from it to the eye, exact but slow
+    /// surface that the marks lie on; default NULL. With it, and DEPTH_LAYERS, a ray from each
+    /// mark to the eye finds what hides the mark: exact, but slow. It must be NULL if there are
+    /// poses
     pub model: *const hrbfnpr_model,
-    /// object to world, column-major, affine, invertible
+    /// object to world, column-major, affine and invertible; default the identity
     pub transform: [f64; 16],
-    /// a list: layers whose marks have moved; NULL and 0
+    /// a list of layers whose marks have moved; default NULL
     pub poses: *const hrbfnpr_layer_pose,
+    /// number of `poses`; default 0
     pub pose_count: i64,
+    /// bytes from one element of `poses` to the next; default 0 = struct_size
     pub pose_stride: i64,
-    /// NULL, or what the style's lines are drawn from. All items of a drawing that have one hide
-    /// each other's lines; others hide none
+    /// what the style's lines are drawn from; default NULL = no lines. All items of a drawing
+    /// that have one hide each other's lines; other items hide no lines. It must be NULL if there
+    /// are poses
     pub line_set: *const hrbfnpr_line_set,
 }
 
 extern "C" {
-    /// NULL pointers and the identity transform.
+    /// Sets struct_size, NULL pointers and the identity transform.
     pub fn hrbfnpr_item_init(item: *mut hrbfnpr_item, struct_size: u32) -> hrbfnpr_status;
-    /// Classifies, shades and orders the marks of a list of items for one camera.
-    /// Styles of one drawing must have the same paper and visibility.
-    /// Contours of line sets begin with those of the renderer's last drawing where the
-    /// camera moved little, and are proven complete again: in their last digits, and by
-    /// `wobble`, a picture of lines depends on the drawings before it.
-    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CALLBACK.
+    /// Draws a list of items for one camera: it classifies, shades and orders their marks, and
+    /// traces their lines.
+    /// item_stride is the number of bytes from one item to the next; 0 = struct_size.  All styles
+    /// must have the same paper
+    /// and visibility.  All items together have at most 2147483647 marks.
+    ///
+    /// Where the camera moved little, contours begin with those of the renderer's last drawing,
+    /// and are proven complete
+    /// again.  So a picture of lines depends on the drawings before it: in its last digits, and
+    /// by the wobble of its lines.
+    ///
+    /// Errors: INVALID_ARGUMENT (an item, a style or the camera; lines that need curvatures from
+    /// a line set without
+    /// WITH_CURVATURE), OUT_OF_MEMORY, CALLBACK.
     pub fn hrbfnpr_renderer_draw(
         renderer: *mut hrbfnpr_renderer,
         items: *const hrbfnpr_item,
@@ -3238,11 +3391,13 @@ extern "C" {
         out_drawing: *mut *mut hrbfnpr_drawing,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The same with an operation (NULL = none), for frames that take long: lines of
-    /// a fine surface, millions of marks, rays of an item's model, callbacks of tone.
-    /// After a cancel there is no drawing, and the renderer goes on as if the call
-    /// had not been made, but that contours of line sets are traced from nothing.
-    /// Errors: also CANCELLED.
+    /// Draws like hrbfnpr_renderer_draw, with an operation (NULL = none).  Use it for frames that
+    /// take long: lines of a fine
+    /// surface, millions of marks, rays of an item's model, tone callbacks.  After a cancel there
+    /// is no drawing.  The
+    /// renderer then goes on as if the call had not been made, except that contours are not
+    /// continued from the last drawing.
+    /// Errors: those of hrbfnpr_renderer_draw, and CANCELLED.
     pub fn hrbfnpr_renderer_draw_with_operation(
         renderer: *mut hrbfnpr_renderer,
         items: *const hrbfnpr_item,
@@ -3255,91 +3410,105 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 11  DRAWING: a picture as a value, immutable
+// 11  DRAWING: a picture as a value; immutable
 
 extern "C" {
-    /// any thread; NULL is ignored
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_drawing_retain(drawing: *const hrbfnpr_drawing);
-    /// any thread; NULL is ignored
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_drawing_release(drawing: *const hrbfnpr_drawing);
 }
 
-// What a mark is for the camera.
+// How a mark faces the camera [NPAR 6].
+/// no mark, or a mark that is not drawn
 pub const HRBFNPR_CLASS_NONE: u32 = 0;
+/// a mark whose normal points towards the eye
 pub const HRBFNPR_CLASS_FRONT: u32 = 1;
+/// a mark whose normal points away from the eye
 pub const HRBFNPR_CLASS_BACK: u32 = 2;
+/// a mark near a contour, with VISIBILITY_PUBLISHED
 pub const HRBFNPR_CLASS_SILHOUETTE: u32 = 3;
 
+/// What a drawing holds, and what making it did.  The counts of marks are over the layers
+/// that the styles use, in all
+/// items: marks = outside + front + back + silhouette + culled.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_drawing_info {
     pub struct_size: u32,
     pub reserved: u32,
+    /// items that were drawn
     pub items: i64,
-    /// for hrbfnpr_drawing_get_layer_info
+    /// layers of the drawing, for hrbfnpr_drawing_get_layer_info
     pub layers: i64,
-    /// of ink
+    /// dots of ink
     pub dots: i64,
+    /// strokes of marks and of lines
     pub strokes: i64,
-    /// of all strokes
+    /// points of all strokes
     pub stroke_points: i64,
-    /// in all items, of the layers that the styles use: outside + front + back + silhouette + culled
+    /// marks of the layers that the styles use, in all items
     pub marks: i64,
-    /// outside the frustum
+    /// marks outside the view frustum
     pub outside: i64,
-    /// of those inside: by class
+    /// marks of class front inside the frustum
     pub front: i64,
+    /// marks of class back inside the frustum
     pub back: i64,
-    /// PUBLISHED
+    /// marks of class silhouette inside the frustum; PUBLISHED only
     pub silhouette: i64,
-    /// DEPTH_LAYERS: marks that are of no class, since no tone could show them: they were not
-    /// looked at one by one
+    /// marks without a class, because no tone could show them and they were skipped; DEPTH_LAYERS only
     pub culled: i64,
-    /// drawn as ink
+    /// marks drawn as ink
     pub shown: i64,
     /// front marks not shown because of light or share
     pub dropped_tone: i64,
-    /// front and silhouette marks not shown because of depth attenuation
+    /// front and silhouette marks not shown because of their distance
     pub dropped_depth: i64,
-    /// front marks not shown because of tone scaling
+    /// front marks not shown because of the zoom
     pub dropped_zoom: i64,
-    /// marks not drawn because nothing of them is seen through what is in front
+    /// marks not drawn because the surface in front of them lets nothing of them through
     pub dropped_hidden: i64,
-    /// PUBLISHED: discs of paper; DEPTH_LAYERS: marks that depth layers were found from
+    /// with PUBLISHED, discs of paper; with DEPTH_LAYERS, marks from which depth layers were found
     pub splats: i64,
-    /// transform, classify, tone
+    /// time for transforms, classes and tones
     pub nanoseconds_classify: i64,
+    /// time for finding what hides marks
     pub nanoseconds_visibility: i64,
+    /// time for ordering ink
     pub nanoseconds_sort: i64,
-    /// kept by the drawing
+    /// memory that the drawing keeps
     pub bytes: i64,
-    /// kept by its renderer, drawings left out
+    /// memory that its renderer keeps, without drawings
     pub scratch_bytes: i64,
     /// curves that lines were drawn from
     pub line_curves: i64,
-    /// of these
+    /// cusps of these curves
     pub line_cusps: i64,
-    /// of their images, where the farther one changes its visibility
+    /// crossings of their images at which the farther curve changes its visibility
     pub line_crossings: i64,
-    /// curves that end inside the surface, and places where one was missed
+    /// curves that end inside the surface, and places where a curve was missed
     pub line_broken: i64,
-    /// curves whose visibility did not add up: each part is as a ray of its own says
+    /// curves whose visibility did not add up. A ray decided for each of their parts
     pub line_settled: i64,
-    /// of these, curves with a part whose ray was not certain
+    /// curves among these with a part whose ray was not certain
     pub line_contradictions: i64,
+    /// time for lines
     pub nanoseconds_lines: i64,
-    /// curves whose visibility did not add up at first: they, and those that cross them, were made finer
+    /// curves whose visibility did not add up at first. They, and those that cross them, were refined
     pub line_refined: i64,
-    /// cells of the image, four pixels wide or more, with so many crossings that none was taken:
-    /// lines run to and fro over one another there, as on a flat face seen edge-on
+    /// cells of the image, four pixels wide or more, with so many crossings that none was used.
+    /// Lines run to and fro over each other there, as on a flat face seen edge-on
     pub line_tangles: i64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_drawing_info_init(
         info: *mut hrbfnpr_drawing_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Gets what a drawing holds, and what making it did.
     pub fn hrbfnpr_drawing_get_info(
         drawing: *const hrbfnpr_drawing,
         info: *mut hrbfnpr_drawing_info,
@@ -3347,34 +3516,41 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// A layer of a drawing: ink of one layer of marks, of the front or (PUBLISHED) of contours; or lines.
+/// A layer of a drawing: the ink of one layer of marks, for front marks or (with PUBLISHED)
+/// for contours; or the ink of
+/// lines.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_drawing_layer_info {
     pub struct_size: u32,
-    /// HRBFNPR_CLASS_FRONT or SILHOUETTE
+    /// class of its marks: HRBFNPR_CLASS_FRONT or SILHOUETTE
     pub mark_class: u32,
+    /// number of the item
     pub item: i64,
-    /// of the item's point set; -1: of lines
+    /// number of the layer in the item's point set; -1 = lines
     pub layer: i64,
-    /// HRBFNPR_LAYER_KIND_...; of lines HRBFNPR_LINE_KIND_...
+    /// kind of that layer, HRBFNPR_LAYER_KIND_...; for lines HRBFNPR_LINE_KIND_...
     pub kind: u32,
-    /// HRBFNPR_SHAPE_...
+    /// shape of the ink, HRBFNPR_SHAPE_...
     pub shape: u32,
-    /// of that layer; of lines the style's, or empty
+    /// name of that layer; for lines that of their style, or empty
     pub name: [c_char; 64],
-    /// straight RGBA
+    /// colour of the ink, straight RGBA
     pub ink: [f32; 4],
+    /// dots of the layer
     pub dots: i64,
+    /// strokes of the layer
     pub strokes: i64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_drawing_layer_info_init(
         info: *mut hrbfnpr_drawing_layer_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// number: 0 .. hrbfnpr_drawing_info.layers - 1.
+    /// Gets what a layer of a drawing holds.  `number` is 0 .. hrbfnpr_drawing_info.layers - 1.
+    /// Errors: INVALID_ARGUMENT (no such layer).
     pub fn hrbfnpr_drawing_get_layer_info(
         drawing: *const hrbfnpr_drawing,
         number: i64,
@@ -3383,38 +3559,43 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// lay the drawing over the image's contents instead of replacing them inside the viewport;
-/// wants a style with transparent paper
+// Options of rasterizing.
+/// lays the drawing over the image instead of replacing the image inside the viewport. Use it
+/// with transparent paper
 pub const HRBFNPR_RASTER_OVER: u32 = 1;
-/// blend in linear light (sRGB decoded), not in encoded values
+/// blends in linear light (sRGB decoded) instead of in encoded values
 pub const HRBFNPR_RASTER_LINEAR_LIGHT: u32 = 2;
 
-/// Optional inputs and outputs: width * height elements of one component each,
-/// row by row from the top-left pixel of the image, stride between elements as
-/// in every array.  Data NULL and count 0 = not wanted.
+/// Optional inputs and outputs of rasterizing.  Each array has width * height elements of one
+/// component, row by row from
+/// the top-left pixel of the image.  An array with data NULL and count 0 is not wanted.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_raster_desc {
     pub struct_size: u32,
-    /// HRBFNPR_RASTER_...; 0
+    /// HRBFNPR_RASTER_...; default 0
     pub flags: u32,
-    /// FLOAT32, camera's convention: ink behind it is not drawn
+    /// depth of the host's scene, FLOAT32 in the camera's depth convention; ink behind it is not drawn
     pub host_depth: hrbfnpr_array,
-    /// FLOAT32, camera's convention: the nearest surface, the far plane where there is none
+    /// gets the depth of the nearest surface, FLOAT32 in the camera's depth convention; the far
+    /// plane where there is no surface
     pub depth: hrbfnpr_array_out,
-    /// UINT32: id of the nearest drawn mark; 0 = none
+    /// gets the id of the nearest drawn mark, UINT32; 0 = none
     pub id: hrbfnpr_array_out,
-    /// UINT8 or UINT32: HRBFNPR_CLASS_... of that mark
+    /// gets the class of that mark, HRBFNPR_CLASS_...; UINT8 or UINT32
     pub mark_class: hrbfnpr_array_out,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_raster_desc_init(
         desc: *mut hrbfnpr_raster_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Draws into an image.  The viewport (clipped to the image) is filled with
-    /// paper and ink; pixels outside it are not touched.  desc may be NULL.
+    /// Draws into an image.  It fills the viewport, clipped to the image, with paper and ink, and
+    /// leaves other pixels as
+    /// they are.  `desc` may be NULL for the defaults.
+    /// Errors: INVALID_ARGUMENT (a field of the image or of `desc`), OUT_OF_MEMORY.
     pub fn hrbfnpr_drawing_rasterize(
         drawing: *const hrbfnpr_drawing,
         image: *const hrbfnpr_image,
@@ -3423,89 +3604,97 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// the dots: one vertex each
+// What vertices are written for.
+/// dots, with one vertex each
 pub const HRBFNPR_PRIMITIVE_POINTS: u32 = 1;
-/// the strokes: one vertex for each of their points
+/// strokes, with one vertex for each of their points
 pub const HRBFNPR_PRIMITIVE_LINE_STRIPS: u32 = 2;
-/// the strokes: two for each point, on their left and right side
+/// strokes, with two vertices for each point, on its left and right side
 pub const HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS: u32 = 3;
 
-// Ends a strip in an array of indices.
+// The index that ends a strip: 0xFFFFFFFF as UINT32.
 pub const HRBFNPR_INDEX_RESTART: i32 = -1;
 
 // What a vertex can carry, and the types it can have.
-/// world, FLOAT32 x 3. Of marks and their line strips that of the mark; of lines, of hatching
-/// and of triangles what is drawn, as exact as the window depth
+/// world position; FLOAT32 x 3. For marks and their line strips it is the place of the mark.
+/// For lines, hatching and triangles it is the drawn place, as exact as the window depth
 pub const HRBFNPR_VERTEX_ATTRIBUTE_POSITION: u32 = 0;
-/// pixel x, pixel y, depth; FLOAT32 x 3
+/// pixel x, pixel y and depth; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_WINDOW: u32 = 1;
-/// pixels; FLOAT32
+/// radius of a dot or half the width of a stroke, in pixels; FLOAT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_RADIUS: u32 = 2;
-/// straight RGBA; FLOAT32 x 4, or UINT8 x 4
+/// colour, straight RGBA; FLOAT32 x 4 or UINT8 x 4
 pub const HRBFNPR_VERTEX_ATTRIBUTE_COLOR: u32 = 3;
-/// world, unit; of lines 0; FLOAT32 x 3
+/// unit normal in the world, 0 for lines; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_NORMAL: u32 = 4;
-/// world, unit; of lines 0; FLOAT32 x 3
+/// unit direction in the world, 0 for lines; FLOAT32 x 3
 pub const HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION: u32 = 5;
-/// of the mark; 0 of lines; UINT32
+/// id of the mark, 0 for lines; UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_ID: u32 = 6;
-/// HRBFNPR_CLASS_...; UINT8 or UINT32
+/// class of the mark, HRBFNPR_CLASS_...; UINT8 or UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_CLASS: u32 = 7;
 /// 1 = a disc of paper, 0 = ink; UINT8 or UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER: u32 = 8;
-/// of the drawing; UINT32
+/// number of the layer in the drawing; UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LAYER: u32 = 9;
-/// along its stroke, pixels from its first point; 0 for a dot; FLOAT32
+/// length along the stroke from its first point, in pixels, 0 for a dot; FLOAT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LENGTH: u32 = 10;
-/// layers of surface before that part of a line, 0 = it is visible; 0 of marks; UINT32
+/// number of layers of surface in front of this part of a line, 0 if it is visible or a mark; UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS: u32 = 11;
-/// item of the nearest surface before that part of a line; HRBFNPR_INDEX_RESTART = it is
-/// visible, or a mark; UINT32
+/// number of the item whose surface is nearest in front of this part of a line,
+/// HRBFNPR_INDEX_RESTART if it is visible or a mark; UINT32
 pub const HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY: u32 = 12;
-/// of lines: a number that a line keeps from one drawing of a renderer to the next, where the
-/// camera moves little; 0 of all else; UINT32
+/// number of the line, 0 for all else; UINT32. A line keeps it from one drawing of a renderer
+/// to the next where the camera moves little
 pub const HRBFNPR_VERTEX_ATTRIBUTE_LINE: u32 = 13;
 
+/// One attribute of a vertex.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_vertex_attribute {
     pub struct_size: u32,
-    /// HRBFNPR_VERTEX_ATTRIBUTE_...
+    /// what it holds, HRBFNPR_VERTEX_ATTRIBUTE_...; default POSITION
     pub attribute: u32,
-    /// HRBFNPR_SCALAR_...
+    /// type of its numbers, HRBFNPR_SCALAR_...; default FLOAT32
     pub scalar: u32,
-    /// bytes from the start of the vertex
+    /// bytes from the start of the vertex; default 0
     pub offset: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_vertex_attribute_init(
         attribute: *mut hrbfnpr_vertex_attribute,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// What vertices are written for, and what each holds.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_vertex_layout {
     pub struct_size: u32,
-    /// HRBFNPR_PRIMITIVE_...; POINTS
+    /// what vertices are written for, HRBFNPR_PRIMITIVE_...; default POINTS
     pub primitive: u32,
-    /// a list, 1 and more
+    /// a list of 1 to 64 attributes
     pub attributes: *const hrbfnpr_vertex_attribute,
+    /// number of `attributes`
     pub attribute_count: i64,
+    /// bytes from one element of `attributes` to the next; default 0 = struct_size
     pub attribute_stride: i64,
-    /// bytes of a vertex; 0 = up to the end of its last attribute
+    /// bytes from one vertex to the next; default 0 = up to the end of the last attribute
     pub stride: i64,
 }
 
 extern "C" {
-    /// Points, and no attributes.
+    /// Sets struct_size, POINTS and no attributes.
     pub fn hrbfnpr_vertex_layout_init(
         layout: *mut hrbfnpr_vertex_layout,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// How many vertices and indices a primitive has; each may be NULL.
+    /// Gets the numbers of vertices and indices that hrbfnpr_drawing_write_vertices writes for a primitive
+    /// (HRBFNPR_PRIMITIVE_...).  `vertices` and `indices` may be NULL.
+    /// Errors: INVALID_ARGUMENT (no such primitive).
     pub fn hrbfnpr_drawing_vertex_bound(
         drawing: *const hrbfnpr_drawing,
         primitive: u32,
@@ -3513,20 +3702,28 @@ extern "C" {
         indices: *mut i64,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Writes the drawing's dots or strokes, far to near.
+    /// Writes the vertices of a drawing's dots or strokes, from far to near.
     ///
-    /// POINTS: discs of paper and of ink.  A host that paints them in this order as
-    /// round anti-aliased points with ordinary "source over" blending gets the
-    /// dots of _rasterize (without its host_depth; a dot of a radius r below half a
-    /// pixel is painted with half a pixel, its alpha times (2 r)^2).  With transparent paper, the
-    /// discs of paper must erase: destination times (1 - alpha).
-    /// Strips: `indices` (UINT32, nullable) lists, far to near, the vertices of one stroke after
-    /// the other, each ended by HRBFNPR_INDEX_RESTART (0xFFFFFFFF); of points it is
-    /// 0, 1, 2 ...  A triangle strip has two vertices for each point, left and right of it, and
-    /// two at the tip of a
-    /// pointed end; round ends are cut off flat.
-    /// Capacities are in vertices and in indices; *vertex_count and *index_count
-    /// (nullable) get the numbers written, or needed with BUFFER_TOO_SMALL.
+    /// POINTS: discs of paper and of ink.  A host gets the dots of hrbfnpr_drawing_rasterize if
+    /// it paints them in this
+    /// order, as round anti-aliased points with "source over" blending; only host_depth has no
+    /// effect.  A dot with a radius
+    /// r below half a pixel is written with half a pixel, and its alpha times (2 r)^2.  With
+    /// transparent paper the discs of
+    /// paper must erase: destination times (1 - alpha).
+    ///
+    /// Strips: `indices` (UINT32, may be NULL) gets the vertices of one stroke after the other,
+    /// each stroke ended by
+    /// HRBFNPR_INDEX_RESTART.  A triangle strip has two vertices for each point, on its left and
+    /// right, and two at the tip
+    /// of a pointed end.  Round ends are cut off flat.  For POINTS `indices` gets 0, 1, 2 and so on.
+    ///
+    /// Capacities are numbers of vertices and of indices. *vertex_count and *index_count (may be
+    /// NULL) get the numbers that
+    /// were written, or that are needed with BUFFER_TOO_SMALL.
+    /// Errors: INVALID_ARGUMENT (a field of the layout; a negative capacity), BUFFER_TOO_SMALL (a
+    /// capacity is too small;
+    /// nothing is written), OUT_OF_MEMORY.
     pub fn hrbfnpr_drawing_write_vertices(
         drawing: *const hrbfnpr_drawing,
         layout: *const hrbfnpr_vertex_layout,
@@ -3540,28 +3737,33 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// How each mark of a layer is drawn, in the set's own order: a host keeps the
-/// set's arrays on the graphics card and uploads only these.  Arrays of the
-/// caller's, each of as many elements as the layer has marks, or not given.
+/// How each mark of a layer is drawn, in the set's own order.  A host keeps the set's arrays
+/// on the graphics card and
+/// uploads only these.  Each array of the caller's has as many elements as the layer has
+/// marks, or is not given.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mark_results {
     pub struct_size: u32,
     pub reserved: u32,
-    /// UINT8: the class that it is drawn as, HRBFNPR_CLASS_FRONT or SILHOUETTE; NONE = it is not drawn
+    /// gets the class as which the mark is drawn, HRBFNPR_CLASS_FRONT or SILHOUETTE, or NONE if
+    /// it is not drawn; n x 1, UINT8
     pub shown: hrbfnpr_array_out,
-    /// FLOAT32, pixels; 0 = not drawn
+    /// gets the radius of the mark in pixels, 0 if it is not drawn; n x 1, FLOAT32
     pub radius: hrbfnpr_array_out,
-    /// FLOAT32: the ink's alpha times what is let through; 0 = not drawn
+    /// gets the ink's alpha times the transmittance of what lies in front, 0 if the mark is not
+    /// drawn; n x 1, FLOAT32
     pub opacity: hrbfnpr_array_out,
 }
 
 extern "C" {
+    /// Sets struct_size; no array is given.
     pub fn hrbfnpr_mark_results_init(
         results: *mut hrbfnpr_mark_results,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Of one layer of one item's point set; also of a layer that is not drawn.
+    /// Gets how each mark of one layer of one item's point set is drawn.  The layer need not be drawn.
+    /// Errors: INVALID_ARGUMENT (no such item or layer; an array of another size or type).
     pub fn hrbfnpr_drawing_mark_results(
         drawing: *const hrbfnpr_drawing,
         item: i64,
@@ -3569,12 +3771,20 @@ extern "C" {
         results: *mut hrbfnpr_mark_results,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Which marks of a layer are drawn: numbers of marks, UINT32.
-    /// POINTS: those that are shown, far to near.  LINE_STRIPS: along strokes, a run
-    /// of shown marks each, ended by HRBFNPR_INDEX_RESTART.  TRIANGLE_STRIPS: the
-    /// same, 2 * number and 2 * number + 1 for each mark.
-    /// mark_class: HRBFNPR_CLASS_FRONT or SILHOUETTE.  *count gets the number written, or needed
-    /// with BUFFER_TOO_SMALL; indices may be NULL when capacity is 0.
+    /// Writes which marks of a layer are drawn as one class: the numbers of these marks, UINT32.
+    /// `mark_class` is
+    /// HRBFNPR_CLASS_FRONT or SILHOUETTE.  With POINTS they are the marks that are shown, from
+    /// far to near.  With
+    /// LINE_STRIPS they are runs of shown marks along strokes, each ended by
+    /// HRBFNPR_INDEX_RESTART.  With TRIANGLE_STRIPS
+    /// they are the same runs, with 2 * number and 2 * number + 1 for each mark.
+    ///
+    /// *count (not NULL) gets the number of indices written, or needed with BUFFER_TOO_SMALL.
+    /// `indices` may be NULL if
+    /// capacity is 0.
+    /// Errors: INVALID_ARGUMENT (no such item, layer, class or primitive), BUFFER_TOO_SMALL
+    /// (nothing is written),
+    /// OUT_OF_MEMORY.
     pub fn hrbfnpr_drawing_write_mark_indices(
         drawing: *const hrbfnpr_drawing,
         item: i64,
@@ -3588,28 +3798,33 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// The mark that an id belongs to.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mark_identity {
     pub struct_size: u32,
+    /// the id itself
     pub id: u32,
+    /// number of the item
     pub item: i64,
-    /// of the item's point set
+    /// number of the layer in the item's point set
     pub layer: i64,
-    /// of the layer
+    /// number of the mark in the layer
     pub mark: i64,
-    /// of the layer; -1 = of none
+    /// number of its stroke in the layer; -1 = it is in no stroke
     pub stroke: i64,
-    /// along the stroke
+    /// its place along the stroke, from 0
     pub place: i64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_mark_identity_init(
         identity: *mut hrbfnpr_mark_identity,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// What an id stands for.  INVALID_ARGUMENT for one that is no mark's.
+    /// Finds the mark that has an id.
+    /// Errors: INVALID_ARGUMENT (no mark has the id).
     pub fn hrbfnpr_drawing_identify(
         drawing: *const hrbfnpr_drawing,
         id: u32,
@@ -3618,56 +3833,59 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 12  MESH: triangles as they come, made usable; samples, fits and errors by it
+// 12  MESH: triangles, repaired; samples, fits and comparisons
 
+/// Triangles that have been repaired.
 #[repr(C)]
 pub struct hrbfnpr_mesh {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-// Which components are kept.  A component is what hangs together by shared
-// vertices.
-/// all but those that lie inside a closed one: eyes in a head, inner shells
+// Which components of a mesh are kept.  Faces that share vertices belong to one component.
+/// keeps all components except those inside a closed one, such as eyes in a head or inner shells
 pub const HRBFNPR_PARTS_OUTER: u32 = 0;
-/// all; one that lies inside an odd number of closed ones is a cavity if its faces say so,
-/// and is not turned
+/// keeps all components. One that lies inside an odd number of closed ones is a cavity if its
+/// faces say so, and is not turned
 pub const HRBFNPR_PARTS_ALL: u32 = 1;
-/// that of the largest area
+/// keeps the component of the largest area
 pub const HRBFNPR_PARTS_LARGEST: u32 = 2;
 
-// What becomes of the order of a face's corners.
-/// faces are turned to agree with their component, and closed components outward
+// Whether the order of a face's corners may change.
+/// faces are turned to agree with their component, and closed components to face outward
 pub const HRBFNPR_FACES_TURN: u32 = 0;
-/// as they are
+/// faces stay as they are
 pub const HRBFNPR_FACES_KEEP: u32 = 1;
 
-/// Triangles; quadrilaterals and polygons are cut into them by the caller.
-/// A corner that is no number of a vertex, or that a vertex which is not finite
-/// belongs to, is INVALID_ARGUMENT, and the message names the face and the
-/// index; so are coordinates beyond 1e60, a mesh less than 1e-60 across, and one that has no
-/// face left.
+/// A mesh as it is given: triangles.  The caller cuts quadrilaterals and polygons into triangles.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mesh_desc {
     pub struct_size: u32,
-    /// HRBFNPR_PARTS_...; OUTER
+    /// components that are kept, HRBFNPR_PARTS_...; default OUTER
     pub parts: u32,
-    /// n x 3, FLOAT32 or FLOAT64; n < 2^31
+    /// positions; n x 3, FLOAT32 or FLOAT64, n < 2^31 - 1; coordinates up to 1e60
     pub vertices: hrbfnpr_array,
-    /// m x 3, INT32, INT64 or UINT32: numbers of vertices, from 0, counter-clockwise as seen from
-    /// outside; m < 2^29
+    /// numbers of vertices from 0, counter-clockwise as seen from outside; m x 3, INT32, INT64 or
+    /// UINT32, m < 2^29
     pub triangles: hrbfnpr_array,
-    /// degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; 60
+    /// angle between the normals of two faces, in degrees, above which they do not share corner
+    /// normals; 0 .. 180; default 60
     pub crease_angle: f64,
-    /// HRBFNPR_FACES_...; TURN
+    /// whether faces are turned, HRBFNPR_FACES_...; default TURN
     pub faces: u32,
     pub reserved: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_mesh_desc_init(desc: *mut hrbfnpr_mesh_desc, struct_size: u32) -> hrbfnpr_status;
-    /// operation may be NULL.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    /// Makes a mesh from triangles, and repairs it.  `operation` may be NULL.
+    /// Errors: INVALID_ARGUMENT (a corner that is not the number of a vertex, or whose vertex is
+    /// not finite: the message
+    /// names the face and the index; coordinates beyond 1e60; a mesh less than 1e-60 across; a
+    /// mesh that has no face left),
+    /// OUT_OF_MEMORY, CANCELLED.
     pub fn hrbfnpr_mesh_create(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_mesh_desc,
@@ -3675,73 +3893,88 @@ extern "C" {
         out_mesh: *mut *mut hrbfnpr_mesh,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_mesh_retain(mesh: *const hrbfnpr_mesh);
-    /// any thread; NULL is ignored
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_mesh_release(mesh: *const hrbfnpr_mesh);
 }
 
-/// Of what is kept, but for the numbers of what was found on the way.  An edge is
-/// at the boundary if one face has it, and not manifold if more than two have.
+/// What making a mesh found, and did.  Facts such as the numbers of vertices, faces and edges
+/// are those of the mesh that
+/// is kept; numbers of repairs are those of the mesh that was given.  An edge is at the
+/// boundary if it has one face, and
+/// not manifold if it has more than two.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mesh_info {
     pub struct_size: u32,
     /// 1: no edge is at the boundary or not manifold, and all faces agree
     pub closed: u32,
+    /// vertices that were given
     pub given_vertices: i64,
+    /// faces that were given
     pub given_faces: i64,
-    /// kept; more than were given where solids that touch in an edge are parted there, at most
-    /// three for each face
+    /// vertices that are kept. They are more than were given where solids that touch in an edge
+    /// are parted, at most three for each face
     pub vertices: i64,
+    /// faces that are kept
     pub faces: i64,
-    /// in the place of another, and joined with it; on borders also within 1e-6 of the diagonal
-    /// from another
+    /// vertices at the place of another, joined with it; on borders also those within 1e-6
+    /// diagonals of another
     pub welded_vertices: i64,
-    /// without area but for the rounding of single precision, left out; the face across the
-    /// largest side is cut in two at the corner that lies within it, so that no slit stays
+    /// faces left out because they have no area beyond the rounding of single precision. The face
+    /// across the longest side is cut in two at the corner on it, so that no slit stays
     pub degenerate_faces: i64,
-    /// with the corners of another, left out; both where two solids share a wall
+    /// faces left out because another has the same corners; both where two solids share a wall
     pub repeated_faces: i64,
-    /// against those beside them, turned
+    /// faces turned to agree with those beside them
     pub turned_faces: i64,
-    /// of the given faces
+    /// components of the given faces
     pub components: i64,
-    /// closed and inside out, turned
+    /// closed components turned because they were inside out
     pub turned_components: i64,
-    /// inside a closed one
+    /// components inside a closed one
     pub nested_components: i64,
+    /// components left out, by `parts`
     pub left_out_components: i64,
-    /// of these
+    /// faces of the components left out
     pub left_out_faces: i64,
+    /// edges with one face
     pub boundary_edges: i64,
+    /// loops that these edges form
     pub boundary_loops: i64,
+    /// edges with more than two faces
     pub nonmanifold_edges: i64,
-    /// whose two faces do not agree: the mesh cannot be oriented, or was not to be
+    /// edges whose two faces do not agree, because the mesh cannot be oriented or was not to be
     pub contrary_edges: i64,
     /// vertices - edges + faces
     pub euler_characteristic: i64,
-    /// sum of the handles of all components; -1 where the mesh is not closed
+    /// number of handles of all components; -1 if the mesh is not closed
     pub genus: i64,
+    /// area, in squared units of the mesh
     pub area: f64,
-    /// enclosed; NaN where the mesh is not closed
+    /// enclosed volume, in cubed units of the mesh; NaN if the mesh is not closed
     pub volume: f64,
+    /// least coordinates of the vertices
     pub bounds_min: [f64; 3],
+    /// greatest coordinates of the vertices
     pub bounds_max: [f64; 3],
-    /// that making it took
+    /// time that making it took
     pub seconds: f64,
-    /// kept by the mesh
+    /// memory that the mesh keeps
     pub bytes: i64,
-    /// of the edges that bend by more than 30 degrees, in diagonals of the bounds
+    /// length of the edges that bend by more than 30 degrees, in diagonals of the bounds
     pub crease_length: f64,
-    /// 1: these stand out, as those of machine parts; hrbfnpr_model_fit_mesh with edges AUTO and
-    /// the default crease angle keeps them sharp
+    /// 1: the mesh has edges that stand out, as those of machine parts do. hrbfnpr_model_fit_mesh
+    /// keeps them sharp with edges AUTO and the default crease_angle
     pub creases: u32,
     pub reserved: u32,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_mesh_info_init(info: *mut hrbfnpr_mesh_info, struct_size: u32) -> hrbfnpr_status;
+    /// Gets what making a mesh found, and did.
     pub fn hrbfnpr_mesh_get_info(
         mesh: *const hrbfnpr_mesh,
         info: *mut hrbfnpr_mesh_info,
@@ -3749,19 +3982,22 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// places, FLOAT64 x 3
+// Arrays of a mesh.
+/// positions of the vertices; FLOAT64 x 3
 pub const HRBFNPR_MESH_ATTRIBUTE_VERTEX: u32 = 0;
-/// numbers of vertices, INT32 x 3, of each face
+/// numbers of the vertices of each face; INT32 x 3
 pub const HRBFNPR_MESH_ATTRIBUTE_TRIANGLE: u32 = 1;
-/// from 0, INT32 x 1, of each face
+/// number of the component of each face, from 0; INT32 x 1
 pub const HRBFNPR_MESH_ATTRIBUTE_COMPONENT: u32 = 2;
-/// the number that the face was given by, INT32 x 1
+/// number of each face among the given ones; INT32 x 1
 pub const HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE: u32 = 3;
-/// unit normals of the three corners, FLOAT64 x 9, of each face
+/// unit normals of the three corners of each face; FLOAT64 x 9
 pub const HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL: u32 = 4;
 
 extern "C" {
-    /// A zero-copy view of what is kept, valid while the mesh lives.
+    /// Gets a view of an array of the mesh, HRBFNPR_MESH_ATTRIBUTE_..., without a copy.  It is
+    /// valid while the mesh lives.
+    /// Errors: INVALID_ARGUMENT (no such attribute).
     pub fn hrbfnpr_mesh_view(
         mesh: *const hrbfnpr_mesh,
         attribute: u32,
@@ -3770,30 +4006,36 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// How a mesh is sampled.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_sample_desc {
     pub struct_size: u32,
     pub reserved: u32,
-    /// random places to choose from, 0 = 40 for each sample, 1000000 at most; never fewer than
-    /// samples; as many as samples: all of them, in random order
+    /// random places to choose from, 0 .. 1000000; default 0 = 40 for each sample, up to 1000000.
+    /// More: more even samples, in more time. There are never fewer than samples; with as many,
+    /// the samples are all of them in random order
     pub candidates: i64,
-    /// any number; 1
+    /// seed of the places, any number; default 1
     pub random_seed: u64,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_sample_desc_init(
         desc: *mut hrbfnpr_sample_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// As many samples of the mesh as `points` has elements (at least 1, 10000000 at
-    /// most): random places, even over its area, of which each next one that is
-    /// taken is the farthest from those before, so that every prefix is even.
-    /// points, normals: n x 3, FLOAT32 or FLOAT64; normals (may be NULL) are unit,
-    /// interpolated between those of the corners, which take in the faces about
-    /// their vertex within the crease angle, by their angles there.
-    /// desc may be NULL; operation too.
+    /// Samples a mesh evenly, with as many samples as `points` has elements, 1 .. 10000000.  Each
+    /// sample is the candidate
+    /// farthest from those before, so that every prefix is even.  `points` and `normals` are n x
+    /// 3, FLOAT32 or FLOAT64.
+    /// `normals` may be NULL.  They are unit, and interpolated between the normals of the
+    /// corners.  A corner's normal takes
+    /// in the faces around its vertex within the crease angle, weighted by their angles there.
+    /// `desc` and `operation` may
+    /// be NULL.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
     pub fn hrbfnpr_mesh_sample(
         mesh: *const hrbfnpr_mesh,
         desc: *const hrbfnpr_sample_desc,
@@ -3805,13 +4047,13 @@ extern "C" {
 }
 
 // Which edges of a mesh are sharp.
-/// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
-/// beside them; noise and coarse faces of round shapes do not. Closed parts that cross are
-/// fitted apart, and meet in creases
+/// edges are sharp if they stand out from the faces beside them, as those of machine parts
+/// do. Noise and coarse faces of round shapes do not stand out. Closed parts that cross are
+/// fitted separately, and meet in creases
 pub const HRBFNPR_EDGES_AUTO: u32 = 0;
-/// no edge is: a fit is one smooth surface, which rounds them
+/// no edge is sharp: a fit is one smooth surface, which rounds all edges
 pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
-/// sharp wherever faces meet at more than crease_angle
+/// all edges are sharp whose faces meet at more than crease_angle
 pub const HRBFNPR_EDGES_SHARP: u32 = 2;
 
 /// How sharp edges are found.
@@ -3819,60 +4061,69 @@ pub const HRBFNPR_EDGES_SHARP: u32 = 2;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mesh_edges_desc {
     pub struct_size: u32,
-    /// HRBFNPR_EDGES_...; AUTO
+    /// which edges are sharp, HRBFNPR_EDGES_...; default AUTO
     pub edges: u32,
-    /// degrees between the normals of two faces, 1 .. 179: an edge that bends more is sharp; 30
+    /// angle between the normals of two faces, in degrees, above which their edge is sharp; 1 ..
+    /// 179; default 30
     pub crease_angle: f64,
-    /// coarse faces that a round surface would leave by four fifths of this stay flat, with sharp
-    /// edges; in units of the mesh; 0 = 0.01 diagonals. A large number, such as the diagonal:
-    /// only the angle counts
+    /// distance, in units of the mesh, that decides about coarse faces; 0 or more; default 0 =
+    /// 0.01 diagonals. Faces stay flat, with sharp edges, if a round surface would leave them by
+    /// more than four fifths of it. With a large number, such as the diagonal, the angle alone
+    /// decides
     pub far: f64,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_mesh_edges_desc_init(
         desc: *mut hrbfnpr_mesh_edges_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// The sharp edges of a mesh as a whole.  Lengths are in units of the mesh.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mesh_edges_info {
     pub struct_size: u32,
     pub reserved: u32,
-    /// the number of sharp edges
+    /// number of sharp edges
     pub edges: i64,
-    /// the number of smooth patches between them; 1 where no edge is sharp
+    /// number of smooth patches between them; 1 if no edge is sharp
     pub patches: i64,
-    /// of the sharp edges, in units of the mesh
+    /// length of the sharp edges
     pub length: f64,
-    /// of those among them that have the same patch on both sides, as where a crease fades out
+    /// length of those sharp edges that have the same patch on both sides, as where a crease fades out
     pub fading: f64,
-    /// with AUTO: of edges that bend more than crease_angle but do not stand out, in units of the
-    /// mesh; 0 where edges are sharp
+    /// with AUTO, length of edges that bend more than crease_angle but do not stand out; 0 if the
+    /// mesh has sharp edges
     pub doubtful: f64,
+    /// time that the search took
     pub seconds: f64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_mesh_edges_info_init(
         info: *mut hrbfnpr_mesh_edges_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
     /// Finds the sharp edges of a mesh and the smooth patches between them, as
-    /// hrbfnpr_model_fit_mesh does with the same edges, crease_angle and far.  Edges
-    /// that bend by more than crease_angle are sharp; where one ends, it goes on along
-    /// edges that bend by 8 degrees or more and keep its direction; short sharp edges
-    /// that part nothing are dropped as noise.  Edges of one face, and of more than
-    /// two, end patches, but are not sharp.
-    /// patch: m x 1, INT64, INT32 or UINT32 for the m faces of the mesh: the number of
-    ///        each face's patch, from 0 in the order of their first faces.  NULL: not
-    ///        wanted.
-    /// sharp: m x 3, the same types: 1 where the edge from corner k of the face to the
-    ///        next corner is sharp, else 0.  NULL: not wanted.
-    /// desc, info and operation may be NULL.  The call is thread-safe: it only reads
-    /// the mesh.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    /// hrbfnpr_model_fit_mesh does with the same
+    /// edges, crease_angle and far.  A sharp edge that ends within a patch goes on along edges
+    /// that keep its direction and
+    /// bend by 8 degrees or more.  Short sharp edges that separate nothing are dropped as noise.
+    /// Edges with one face, or
+    /// with more than two, end patches but are not sharp.
+    ///
+    /// `patch` is m x 1 for the m faces of the mesh, INT64, INT32 or UINT32: it gets the number
+    /// of each face's patch, from 0
+    /// in the order of their first faces.  `sharp` is m x 3, of the same types: it gets 1 if the
+    /// edge from corner k of the
+    /// face to the next corner is sharp, else 0.  `patch`, `sharp`, `desc`, `info` and
+    /// `operation` may be NULL.  The call
+    /// only reads the mesh, so several threads may make it at the same time.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
     pub fn hrbfnpr_mesh_edges(
         mesh: *const hrbfnpr_mesh,
         desc: *const hrbfnpr_mesh_edges_desc,
@@ -3882,14 +4133,18 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Farthest-point order: each is the point farthest from those before it, the
-    /// first the one nearest to the middle of the bounding box; of equals the one of
-    /// lower number.  Every prefix is an even choice [Gonzalez 1985].
-    /// points:   n x 3, FLOAT32 or FLOAT64, finite, below 1e100.
-    /// indices:  k x 1, INT64, INT32 or UINT32, k <= n: numbers of points.
-    /// distance: k x 1, FLOAT32 or FLOAT64, or NULL: from those before; infinite for
-    ///           the first.
-    /// 20 000 of a million take half a second.  operation may be NULL.
+    /// Orders points so that each is the farthest from those before it (farthest-point order), so
+    /// that every prefix is an
+    /// even choice [Gonzalez 1985].  The first is the point nearest to the middle of the bounding
+    /// box.  If two points are
+    /// equally far, the one with the lower number comes first.
+    ///
+    /// `points` is n x 3, FLOAT32 or FLOAT64, finite, up to 1e100.  `indices` is k x 1, INT64,
+    /// INT32 or UINT32, 1 <= k <= n:
+    /// it gets the numbers of the points.  `distance` is k x 1, FLOAT32 or FLOAT64, or NULL: it
+    /// gets the distance of each
+    /// from those before; infinite for the first.  `operation` may be NULL.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
     pub fn hrbfnpr_farthest_points(
         context: *mut hrbfnpr_context,
         points: *const hrbfnpr_array,
@@ -3900,39 +4155,49 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// How near a surface is to a mesh.  "Surface": of the model, within the box of
-/// the mesh, grown by 0.05 diagonals; "diagonal" is the mesh's.  What of it is
-/// nearest to the mesh's border goes on beyond that, and is left out.  Where
-/// closed components overlap, what lies inside is no part of the mesh.
+/// How a surface is compared with a mesh.  The surface is that of the model within the box of
+/// the mesh, grown by 0.05
+/// diagonals.  Diagonals are those of the mesh.  Parts of the surface whose nearest place on
+/// the mesh is on its border
+/// lie beyond the mesh, and are left out.  Where closed components overlap, what lies inside
+/// another is no part of the
+/// mesh.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_compare_desc {
     pub struct_size: u32,
     pub reserved: u32,
-    /// that shares are counted for, in units of the mesh; 0 = 0.002 diagonals
+    /// distance within which shares are counted, in units of the mesh; 0 or more; default 0 =
+    /// 0.002 diagonals
     pub tolerance: f64,
-    /// beyond it a part of the surface is an invention, and a part of the mesh missed; 0 = 0.01 diagonals
+    /// distance, in units of the mesh, beyond which surface is invented and mesh is missed; 0 or
+    /// more; default 0 = 0.01 diagonals
     pub far: f64,
-    /// > 0: what the samples of the model do not bear out by this limit is left out, as a line
-    /// set with the same `support` does; a custom model has none; 0 = nothing is left out
+    /// limit of the support of the model's samples, beyond which surface is left out, as in
+    /// hrbfnpr_line_set_desc; 0 or more; default 0 = nothing is left out. A custom model has no
+    /// samples: give 0
     pub support: f64,
-    /// on each side, 100 .. 10000000; 0 = 20000
+    /// places to measure at, on the surface and on the mesh each, 100 .. 10000000; default 0 = 20000
     pub points: i64,
-    /// of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where
-    /// it is thin. What is thinner or smaller may be missed
+    /// side of the cells in which the surface is searched, in units of the mesh, at least 0.001
+    /// diagonals; default 0 = 1/128 diagonal, and finer where the surface is thin. What is
+    /// thinner or smaller may be missed
     pub cell_size: f64,
-    /// any number; 1
+    /// seed of the places, any number; default 1
     pub random_seed: u64,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_compare_desc_init(
         desc: *mut hrbfnpr_compare_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-/// Distances in units of the mesh.  p99: 99 % are not farther.  Of no points: NaN.
+/// How near a surface and a mesh are to each other.  Distances are in units of the mesh.  99
+/// % of the distances are not
+/// above p99.  Figures without any place to measure at are NaN.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_comparison {
@@ -3940,48 +4205,60 @@ pub struct hrbfnpr_comparison {
     pub reserved: u32,
     /// places on the surface, even over its area
     pub surface_points: i64,
-    /// of their distances from the mesh
+    /// mean of their distances from the mesh
     pub surface_mean: f64,
+    /// 99th percentile of these distances
     pub surface_p99: f64,
+    /// greatest of these distances
     pub surface_max: f64,
-    /// within the tolerance
+    /// share of the surface within the tolerance of the mesh, 0 .. 1
     pub surface_share: f64,
-    /// of the surface, beyond `far`
+    /// share of the surface farther than `far` from the mesh, 0 .. 1
     pub invented_share: f64,
-    /// of the surface: beyond the mesh's border, or by `support`; in none of the above
+    /// share of the surface left out, beyond the mesh's border or by `support`, 0 .. 1; no other
+    /// figure includes it
     pub left_out_share: f64,
     /// places on the mesh, even over its area
     pub mesh_points: i64,
-    /// of their distances from the surface
+    /// mean of their distances from the surface
     pub mesh_mean: f64,
+    /// 99th percentile of these distances
     pub mesh_p99: f64,
+    /// greatest of these distances
     pub mesh_max: f64,
-    /// within the tolerance
+    /// share of the mesh within the tolerance of the surface, 0 .. 1
     pub mesh_share: f64,
-    /// of the mesh, beyond `far`
+    /// share of the mesh farther than `far` from the surface, 0 .. 1
     pub missed_share: f64,
-    /// degrees between the mesh's normals and the surface's beside them
+    /// mean angle between the mesh's normals and those of the surface beside them, in degrees
     pub normal_mean: f64,
+    /// 99th percentile of these angles, in degrees
     pub normal_p99: f64,
-    /// of the surface
+    /// components of the surface
     pub components: i64,
-    /// of the surface, sum over its components; -1 if it has a border in the box
+    /// genus of the surface, summed over its components; -1 if it has a border in the box
     pub genus: i64,
-    /// as used
+    /// tolerance as used
     pub tolerance: f64,
+    /// diagonal of the mesh
     pub diagonal: f64,
+    /// time that the comparison took
     pub seconds: f64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_comparison_init(
         comparison: *mut hrbfnpr_comparison,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Measures both ways, for any model, in the same coordinates as the mesh.  The
-    /// surface is found from places on the mesh and from 16^3 places of the box: a
-    /// small part of it that neither leads to is missed.
-    /// desc may be NULL; operation too.
+    /// Measures how near the surface of any model and a mesh are to each other, both ways.  Both
+    /// are in the same
+    /// coordinates.  The search for the surface starts from places on the mesh and from a lattice
+    /// of 16^3 places in the box.
+    /// A small part of the surface that is near none of these is missed.  `desc` and `operation`
+    /// may be NULL.
+    /// Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED, CALLBACK.
     pub fn hrbfnpr_model_compare_mesh(
         model: *const hrbfnpr_model,
         mesh: *const hrbfnpr_mesh,
@@ -3998,120 +4275,141 @@ extern "C" {
 pub struct hrbfnpr_mesh_fit_desc {
     pub struct_size: u32,
     pub reserved: u32,
-    /// how near the surface and the mesh are to be to each other, in units of the mesh; 0 = 0.002
-    /// diagonals; not below 1e-6 diagonals
+    /// distance within which surface and mesh shall be of each other, in units of the mesh; 1e-6
+    /// diagonals or more; default 0 = 0.002 diagonals. Smaller: more samples and time
     pub tolerance: f64,
-    /// of both that has to be within the tolerance, above 0, at most 1; 0.99
+    /// share of both that must be within the tolerance; above 0, up to 1; default 0.99
     pub share: f64,
-    /// what no part may be beyond; 0 = five times the tolerance
+    /// distance that no part may exceed, in units of the mesh; not below the tolerance; default 0
+    /// = five times the tolerance
     pub far: f64,
-    /// 16 .. 1000000; 8000. A fit with sharp edges may have 32 for each of its sheets, if that is
-    /// more: each is solved alone
+    /// the most centres of the fit, 16 .. 1000000; default 8000. A fit with sharp edges may have
+    /// 32 for each of its sheets, if that is more, as each sheet is solved alone
     pub maximum_centres: i64,
-    /// places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details
+    /// places on the mesh to choose samples from, 1000 .. 10000000; default 0 = by its area and
+    /// its details
     pub candidates: i64,
-    /// any number; 1
+    /// seed of the places, any number; default 1
     pub random_seed: u64,
-    /// degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what
-    /// rounding would take four fifths of `far` off the mesh; 30
+    /// angle between the normals of two faces, in degrees, above which their edge is sharp; 5 ..
+    /// 175; default 30. Edges of coarse faces are sharp, too, if rounding would move the surface
+    /// off the mesh by four fifths of `far`
     pub crease_angle: f64,
-    /// HRBFNPR_EDGES_...; AUTO
+    /// which edges are sharp, HRBFNPR_EDGES_...; default AUTO
     pub edges: u32,
     pub reserved2: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_mesh_fit_desc_init(
         desc: *mut hrbfnpr_mesh_fit_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-/// What a fit to a mesh came to: the last of the measurements that it went by,
-/// at places of their own.  hrbfnpr_model_compare_mesh measures again, and more.
+/// The result of a fit to a mesh.  Distances are in units of the mesh.  They come from the
+/// fit's last measurement, at
+/// places that it did not use before. hrbfnpr_model_compare_mesh measures again, and more.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_mesh_fit_info {
     pub struct_size: u32,
-    /// 1: tolerance, share and far are kept, both ways
+    /// 1: surface and mesh keep the tolerance, the share and `far`, both ways
     pub reached: u32,
-    /// as used
+    /// tolerance as used
     pub tolerance: f64,
+    /// `far` as used
     pub far: f64,
+    /// places on the mesh that samples were chosen from
     pub candidates: i64,
-    /// all
+    /// all centres
     pub centres: i64,
-    /// of these, the last ones: where f is held to the distance from the mesh
+    /// centres off the surface, at which f is held to the distance from the mesh. They are the last ones
     pub off_surface_centres: i64,
-    /// fits
+    /// number of fits
     pub rounds: i32,
     /// 1: the mesh has a border, and the surface beyond it was not counted
     pub supported: u32,
-    /// of the surface, within the tolerance of the mesh
+    /// share of the surface within the tolerance of the mesh, 0 .. 1
     pub surface_share: f64,
+    /// 99th percentile of the surface's distances from the mesh
     pub surface_p99: f64,
+    /// greatest distance of the surface from the mesh
     pub surface_max: f64,
-    /// of the mesh, within the tolerance of the surface
+    /// share of the mesh within the tolerance of the surface, 0 .. 1
     pub mesh_share: f64,
+    /// 99th percentile of the mesh's distances from the surface
     pub mesh_p99: f64,
+    /// greatest distance of the mesh from the surface
     pub mesh_max: f64,
+    /// time for choosing samples
     pub seconds_sample: f64,
-    /// of all rounds
+    /// time for the fits of all rounds
     pub seconds_fit: f64,
+    /// time for measuring distances
     pub seconds_measure: f64,
+    /// time of the whole call
     pub seconds_total: f64,
-    /// smooth pieces that the surface is made of; 1: it has no edges
+    /// smooth sheets that the surface consists of; 1 if it has no sharp edges
     pub sheets: i32,
     pub reserved: u32,
-    /// of the mesh's edges that are sharp
+    /// length of the mesh's edges that are sharp, in units of the mesh
     pub crease_length: f64,
-    /// of those that are not, as the mesh could not be cut there
+    /// length of edges that stay smooth because the mesh could not be cut there, in units of the mesh
     pub smooth_length: f64,
-    /// of space, in each of which a few sheets rule
+    /// cells of space, in each of which a few sheets make the surface
     pub cells: i64,
-    /// in which no maximum and minimum of its sheets does all that the mesh does
+    /// cells in which no maximum and minimum of sheets follows the mesh everywhere
     pub poor_cells: i64,
-    /// of the mesh, from 0: two that are nearer to each other than the tolerance, so that the
-    /// surface may join them; -1, -1: none were found
+    /// numbers of two parts of the mesh, from 0, that are nearer to each other than the
+    /// tolerance, so that the surface may join them; -1, -1 if none were found
     pub touching_parts: [i32; 2],
-    /// where they are
+    /// place where these parts are near each other
     pub touching_place: [f64; 3],
-    /// 1: they may go through each other there; 0: they are near to each other
+    /// 1: these parts may go through each other there; 0 if they are near each other only
     pub parts_may_cross: u32,
     pub reserved2: u32,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_mesh_fit_info_init(
         info: *mut hrbfnpr_mesh_fit_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Fits a surface to a mesh with as many samples as that takes: some hundred
-    /// even ones, then, in rounds, more where the surface is off the mesh or the mesh
-    /// off the surface.  Where the surface goes on far from the mesh, f is held to
-    /// the signed distance from the mesh at a few places off it, if it is clear on
-    /// which side of the mesh they lie, whatever small holes it has: these are the
-    /// last centres of the model, whose normal is the way to the mesh or from it.
+    /// Fits a surface to a mesh, with as many samples as the tolerance takes.  It begins with
+    /// some hundred even samples.  In
+    /// rounds it adds samples where surface and mesh are far from each other.  Where the surface
+    /// goes on far from the mesh,
+    /// f is held to the signed distance from the mesh at a few places off it.  These places are
+    /// the last centres of the
+    /// model.  Their normals point to the mesh or away from it.
     ///
-    /// An end short of the tolerance is no error: `reached` is 0, and the log warns.
-    /// It comes with maximum_centres, or where more centres gain nothing.  Of a smooth
-    /// fit edges are rounded by some tenths of the samples' spacing there, and coarse
-    /// faces with smooth normals contradict these: both take many centres.
+    /// A fit that ends short of the tolerance is no error: `reached` is 0, and the log warns.  It
+    /// ends at maximum_centres,
+    /// or when more centres gain nothing.  A smooth fit rounds edges by some tenths of the
+    /// samples' spacing there.
     ///
-    /// A mesh with edges, as `edges` says, is cut along them into smooth patches.  Each
-    /// gets a fit of its own, a sheet, and cells of space say which maximum and minimum
-    /// of their sheets the surface is there [Ohtake et al. 2003, whose pieces are local];
-    /// away from the surface they have the mesh's signs.  Sheets are held to a fortieth
-    /// of the tolerance at edges, and to a quarter of it far from them.  An edge that ends
-    /// within a patch is made to go on, smoothly.  The points and normals of such a model
-    /// are places all over the mesh, not centres.
-    /// Trimmed by places on the mesh is what was fitted to an open one, or not reached.
-    /// desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
-    /// the fits; its points and normals must be empty, its tolerance and maximum_centres
-    /// 0; a solver_tolerance of 0 is, of a smooth fit, the tolerance / 200 diagonals,
-    /// from 1e-8 to 1e-5: what a distance shows is a hundred times as much.
-    /// info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
-    /// stack it needs as well.
+    /// A mesh with sharp edges, as `edges` says, is cut along them into smooth patches.  Each
+    /// patch gets its own fit, a
+    /// sheet.  The surface is a maximum and minimum of sheets, which changes from cell to cell of
+    /// space [Ohtake et al.
+    /// 2003].  The points and normals of such a model are places all over the mesh, not its
+    /// centres. docs/fitting.md
+    /// explains how edges are kept.
+    ///
+    /// The model is trimmed by places on the mesh if the mesh is open, or if the fit did not
+    /// reach the tolerance, unless the
+    /// trim of `fit` is NEVER.
+    ///
+    /// `fit` (may be NULL) gives kernel, solver, regularization and trim.  Its points and normals
+    /// must be empty, and its
+    /// tolerance and maximum_centres 0.  With a smooth fit, a solver_tolerance of 0 is the
+    /// tolerance / 200 diagonals, within
+    /// 1e-8 .. 1e-5.  `desc`, `info` and `operation` may be NULL.  The call needs the stack of
+    /// hrbfnpr_model_fit.
+    /// Errors: those of hrbfnpr_model_fit.
     pub fn hrbfnpr_model_fit_mesh(
         mesh: *const hrbfnpr_mesh,
         desc: *const hrbfnpr_mesh_fit_desc,
@@ -4125,62 +4423,78 @@ extern "C" {
 
 // 13  PAGE: drawings as vectors: SVG, PDF, HPGL, G-code
 
-/// 1.1; groups are layers of Inkscape
+// The format of a file.
+/// SVG 1.1, with groups as layers of Inkscape
 pub const HRBFNPR_PAGE_FORMAT_SVG: u32 = 0;
-/// 1.5; groups are optional content, which viewers list as layers
+/// PDF 1.5, with groups as optional content, which viewers list as layers
 pub const HRBFNPR_PAGE_FORMAT_PDF: u32 = 1;
-/// for plotters: absolute, 40 units a millimetre, y up from the lower left corner
+/// HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left corner
 pub const HRBFNPR_PAGE_FORMAT_HPGL: u32 = 2;
-/// for plotters: G0 and G1, millimetres, y up from the lower left corner
+/// G-code for plotters: G0 and G1 in mm, y up from the lower left corner
 pub const HRBFNPR_PAGE_FORMAT_GCODE: u32 = 3;
 
 // How strokes are written whose width varies.
-/// filled outlines; SVG and PDF
+/// filled outlines, in SVG and PDF
 pub const HRBFNPR_WIDTHS_OUTLINES: u32 = 0;
-/// lines of even widths, `width_step` apart
+/// lines of even widths, whose ratios are powers of `width_step`
 pub const HRBFNPR_WIDTHS_CLASSES: u32 = 1;
 
 // How dots are written.
-/// circles; plotters fill them, with SINGLE_PASS draw round them
+/// circles. Plotters fill them, or with SINGLE_PASS draw their outline
 pub const HRBFNPR_DOT_SHAPE_CIRCLES: u32 = 0;
-/// lines of no length with round ends; plotters touch the paper
+/// lines of length 0 with round ends, at which a plotter touches the paper
 pub const HRBFNPR_DOT_SHAPE_LINES: u32 = 1;
-/// spirals that a pen fills the disc with, if it is wider than the pen
+/// spirals with which a pen fills the dot, if the dot is wider than the pen
 pub const HRBFNPR_DOT_SHAPE_SPIRALS: u32 = 2;
 
-/// groups are sorted so that a pen travels little, as HPGL and GCODE always are: greedily,
-/// then by 2-opt and Or-opt; lines may be turned round, closed ones begin elsewhere, and
-/// lines whose ends are nearer than `join` become one
+// Options of a page.
+/// sorts each group so that a pen travels little. HPGL and GCODE are always sorted. Lines may
+/// be turned round, closed lines may begin elsewhere, and lines whose ends are nearer than
+/// `join` become one
 pub const HRBFNPR_PAGE_IN_PLOT_ORDER: u32 = 1;
-/// a line that is wider than its pen is drawn once, along its centre; else, with HPGL and
-/// GCODE and with pens in plot order, it is filled: by passes side by side, 0.8 of the pen's
-/// width apart or a little less, each only where the line is so wide. A line up to 1.2 times
-/// as wide as the pen takes one
+/// draws a line that is wider than its pen once, along its centre. Without this flag, HPGL,
+/// GCODE and pens in plot order fill such a line by several passes, side by side. A line up
+/// to 1.2 times as wide as its pen takes one pass in any case
 pub const HRBFNPR_PAGE_SINGLE_PASS: u32 = 4;
-/// else the page has the paper of its first drawing, white without one, and other drawings
-/// with another paper theirs; plotters draw none
+/// leaves out the paper. Without this flag the page has the paper of its first drawing, or
+/// white, and drawings with another paper have theirs. Plotters never draw paper
 pub const HRBFNPR_PAGE_WITHOUT_PAPER: u32 = 2;
 
-// Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds
-// of dashes 6, 12 and 24,
-// a gap 3, a space 18; a little more or less, so that lines begin and end with a dash.
+// Types of lines, by the numbers of ISO 128-2.  Lengths in line widths: a dot is 0.5, dashes
+// of the three kinds are 6,
+// 12 and 24, a gap is 3, a space is 18.  They are stretched a little, so that each line
+// begins and ends with a dash.
+/// lines as the drawing has them
 pub const HRBFNPR_LINE_TYPE_AS_DRAWN: u32 = 0;
+/// a continuous line
 pub const HRBFNPR_LINE_TYPE_CONTINUOUS: u32 = 1;
-/// hidden edges
+/// dashes, for hidden edges
 pub const HRBFNPR_LINE_TYPE_DASHED: u32 = 2;
+/// dashes with spaces between
 pub const HRBFNPR_LINE_TYPE_DASHED_SPACED: u32 = 3;
-/// axes
+/// a long dash, then a dot; for axes
 pub const HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED: u32 = 4;
+/// a long dash, then two dots
 pub const HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_DOTTED: u32 = 5;
+/// a long dash, then three dots
 pub const HRBFNPR_LINE_TYPE_LONG_DASHED_TRIPLE_DOTTED: u32 = 6;
+/// dots
 pub const HRBFNPR_LINE_TYPE_DOTTED: u32 = 7;
+/// a long dash, then a short dash
 pub const HRBFNPR_LINE_TYPE_LONG_DASHED_SHORT_DASHED: u32 = 8;
+/// a long dash, then two short dashes
 pub const HRBFNPR_LINE_TYPE_LONG_DASHED_DOUBLE_SHORT_DASHED: u32 = 9;
+/// a dash, then a dot
 pub const HRBFNPR_LINE_TYPE_DASHED_DOTTED: u32 = 10;
+/// two dashes, then a dot
 pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOTTED: u32 = 11;
+/// a dash, then two dots
 pub const HRBFNPR_LINE_TYPE_DASHED_DOUBLE_DOTTED: u32 = 12;
+/// two dashes, then two dots
 pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_DOUBLE_DOTTED: u32 = 13;
+/// a dash, then three dots
 pub const HRBFNPR_LINE_TYPE_DASHED_TRIPLE_DOTTED: u32 = 14;
+/// two dashes, then three dots
 pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED: u32 = 15;
 
 /// A drawing on a page.
@@ -4188,133 +4502,152 @@ pub const HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED: u32 = 15;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_page_item {
     pub struct_size: u32,
-    /// 0
+    /// must be 0
     pub reserved: u32,
-    /// what lies beyond its viewport is cut off
+    /// the drawing, not NULL; what lies beyond its viewport is cut off
     pub drawing: *const hrbfnpr_drawing,
-    /// mm: the viewport's left edge; 0
+    /// place of the viewport's left edge, in mm; -1e6 .. 1e6; default 0
     pub x: f64,
-    /// mm: its top edge; 0
+    /// place of the viewport's top edge, in mm; -1e6 .. 1e6; default 0
     pub y: f64,
-    /// mm of a pixel, > 0; 25.4 / 96
+    /// mm of a pixel; above 0, up to 1e6; default 25.4 / 96
     pub scale: f64,
-    /// UTF-8, of the group around it; NULL = none
+    /// name of the group around the drawing, UTF-8; default NULL = no name
     pub name: *const c_char,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_page_item_init(item: *mut hrbfnpr_page_item, struct_size: u32) -> hrbfnpr_status;
 }
 
-/// What some groups are drawn with.
+/// A pen that draws some groups.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_pen {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_TYPE_...; AS_DRAWN
+    /// type of the lines, HRBFNPR_LINE_TYPE_...; default AS_DRAWN
     pub line_type: u32,
-    /// a group's name, or the beginning of names and a '*'; NULL = all. Of pens that fit a group
-    /// the last one is taken
+    /// the groups: a name, or the beginning of names and a '*'; default NULL = all groups. The
+    /// last pen that fits a group draws it
     pub groups: *const c_char,
-    /// mm, >= 0; 0 = as drawn. Plotters: of the pen; 0 = 0.3
+    /// width of all lines, in mm; 0 .. 1e6; default 0 = as drawn. For plotters it is the width of
+    /// the pen, 0.3 if it is 0
     pub width: f64,
-    /// straight RGBA; alpha 0 = as drawn, the default
+    /// colour of the ink, straight RGBA; default alpha 0 = as drawn
     pub ink: [f32; 4],
-    /// 1 to 255, of a plotter's; 1
+    /// number of a plotter's pen, 1 .. 255; default 1
     pub number: u32,
-    /// 0
+    /// must be 0
     pub reserved: u32,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_pen_init(pen: *mut hrbfnpr_pen, struct_size: u32) -> hrbfnpr_status;
 }
 
-/// A line, a filled shape or a text beside the drawings.
+/// A line or a text beside the drawings.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_annotation {
     pub struct_size: u32,
-    /// HRBFNPR_LINE_TYPE_...; CONTINUOUS
+    /// type of the line, HRBFNPR_LINE_TYPE_...; default CONTINUOUS
     pub line_type: u32,
-    /// UTF-8, of 1 to 95 bytes; "annotations". Those of one group that follow each other share
-    /// its layer and pen; their inks and types are those of its first
+    /// name of its group, UTF-8, 1 to 95 bytes; default "annotations". Consecutive annotations of
+    /// one group share its layer and pen, and the ink and line type of the first of them
     pub group: *const c_char,
-    /// UTF-8; NULL = the points are a line. Plotters: HPGL writes labels, GCODE none
+    /// a text, UTF-8; default NULL = the points are a line. HPGL writes texts as labels, GCODE
+    /// leaves them out
     pub text: *const c_char,
-    /// FLOAT32 or FLOAT64, 2, mm: the line, or where the text's baseline begins
+    /// points of the line, two at least, or the start of the text's baseline, in mm; n x 2,
+    /// FLOAT32 or FLOAT64
     pub points: hrbfnpr_array,
-    /// mm, > 0: of the line, or the height of the text's capitals; 0.35
+    /// width of the line, or height of the text's capitals, in mm; above 0, up to 1e6; default 0.35
     pub width: f64,
-    /// straight RGBA; black
+    /// colour of the ink, straight RGBA; default black
     pub ink: [f32; 4],
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_annotation_init(
         annotation: *mut hrbfnpr_annotation,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
+/// A page to write.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_page_desc {
     pub struct_size: u32,
-    /// HRBFNPR_PAGE_FORMAT_...; SVG
+    /// format of the file, HRBFNPR_PAGE_FORMAT_...; default SVG
     pub format: u32,
-    /// HRBFNPR_PAGE_IN_PLOT_ORDER and others; 0
+    /// HRBFNPR_PAGE_IN_PLOT_ORDER and others; default 0
     pub flags: u32,
-    /// HRBFNPR_WIDTHS_...; OUTLINES
+    /// how strokes of varying width are written, HRBFNPR_WIDTHS_...; default OUTLINES
     pub widths: u32,
-    /// HRBFNPR_DOT_SHAPE_...; CIRCLES
+    /// how dots are written, HRBFNPR_DOT_SHAPE_...; default CIRCLES
     pub dots: u32,
     pub reserved: u32,
-    /// mm, >= 0; 0 = as far as the drawings reach
+    /// width of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach
     pub width: f64,
-    /// mm, >= 0; 0 = as far as the drawings reach
+    /// height of the page, in mm; 0 .. 1e6; default 0 = as far as the drawings reach
     pub height: f64,
-    /// mm, 0.001 to 10: between what is drawn and what is written; 0.05
+    /// greatest distance between drawn and written lines, in mm; 0.001 .. 10; default 0.05.
+    /// Larger: smaller files, rougher curves
     pub tolerance: f64,
-    /// 1.01 to 4: ratio of neighbouring classes of widths; 1.25
+    /// ratio of the widths of two consecutive classes (WIDTHS_CLASSES); 1.01 .. 4; default 1.25
     pub width_step: f64,
-    /// mm, >= 0: in plot order, see there; 0 = the pen's width
+    /// in plot order, distance between the ends of two lines below which they become one, in mm;
+    /// 0 .. 1e6; default 0 = the pen's width
     pub join: f64,
-    /// mm, >= 0: in plot order shorter lines are dropped; 0 = half the pen's width
+    /// in plot order, length below which lines are dropped, in mm; 0 .. 1e6; default 0 = half the
+    /// pen's width
     pub shortest: f64,
-    /// mm, >= 0: in plot order dots nearer to one that stays are dropped; 0 = half the pen's width
+    /// in plot order, distance from a dot that stays below which other dots are dropped, in mm; 0
+    /// .. 1e6; default 0 = half the pen's width
     pub dot_distance: f64,
-    /// mm/s, > 0; 30
+    /// speed of a plotter's pen on the paper, in mm/s; above 0, up to 1e6; default 30
     pub draw_speed: f64,
-    /// mm/s, > 0; 80
+    /// speed of a plotter's pen above the paper, in mm/s; above 0, up to 1e6; default 80
     pub travel_speed: f64,
-    /// >= 0: to lower or to raise the pen; 0.15
+    /// seconds that it takes to lower or to raise the pen; 0 .. 3600; default 0.15
     pub pen_seconds: f64,
-    /// GCODE: lines that lower it; NULL = "G1 Z0"
+    /// GCODE: lines that lower the pen; default NULL = "G1 Z0"
     pub pen_down: *const c_char,
-    /// GCODE: lines that raise it; NULL = "G0 Z5"
+    /// GCODE: lines that raise the pen; default NULL = "G0 Z5"
     pub pen_up: *const c_char,
-    /// UTF-8, or NULL
+    /// title of the file, UTF-8; default NULL = none
     pub title: *const c_char,
-    /// UTF-8, or NULL
+    /// description of the file, UTF-8; default NULL = none
     pub description: *const c_char,
-    /// UTF-8, or NULL: text on the model, the camera, the style; the version is added
+    /// text about the model, the camera or the style, UTF-8; default NULL = none. The library's
+    /// version is added
     pub metadata: *const c_char,
-    /// a list
+    /// a list of drawings; default NULL
     pub items: *const hrbfnpr_page_item,
+    /// number of `items`, 0 .. 4096; default 0
     pub item_count: i64,
+    /// bytes from one element of `items` to the next; default 0 = struct_size
     pub item_stride: i64,
-    /// a list; NULL and 0
+    /// a list of pens; default NULL
     pub pens: *const hrbfnpr_pen,
+    /// number of `pens`, 0 .. 4096; default 0
     pub pen_count: i64,
+    /// bytes from one element of `pens` to the next; default 0 = struct_size
     pub pen_stride: i64,
-    /// a list; NULL and 0
+    /// a list of annotations; default NULL
     pub annotations: *const hrbfnpr_annotation,
+    /// number of `annotations`, 0 .. 10000000; default 0
     pub annotation_count: i64,
+    /// bytes from one element of `annotations` to the next; default 0 = struct_size
     pub annotation_stride: i64,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_page_desc_init(desc: *mut hrbfnpr_page_desc, struct_size: u32) -> hrbfnpr_status;
 }
 
@@ -4324,40 +4657,47 @@ extern "C" {
 pub struct hrbfnpr_page_info {
     pub struct_size: u32,
     pub reserved: u32,
+    /// bytes of the file
     pub bytes: i64,
+    /// groups of ink
     pub groups: i64,
     /// lines and outlines
     pub paths: i64,
     /// curves or straight lines of all paths
     pub segments: i64,
+    /// dots
     pub dots: i64,
-    /// in plot order: pairs of ends that became one line
+    /// in plot order, pairs of ends that became one line
     pub joined: i64,
-    /// too short for the pen
+    /// lines dropped because they are too short for the pen
     pub dropped_paths: i64,
-    /// too near to others for the pen
+    /// dots dropped because they are too near to others for the pen
     pub dropped_dots: i64,
-    /// mm, of the page
+    /// width of the page, in mm
     pub width: f64,
-    /// mm, of the page
+    /// height of the page, in mm
     pub height: f64,
-    /// mm that a pen draws; in plot order, else 0, as are the next two
+    /// length that a pen draws, in mm; in plot order, else 0
     pub drawn: f64,
-    /// mm between
+    /// length that a pen travels above the paper, in mm; in plot order, else 0
     pub travelled: f64,
-    /// that a plotter takes at the given speeds
+    /// time that a plotter takes at the given speeds, in seconds; in plot order, else 0
     pub seconds: f64,
     /// lines wider than their pen, drawn in several passes
     pub filled_paths: i64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_page_info_init(info: *mut hrbfnpr_page_info, struct_size: u32) -> hrbfnpr_status;
-    /// Writes a page, a buffer at a time; memory grows with the drawing's largest stroke,
-    /// in plot order with its largest group.  info and operation may be NULL.
-    /// Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; text that
-    /// is not UTF-8; discs of paper, which PUBLISHED frames have, for plotters or in plot
-    /// order), IO (write failed), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    /// Writes a page, one buffer at a time.  Memory grows with the drawing's largest stroke; in
+    /// plot order it grows with the
+    /// largest group.  `info` and `operation` may be NULL.
+    /// Errors: INVALID_ARGUMENT (no drawing and no annotation; an empty page; a text that is not
+    /// UTF-8; a drawing with
+    /// VISIBILITY_PUBLISHED, which has discs of paper, for plotters or in plot order), IO
+    /// (`write` failed), OUT_OF_MEMORY,
+    /// CANCELLED, CALLBACK.
     pub fn hrbfnpr_page_write(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_page_desc,
@@ -4371,368 +4711,410 @@ extern "C" {
 
 // 14  PICTURE: from any source to a drawing in one call
 
+/// A picture: what was chosen for sources, and made of them.
 #[repr(C)]
 pub struct hrbfnpr_picture {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
+/// Settings of a picture, read from a file.
 #[repr(C)]
 pub struct hrbfnpr_settings {
     _data: [u8; 0],
     _marker: PhantomData<(*mut u8, PhantomPinned)>,
 }
 
-/// `sharp_edges` is known, even if it is empty
+// What is known about a source.
+/// says that `sharp_edges` is known, even if it is empty
 pub const HRBFNPR_SOURCE_HAS_SHARP_EDGES: u32 = 1;
-/// `viewpoint` is known
+/// says that `viewpoint` is known
 pub const HRBFNPR_SOURCE_HAS_VIEWPOINT: u32 = 2;
-/// the points are one picture of a depth camera that stood at `viewpoint`
+/// says that the points are one image of a depth camera that stood at `viewpoint`
 pub const HRBFNPR_SOURCE_IS_PHOTO: u32 = 4;
 
-/// One of four kinds: points (with or without normals), a mesh (points and triangles), a
-/// model, or a point set.  A model and a point set together are a model with its marks,
-/// which are then used as they are.
+/// What is drawn, of one of four kinds: points (with or without normals), a mesh (points and
+/// triangles), a model, or a
+/// point set.  A model and a point set together are a model with its marks, which are used as
+/// they are.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_picture_source {
     pub struct_size: u32,
-    /// HRBFNPR_SOURCE_...; 0
+    /// HRBFNPR_SOURCE_...; default 0
     pub flags: u32,
-    /// n x 3, FLOAT32 or FLOAT64: points, or the vertices of the triangles. Points that are not
+    /// points, or the vertices of the triangles; n x 3, FLOAT32 or FLOAT64. Points that are not
     /// finite are left out
     pub points: hrbfnpr_array,
-    /// n x 3, FLOAT32 or FLOAT64, of any length; not given or all zero = none. Not read of a mesh
+    /// normals of the points, of any length; n x 3, FLOAT32 or FLOAT64; not given, or all zero =
+    /// no normals. They are not read for a mesh
     pub normals: hrbfnpr_array,
-    /// m x 3, INT32, INT64 or UINT32: a mesh; not given = points
+    /// triangles of a mesh, as numbers of points from 0; m x 3, INT32, INT64 or UINT32; not given = points
     pub triangles: hrbfnpr_array,
-    /// k x 2, INT32, INT64 or UINT32: of a mesh, the pairs of vertices whose faces have normals
-    /// of their own in its file; with HAS_SHARP_EDGES
+    /// edges of a mesh, as pairs of vertices, whose faces have separate normals in the file; k x
+    /// 2, INT32, INT64 or UINT32; read with HAS_SHARP_EDGES
     pub sharp_edges: hrbfnpr_array,
-    /// kept; NULL
+    /// a model, which the picture keeps; default NULL
     pub model: *const hrbfnpr_model,
-    /// kept; NULL
+    /// a point set, which the picture keeps; default NULL. It must be the only source, unless it
+    /// comes with a model
     pub point_set: *const hrbfnpr_point_set,
-    /// which way is up by the convention of the file's format; 0, 0, 0 = not known
+    /// direction that is up by the convention of the file's format; default 0, 0, 0 = not known
     pub up: [f64; 3],
-    /// why, for the note: "PLY files"; NULL = "files of this kind"
+    /// reason for `up` in notes, such as "PLY files"; default NULL = "files of this kind"
     pub up_by: *const c_char,
-    /// where the scanner stood, with HAS_VIEWPOINT
+    /// place where the scanner stood; read with HAS_VIEWPOINT
     pub viewpoint: [f64; 3],
-    /// of a depth camera's image, whose points stand row by row; 0 = it is none
+    /// number of columns of a depth camera's image, whose points are given row by row; default 0
+    /// = the points are no image
     pub columns: i64,
+    /// number of rows of that image; default 0
     pub rows: i64,
-    /// UTF-8: of the file, for titles and metadata; NULL
+    /// name of the file, for titles and metadata, UTF-8; default NULL
     pub name: *const c_char,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_picture_source_init(
         source: *mut hrbfnpr_picture_source,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-/// drawing what can hardly be seen is no error
+// Options of a picture.
+/// allows a drawing in which hardly anything can be seen
 pub const HRBFNPR_PICTURE_ALLOW_BLANK: u32 = 1;
-/// all normals are turned, whatever they look like
+/// turns all normals, whatever they look like
 pub const HRBFNPR_PICTURE_FLIP: u32 = 2;
-/// the surface goes on beyond open data, as the fit has it
+/// lets the surface go on beyond open data, as the fit has it
 pub const HRBFNPR_PICTURE_CLOSE: u32 = 4;
-/// an open mesh is one surface, also where its parts cross
+/// fits an open mesh as one surface, even where its parts cross
 pub const HRBFNPR_PICTURE_TOGETHER: u32 = 8;
-/// the paper lets all through
+/// makes the paper transparent
 pub const HRBFNPR_PICTURE_TRANSPARENT: u32 = 16;
-/// layers have all their marks, also where the style draws lines alone: for marks that are saved
+/// gives all layers all their marks, even if the style draws lines only; for marks that are saved
 pub const HRBFNPR_PICTURE_KEEP_MARKS: u32 = 32;
-/// no camera is chosen, no marks are placed, no lines are looked for: for the model alone
+/// makes the model only: chooses no camera, places no marks, looks for no lines
 pub const HRBFNPR_PICTURE_SURFACE_ONLY: u32 = 64;
-/// nothing is said of a source that is a part of a solid, and no up is looked for
+/// says that the source is a part of a solid, so that up is y
 pub const HRBFNPR_PICTURE_IS_SOLID: u32 = 128;
 
-// The edges of a mesh.
-/// as AUTO; where faces are coarse as the normals of the file tell, if they do
+// Which edges of a mesh are sharp.
+/// edges are found as with AUTO. Where faces are coarse, the normals of the file decide if
+/// they say anything about edges
 pub const HRBFNPR_PICTURE_EDGES_AS_GIVEN: u32 = 0;
-/// HRBFNPR_EDGES_AUTO
+/// edges are found by HRBFNPR_EDGES_AUTO
 pub const HRBFNPR_PICTURE_EDGES_AUTO: u32 = 1;
-/// HRBFNPR_EDGES_SMOOTH
+/// no edge is sharp (HRBFNPR_EDGES_SMOOTH)
 pub const HRBFNPR_PICTURE_EDGES_SMOOTH: u32 = 2;
-/// HRBFNPR_EDGES_SHARP, with `edge_angle`
+/// edges are sharp that bend by more than `edge_angle` (HRBFNPR_EDGES_SHARP)
 pub const HRBFNPR_PICTURE_EDGES_SHARP: u32 = 3;
 
-/// YES of the style archaeological, else NO
+// Whether an upright section through the middle is drawn beside the drawing.
+/// a section is drawn in the style archaeological only
 pub const HRBFNPR_PROFILE_AUTO: u32 = 0;
-/// an upright section through the middle stands beside the drawing
+/// a section is drawn
 pub const HRBFNPR_PROFILE_YES: u32 = 1;
+/// no section is drawn
 pub const HRBFNPR_PROFILE_NO: u32 = 2;
 
-/// both of a surface that ends, else the front
+// The sides of a surface on which marks are drawn.
+/// both sides of a surface that ends, and the front of other surfaces
 pub const HRBFNPR_PICTURE_SIDES_AUTO: u32 = 0;
-/// HRBFNPR_SIDES_FRONT
+/// the front (HRBFNPR_SIDES_FRONT)
 pub const HRBFNPR_PICTURE_SIDES_FRONT: u32 = 1;
-/// HRBFNPR_SIDES_BOTH
+/// both sides (HRBFNPR_SIDES_BOTH)
 pub const HRBFNPR_PICTURE_SIDES_BOTH: u32 = 2;
 
-// How notes and errors name the options that they speak of.
-/// samples 400
+// How notes and errors write the options that they name.
+/// as fields of a descriptor: samples 400
 pub const HRBFNPR_WORDING_FIELDS: u32 = 0;
-/// --samples 400, of a command line
+/// as options of a command line: --samples 400
 pub const HRBFNPR_WORDING_OPTIONS: u32 = 1;
-/// samples=400, of a call in Python
+/// as arguments of a call in Python: samples=400
 pub const HRBFNPR_WORDING_ARGUMENTS: u32 = 2;
 
-/// One field that is changed on top of all that was chosen.  `field` is the path of a field:
-///   style.F            of hrbfnpr_style; style.ink is that of all layers, lines and contours
-///   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
-///   style.layers.F     of all layers of the style; share is multiplied
-///   style.lines.F      of hrbfnpr_line_style, of all lines
-///   style.LINE.F       the same, of a kind of lines: style.ridge.width
-///   fit.F              of hrbfnpr_fit_desc
-///   mesh_fit.F         of hrbfnpr_mesh_fit_desc
-///   marks.F            of hrbfnpr_generate_desc
-///   marks.KIND.F       of hrbfnpr_layer_desc, of a kind of layers; marks.layers.F of all
-///   line_set.F         of hrbfnpr_line_set_desc
-/// Lengths in pixels are those of this picture: they are not scaled by the pen.
+/// A field to change after everything was chosen.  `field` is the path of the field:
+///
+///    style.F            a field of hrbfnpr_style; style.ink is the ink of all layers, lines
+/// and contours
+///    style.KIND.F       a field of hrbfnpr_layer_style, for one kind of layers: style.hatch.ink
+///    style.layers.F     the same for all layers of the style; share is multiplied
+///    style.lines.F      a field of hrbfnpr_line_style, for all lines
+///    style.LINE.F       the same for one kind of lines: style.ridge.width
+///    fit.F              a field of hrbfnpr_fit_desc
+///    mesh_fit.F         a field of hrbfnpr_mesh_fit_desc
+///    marks.F            a field of hrbfnpr_generate_desc
+///    marks.KIND.F       a field of hrbfnpr_layer_desc, for one kind of layers;
+/// marks.layers.F for all layers
+///    line_set.F         a field of hrbfnpr_line_set_desc
+///
+/// Lengths in pixels are those of this picture: they are not scaled by the pen.  The last
+/// change of a field counts.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_change {
     pub struct_size: u32,
     pub reserved: u32,
+    /// path of the field, UTF-8
     pub field: *const c_char,
-    /// a number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a
-    /// constant without its prefix: "blue-noise"
+    /// new value: a number, several numbers with commas between, a colour as #rrggbb or
+    /// #rrggbbaa, or the name of a constant without its prefix, such as "blue-noise"
     pub value: *const c_char,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_change_init(change: *mut hrbfnpr_change, struct_size: u32) -> hrbfnpr_status;
 }
 
-// A stroke of a brush on the surface: within its radius what is painted goes towards a value.
+// What a dab paints.
+/// the tone: 1 = light, 0 = dark
 pub const HRBFNPR_DAB_TONE: u32 = 0;
+/// the density of stipples: 1 = all, 0 = none
 pub const HRBFNPR_DAB_DENSITY: u32 = 1;
+/// the direction of hatching
 pub const HRBFNPR_DAB_DIRECTION: u32 = 2;
 
+/// A dab of a brush: a ball on the surface in which what is painted moves towards a value.
+/// Dabs act one after the
+/// other.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_dab {
     pub struct_size: u32,
-    /// HRBFNPR_DAB_...; TONE: 1 = light, 0 = dark
+    /// what it paints, HRBFNPR_DAB_...; default TONE
     pub map: u32,
+    /// middle of the ball, in coordinates of the source
     pub position: [f64; 3],
-    /// unit: what faces away from it is not painted
+    /// unit normal of the surface there; surface that faces away from it is not painted
     pub normal: [f64; 3],
-    /// > 0
+    /// radius of the ball, in units of the source; above 0
     pub radius: f64,
-    /// 0 .. 1 in the middle; it falls to 0 at the radius; 1
+    /// strength in the middle, 0 .. 1; default 1. It falls to 0 at the radius
     pub strength: f64,
-    /// of TONE and DENSITY, 0 .. 1
+    /// value of TONE and DENSITY, 0 .. 1; default 0
     pub value: f64,
-    /// of DIRECTION: that of hatching
+    /// direction of DIRECTION, which hatching follows
     pub direction: [f64; 3],
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_dab_init(dab: *mut hrbfnpr_dab, struct_size: u32) -> hrbfnpr_status;
 }
 
-// The parts of the work.
-/// looking at a mesh: welding, turning faces
+// The stages of the work.
+/// looks at a mesh: joins vertices, turns faces
 pub const HRBFNPR_STAGE_MESH: u32 = 1;
-/// choosing samples
+/// chooses samples
 pub const HRBFNPR_STAGE_SAMPLE: u32 = 2;
-/// looking for normals
+/// finds normals
 pub const HRBFNPR_STAGE_ORIENT: u32 = 3;
-/// the image of a depth camera
+/// smooths the image of a depth camera
 pub const HRBFNPR_STAGE_SMOOTH: u32 = 4;
+/// fits the surface
 pub const HRBFNPR_STAGE_FIT: u32 = 5;
-/// the surface with the mesh
+/// compares the surface with the mesh
 pub const HRBFNPR_STAGE_COMPARE: u32 = 6;
-/// looking for the end of the surface
+/// finds the end of the surface
 pub const HRBFNPR_STAGE_END: u32 = 7;
-/// placing marks
+/// places marks
 pub const HRBFNPR_STAGE_MARKS: u32 = 8;
-/// looking for lines
+/// finds lines
 pub const HRBFNPR_STAGE_LINES: u32 = 9;
-/// drawing
+/// draws
 pub const HRBFNPR_STAGE_FRAME: u32 = 10;
-/// drawing the views of a sheet
+/// draws the views of a sheet
 pub const HRBFNPR_STAGE_VIEWS: u32 = 11;
 
+// How much a note matters.
 /// a measurement
 pub const HRBFNPR_SEVERITY_INFO: u32 = 0;
-/// what was chosen, repaired or left out
+/// something was chosen, repaired or left out
 pub const HRBFNPR_SEVERITY_NOTE: u32 = 1;
-/// the result may be wrong there
+/// the result may be wrong in some place
 pub const HRBFNPR_SEVERITY_WARNING: u32 = 2;
-/// there is no result: the error of the call, in full length
+/// there is no result: the text is the error of the call, in full length
 pub const HRBFNPR_SEVERITY_FAILURE: u32 = 3;
 
-// Notes.  In brackets the figures of each.
-/// left out [faces]
+// Codes of notes.  Each line says when a note is given, with its figures in brackets; [] =
+// no figures.  Figures are
+// counts unless a line says otherwise.  Shares are 0 .. 1.
+/// faces with a corner that is not finite are left out [faces]
 pub const HRBFNPR_NOTE_FACES_NOT_FINITE: u32 = 1;
-/// points at a value that stands for none, left out [points, value]
+/// points at a value that means "no data" are left out [points, the value]
 pub const HRBFNPR_NOTE_NO_DATA: u32 = 2;
-/// points far from all others, left out [points]
+/// points far from all others are left out [points]
 pub const HRBFNPR_NOTE_STRAYS: u32 = 3;
-/// so many that only some get normals [points, used]
+/// only some of the points get normals, because there are many [points, points with normals]
 pub const HRBFNPR_NOTE_SOME_ORIENTED: u32 = 4;
-/// there were none [points]
+/// the points have no normals, and get some [points]
 pub const HRBFNPR_NOTE_NORMALS_MADE: u32 = 5;
-/// [confidence]
+/// normals that were found are not certain [confidence, 0 .. 1]
 pub const HRBFNPR_NOTE_NORMALS_NOT_SURE: u32 = 6;
-/// which side of an open surface is its front
+/// the surface is open, and nothing tells which side is its front []
 pub const HRBFNPR_NOTE_FRONT_NOT_TOLD: u32 = 7;
-/// [points, used]
+/// only some points are used as samples [points, points used]
 pub const HRBFNPR_NOTE_SAMPLES_CHOSEN: u32 = 8;
-/// without a position or normal, left out [points]
+/// points without a usable position or normal are left out [points]
 pub const HRBFNPR_NOTE_POINTS_NOT_USABLE: u32 = 9;
-/// several at one place: their mean [places]
+/// places with several normals get the mean of these [places]
 pub const HRBFNPR_NOTE_NORMALS_JOINED: u32 = 10;
-/// opposite ones at one place, left out [places]
+/// places with opposite normals are left out [places]
 pub const HRBFNPR_NOTE_NORMALS_OPPOSITE: u32 = 11;
-/// it looked down [axis]
+/// a terrain looked down, and its normals are turned [axis: 1 = y, 2 = z]
 pub const HRBFNPR_NOTE_TERRAIN_TURNED: u32 = 12;
-/// all looked inward
+/// all normals looked inward, and are turned []
 pub const HRBFNPR_NOTE_NORMALS_TURNED: u32 = 13;
-/// [turned, made, what they were: HRBFNPR_NORMALS_...]
+/// given normals are repaired [normals turned, normals made, what they were: HRBFNPR_NORMALS_...]
 pub const HRBFNPR_NOTE_NORMALS_REPAIRED: u32 = 14;
-/// those around them [normals, of]
+/// some normals look against those around them [these normals, all normals]
 pub const HRBFNPR_NOTE_NORMALS_AGAINST: u32 = 15;
-/// some parts outward, others inward [share]
+/// some parts have outward normals and others inward ones [share that looks inward]
 pub const HRBFNPR_NOTE_NORMALS_MIXED: u32 = 16;
-/// most of an open surface
+/// most of an open surface looks inward []
 pub const HRBFNPR_NOTE_NORMALS_INWARD: u32 = 17;
+/// `viewpoint` is given, but the source needs none []
 pub const HRBFNPR_NOTE_VIEWPOINT_NOT_USED: u32 = 18;
-/// of a depth camera, on no surface [pixels]
+/// pixels of a depth camera that lie on no surface are left out [pixels]
 pub const HRBFNPR_NOTE_PIXELS_LEFT_OUT: u32 = 19;
-/// [noise, depth]
+/// the noise of a depth camera was measured [standard deviation, depth where it holds; units
+/// of the source]
 pub const HRBFNPR_NOTE_DEPTH_NOISE: u32 = 20;
-/// the samples have noise, and the surface does not go through all
+/// the samples have noise, and the surface does not pass through all of them []
 pub const HRBFNPR_NOTE_SMOOTHED: u32 = 21;
-/// at the same place [samples]
+/// samples at the same place are merged [samples]
 pub const HRBFNPR_NOTE_SAMPLES_MERGED: u32 = 22;
-/// merged with another very near [samples]
+/// samples very near to another are merged with it [samples]
 pub const HRBFNPR_NOTE_SAMPLES_NEAR: u32 = 23;
-/// as strays [samples]
+/// samples are dropped as strays [samples]
 pub const HRBFNPR_NOTE_SAMPLES_DROPPED: u32 = 24;
-/// with a flipped normal, repaired [samples]
+/// flipped normals of samples are repaired [samples]
 pub const HRBFNPR_NOTE_SAMPLES_FLIPPED: u32 = 25;
-/// samples that look so, and stay [samples]
+/// samples that look like strays are kept [samples]
 pub const HRBFNPR_NOTE_LIKE_STRAYS: u32 = 26;
-/// samples that look so, and stay [samples]
+/// samples whose normals look flipped are kept [samples]
 pub const HRBFNPR_NOTE_LIKE_FLIPPED: u32 = 27;
-/// the surface is a guess [points]
+/// the surface is a guess, because there are few points [points]
 pub const HRBFNPR_NOTE_FEW_POINTS: u32 = 28;
-/// all points
+/// all points are on a line []
 pub const HRBFNPR_NOTE_ON_A_LINE: u32 = 29;
-/// all points
+/// all points are in a plane []
 pub const HRBFNPR_NOTE_IN_A_PLANE: u32 = 30;
-/// the points: the surface between them is drawn, too
+/// the points lie along curves, and the surface between these is drawn, too []
 pub const HRBFNPR_NOTE_ALONG_CURVES: u32 = 31;
-/// where the surface ends
+/// the end of the surface was not found, and the surface goes on to the end of its box []
 pub const HRBFNPR_NOTE_END_NOT_FOUND: u32 = 32;
-/// another direction than y [x, y, z]
+/// another direction than y is chosen as up [x, y, z]
 pub const HRBFNPR_NOTE_UP: u32 = 33;
-/// against those beside them [faces]
+/// faces that looked to the other side than those beside them are turned [faces]
 pub const HRBFNPR_NOTE_FACES_TURNED: u32 = 34;
-/// a mesh, or parts of it, turned [parts]
+/// a mesh, or some of its parts, is inside out, and is turned [parts]
 pub const HRBFNPR_NOTE_INSIDE_OUT: u32 = 35;
-/// without area, or twice there [faces]
+/// faces without area, and repeated faces, are left out [faces]
 pub const HRBFNPR_NOTE_FACES_LEFT_OUT: u32 = 36;
-/// others, left out [parts, faces]
+/// parts of a mesh inside others are left out [parts, their faces]
 pub const HRBFNPR_NOTE_PARTS_INSIDE: u32 = 37;
-/// a surface of one side, or one that crosses itself [edges]
+/// faces beside each other look to opposite sides and cannot be turned: the surface has one
+/// side, or crosses itself [edges]
 pub const HRBFNPR_NOTE_CONTRARY_EDGES: u32 = 38;
-/// from all others, left out [parts, faces]
+/// parts of a mesh far from all others are left out [parts, their faces]
 pub const HRBFNPR_NOTE_PARTS_FAR: u32 = 39;
-/// faces on an edge of two others, left out [faces]
+/// faces that hang on an edge of two others are left out [faces]
 pub const HRBFNPR_NOTE_FLAPS: u32 = 40;
-/// by the normals of the file
+/// all faces stay flat, because the normals of the file say so []
 pub const HRBFNPR_NOTE_ALL_FLAT: u32 = 41;
-/// some edges are sharp by the normals of the file
+/// some edges are sharp, because the normals of the file say so []
 pub const HRBFNPR_NOTE_EDGES_BY_NORMALS: u32 = 42;
-/// faces [times, vertices moved, places between them raised, off a round surface; shares of
-/// the diagonal]
+/// coarse faces are divided towards a round surface [rounds; how far vertices moved; how far
+/// places between them were raised; how far the faces were off a round surface, if they are
+/// coarse; shares of the diagonal]
 pub const HRBFNPR_NOTE_DIVIDED: u32 = 43;
-/// faces are coarse, but nothing round goes through them
+/// coarse faces stay flat, because no round surface goes through them []
 pub const HRBFNPR_NOTE_COARSE_FLAT: u32 = 44;
-/// parts that cross are surfaces of their own [parts, groups]
+/// parts of a mesh that cross or are close are fitted in groups, each as a separate surface
+/// [parts, groups]
 pub const HRBFNPR_NOTE_GROUPS: u32 = 45;
-/// the tolerance [tolerance, share of the mesh, share of the surface, farthest; of the diagonal]
+/// the fit did not reach its tolerance everywhere [tolerance in diagonals, share of the mesh
+/// within it, share of the surface within it, greatest distance in diagonals]
 pub const HRBFNPR_NOTE_NOT_REACHED: u32 = 46;
-/// [their length in diagonals]
+/// some sharp edges of a mesh stay smooth [their length in diagonals]
 pub const HRBFNPR_NOTE_EDGES_STAY_SMOOTH: u32 = 47;
-/// the surface, at a share of the mesh [share, farthest]
+/// the surface is far from the mesh in some places [share of the mesh, greatest distance in diagonals]
 pub const HRBFNPR_NOTE_OFF_MESH: u32 = 48;
-/// parts of surface that the mesh does not have, left out [parts]
+/// the fit made parts of surface that the mesh does not have, and they are left out [parts]
 pub const HRBFNPR_NOTE_MADE_BY_FIT: u32 = 49;
-/// parts of a mesh that the tolerance is too large for
+/// two parts of a mesh are nearer to each other than the tolerance, so that the surface may
+/// join them [numbers of both parts, from 0; x, y and z of the place]
 pub const HRBFNPR_NOTE_PARTS_TOO_THIN: u32 = 50;
-/// fewer than fill the darkest tone [wanted, made]
+/// a layer has fewer marks than fill the darkest tone [marks wanted, marks made]
 pub const HRBFNPR_NOTE_MARKS_LIMITED: u32 = 51;
-/// of the published recursion [wanted, taken]
+/// the published method makes fewer refinement steps than fill the picture [steps wanted, steps made]
 pub const HRBFNPR_NOTE_LEVELS_LIMITED: u32 = 52;
-/// the depth camera's [azimuth]
+/// the image of a depth camera is seen from where the camera stood [azimuth in degrees]
 pub const HRBFNPR_NOTE_SEEN_FROM_CAMERA: u32 = 53;
-/// of an open surface [azimuth]
+/// an open surface is seen from its front [azimuth in degrees]
 pub const HRBFNPR_NOTE_SEEN_FROM_FRONT: u32 = 54;
-/// lines want a model, and the source is a point set
+/// no lines are drawn, because the source is a point set without a model []
 pub const HRBFNPR_NOTE_NO_LINES_OF_MARKS: u32 = 55;
-/// the surface is thinner than the cells that lines are looked for in [triangles turned, of,
-/// samples missed]
+/// the surface is thinner than the cells in which lines are searched, so that lines may be
+/// missing [triangles that look away, all triangles, samples missed]
 pub const HRBFNPR_NOTE_LINES_THIN: u32 = 56;
-/// where the surface ends beyond its samples [borders, support, share]
+/// lines end where the surface ends beyond its samples [borders, support, share of the area left out]
 pub const HRBFNPR_NOTE_LINES_END: u32 = 57;
-/// curves that end inside the surface [curves]
+/// some curves end inside the surface, or were missed [curves]
 pub const HRBFNPR_NOTE_LINES_BROKEN: u32 = 58;
-/// lines whose visibility contradicts itself [lines]
+/// the visibility of some lines contradicts itself [lines]
 pub const HRBFNPR_NOTE_LINES_DOUBTED: u32 = 59;
-/// places with too many crossings of lines [places]
+/// lines cross so often in some places of the picture that no crossing was used [places]
 pub const HRBFNPR_NOTE_LINES_TANGLED: u32 = 60;
-/// hardly anything can be seen [shown, marks, share of ink]
+/// hardly anything can be seen [marks shown, all marks, share of the picture that ink covers]
 pub const HRBFNPR_NOTE_BLANK: u32 = 61;
-/// that were chosen by the widths at hand
+/// pens are chosen by the widths at hand []
 pub const HRBFNPR_NOTE_PENS: u32 = 62;
-/// [metres drawn, metres travelled, seconds]
+/// a plotter's file is written [metres drawn, metres travelled, seconds]
 pub const HRBFNPR_NOTE_PLOTTED: u32 = 63;
-/// what settings do not hold
+/// something that the picture was made with is not in its settings []
 pub const HRBFNPR_NOTE_NOT_IN_SETTINGS: u32 = 64;
-/// of the format
+/// the unit of the source is taken as a metre, because its format says so []
 pub const HRBFNPR_NOTE_UNIT_IS_METRE: u32 = 65;
-/// for centre lines
+/// centre lines are asked for, but no plane of symmetry was found []
 pub const HRBFNPR_NOTE_NO_SYMMETRY: u32 = 66;
-/// outlines of a cut that are not closed [outlines]
+/// outlines of a cut are not closed, and are not hatched [outlines]
 pub const HRBFNPR_NOTE_SECTION_OPEN: u32 = 67;
-/// made of length 1 [normals]
+/// normals get the length 1 [normals]
 pub const HRBFNPR_NOTE_NORMALS_NOT_UNIT: u32 = 68;
-/// all points
+/// all points are at one place []
 pub const HRBFNPR_NOTE_AT_ONE_PLACE: u32 = 69;
-/// for the source's size
+/// the source is so far from the origin that single precision loses its details []
 pub const HRBFNPR_NOTE_FAR_FROM_ORIGIN: u32 = 70;
-/// at the place of another [vertices]
+/// vertices at the place of another are joined with it [vertices]
 pub const HRBFNPR_NOTE_VERTICES_JOINED: u32 = 71;
-/// of no face, left out [vertices]
+/// vertices of no face are left out [vertices]
 pub const HRBFNPR_NOTE_VERTICES_UNUSED: u32 = 72;
-/// of more than two faces [edges]
+/// edges have more than two faces [edges]
 pub const HRBFNPR_NOTE_NONMANIFOLD_EDGES: u32 = 73;
-/// [borders, their edges]
+/// a mesh is open [borders, their edges]
 pub const HRBFNPR_NOTE_MESH_OPEN: u32 = 74;
-/// of a mesh [parts]
+/// a mesh has several parts [parts]
 pub const HRBFNPR_NOTE_SEVERAL_PARTS: u32 = 75;
-/// why a source cannot be drawn
+/// a source cannot be drawn; the text says why []
 pub const HRBFNPR_NOTE_NOT_USABLE: u32 = 76;
 
+/// A note: something that was chosen, repaired, left out or measured, or that may be wrong.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_note {
     pub struct_size: u32,
-    /// HRBFNPR_NOTE_...
+    /// what it is about, HRBFNPR_NOTE_...
     pub code: u32,
-    /// HRBFNPR_SEVERITY_...
+    /// how much it matters, HRBFNPR_SEVERITY_...
     pub severity: u32,
+    /// number of `figures` that are set, 0 .. 8
     pub figure_count: u32,
-    /// as above, in that order
+    /// figures of the code, in the order of its brackets
     pub figures: [f64; 8],
     /// one sentence without a full stop, UTF-8, in the words of `wording`
     pub text: *const c_char,
@@ -4741,296 +5123,333 @@ pub struct hrbfnpr_note {
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_note_init(note: *mut hrbfnpr_note, struct_size: u32) -> hrbfnpr_status;
 }
 
-/// What happens while a picture is made.
+/// What happens while a picture is made: a new note, or the progress of a stage.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_picture_event {
     pub struct_size: u32,
-    /// HRBFNPR_STAGE_... that runs; 0 = between two
+    /// stage that runs, HRBFNPR_STAGE_...; 0 = none runs
     pub stage: u32,
-    /// of the stage, 0 when it begins, 1 when it is over
+    /// progress of the stage: 0 when it begins, 1 when it ends; 0 with a note
     pub fraction: f64,
-    /// of the stage, when it is over
+    /// time that the stage took, when it ends; else 0
     pub seconds: f64,
-    /// of the stage: "place marks"
+    /// name of the stage, such as "place marks"; NULL with a note
     pub name: *const c_char,
-    /// the same for a progress bar: "placing marks"
+    /// the same for a progress bar, such as "placing marks"; NULL with a note
     pub doing: *const c_char,
-    /// what the stage came to, when it is over; else NULL
+    /// result of the stage in words, when it ends; else NULL
     pub says: *const c_char,
-    /// a new one; NULL = this is about the stage
+    /// a new note; NULL = the event is about the stage
     pub note: *const hrbfnpr_note,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_picture_event_init(
         event: *mut hrbfnpr_picture_event,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-/// Runs on the thread that entered; what it is given lives during the call only.
+/// Gets an event.  It runs on the thread that entered the library.  The event lives during
+/// the call only.
 pub type hrbfnpr_picture_event_fn =
     Option<unsafe extern "C" fn(user: *mut c_void, event: *const hrbfnpr_picture_event)>;
 
-/// Every field has a default that makes a good picture; a source and, if wanted, a style are enough.
-/// NaN (or 0 or NULL, where a line says so) stands for what is chosen.
+/// How a picture is made.  Each field has a default that makes a good picture.  A source is
+/// enough, and a style if
+/// wanted.  A default of NaN, 0 or NULL is chosen by the picture, as its line says.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_picture_desc {
     pub struct_size: u32,
-    /// HRBFNPR_PICTURE_...; 0
+    /// HRBFNPR_PICTURE_...; default 0
     pub flags: u32,
-    /// a list, 1 and more: each is a surface of its own
+    /// a list of 1 to 10000 sources, each a separate surface; NULL for hrbfnpr_picture_restyle
     pub sources: *const hrbfnpr_picture_source,
+    /// number of `sources`; default 0
     pub source_count: i64,
+    /// bytes from one element of `sources` to the next; default 0 = struct_size
     pub source_stride: i64,
-    /// HRBFNPR_PRESET_...; CONTOUR_AND_STIPPLE
+    /// named style, HRBFNPR_PRESET_...; default CONTOUR_AND_STIPPLE
     ///
     /// Style.
     pub preset: u32,
-    /// HRBFNPR_WORDING_...; FIELDS
+    /// how notes and errors write options, HRBFNPR_WORDING_...; default FIELDS
     pub wording: u32,
-    /// the name of a preset, in place of its number; NULL
+    /// name of a preset, in place of its number; default NULL
     pub style_name: *const c_char,
-    /// used as it is, with lengths in pixels of this picture; NULL. `preset` then says which
-    /// layers of marks there are
+    /// a style to use as it is, with lengths in pixels of this picture; default NULL. `preset`
+    /// then says which layers of marks there are
     pub style: *const hrbfnpr_style,
-    /// what this descriptor leaves at its defaults; kept; NULL
+    /// settings for what this descriptor leaves at its defaults; the picture keeps them; default NULL
     pub settings: *const hrbfnpr_settings,
-    /// a list; NULL and 0
+    /// a list of fields to change; default NULL
     pub changes: *const hrbfnpr_change,
+    /// number of `changes`; default 0
     pub change_count: i64,
+    /// bytes from one element of `changes` to the next; default 0 = struct_size
     pub change_stride: i64,
-    /// what is painted, a list; NULL and 0
+    /// a list of dabs that paint the surface; default NULL
     pub dabs: *const hrbfnpr_dab,
+    /// number of `dabs`, 0 .. 1000000; default 0
     pub dab_count: i64,
+    /// bytes from one element of `dabs` to the next; default 0 = struct_size
     pub dab_stride: i64,
-    /// 1 .. 32768, with `height`; 0 = from `size`
+    /// width of the drawing, in pixels, 1 .. 32768, given with `height`; default 0 = from `size`
     ///
     /// Size, in pixels.
     pub width: i32,
+    /// height of the drawing, in pixels, 1 .. 32768, given with `width`; default 0 = from `size`
     pub height: i32,
-    /// of the longer side, 1 .. 32768; the shorter one is as the object needs it; 0 = 1600
+    /// longer side of the drawing, in pixels, 1 .. 32768; the shorter side is as the object needs
+    /// it; default 0 = 1600
     pub size: i32,
-    /// HRBFNPR_PICTURE_SIDES_...; AUTO
+    /// sides on which marks are drawn, HRBFNPR_PICTURE_SIDES_...; default AUTO
     pub sides: u32,
-    /// radius of the pen, which styles vary a little; 0 = an 800th of the longer side, at least 0.75
+    /// radius of the pen in pixels, which styles vary a little; 1e-6 .. 1e6; default 0 = an 800th
+    /// of the longer side, at least 0.75
     pub pen: f64,
-    /// of contours; others are finer; 0 = that of the style
+    /// width of contours, in pixels; other lines are finer; 1e-6 .. 1e6; default 0 = that of the style
     pub line_width: f64,
-    /// used as it is, with its viewport as size; NULL
+    /// a camera to use as it is, with its viewport as the size; default NULL
     ///
     /// Camera.
     pub camera: *const hrbfnpr_camera,
-    /// 0, 0, 0 = by the format and the shape, y where neither tells
+    /// direction that is up; default 0, 0, 0 = by the format and the shape, or y where neither tells
     pub up: [f64; 3],
-    /// degrees, of the camera about the up axis; NaN = 30, and another where that sees the back
-    /// of an open surface
+    /// azimuth of the camera about the up axis, from the front to the right, in degrees; default
+    /// NaN = 30, and another where that sees the back of an open surface
     pub azimuth: f64,
-    /// degrees, of the camera above the horizon; NaN = 20
+    /// elevation of the camera above the horizon, in degrees; default NaN = 20
     pub elevation: f64,
-    /// from the eye into the scene, in place of these two; 0, 0, 0 = not given
+    /// direction from the eye into the scene, in place of azimuth and elevation; default 0, 0, 0
+    /// = not given
     pub direction: [f64; 3],
-    /// place of the eye, which looks at `target`; NaN = not given
+    /// place of the eye, which looks at `target`; default NaN = not given
     pub eye: [f64; 3],
-    /// NaN = the middle of the model
+    /// place that the eye looks at; default NaN = the middle of the model
     pub target: [f64; 3],
-    /// degrees, vertical angle of view, 0 = orthographic; NaN = 30, 0 of the style archaeological
+    /// vertical angle of view, in degrees, 0.01 .. 179; 0 = orthographic; default NaN = 30, or 0
+    /// in the style archaeological
     pub fov: f64,
-    /// share that is free on each side, 0 .. 0.45; NaN = 0.05
+    /// share of the picture that is free on each side, 0 .. 0.45; default NaN = 0.05
     pub margin: f64,
-    /// degrees, of an orbit that starts here: the picture has room for all of it; 0 = a still
+    /// angle of an orbit that starts here, in degrees; the picture has room for all of it;
+    /// default 0 = a still picture
     pub turn: f64,
-    /// of that orbit, 1 and more; 36
+    /// number of frames of that orbit, 1 .. 1000000; default 36
     pub turn_frames: i32,
-    /// HRBFNPR_NORMALS_...: what is known of those of points; AUTO
+    /// what is known of the normals of points, HRBFNPR_NORMALS_...; default AUTO
     ///
     /// From the source to a surface.
     pub normals: u32,
-    /// of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096
+    /// number of samples of a mesh, or chosen from points, 0 .. 1e9; default 0 = as many as a
+    /// mesh needs, and of points all up to 4096
     pub samples: i64,
-    /// units of the source: samples are chosen until all is this near; 0 = 0.002 diagonals of a
-    /// mesh, none of points
+    /// samples are chosen until the surface is this near to the mesh, or to all points, in units
+    /// of the source; 0 or more; default 0 = 0.002 diagonals for a mesh, and no such end for
+    /// points
     pub tolerance: f64,
-    /// the most samples that are chosen; 0 = 8000 of a mesh, no limit of points
+    /// the most samples that are chosen, 0 or more; default 0 = 8000 for a mesh, and no limit for points
     pub maximum_centres: i64,
-    /// HRBFNPR_PARTS_...: of a mesh; OUTER
+    /// parts of a mesh that are kept, HRBFNPR_PARTS_...; default OUTER
     pub parts: u32,
-    /// HRBFNPR_PICTURE_EDGES_...: of a mesh; AS_GIVEN
+    /// edges of a mesh that are sharp, HRBFNPR_PICTURE_EDGES_...; default AS_GIVEN
     pub edges: u32,
-    /// degrees, 5 .. 175: of EDGES_SHARP; 30
+    /// angle between the normals of two faces, in degrees, above which their edge is sharp, with
+    /// EDGES_SHARP; 5 .. 175; default 30
     pub edge_angle: f64,
-    /// degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; NaN = 60
+    /// angle between the normals of two faces, in degrees, above which they do not share corner
+    /// normals; 0 .. 180; default NaN = 60
     pub crease_angle: f64,
-    /// how often faces are divided into four towards something round, 0 .. 6; -1 = where they are
-    /// coarse and no edges stand out
+    /// how often faces are divided into four towards a round surface, 0 .. 6; default -1 = where
+    /// faces are coarse and no edges stand out
     pub subdivide: i32,
-    /// HRBFNPR_PROFILE_...; AUTO
+    /// whether a section is drawn beside the drawing, HRBFNPR_PROFILE_...; default AUTO
     pub profile: u32,
-    /// where the scanner stood: open surfaces without normals look to it; NaN = as the source tells
+    /// place where the scanner stood, to which open surfaces without normals look; default NaN =
+    /// as the source says
     pub viewpoint: [f64; 3],
-    /// factor of the width over which the image of a depth camera is smoothed; 0 leaves its
-    /// points where they are; NaN = 1
+    /// factor of the width over which the image of a depth camera is smoothed, 0 .. 100; 0 leaves
+    /// its points where they are; default NaN = 1
     pub depth_smoothing: f64,
-    /// of all that is random; 1
+    /// seed of all random numbers; default 1
     pub random_seed: u64,
-    /// kinds of layers with commas between, "stipples,hatch"; NULL = those of the style
+    /// kinds of layers of marks with commas between, such as "stipples,hatch"; default NULL =
+    /// those of the style
     ///
     /// Marks, lines, and what stands beside the drawing.
     pub mark_kinds: *const c_char,
-    /// n x 3: where marks of PUBLISHED start; not given
+    /// points where marks of the published method start; n x 3, FLOAT32 or FLOAT64; not given =
+    /// by seed_source of hrbfnpr_generate_desc
     pub seed_points: hrbfnpr_array,
-    /// degrees by which all lines of hatching are turned; 0
+    /// angle by which all lines of hatching are turned, in degrees, -360 .. 360; default 0
     pub hatch_angle: f64,
-    /// kinds with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
-    /// isophotes=0.3:0.6, section=z:20, border, crease; "none": contours by marks; NULL = those
-    /// of the style
+    /// kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent,
+    /// parabolic, isophotes=0.3:0.6, section=z:20, border, crease; "none" = no lines, so that
+    /// contours are drawn by marks with VISIBILITY_PUBLISHED only; default NULL = those of the
+    /// style
     pub lines: *const c_char,
-    /// the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style
-    /// archaeological, else "none"
+    /// unit of a scale bar below the drawing; "none" = no bar; default NULL = "units" in the
+    /// style archaeological, else "none"
     pub scale_bar: *const c_char,
-    /// NULL; called for as long as the picture lives
+    /// gets events for as long as the picture lives; default NULL
     pub on_event: hrbfnpr_picture_event_fn,
-    /// outlives the picture
+    /// passed to on_event; it must outlive the picture
     pub event_user: *mut c_void,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_picture_desc_init(
         desc: *mut hrbfnpr_picture_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-// What it is.
+// The kind of a source.
+/// points, with or without normals
 pub const HRBFNPR_SOURCE_KIND_POINTS: u32 = 1;
+/// a mesh
 pub const HRBFNPR_SOURCE_KIND_MESH: u32 = 2;
+/// a model, with or without marks
 pub const HRBFNPR_SOURCE_KIND_MODEL: u32 = 3;
+/// a point set without a model
 pub const HRBFNPR_SOURCE_KIND_POINT_SET: u32 = 4;
 
 // Which way normals look.
-/// there are none, or the source cannot be drawn
+/// there are no normals, or the source cannot be drawn
 pub const HRBFNPR_NORMALS_LOOK_UNKNOWN: u32 = 0;
+/// all look outward
 pub const HRBFNPR_NORMALS_LOOK_OUTWARD: u32 = 1;
+/// all look inward
 pub const HRBFNPR_NORMALS_LOOK_INWARD: u32 = 2;
-/// some outward, others inward
+/// some look outward, others inward
 pub const HRBFNPR_NORMALS_LOOK_MIXED: u32 = 3;
 /// they agree, and the surface encloses nothing
 pub const HRBFNPR_NORMALS_LOOK_OPEN: u32 = 4;
-/// they belong to other points; told of points along curves
+/// they belong to other points; found for points along curves only
 pub const HRBFNPR_NORMALS_LOOK_FOREIGN: u32 = 5;
 
-/// What is not known of this kind of source is 0, and so is what would have been found out
-/// after the finding that it
-/// cannot be drawn.
+/// What a source holds.  A field that does not apply to the kind of source is 0.  If the
+/// source cannot be drawn, fields
+/// that were not examined any more are 0.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_source_info {
     pub struct_size: u32,
-    /// HRBFNPR_SOURCE_KIND_...
+    /// kind of the source, HRBFNPR_SOURCE_KIND_...
     pub kind: u32,
-    /// HRBFNPR_SEVERITY_... of the worst finding: INFO = there is none, NOTE = a picture repairs
-    /// it, WARNING, FAILURE = it cannot be drawn
+    /// severity of the worst finding, HRBFNPR_SEVERITY_...: INFO = no finding; NOTE = a picture
+    /// repairs it; WARNING = something is wrong; FAILURE = it cannot be drawn
     pub severity: u32,
-    /// HRBFNPR_NORMALS_LOOK_...: of points or faces
+    /// which way the normals of points or faces look, HRBFNPR_NORMALS_LOOK_...
     pub normals_look: u32,
-    /// as given; vertices of a mesh, centres of a model, marks of a point set
+    /// points as given: points, vertices of a mesh, centres of a model, marks of a point set
     pub points: i64,
-    /// as given
+    /// triangles as given
     pub triangles: i64,
-    /// points at a value that stands for none; what follows is without them
+    /// points at a value that means "no data"; all fields below leave them out
     pub no_data: i64,
-    /// points far from all others; what follows is without them
+    /// points far from all others; all fields below leave them out
     pub strays: i64,
+    /// points without a finite position
     pub points_not_finite: i64,
     /// points, or vertices of faces, at the place of another
     pub duplicates: i64,
-    /// of finite points
+    /// least coordinates of the finite points
     pub bounds_min: [f64; 3],
+    /// greatest coordinates of the finite points
     pub bounds_max: [f64; 3],
-    /// of these bounds
+    /// diagonal of these bounds
     pub diagonal: f64,
-    /// that a picture chooses by itself, of points and meshes; the reason is at the end
+    /// direction that a picture chooses as up, for points and meshes; up_reason says why
     pub up: [f64; 3],
-    /// 1: there are some that are not zero
+    /// 1: some normals are given that are not zero
     ///
-    /// Normals of points; looks_down, normals_closed and normals_flipped_share of faces, too.
+    /// Normals of points. looks_down, normals_closed and normals_flipped_share are set for faces, too.
     pub has_normals: u32,
-    /// 1: the points lie along curves, as those of wires and cross sections
+    /// 1: the points lie along curves, such as wires or cross sections
     pub along_curves: u32,
-    /// a terrain looks down along an axis: 1 = y, 2 = z; 0 = it does not, or is none
+    /// axis along which a terrain looks down: 1 = y, 2 = z; 0 = it does not, or is no terrain
     pub looks_down: u32,
     pub reserved: u32,
+    /// normals that are zero
     pub normals_zero: i64,
+    /// normals that are not finite
     pub normals_not_finite: i64,
-    /// of length 1, of those that can be used; 0 .. 1
+    /// share of the usable normals that have length 1, 0 .. 1
     pub normals_unit_share: f64,
-    /// sum of the winding numbers on both sides of the samples, in the middle: 1 closed and
-    /// outward, -1 inward, 0 a flat sheet; not of points along curves
+    /// median over the samples of the sum of the winding numbers on both sides: 1 = closed and
+    /// outward, -1 = inward, 0 = a flat sheet; 0 for points along curves
     pub normals_closed: f64,
-    /// judged by neighbours; not of points along curves
+    /// share of the normals that look flipped beside their neighbours, 0 .. 1; 0 for points along curves
     pub normals_flipped_share: f64,
     /// pixels that have a point
     ///
-    /// The picture of a depth camera that has no normals.
+    /// The image of a depth camera, if it has no normals.
     pub image_seen: i64,
-    /// of these, on no surface
+    /// pixels among these that lie on no surface
     pub image_dropped: i64,
-    /// median of those that were seen
+    /// median depth of the pixels that have a point
     pub image_depth: f64,
-    /// standard deviation at that depth
+    /// standard deviation of the depth, at that depth
     pub image_noise: f64,
     /// 1: each edge has two faces, which run along it in opposite directions
     ///
-    /// A mesh, as given but for vertices at the same place, which are joined.
+    /// A mesh as it was given, except that vertices at the same place are joined.
     pub closed: u32,
-    /// 1: it is closed, and its faces look inward
+    /// 1: the mesh is closed, and its faces look inward
     pub inside_out: u32,
     /// parts that share no vertex
     pub components: i64,
-    /// parts without border whose faces look inward; inside another one it is a cavity
+    /// parts without a border whose faces look inward; inside another part it is a cavity
     pub components_inside_out: i64,
-    /// of one face
+    /// edges with one face
     pub boundary_edges: i64,
     /// borders
     pub boundary_loops: i64,
-    /// of more than two faces
+    /// edges with more than two faces
     pub nonmanifold_edges: i64,
-    /// what hrbfnpr_mesh_create leaves of them
+    /// edges among these that hrbfnpr_mesh_create cannot mend
     pub nonmanifold_left: i64,
-    /// of two faces, one of which is turned over
+    /// edges with two faces, one of which is turned over
     pub contrary_edges: i64,
-    /// with a corner that is not finite
+    /// faces with a corner that is not finite
     pub faces_not_finite: i64,
-    /// without area
+    /// faces without area
     pub degenerate_faces: i64,
-    /// with the corners of another
+    /// faces with the same corners as another
     pub repeated_faces: i64,
-    /// of no face
+    /// vertices of no face
     pub unused_vertices: i64,
+    /// area, in squared units of the source
     pub area: f64,
-    /// enclosed; 0 where the mesh is not closed
+    /// enclosed volume, in cubed units of the source; 0 if the mesh is not closed
     pub volume: f64,
-    /// "it is so in PLY files"; "" = up is not known
+    /// reason for `up`, such as "it is so in PLY files"; "" = up is not known
     pub up_reason: [c_char; 128],
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_source_info_init(
         info: *mut hrbfnpr_source_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Looks at a source without drawing it: facts into info, findings as notes of on_event.
-    /// NOTE: what a picture repairs;
-    /// WARNING: what is wrong, with advice; FAILURE: a code NOT_USABLE that says why it cannot be
-    /// drawn, and the call is
-    /// OK all the same.  One matter may be both repaired and wrong.  wording:
-    /// HRBFNPR_WORDING_...; on_event and operation
-    /// may be NULL.
+    /// Looks at a source without drawing it.  It puts facts into `info`, and passes findings to
+    /// on_event as notes.  A NOTE
+    /// is something that a picture repairs.  A WARNING is something that is wrong, with advice.
+    /// One matter may give both.
+    /// A FAILURE, with the code NOT_USABLE, says why the source cannot be drawn; the call
+    /// succeeds all the same.  `wording`
+    /// is HRBFNPR_WORDING_...; on_event and `operation` may be NULL.
     /// Errors: INVALID_ARGUMENT (fields of the source), OUT_OF_MEMORY, CANCELLED, CALLBACK.
     pub fn hrbfnpr_source_inspect(
         context: *mut hrbfnpr_context,
@@ -5042,10 +5461,12 @@ extern "C" {
         info: *mut hrbfnpr_source_info,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Fits, places marks and looks for lines; draws nothing yet.  operation may be NULL.
-    /// Needs the stack of hrbfnpr_model_fit.
-    /// Errors: INVALID_ARGUMENT (also for a source that cannot be drawn), SINGULAR_SYSTEM,
-    /// NOT_CONVERGED, OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    /// Makes a picture: fits surfaces, places marks and finds lines.  It draws nothing yet.
+    /// `operation` may be NULL.  The
+    /// call needs the stack of hrbfnpr_model_fit.
+    /// Errors: INVALID_ARGUMENT (a field of `desc`; a source that cannot be drawn),
+    /// SINGULAR_SYSTEM, NOT_CONVERGED,
+    /// OUT_OF_MEMORY, CANCELLED, CALLBACK.
     pub fn hrbfnpr_picture_create(
         context: *mut hrbfnpr_context,
         desc: *const hrbfnpr_picture_desc,
@@ -5053,8 +5474,11 @@ extern "C" {
         out_picture: *mut *mut hrbfnpr_picture,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The same surfaces in another style, size or view: desc has no sources.  Marks and lines
-    /// that fit are used again; else they are placed and looked for anew.
+    /// Makes a picture of the same surfaces in another style, size or view.  `desc` has no
+    /// sources.  Marks and lines that
+    /// fit are used again; others are made anew.  `operation` may be NULL.
+    /// Errors: those of hrbfnpr_picture_create; INVALID_ARGUMENT, too, if the picture was made
+    /// with SURFACE_ONLY.
     pub fn hrbfnpr_picture_restyle(
         picture: *const hrbfnpr_picture,
         desc: *const hrbfnpr_picture_desc,
@@ -5062,13 +5486,18 @@ extern "C" {
         out_picture: *mut *mut hrbfnpr_picture,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_picture_retain(picture: *mut hrbfnpr_picture);
-    /// any thread; NULL is ignored
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_picture_release(picture: *mut hrbfnpr_picture);
-    /// Draws it.  camera NULL: as it was planned, and INVALID_ARGUMENT with a note BLANK if hardly
-    /// anything could be seen (ALLOW_BLANK lets it be).  Lines keep their numbers from one
-    /// drawing to the next.  operation may be NULL.
+    /// Draws a picture.  `camera` NULL is the planned camera.  Lines keep their numbers from one
+    /// drawing to the next.
+    /// `operation` may be NULL.
+    /// Errors: INVALID_ARGUMENT (the camera; a picture made with SURFACE_ONLY; with the planned
+    /// camera, a drawing in which
+    /// hardly anything can be seen, unless ALLOW_BLANK is set: a note BLANK says more),
+    /// OUT_OF_MEMORY, CANCELLED,
+    /// CALLBACK.
     pub fn hrbfnpr_picture_draw(
         picture: *mut hrbfnpr_picture,
         camera: *const hrbfnpr_camera,
@@ -5078,37 +5507,44 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// What a picture is made of.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_picture_info {
     pub struct_size: u32,
-    /// HRBFNPR_PRESET_...
+    /// named style as used, HRBFNPR_PRESET_...
     pub preset: u32,
-    /// surfaces, or 1 of a point set
+    /// number of surfaces; 1 for a point set
     pub parts: i64,
-    /// of all parts
+    /// marks of all parts
     pub marks: i64,
+    /// number of notes, for hrbfnpr_picture_get_note
     pub notes: i64,
+    /// number of stages that have ended, for hrbfnpr_picture_get_stage
     pub stages: i64,
-    /// pixels, of the drawing
+    /// width of the drawing, in pixels; 0 with SURFACE_ONLY
     pub width: i32,
+    /// height of the drawing, in pixels; 0 with SURFACE_ONLY
     pub height: i32,
-    /// of all parts
+    /// least coordinates of all parts
     pub bounds_min: [f64; 3],
+    /// greatest coordinates of all parts
     pub bounds_max: [f64; 3],
-    /// as used
+    /// direction that is up, as used
     pub up: [f64; 3],
-    /// radius, pixels, as used
+    /// radius of the pen as used, in pixels
     pub pen: f64,
-    /// that it took to make
+    /// time that it took to make the picture
     pub seconds: f64,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_picture_info_init(
         info: *mut hrbfnpr_picture_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
+    /// Gets what a picture is made of.
     pub fn hrbfnpr_picture_get_info(
         picture: *const hrbfnpr_picture,
         info: *mut hrbfnpr_picture_info,
@@ -5116,71 +5552,86 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// One surface: handles without references of their own, valid while the picture lives.
+/// One surface of a picture.  Its handles are valid while the picture lives; the caller
+/// retains those that it keeps
+/// longer.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_picture_part {
     pub struct_size: u32,
-    /// HRBFNPR_SIDES_... as used
+    /// sides on which marks are drawn, as used, HRBFNPR_SIDES_...
     pub sides: u32,
-    /// NULL of a point set
+    /// its model; NULL for a point set
     pub model: *const hrbfnpr_model,
-    /// NULL with SURFACE_ONLY
+    /// its marks; NULL with SURFACE_ONLY
     pub point_set: *const hrbfnpr_point_set,
-    /// NULL without lines
+    /// its lines; NULL without lines
     pub line_set: *const hrbfnpr_line_set,
-    /// of a mesh, as it was fitted to; else NULL
+    /// the mesh that it was fitted to; NULL for other sources
     pub mesh: *const hrbfnpr_mesh,
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_picture_part_init(
         part: *mut hrbfnpr_picture_part,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// number: 0 .. hrbfnpr_picture_info.parts - 1; the largest is 0.
+    /// Gets one surface of a picture.  `number` is 0 .. hrbfnpr_picture_info.parts - 1; the
+    /// largest surface is 0.
+    /// Errors: INVALID_ARGUMENT (no such part).
     pub fn hrbfnpr_picture_get_part(
         picture: *const hrbfnpr_picture,
         number: i64,
         part: *mut hrbfnpr_picture_part,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// What was chosen for hrbfnpr_renderer_draw, valid while the picture lives.
+    /// Gets the style that was chosen for hrbfnpr_renderer_draw.  It is valid while the picture lives.
+    /// Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
     pub fn hrbfnpr_picture_get_style(
         picture: *const hrbfnpr_picture,
         style: *mut *const hrbfnpr_style,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The descriptor that hrbfnpr_point_set_generate was given; *desc is NULL where the caller
-    /// gave the marks.
+    /// Gets the descriptor with which hrbfnpr_point_set_generate made the marks.  It is valid
+    /// while the picture lives. *desc
+    /// is NULL where the caller gave the marks.
+    /// Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
     pub fn hrbfnpr_picture_get_marks(
         picture: *const hrbfnpr_picture,
         desc: *mut *const hrbfnpr_generate_desc,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives.
+    /// Gets a note.  `number` is 0 .. hrbfnpr_picture_info.notes - 1.  Its texts are valid while
+    /// the picture lives.
+    /// Errors: INVALID_ARGUMENT (no such note).
     pub fn hrbfnpr_picture_get_note(
         picture: *const hrbfnpr_picture,
         number: i64,
         note: *mut hrbfnpr_note,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// number: 0 .. hrbfnpr_picture_info.stages - 1: those that are over, as their last event.
+    /// Gets the last event of a stage that has ended.  `number` is 0 .. hrbfnpr_picture_info.stages - 1.
+    /// Errors: INVALID_ARGUMENT (no such stage).
     pub fn hrbfnpr_picture_get_stage(
         picture: *const hrbfnpr_picture,
         number: i64,
         stage: *mut hrbfnpr_picture_event,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The camera that was planned.
+    /// Gets the planned camera.
+    /// Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
     pub fn hrbfnpr_picture_get_camera(
         picture: *const hrbfnpr_picture,
         camera: *mut hrbfnpr_camera,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// One from another side, with the size, the lens and the margin of the picture: along
-    /// `direction`, or from azimuth and
-    /// elevation in degrees, where direction is NULL; NaN = as planned.
+    /// Gets a camera that looks from another side, with the size, the lens and the margin of the
+    /// picture.  It looks along
+    /// `direction` (3 doubles, from the eye into the scene).  If that is NULL, it looks from
+    /// `azimuth` and `elevation`, in
+    /// degrees; NaN = as planned.
+    /// Errors: INVALID_ARGUMENT (a number is not finite; a picture made with SURFACE_ONLY).
     pub fn hrbfnpr_picture_look(
         picture: *const hrbfnpr_picture,
         direction: *const f64,
@@ -5189,19 +5640,22 @@ extern "C" {
         camera: *mut hrbfnpr_camera,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The planned one, turned about the up axis through the middle of the model (or the target
-    /// of an eye).
+    /// Gets the planned camera, turned by an angle in degrees about the up axis through the
+    /// middle of the model.  If the
+    /// descriptor gave an eye, the axis goes through its target.
+    /// Errors: INVALID_ARGUMENT (the angle is not finite; a picture made with SURFACE_ONLY).
     pub fn hrbfnpr_picture_orbit(
         picture: *const hrbfnpr_picture,
         degrees: f64,
         camera: *mut hrbfnpr_camera,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// A plate is a drawing with the section and the scale bar that the picture has beside it;
-    /// without these it is the
-    /// drawing alone.  In this part `camera` is the one that the drawing was made by; NULL = the
-    /// planned one.
-    /// *width and *height get the pixels of the plate.
+    /// Gets the size of a picture's plate, in pixels.  A plate is a drawing with the section and
+    /// the scale bar beside it.
+    /// Without these it is the drawing alone.  `camera` is the camera that the drawing was made
+    /// with; NULL = the planned
+    /// camera.
+    /// Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY).
     pub fn hrbfnpr_picture_plate_size(
         picture: *const hrbfnpr_picture,
         camera: *const hrbfnpr_camera,
@@ -5209,8 +5663,11 @@ extern "C" {
         height: *mut i32,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// The plate as an image of at least plate_size pixels, from its top-left corner; as
-    /// hrbfnpr_drawing_rasterize.
+    /// Draws the plate of a picture into an image, from the top-left corner on.  The image has at
+    /// least the size that
+    /// hrbfnpr_picture_plate_size gives.  `camera` is the camera that the drawing was made with;
+    /// NULL = the planned camera.
+    /// Errors: those of hrbfnpr_drawing_rasterize; INVALID_ARGUMENT, too, if the image is too small.
     pub fn hrbfnpr_picture_rasterize(
         picture: *const hrbfnpr_picture,
         drawing: *const hrbfnpr_drawing,
@@ -5220,33 +5677,37 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// On which paper a drawing is written, and with which pens.
+/// The paper and the pens with which a drawing is written.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_picture_page_desc {
     pub struct_size: u32,
     pub reserved: u32,
-    /// format, flags, tolerance, speeds, pens and the like; its items, annotations and size are
-    /// set by this call, and its title, description and metadata where they are NULL; NULL = its
-    /// defaults
+    /// format, flags, tolerance, speeds, pens and the like; default NULL = its defaults. The call
+    /// sets items, annotations and size, and title, description and metadata where they are NULL
     pub page: *const hrbfnpr_page_desc,
-    /// "a0" .. "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it,
-    /// turned as it fits better; NULL = a pixel is 25.4 / 96 mm
+    /// paper that the drawing fills, turned as it fits better: "a0" .. "a6", "letter", "legal",
+    /// "tabloid", or width and height in mm, such as "210x297"; default NULL = a pixel is 25.4 /
+    /// 96 mm
     pub paper: *const c_char,
-    /// mm, free on each side of the paper; 10
+    /// free margin on each side of the paper, in mm; 0 or more; default 10
     pub paper_margin: f64,
-    /// FLOAT64, 1, mm, ascending: of the pens at hand; each group gets that which is nearest to
-    /// its lines' median width; not given
+    /// widths of the pens at hand, in mm, ascending; n x 1, FLOAT64; not given = `page` says.
+    /// Each group gets the pen nearest to the median width of its lines
     pub pen_widths: hrbfnpr_array,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_picture_page_desc_init(
         desc: *mut hrbfnpr_picture_page_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// The plate as vectors; as hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds
-    /// notes PENS and PLOTTED.
+    /// Writes the plate of a picture as vectors.  `camera` is the camera that the drawing was
+    /// made with; NULL = the planned
+    /// camera.  `desc`, `info` and `operation` may be NULL.  The picture gets notes PENS and PLOTTED.
+    /// Errors: those of hrbfnpr_page_write; INVALID_ARGUMENT, too, for a paper that is not known
+    /// or has no room.
     pub fn hrbfnpr_picture_write(
         picture: *mut hrbfnpr_picture,
         drawing: *const hrbfnpr_drawing,
@@ -5258,8 +5719,11 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// Reads what _write_settings or the viewer wrote (docs/settings.md).
-    /// Errors: IO, INVALID_ARGUMENT that names the key and what would be right, OUT_OF_MEMORY.
+    /// Reads settings that hrbfnpr_picture_write_settings or the viewer wrote. docs/settings.md
+    /// describes the format.
+    /// Errors: IO (`read` failed), INVALID_ARGUMENT (the message names the key and says what
+    /// would be right),
+    /// OUT_OF_MEMORY.
     pub fn hrbfnpr_settings_load(
         context: *mut hrbfnpr_context,
         read: hrbfnpr_read_fn,
@@ -5267,11 +5731,13 @@ extern "C" {
         out_settings: *mut *mut hrbfnpr_settings,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// any thread; NULL is ignored
+    /// Adds a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_settings_retain(settings: *const hrbfnpr_settings);
-    /// any thread; NULL is ignored
+    /// Releases a reference.  Any thread may call it; NULL is ignored.
     pub fn hrbfnpr_settings_release(settings: *const hrbfnpr_settings);
-    /// Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS.
+    /// Writes what a picture was made with.  The picture gets a note NOT_IN_SETTINGS about what
+    /// settings do not hold.
+    /// Errors: INVALID_ARGUMENT (a picture made with SURFACE_ONLY), IO (`write` failed), OUT_OF_MEMORY.
     pub fn hrbfnpr_picture_write_settings(
         picture: *mut hrbfnpr_picture,
         write: hrbfnpr_write_fn,
@@ -5280,125 +5746,129 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-// 15  VIEWS: technical drawings on a sheet, to scale
+// 15  SHEETS: technical drawings in several views, to scale
 
-/// planes of symmetry through the middle have a centre line in each view that sees them as a
-/// line; a note NO_SYMMETRY says that there are none
+// Options of a sheet.
+/// draws a centre line for each plane of symmetry through the middle, in each view that sees
+/// the plane as a line. A note NO_SYMMETRY says that there is no such plane
 pub const HRBFNPR_VIEWS_CENTRE_LINES: u32 = 1;
-/// the name of each view stands above it; that of a section always does
+/// writes the name of each view above it. Sections always have their names
 pub const HRBFNPR_VIEWS_LABELS: u32 = 2;
-/// the format of the source is in metres, as glTF: a unit_mm of 0 is 1000, with a note UNIT_IS_METRE
+/// says that the format of the source is in metres, as glTF is. A unit_mm of 0 then means
+/// 1000, and a note UNIT_IS_METRE says so
 pub const HRBFNPR_VIEWS_UNIT_IS_METRE: u32 = 4;
 
 // Where views stand [ISO 5456-2].
-/// first angle: the left view at the right, the top view below
+/// first angle: the left view stands at the right, the top view below
 pub const HRBFNPR_VIEWS_ANGLE_FIRST: u32 = 0;
-/// third angle: the left view at the left, the top view above
+/// third angle: the left view stands at the left, the top view above
 pub const HRBFNPR_VIEWS_ANGLE_THIRD: u32 = 1;
 
-// Hidden edges.  Sections never have any [ISO 128-3].
-/// dashed thin lines
+// How hidden edges are drawn.  Sections never have hidden edges [ISO 128-3].
+/// hidden edges are dashed thin lines
 pub const HRBFNPR_VIEWS_HIDDEN_DASHED: u32 = 0;
-/// they are not drawn
+/// hidden edges are not drawn
 pub const HRBFNPR_VIEWS_HIDDEN_NONE: u32 = 1;
-/// continuous thin lines
+/// hidden edges are continuous thin lines
 pub const HRBFNPR_VIEWS_HIDDEN_SHOWN: u32 = 2;
 
-/// Texts are UTF-8 and are read during the call only.
+/// A sheet of views.  Texts are UTF-8, and are read during the call only.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_views_desc {
     pub struct_size: u32,
-    /// HRBFNPR_VIEWS_...; 0
+    /// HRBFNPR_VIEWS_...; default 0
     pub flags: u32,
-    /// HRBFNPR_VIEWS_ANGLE_...; FIRST
+    /// where views stand, HRBFNPR_VIEWS_ANGLE_...; default FIRST
     pub projection: u32,
-    /// HRBFNPR_VIEWS_HIDDEN_...; DASHED
+    /// how hidden edges are drawn, HRBFNPR_VIEWS_HIDDEN_...; default DASHED
     pub hidden: u32,
-    /// names with commas between: front, back, left, right, top, bottom, iso; each is drawn once.
-    /// NULL = "front,left,top,iso", with ANGLE_THIRD "front,right,top,iso"
+    /// names of views with commas between: front, back, left, right, top, bottom, iso; each is
+    /// drawn once; default NULL = "front,left,top,iso", or "front,right,top,iso" with ANGLE_THIRD
     pub views: *const c_char,
-    /// planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5"
-    /// at x + y = 5. An axis without a sign is seen from the front, from above or from the side
-    /// that is drawn; "+z:20" from above, "-z:20" from below. They are called A-A, B-B, ...; NULL
-    /// = none
+    /// cutting planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle,
+    /// "1:1:0:5" at x + y = 5; default NULL = none. "+z:20" is seen from above and "-z:20" from
+    /// below. An axis without a sign is seen from the front, from above, or from the side that is
+    /// drawn. Sections are called A-A, B-B and so on
     pub sections: *const c_char,
-    /// "a0" .. "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm;
-    /// "auto" = the smallest of a4 to a0 that has room at the scale, a3 where the scale is
-    /// "auto", too; NULL = "auto"
+    /// paper: "a0" .. "a6", "letter", "legal" or "tabloid", in landscape format, or width and
+    /// height in mm, such as "297x210"; default NULL = "auto" = the smallest of a4 to a0 that has
+    /// room at the scale, or a3 if the scale is "auto", too
     pub paper: *const c_char,
-    /// "1:2" = half as large as it is; "auto" = the largest of 1, 2 and 5 times a power of ten
-    /// [ISO 5455] that has room on the paper; NULL = "auto"
+    /// scale, such as "1:2" for half the size; default NULL = "auto" = the largest of 1, 2 and 5
+    /// times a power of ten that has room on the paper [ISO 5455]
     pub scale: *const c_char,
-    /// thin lines where the surface bends without an edge: kinds with commas between, ridges,
-    /// valleys, suggestive; "none"; NULL = "none"
+    /// thin lines where the surface bends without an edge, as kinds with commas between: ridges,
+    /// valleys, suggestive; default NULL = "none"
     pub smooth: *const c_char,
-    /// in the title block; NULL or "" = `model` without the ending of its name
+    /// title in the title block; default NULL; NULL and "" = `model` without the ending of its name
     pub title: *const c_char,
-    /// the file's name, in the title block; NULL or "" = the name of the picture's source
+    /// name of the file in the title block; default NULL; NULL and "" = the name of the picture's source
     pub model: *const c_char,
-    /// mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE
+    /// mm of a unit of the model, above 0, up to 1e9; default 0 = 1, or 1000 with UNIT_IS_METRE
     pub unit_mm: f64,
-    /// degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30. Larger:
-    /// fewer edges
+    /// angle between two faces of a mesh, in degrees, above which their edge is sharp; above 0,
+    /// up to 1e9; default 30. Larger: fewer edges
     pub crease_angle: f64,
-    /// mm, 0.01 .. 1000: of outlines; thin lines are half as wide; 0.5
+    /// width of outlines, in mm; thin lines are half as wide; 0.01 .. 1000; default 0.5
     pub line_width: f64,
-    /// mm, 0.01 .. 1000: between the lines in cut faces; 3
+    /// distance between the lines in cut faces, in mm; 0.01 .. 1000; default 3
     pub hatch_spacing: f64,
-    /// mm, > 0: free between views; 15
+    /// free space between views, in mm; above 0, up to 1e9; default 15
     pub spacing: f64,
-    /// format, flags, tolerance, speeds and the like; its items, annotations, pens and size are
-    /// set by this call, and its title and description where they are NULL; NULL = its defaults
-    /// with a tolerance of 0.02
+    /// format, flags, tolerance, speeds and the like; default NULL = its defaults with a
+    /// tolerance of 0.02. The call sets items, annotations, pens and size, and title and
+    /// description where they are NULL
     pub page: *const hrbfnpr_page_desc,
 }
 
 extern "C" {
+    /// Sets struct_size and all defaults.
     pub fn hrbfnpr_views_desc_init(
         desc: *mut hrbfnpr_views_desc,
         struct_size: u32,
     ) -> hrbfnpr_status;
 }
 
-/// What was drawn.
+/// The sheet that was written.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_views_info {
     pub struct_size: u32,
     pub reserved: u32,
-    /// sections are among them
+    /// number of views and sections
     pub views: i64,
-    /// that were written
+    /// bytes that were written
     pub bytes: i64,
-    /// mm, of the page
+    /// width of the page, in mm
     pub width: f64,
-    /// mm, of the page
+    /// height of the page, in mm
     pub height: f64,
-    /// 0.5 of 1:2
+    /// scale as a number: 0.5 for 1:2
     pub scale: f64,
     /// mm of a unit of the model, as used
     pub unit_mm: f64,
-    /// "1:2"
+    /// scale in words, such as "1:2"
     pub scale_text: [c_char; 64],
-    /// "a3", "297 x 210"
+    /// paper, such as "a3" or "297 x 210"
     pub paper: [c_char; 64],
 }
 
 extern "C" {
+    /// Sets struct_size; all other fields are 0.
     pub fn hrbfnpr_views_info_init(
         info: *mut hrbfnpr_views_info,
         struct_size: u32,
     ) -> hrbfnpr_status;
-    /// Draws the first part of a picture, which has a model, as a sheet of views; a picture made
-    /// with SURFACE_ONLY is
-    /// enough.  desc, info and operation may be NULL.  The picture gets stages LINES and VIEWS,
-    /// and notes UNIT_IS_METRE,
-    /// NO_SYMMETRY and SECTION_OPEN.
+    /// Writes a sheet of views of a picture's first part, which must have a model.  A picture
+    /// made with SURFACE_ONLY is
+    /// enough.  `desc`, `info` and `operation` may be NULL.  The picture gets stages LINES and
+    /// VIEWS, and notes
+    /// UNIT_IS_METRE, NO_SYMMETRY and SECTION_OPEN.
     /// Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane
     /// that misses the model;
-    /// views that have no room on the paper at the scale: the message says which scale or paper
-    /// has), and those of
+    /// views that have no room on the paper at the scale: the message names a scale or paper with
+    /// room), and those of
     /// hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write.
     pub fn hrbfnpr_picture_write_views(
         picture: *mut hrbfnpr_picture,
