@@ -108,7 +108,7 @@ private:
         }
         return found->second;
     }
-    // Multiplies strengths by how much the curvature drops to both sides (src/curves/feature_refine.h, docs/lines.md):
+    // Multiplies strengths by how much the curvature drops to both sides (src/curves/feature_refine.h, docs/how-lines-work.md):
     // from 0 for no drop to 1 where 2 (1 - k' / k) / (k s)^2 is 0.5, at s = 1 / 2k, clamped from two cells to a tenth
     // of the diagonal.
     void weigh_by_drop() {

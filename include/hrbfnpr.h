@@ -474,7 +474,7 @@ enum {
     HRBFNPR_KERNEL_CSG = 4          /* not for fits: reported for a model made by _create_csg */
 };
 
-/* How the linear system of a fit is solved.  docs/fitting.md gives times and memory. */
+/* How the linear system of a fit is solved.  docs/how-fitting-works.md explains both ways. */
 enum {
     HRBFNPR_SOLVER_AUTO = 0,   /* DIRECT for few samples, ITERATIVE for many */
     HRBFNPR_SOLVER_DIRECT = 1, /* dense factorization: memory grows with N^2, time with N^3 */
@@ -522,8 +522,8 @@ enum {
                                hrbfnpr_model_get_trim_info says what was done */
 };
 
-/* What to fit: N points with N outward normals, and how.  docs/fitting.md
- * explains the methods.
+/* What to fit: N points with N outward normals, and how.
+ * docs/how-fitting-works.md explains the methods.
  *
  * Repairs.  The fit accepts and counts (hrbfnpr_model_info) the following.
  * Normals that are not of unit length are normalized.  Samples at the same place
@@ -617,7 +617,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrb
                                              hrbfnpr_error* error);
 
 /* The points of hrbfnpr_orient: N points without normals, or with normals that may
- * be wrong.  docs/fitting.md explains the method.
+ * be wrong.  docs/how-fitting-works.md explains the method.
  *
  * Outward.  For a closed surface, outward is the side that it does not enclose.
  * For an open surface it is the side that the viewpoint sees, if one is given; else
@@ -701,7 +701,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnp
  * f and the centre c in pixels, the points are
  * x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
  *
- * docs/fitting.md explains the method. */
+ * docs/how-fitting-works.md explains the method. */
 typedef struct hrbfnpr_depth_image_desc {
     uint32_t struct_size;
     int32_t columns;       /* pixels in a row; 8 to 65535 */
@@ -2993,8 +2993,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* inf
  *
  * A mesh with sharp edges, as `edges` says, is cut along them into smooth patches.  Each patch gets its own fit, a
  * sheet.  The surface is a maximum and minimum of sheets, which changes from cell to cell of space [Ohtake et al.
- * 2003].  The points and normals of such a model are places all over the mesh, not its centres. docs/fitting.md
- * explains how edges are kept.
+ * 2003].  The points and normals of such a model are places all over the mesh, not its centres.
+ * docs/how-fitting-works.md explains how edges are kept.
  *
  * The model is trimmed by places on the mesh if the mesh is open, or if the fit did not reach the tolerance, unless the
  * trim of `fit` is NEVER.

@@ -19,7 +19,7 @@ namespace {
 
 #if HRBFNPR_HAS_THREADS
 
-// The fit's dense products need 276 KiB (docs/hosts.md), and more under sanitizers. The default of some systems is
+// The fit's dense products need up to 276 KiB, and more under sanitizers. The default of some systems is
 // smaller.
 constexpr std::size_t stack_size = std::size_t{2} << 20U;
 

@@ -28,7 +28,7 @@ constexpr std::int64_t box_samples = 32;
     return glm::dot(gap, gap);
 }
 
-// From this number of samples on, the fast sum is faster than the sum over all pairs (measured: docs/fitting.md).
+// From this number of samples on, the fast sum is faster than the sum over all pairs (scripts/bench fit).
 constexpr std::int64_t far_field_from = 40000;
 
 // The accuracy may be refined at most this often. Beyond that, summing all pairs is faster.

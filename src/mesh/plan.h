@@ -2,7 +2,7 @@
 // Decides what becomes of a mesh: which faces are turned, which edges stay sharp, which coarse faces are divided, which
 // parts are left out, how near a surface is to come, and where it ends.
 //
-// The functions stand in the order of the table in docs/input.md. Each is a function of facts and wishes and measures
+// docs/input.md describes the results to users. Each is a function of facts and wishes and measures
 // nothing itself. A fact that takes long to measure is a function, which is called only if the decision depends on it.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the stipples. scripts/bench quality and points measure their effects; docs/quality.md reports
-// them.
+// The tuning constants of the stipples. scripts/bench quality and points measure their effects;
+// docs/measurements.md reports them.
 #pragma once
 
 #include <cstdint>

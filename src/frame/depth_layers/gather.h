@@ -24,7 +24,7 @@ enum class Overlap : unsigned char {
 };
 
 // The ink per area that makes the discs of a blue-noise order cover 0, 1/16, 2/16 and so on to all of the area.
-// Measured on a flat patch, over prefixes of 5 to 100 % and radii of 1 to 3 pixels (docs/quality.md).
+// Measured on a flat patch, over prefixes of 5 to 100 % and radii of 1 to 3 pixels (docs/measurements.md).
 inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.1250F, 0.1875F, 0.2500F, 0.3125F,
                                                          0.3755F, 0.4400F, 0.5068F, 0.5772F, 0.6528F, 0.7362F,
                                                          0.8318F, 0.9479F, 1.1005F, 1.3370F, 3.0000F};

@@ -160,7 +160,7 @@ export declare const KERNEL: {
 /** A constant of KERNEL as options spell it. */
 export type KernelName = "triharmonic" | "gaussian" | "wendland-c2" | "custom" | "csg";
 
-/** How the linear system of a fit is solved.  docs/fitting.md gives times and memory. */
+/** How the linear system of a fit is solved.  docs/how-fitting-works.md explains both ways. */
 export declare const SOLVER: {
   /** DIRECT for few samples, ITERATIVE for many */
   readonly AUTO: 0;

@@ -1299,8 +1299,8 @@ export interface Functions {
    * a
    * sheet.  The surface is a maximum and minimum of sheets, which changes from cell to cell of space [Ohtake et
    * al.
-   * 2003].  The points and normals of such a model are places all over the mesh, not its centres. docs/fitting.md
-   * explains how edges are kept.
+   * 2003].  The points and normals of such a model are places all over the mesh, not its centres.
+   * docs/how-fitting-works.md explains how edges are kept.
    *
    * The model is trimmed by places on the mesh if the mesh is open, or if the fit did not reach the tolerance,
    * unless the

@@ -52,8 +52,8 @@ export interface ContextInfo {
 }
 
 /**
- * What to fit: N points with N outward normals, and how.  docs/fitting.md
- * explains the methods.
+ * What to fit: N points with N outward normals, and how.
+ * docs/how-fitting-works.md explains the methods.
  *
  * Repairs.  The fit accepts and counts (hrbfnpr_model_info) the following.
  * Normals that are not of unit length are normalized.  Samples at the same place
@@ -152,7 +152,7 @@ export interface FitDesc {
 
 /**
  * The points of hrbfnpr_orient: N points without normals, or with normals that may
- * be wrong.  docs/fitting.md explains the method.
+ * be wrong.  docs/how-fitting-works.md explains the method.
  *
  * Outward.  For a closed surface, outward is the side that it does not enclose.
  * For an open surface it is the side that the viewpoint sees, if one is given; else
@@ -225,7 +225,7 @@ export interface OrientInfo {
  * f and the centre c in pixels, the points are
  * x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
  *
- * docs/fitting.md explains the method.
+ * docs/how-fitting-works.md explains the method.
  */
 export interface DepthImageDesc {
   /** pixels in a row; 8 to 65535 */

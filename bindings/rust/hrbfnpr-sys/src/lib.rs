@@ -716,7 +716,7 @@ pub const HRBFNPR_KERNEL_CUSTOM: u32 = 3;
 /// not for fits: reported for a model made by _create_csg
 pub const HRBFNPR_KERNEL_CSG: u32 = 4;
 
-// How the linear system of a fit is solved.  docs/fitting.md gives times and memory.
+// How the linear system of a fit is solved.  docs/how-fitting-works.md explains both ways.
 /// DIRECT for few samples, ITERATIVE for many
 pub const HRBFNPR_SOLVER_AUTO: u32 = 0;
 /// dense factorization: memory grows with N^2, time with N^3
@@ -773,8 +773,8 @@ pub const HRBFNPR_TRIM_NEVER: u32 = 0;
 /// hrbfnpr_model_get_trim_info says what was done
 pub const HRBFNPR_TRIM_AUTO: u32 = 1;
 
-/// What to fit: N points with N outward normals, and how.  docs/fitting.md
-/// explains the methods.
+/// What to fit: N points with N outward normals, and how.
+/// docs/how-fitting-works.md explains the methods.
 ///
 /// Repairs.  The fit accepts and counts (hrbfnpr_model_info) the following.
 /// Normals that are not of unit length are normalized.  Samples at the same place
@@ -888,7 +888,7 @@ extern "C" {
 }
 
 /// The points of hrbfnpr_orient: N points without normals, or with normals that may
-/// be wrong.  docs/fitting.md explains the method.
+/// be wrong.  docs/how-fitting-works.md explains the method.
 ///
 /// Outward.  For a closed surface, outward is the side that it does not enclose.
 /// For an open surface it is the side that the viewpoint sees, if one is given; else
@@ -1010,7 +1010,7 @@ extern "C" {
 /// f and the centre c in pixels, the points are
 /// x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
 ///
-/// docs/fitting.md explains the method.
+/// docs/how-fitting-works.md explains the method.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_depth_image_desc {
@@ -4395,9 +4395,8 @@ extern "C" {
     /// patch gets its own fit, a
     /// sheet.  The surface is a maximum and minimum of sheets, which changes from cell to cell of
     /// space [Ohtake et al.
-    /// 2003].  The points and normals of such a model are places all over the mesh, not its
-    /// centres. docs/fitting.md
-    /// explains how edges are kept.
+    /// 2003].  The points and normals of such a model are places all over the mesh, not its centres.
+    /// docs/how-fitting-works.md explains how edges are kept.
     ///
     /// The model is trimmed by places on the mesh if the mesh is open, or if the fit did not
     /// reach the tolerance, unless the
