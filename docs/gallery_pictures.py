@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes docs/gallery.md, what is not in the article, and draws its pictures and those of README.md.
+"""Writes docs/gallery.md, and draws its pictures and those of README.md.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/gallery_pictures.py MESH DATA [NAME...]
 
-MESH is that of scripts/fetch_bunny, DATA a folder of models as for scripts/gallery --data.  With names only these pictures
-are drawn, such as solids-bracket.  The panels are those of scripts/figures/ours.py; pictures have few colours, to be small.
+MESH is the file that scripts/fetch_bunny fetches.  DATA is a folder of models, as for scripts/gallery --data.  NAME, such as
+solids-bracket, selects a picture; without names all are drawn.  The panels are those of scripts/figures/ours.py.  Pictures
+are reduced to few colours, so that the files are small.
 """
 
 import sys
@@ -22,24 +23,25 @@ from models import Models  # noqa: E402
 from ours import OURS  # noqa: E402
 
 SIZE = 480
-LARGEST = 200_000  # bytes of a picture
-TILE = (480, 400)  # of README.md
+LARGEST = 200_000  # bytes of a picture file
+TILE = (480, 400)  # pixels of a picture of README.md
 BEST = {
     "styles-stipple": "A bust in scientific stipple",
     "styles-etching": "The Stanford bunny, etched",
     "edges-sharp": "A lantern with sharp edges, engraved",
-    "styles-terrain": "A valley, etched, in raking light",
-    "solids-bracket": "A bracket put together from solids, engraved",
-    "solids-sheet": "Its views and a section on a sheet, to scale",
+    "styles-terrain": "A valley in raking light, etched",
+    "solids-bracket": "A bracket built from solids, engraved",
+    "solids-sheet": "Views and a section of the bracket, to scale",
 }
 HEAD = """# Gallery
 
-What is not in the article, by subject. Below each picture is the command that draws it. `scripts/gallery` draws these and the
-article's figures again, as published and in our way, larger, on a page of its own. Models are not part of the project: files
-named here are samples and meshes of the sources [below](#credits), and `bunny-1.0.1.obj` is what `scripts/fetch_bunny` fetches.
+Drawings by subject, each with the command that draws it. [The named styles](presets.md) are on a page of their own.
+`scripts/gallery` draws these pictures larger, on one HTML page, with the figures of the article.
 
-All named styles of one model are in [presets.md](presets.md). This page and its pictures are written by
-`docs/gallery_pictures.py` from `scripts/figures/ours.py`.
+The project does not contain the models. The commands name samples and meshes from the sources [below](#credits).
+`scripts/fetch_bunny` fetches `bunny-1.0.1.obj`.
+
+<!-- docs/gallery_pictures.py writes this page and its pictures from scripts/figures/ours.py. -->
 
 """
 
@@ -50,11 +52,11 @@ def shrink(source, target, colours=16):
     size = target.stat().st_size
     print(f"{target.name}: {picture.width} x {picture.height}, {size} bytes", flush=True)
     if size > LARGEST:
-        raise SystemExit(f"{target.name} has more than {LARGEST} bytes: draw less")
+        raise SystemExit(f"{target.name} has {size} bytes, more than {LARGEST}: reduce its size or colours")
 
 
 def tile(source, target):
-    """The picture in the middle of a page of the size that all tiles have."""
+    """Centres the picture on a white tile; all tiles have one size."""
     picture, page = Image.open(source).convert("RGB"), Image.new("RGB", TILE, "white")
     picture.thumbnail((TILE[0] - 16, TILE[1] - 16), Image.Resampling.LANCZOS)
     page.paste(picture, tuple((whole - part) // 2 for whole, part in zip(TILE, picture.size)))
@@ -78,7 +80,7 @@ def main():
         for figure in OURS:
             text += f"## {figure.title}\n\n{figure.caption}{' ' + figure.settings if figure.settings else ''}\n\n"
             for panel in figure.panels:
-                if panel.kind == "sheet":  # docs/presets.md has all styles, larger
+                if panel.kind == "sheet":  # docs/presets.md shows all styles, larger
                     continue
                 name = f"{figure.number}-{panel.name}"
                 target = DOCS / "images" / "gallery" / f"{name}.png"

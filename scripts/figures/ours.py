@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is not in the article, by subject: panels that scripts/gallery draws, and docs/gallery.md shows."""
+"""Figures beyond the article, by subject: scripts/gallery draws them, and docs/gallery.md shows them."""
 
 from panels import BUNNY, CANYON, HEAD, HEART, KNOT, LAMP, RAKING, TORI, Figure, Panel
 
@@ -11,7 +11,7 @@ OURS = (
     Figure(
         "styles",
         "Styles",
-        "Some of the named styles, each a full set of parameters to go on from.",
+        "A named style sets all parameters. Options change single ones.",
         "",
         (
             Panel("sheet", "all named styles", "knot", KNOT, "sheet"),
@@ -27,8 +27,8 @@ OURS = (
     ),
     Figure(
         "hatching",
-        "Hatching that follows something",
-        "Lines whose width makes the tone, along curvature, or turned towards sections, the light or the contour.",
+        "Directions of hatching",
+        "Lines follow the curvature, horizontal sections or the light. Their width makes the tone.",
         "",
         tuple(
             Panel(guide, title, "heart", f"{HEART} --style engraving {options}".strip())
@@ -42,59 +42,59 @@ OURS = (
     Figure(
         "lines",
         "Lines",
-        "Feature lines beside contours; sections; what lies behind, by the number of layers that hide it.",
+        "Contours with feature lines, sections, and hidden parts. More surfaces in front make the dashes shorter.",
         "",
         (
             Panel("features", "contours, suggestive contours and the border", "canyon",
                   f"{CANYON} --style silhouette --lines contour,suggestive,border"),
             Panel("sections", "sections", "heart", f"{HEART} --style silhouette --lines contour,section=y:24 --hidden none"),
-            Panel("hidden", "hidden parts dashed", "tori", f"{TORI} --style xray"),
+            Panel("hidden", "hidden parts, dashed", "tori", f"{TORI} --style xray"),
             Panel("blueprint", "the same as a blueprint", "tori", f"{TORI} --style blueprint"),
         ),
     ),
     Figure(
         "edges",
         "Sharp edges",
-        "A mesh with edges is cut along them and fitted sheet by sheet; the sheets meet in creases.",
+        "A mesh is divided into patches along its sharp edges. Each patch is fitted with a sheet, and the sheets meet in creases.",
         "",
         (
-            Panel("sharp", "edges kept", "lantern", f"{LAMP} --style engraving"),
-            Panel("smooth", "one smooth surface", "lantern", f"{LAMP} --style engraving --edges smooth"),
+            Panel("sharp", "sharp edges", "lantern", f"{LAMP} --style engraving"),
+            Panel("smooth", "the same mesh as one smooth surface", "lantern", f"{LAMP} --style engraving --edges smooth"),
         ),
     ),
     Figure(
         "solids",
         "Solids and technical drawings",
-        "Solids put together from primitives and models, with creases or blends; views and sections to scale.",
+        "Solids are built from primitives and models. Their parts meet in creases or blends. Views and sections are to scale.",
         "",
         (
             Panel("bracket", "a bracket, engraved", "bracket", f"{BRACKET} --style engraving", "csg"),
-            Panel("sheet", "its views and a section, by ISO 128", "bracket", SHEET, "sheet-views", scale=1.6),
-            Panel("blends", "two bars: with a crease, with two kinds of blend", "blends",
+            Panel("sheet", "views and a section of the bracket", "bracket", SHEET, "sheet-views", scale=1.6),
+            Panel("blends", "two crossing bars, with a crease and with two kinds of blend", "blends",
                   f"{SOLID} --azimuth 0 --fov 0", "csg", scale=1.6),
         ),
     ),
     Figure(
         "input",
-        "What comes in",
-        "Points without normals get them; an open surface ends where its samples do.",
+        "Input",
+        "The normals of points are found if there are none. An open surface ends where its samples end.",
         "",
         (
             Panel("cloud", "from 2000 points without normals", "cloud", f"{KNOT} --style etching"),
-            Panel("trimmed", "a terrain ends where its samples do", "canyon",
+            Panel("trimmed", "a terrain that ends where its samples end", "canyon",
                   f"{CANYON} {RAKING} --style engraving --lines contour,border"),
-            Panel("closed", "the same, closed as the fit goes on", "canyon", f"{CANYON} {RAKING} --style engraving --close"),
+            Panel("closed", "the same terrain, not trimmed", "canyon", f"{CANYON} {RAKING} --style engraving --close"),
         ),
     ),
     Figure(
         "vectors",
         "Vectors and plotters",
-        "Curves with exact ends, in layers; and the order in which a pen draws them.",
-        "Of the plot, the pen's way goes from blue to red; grey is where it is lifted.",
+        "Drawings are written as curves in layers, or as the moves of a pen.",
+        "The path of the pen goes from blue to red. It is grey where the pen is up.",
         (
             Panel("svg", "an SVG", "bunny_mesh", f"{BUNNY} --style etching", "svg"),
-            Panel("detail", "a part of it, five times as large", "bunny_mesh", f"{BUNNY} --style etching", "svg", part=(0.13, 0.27, 0.33, 0.47)),
-            Panel("plot", "the way of a plotter's pen", "bunny_mesh",
+            Panel("detail", "a part of the SVG, five times as large", "bunny_mesh", f"{BUNNY} --style etching", "svg", part=(0.13, 0.27, 0.33, 0.47)),
+            Panel("plot", "the path of a plotter's pen", "bunny_mesh",
                   f"{BUNNY} --style hatch --page 120x120 --pen-widths 0.5", "plot"),
         ),
     ),
