@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One panel of a figure becomes a picture."""
+"""Draws a panel of a figure."""
 
 import contextlib
 import io
@@ -20,11 +20,11 @@ SUFFIXES = {"sheet-views": ".svg", "svg": ".svg", "plot": ".hpgl"}
 
 
 class Failed(Exception):
-    """A drawing that did not come about; the text says why."""
+    """A drawing failed; the text says why."""
 
 
 def _run(words):
-    """A command line in this process."""
+    """Runs a command line in this process."""
     said = io.StringIO()
     with contextlib.redirect_stderr(said):
         code = cli.main([*words, "--quiet"])
@@ -35,7 +35,8 @@ def _run(words):
 
 
 def _numbers(path, size):
-    """Numbers that depend on a model's extent: of zoom, and a range of distances from the camera of 30 degrees."""
+    """Values for the options of a panel that depend on the model's extent: the zoom, and the range of distances from a camera with
+    an angle of view of 30 degrees."""
     points = shapes.read(path).points
     extent = points.max(axis=0) - points.min(axis=0)
     radius = float(np.linalg.norm(extent)) / 2
@@ -45,7 +46,7 @@ def _numbers(path, size):
 
 
 def _pens(options, size):
-    """The options with pens for figures of this size, not of 640."""
+    """Scales the pens among the options, which are for 640 pixels, to this size."""
     words = shlex.split(options)
     for i, word in enumerate(words[:-1]):
         if word in ("--mark-radius", "--halo"):
@@ -54,7 +55,7 @@ def _pens(options, size):
 
 
 def _samples(path, more, options, size, target):
-    """The samples of a model as dots, those behind hidden."""
+    """Draws the samples of a model as dots; hidden samples are left out."""
     count = int(more[more.index("--samples") + 1]) if "--samples" in more else None
     points, normals = shapes.samples(shapes.read(path), count)
     marks = hrbfnpr.PointSet.create(hrbfnpr.OwnLayer(points, normals, kind="stipples"))
@@ -68,7 +69,7 @@ def _samples(path, more, options, size, target):
 
 
 def _decay(size, target):
-    """Alpha of front points, nu^2, and of back points, 0.2 (ln(nu - 0.05) + 5), by |nu|."""
+    """Plots alpha over |nu|: nu^2 for front points (green), and 0.2 (ln(nu - 0.05) + 5) for back points (red)."""
     picture = Image.new("RGB", (size, size), "white")
     pen, low, side = ImageDraw.Draw(picture), 0.9 * size, 0.8 * size
     pen.line([(0.1 * size, 0.1 * size), (0.1 * size, low), (low, low)], fill="black", width=max(1, size // 300))
@@ -81,9 +82,9 @@ def _decay(size, target):
 
 
 def _from_svg(source, target, size, part):
-    """The picture of an SVG, or of a part of it that is as large."""
+    """Draws an SVG, or a part of it at the same size, and deletes the SVG."""
     if shutil.which("rsvg-convert") is None:
-        raise Missing("rsvg-convert is not at hand, which makes a picture of an SVG (Debian: librsvg2-bin)")
+        raise Missing("rsvg-convert, which draws SVG files, is not installed (Debian: librsvg2-bin)")
     length = size if part is None else round(size / (part[2] - part[0]))
     command = ["rsvg-convert", "--keep-aspect-ratio", "-b", "white", "-w", str(length), "-h", str(length), "-o", str(target)]
     subprocess.run([*command, str(source)], check=True)
@@ -99,7 +100,7 @@ def _cut(target, part):
 
 
 def _command(panel, path, more, size):
-    """The command that draws a panel, and its options."""
+    """Returns the command that draws a panel, and its options."""
     whole = size / panel.scale
     options = panel.options.format(**_numbers(path, whole)) if "{" in panel.options else panel.options
     command = panel.kind if panel.kind in ("sheet", "sheet-views", "csg") else "draw"
@@ -110,7 +111,8 @@ def _command(panel, path, more, size):
 
 
 def command(panel, models, size, name):
-    """The command line that draws a panel, with the names of files alone, and the credit; "" if there is no such."""
+    """Returns the command line that draws a panel, without folders, and the credit. The command line is "" if no command draws the
+    panel."""
     path, more, credit = models.source(panel.model)
     if panel.kind in ("samples", "decay"):
         return "", "made from a formula" if panel.kind == "decay" else credit
@@ -120,7 +122,7 @@ def command(panel, models, size, name):
 
 
 def draw(panel, models, size, target):
-    """Write the picture."""
+    """Draws a panel and writes the picture to `target`."""
     path, more, _ = models.source(panel.model)
     size = max(16, round(panel.scale * size))
     if panel.kind == "decay":

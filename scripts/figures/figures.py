@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The figures of the article and their panels, as options of `python3 -m hrbfnpr draw`.
 
-Pixels of --mark-radius and --halo are those of figures whose longer side has 640; larger ones have them larger.
+--mark-radius and --halo are for pictures whose longer side has 640 pixels. They are scaled with the size.
 """
 
 from panels import (
@@ -15,9 +15,9 @@ PAPER = (
         "(a) point and normal samples; (b) silhouettes with hidden-line attenuation; (c) a small number of stippling "
         "marks; (d) more stipples and cross hatching by curvature; (e) yet more stipples, and interior contours with a "
         "white halo. 4096 samples, 700 000 marks.",
-        "A bust stands for David's head. 4096 samples as seeds; in (e) 512 000 stipples (3 steps) and 221 000 marks of "
-        "strokes (3 steps). How many (c) and (d) have is not in the article: of the stipples of 3 steps 8 % in (c); "
-        "2 steps in (d).",
+        "A bust in place of David's head, with 4096 samples as seeds. (e) has 512 000 stipples and 221 000 marks of strokes, "
+        "both of 3 refinement steps. The article does not give the numbers for (c) and (d). Here (c) shows 8 % of the "
+        "stipples of 3 steps, and (d) has the stipples of 2 steps.",
         (
             Panel("a", "(a) samples", "head", HEAD, "samples"),
             *both(
@@ -55,8 +55,8 @@ PAPER = (
         "Directions of drawing",
         "(a) 256 samples of the Stanford bunny. Combing directions over (b) the sphere and (c) the bunny. (d) First "
         "and second principal directions of curvature.",
-        "256 samples, seeds from the box of 8 cells; 4 steps of strokes (3 on the sphere), no light. Ours are lit, and "
-        "follow the direction in which the surface bends most, and across it.",
+        "256 samples, seeds from a box of 8 cells, strokes of 4 refinement steps (3 on the sphere), no light. The drawings of "
+        "hrbfnpr have light. Their lines follow the direction in which the surface bends most, or run across it.",
         (
             Panel("a", "(a) samples", "bunny", BUNNY, "samples"),
             *both(
@@ -94,7 +94,7 @@ PAPER = (
         "Hidden-line attenuation",
         "Left: the decay of alpha when the point gets closer to the silhouette: back points (red) and front points "
         "(green). Middle: without hidden-line attenuation. Right: the final result.",
-        "The article does not name the model: two linked tori here. Lambda 1.",
+        "The article does not name the model. Here it is two linked tori. Lambda is 1.",
         (
             Panel("a", "alpha by n.v", "tori", "", "decay"),
             *both(
@@ -112,10 +112,10 @@ PAPER = (
         "Tone, and tone by scale",
         "(From left to right) Tone by removing marks in proportion to the light's intensity. Scaling a shaded heart by "
         "removing marks.",
-        "Exponents of the light 0.5, 1 and 2. The heart at full size, a half and a quarter, with marks of the same "
-        "size: the share that is left falls with the square of the size, of each tone (by the printed rule a mark has one "
-        "random number for light and size, and only the darkest places would keep any). Without the data, the heart is "
-        "Taubin's surface.",
+        "The exponents of the light are 0.5, 1 and 2. The heart is drawn at full size, half and a quarter, with marks of the "
+        "same size. The share of marks that remains falls with the square of the size, in every tone. By the printed rule a "
+        "mark has a single random number for light and size, so only the darkest places would keep marks. Without the data "
+        "the heart is Taubin's surface.",
         (
             *both(
                 "a",
@@ -148,8 +148,8 @@ PAPER = (
         "11",
         "Principal directions",
         "First and second principal directions of curvature applied locally on two tori and a knot.",
-        "4 steps of strokes from the samples, 3 on the knot. The first direction is the one in which the surface bends "
-        "most.",
+        "Strokes from the samples, 4 refinement steps (3 on the knot). The first direction is the one in which the surface "
+        "bends most.",
         tuple(
             panel
             for model, view, levels in (("tori", TORI, 4), ("knot", KNOT, 3))
@@ -167,8 +167,8 @@ PAPER = (
         "12",
         "A garden lamp",
         "General and detailed rendering of a garden lamp.",
-        "1500 samples of the mesh. Creases of the mesh of 30 degrees and more are drawn as lines in ours; the "
-        "published method has none.",
+        "1500 samples of the mesh. hrbfnpr draws mesh edges of 30 degrees and more as lines. The published method has no such "
+        "lines.",
         tuple(
             panel
             for name, part in (("general", None), ("detail", (0.25, 0.0, 0.75, 0.5)))
@@ -188,9 +188,8 @@ PAPER = (
         "A canyon",
         "From top to bottom: stippling with depth modulation; cross-hatching along the principal directions; the 512 "
         "samples; three different visual abstractions of the model. 512 samples, 400 000 marks.",
-        "Ours ends the surface where its samples do (support 3) and draws that border. Depth "
-        "modulation begins at the nearest place of the model, and ends a little behind the farthest. The light comes "
-        "from the left.",
+        "hrbfnpr ends the surface where its samples end, and draws this border. Depth modulation begins at the nearest "
+        "place of the model and ends a little beyond the farthest. The light comes from the left.",
         (
             *both(
                 "a",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws figures of the article again; scripts/gallery runs it with the library of this checkout."""
+"""Draws the figures of the article and of the gallery; scripts/gallery runs it with the library of this checkout."""
 
 import argparse
 import sys
@@ -16,18 +16,23 @@ FIGURES = (*PAPER, *OURS)
 
 
 def arguments():
-    parser = argparse.ArgumentParser(prog="gallery", description="Draw figures of the article again.")
+    parser = argparse.ArgumentParser(prog="gallery", description="Draw the figures of the article and of the gallery.")
     parser.add_argument(
-        "out", nargs="?", default="out/gallery", type=Path, metavar="OUT", help="out/gallery if not given"
+        "out", nargs="?", default="out/gallery", type=Path, metavar="OUT",
+        help="folder for the pictures and index.html; default: out/gallery",
     )
-    parser.add_argument("--data", type=Path, metavar="DIR", help="a folder of the models")
-    parser.add_argument("--bunny", type=Path, metavar="MESH", help="a mesh of the bunny, where DIR has none")
-    parser.add_argument("--size", type=int, default=640, metavar="N", help="longer side of a picture, 640")
+    parser.add_argument("--data", type=Path, metavar="DIR", help="folder with the models")
+    parser.add_argument("--bunny", type=Path, metavar="MESH", help="mesh of the bunny, used if DIR has none")
+    parser.add_argument(
+        "--size", type=int, default=640, metavar="N", help="longer side of a picture in pixels, 32 to 4096; default: 640"
+    )
     numbers = ",".join(figure.number for figure in FIGURES)
-    parser.add_argument("--figures", default=numbers, metavar="LIST", help=f"some of {numbers}")
+    parser.add_argument(
+        "--figures", default=numbers, metavar="LIST", help=f"figures to draw, with commas between; default: {numbers}"
+    )
     given = parser.parse_args()
     if not 32 <= given.size <= 4096:
-        parser.error(f"--size must be 32 to 4096, not {given.size}")
+        parser.error(f"--size must be 32 to 4096 pixels, not {given.size}")
     if given.data is not None and not given.data.is_dir():
         parser.error(f"--data: {given.data} is no folder")
     given.figures = given.figures.split(",")
@@ -38,7 +43,10 @@ def arguments():
 
 
 def progress(total):
-    """Called with what is begun next: a bar on a terminal, else lines."""
+    """Returns a function to call with the name of each panel before it is drawn.
+
+    The function shows a bar on a terminal, otherwise lines.
+    """
     if sys.stderr.isatty():
         try:
             from tqdm import tqdm
@@ -56,7 +64,7 @@ def progress(total):
 
 
 def draw_figure(figure, models, given, credits, begin):
-    """The panels that are drawn, and why others are not."""
+    """Draws a figure; returns it with its drawn panels and the reasons why other panels are left out."""
     drawn, left_out = [], []
     for panel in figure.panels:
         begin(f"figure {figure.number}, {panel.name}")
@@ -88,7 +96,7 @@ def main():
         return 1
     for figure, drawn, left_out in results:
         for reason in dict.fromkeys(left_out):
-            print(f"figure {figure.number}: left out {'in part' if drawn else ''}: {reason}".replace(" :", ":"))
+            print(f"figure {figure.number}: left out{' in part' if drawn else ''}: {reason}")
     print(f"{given.out / 'index.html'}: {sum(len(drawn) for _, drawn, _ in results)} pictures")
     return 0
 

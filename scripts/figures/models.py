@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the models of the figures come from: a folder of data, the npm registry's bunny, or formulas."""
+"""Finds the models of the figures: in a folder of data, as the bunny of the npm registry, or from formulas."""
 
 from pathlib import Path
 
@@ -7,10 +7,10 @@ import numpy as np
 
 
 class Missing(Exception):
-    """A model that is not at hand; the text says why."""
+    """A model or a program is missing; the text says which."""
 
 
-# A model's file in a folder of data, and who is to be credited for it.
+# The file of each model in a folder of data, and its credit.
 FILES = {
     "sphere": ("sphere_6.ply", "made from a formula"),
     "tori": ("tori_256.ply", "made from a formula"),
@@ -25,7 +25,7 @@ FILES = {
     "lamp": ("lamp_mesh.ply", "Lantern of KayKit Halloween Bits: Kay Lousberg, CC0 1.0"),
     "canyon": ("canyon_512.ply", "Yosemite Valley: USGS National Elevation Dataset, public domain"),
 }
-# Other things made of these: a model with other options, and points alone.
+# Models that use the same files with other options.
 FILES["bunny_mesh"] = ("bunny_zipper.ply", FILES["bunny"][1])
 FILES["lantern"] = FILES["lamp"]
 MORE = {"lamp": ["--samples", "1500", "--crease", "30"], "bunny_mesh": ["--samples", "1100"]}
@@ -34,7 +34,7 @@ SAMPLES = {"sphere": 6, "tori": 256, "knot": 1024, "bunny": 256, "heart": 512, "
 
 
 def _tube(centre, tangent, radius, around=400, across=48):
-    """Points and normals of a tube about a closed curve."""
+    """Returns points and normals of a tube around a closed curve."""
     t = np.linspace(0, 2 * np.pi, around, endpoint=False)
     along = tangent(t)
     along /= np.linalg.norm(along, axis=1)[:, None]
@@ -51,7 +51,7 @@ def _columns(*parts):
 
 
 def knot():
-    """A tube of radius 0.35 about a trefoil."""
+    """A tube of radius 0.35 around a trefoil knot."""
     return _tube(
         lambda t: _columns(np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)),
         lambda t: _columns(np.cos(t) + 4 * np.cos(2 * t), -np.sin(t) + 4 * np.sin(2 * t), -3 * np.cos(3 * t)),
@@ -60,7 +60,7 @@ def knot():
 
 
 def tori():
-    """Two linked tori: about z at (-0.5, 0, 0), and about y at (0.5, 0, 0)."""
+    """Two linked tori: around the z axis through (-0.5, 0, 0), and around the y axis through (0.5, 0, 0)."""
     c, s = np.cos, np.sin
     first = _tube(lambda t: _columns(c(t) - 0.5, s(t), 0), lambda t: _columns(-s(t), c(t), 0), 0.32)
     second = _tube(lambda t: _columns(c(t) + 0.5, 0, s(t)), lambda t: _columns(-s(t), 0, c(t)), 0.32)
@@ -74,7 +74,7 @@ def _directions(count):
 
 
 def heart():
-    """Taubin's heart, x^2 + 9/4 y^2 + z^2 - 1 = z (x^2 + 9/80 y^2)^(1/3), but for a little about the z axis."""
+    """Taubin's heart, x^2 + 9/4 y^2 + z^2 - 1 = z (x^2 + 9/80 y^2)^(1/3), except near the z axis, where the gradient is unbounded."""
     rays = _directions(8000)
     rays = rays[np.hypot(rays[:, 0], rays[:, 1]) > 0.05]
     square = (rays**2 * (1, 2.25, 1)).sum(axis=1)
@@ -93,7 +93,7 @@ def heart():
 
 
 def sphere():
-    """The six points on the axes."""
+    """The six points of the unit sphere on the axes."""
     points = np.concatenate([np.eye(3), -np.eye(3)])
     return points, points
 
@@ -102,13 +102,13 @@ MADE = {"sphere": sphere, "tori": tori, "knot": knot, "heart": heart}
 
 
 class Models:
-    """Files of models by name."""
+    """The files of the models."""
 
     def __init__(self, data, bunny, scratch):
         self._data, self._bunny, self._scratch = data, bunny, scratch
         if data is not None and not any(self._given(name) for name in FILES):
             names = ", ".join(file for file, _ in FILES.values())
-            raise ValueError(f"{data}: none of the models is there ({names}), nor in its points/ and meshes/")
+            raise ValueError(f"{data}: none of the models is there, nor in its folders points/ and meshes/; the files are {names}")
 
     def _given(self, name):
         folders = (".", "points", "meshes") if self._data is not None else ()
@@ -116,7 +116,7 @@ class Models:
         return next((path for path in paths if path.is_file()), None)
 
     def source(self, name):
-        """The file of a model, options of `draw` that go with it, and its credit."""
+        """Returns the file of a model, the options with which it is drawn, and its credit."""
         given = self._bunny if name == "bunny_mesh" and self._bunny is not None else self._given(name)
         if given is not None:
             return given, MORE.get(name, []), FILES[name][1]
@@ -128,7 +128,7 @@ class Models:
             return self._points_alone(name, "knot"), ["--samples", "2000"], "made from a formula"
         if name in MADE:
             return self._write(name), ["--samples", str(SAMPLES[name])], "made from a formula"
-        raise Missing(f"{FILES[name][0]} is not at hand: --data DIR names a folder that has it")
+        raise Missing(f"{FILES[name][0]} is not at hand: --data DIR names the folder that contains it")
 
     def _points_alone(self, name, source):
         path = Path(self._scratch) / f"{name}.xyz"

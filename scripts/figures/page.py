@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of the gallery, plain HTML."""
+"""Writes the page of the gallery as HTML."""
 
 from html import escape
 
@@ -22,7 +22,7 @@ code { font-size: 0.8rem; overflow-wrap: anywhere }
 <body>
 <h1>Figures drawn again</h1>
 <p>Figures of E. Vital Brazil, I. Macêdo, M. Costa Sousa, L. Velho, L. H. de Figueiredo: <cite>A Few Good Samples: Shape
-&amp; Tone Depiction for Hermite RBF Implicits</cite>, NPAR 2010, drawn by hrbfnpr: as published, and in its own way.  After them comes what the article does not have.</p>
+&amp; Tone Depiction for Hermite RBF Implicits</cite>, NPAR 2010, drawn by hrbfnpr twice: by the published method, and with the settings of hrbfnpr.  Drawings on other subjects follow.</p>
 """
 
 
@@ -47,7 +47,8 @@ def _section(figure, drawn, left_out):
 
 
 def page(results, credits):
-    """`results` has for each figure the panels drawn (file, title, command) and why others are left out."""
+    """`results` has a tuple for each figure: the figure, its drawn panels (file, title, command), and the reasons why panels are
+    left out."""
     parts = [HEAD]
     for figure, drawn, left_out in results:
         parts += _section(figure, drawn, left_out)

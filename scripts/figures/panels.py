@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""What figures and panels are, and views of the models."""
+"""Classes of figures and panels, and the options with which each model is seen."""
 
 from typing import NamedTuple, Optional, Tuple
 
-# The article's own method in all its parts.
+# The options that select the published method.
 PUBLISHED = (
     "--distribution published --visibility published --tone-rule published --tone-curve linear --tone-fade 0"
 )
 
 
 class Panel(NamedTuple):
-    """One drawing.  A part is left, upper, right, lower as shares of a larger picture."""
+    """One drawing."""
 
     name: str
     title: str
     model: str
     options: str
-    kind: str = "draw"  # or another command; or "samples", "decay", "svg", "plot"
+    kind: str = "draw"  # a command of hrbfnpr, or "samples", "decay", "svg", "plot"
+    # The part of the picture that is shown: left, top, right, bottom, as shares of its size.
     part: Optional[Tuple[float, float, float, float]] = None
-    scale: float = 1.0  # of the size
+    scale: float = 1.0  # factor of the picture's size
 
 
 class Figure(NamedTuple):
@@ -30,10 +31,10 @@ class Figure(NamedTuple):
 
 
 def both(name, title, model, options, ours, **more):
-    """The article's way and ours, beside it."""
+    """Two panels: by the published method, and with the settings of hrbfnpr."""
     return (
         Panel(f"{name}_published", f"{title}, as published", model, f"{PUBLISHED} {options}", **more),
-        Panel(f"{name}_ours", f"{title}, ours", model, ours, **more),
+        Panel(f"{name}_ours", f"{title}, hrbfnpr", model, ours, **more),
     )
 
 
@@ -42,12 +43,12 @@ KNOT = "--up z --azimuth 20 --elevation 50"
 TORI = "--up z --azimuth 25 --elevation 35"
 HEART = "--azimuth 20 --elevation 10"
 CANYON = "--up z --azimuth 20 --elevation 30"
-RAKING = "--light-space world --light -0.8,-0.3,0.8"  # what is flat is bright by any other light
+RAKING = "--light-space world --light -0.8,-0.3,0.8"  # with a steeper light, flat ground would be bright everywhere
 MANY = "--levels 4 --mark-radius 0.5"
 LAMP = "--azimuth 30 --elevation 15"
 BUNNY = "--azimuth 20 --elevation 15"
 BOX = "--seeds box --box-resolution 8"
-# By the article's first direction the surface bends most, around a limb; in the library the first is that of the
-# larger curvature by sign, which is the other one where the surface is convex.
+# The first direction of the article is the one in which the surface bends most. The first direction of the library has the
+# larger signed curvature; on a convex surface it is the other one.
 FIRST, SECOND = "--set hatch.directions=second", "--set hatch.directions=first"
 ALONG_FIRST, ALONG_SECOND = "--style hatch", "--style hatch --hatch-angle 90"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The way of a plotter's pen as a picture."""
+"""Draws the path of a plotter's pen."""
 
 import re
 
@@ -11,7 +11,7 @@ LIFTED = (205, 205, 205)
 
 
 def moves(text):
-    """Each move of the pen in an HPGL file, in its order: (pen is down, two points)."""
+    """Yields the moves of the pen in an HPGL file, in order: whether the pen is down, the start and the end."""
     at = (0.0, 0.0)
     for command, numbers in re.findall(r"(PU|PD)([-\d,. ]*);", text):
         values = [float(x) for x in re.findall(r"-?[\d.]+", numbers)]
@@ -21,7 +21,7 @@ def moves(text):
 
 
 def paint(source, target, size):
-    """Lines from the first colour to the last one, by when they are drawn; grey where the pen is lifted."""
+    """Draws the moves, with colours from FIRST to LAST in the order of drawing, and grey where the pen is up. Deletes `source`."""
     way = list(moves(source.read_text(encoding="ascii", errors="replace")))
     source.unlink()
     drawn = np.array([point for down, *ends in way if down for point in ends])
@@ -30,7 +30,7 @@ def paint(source, target, size):
     edge = 0.02 * (high - low).max()
     picture = Image.new("RGB", tuple(int(x) for x in scale * (high - low + 2 * edge)), "white")
     pen = ImageDraw.Draw(picture)
-    for lifted in (True, False):  # what is drawn lies on top
+    for lifted in (True, False):  # drawn lines are on top
         for number, (down, *ends) in enumerate(way):
             if down != lifted:
                 colour = tuple(int(x) for x in FIRST + (LAST - FIRST) * number / len(way)) if down else LIFTED
