@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/cookbook.md, by the code that stands there, each recipe by itself.
+"""Runs each recipe of docs/cookbook.md separately, and keeps the pictures that it draws.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/cookbook_pictures.py [FOLDER]
 
-FOLDER is docs/images/cookbook if it is not given.  Pictures have few colours, to be small.  A plot (.hpgl) is shown as the way
-of its pen, an SVG as rsvg-convert draws it (Debian: librsvg2-bin).
+FOLDER is docs/images/cookbook by default.  Pictures are reduced to few colours, so that the files are small.  A plot (.hpgl)
+becomes a picture of the pen's path.  rsvg-convert draws SVG files (Debian: librsvg2-bin).
 """
 
 import os
@@ -27,13 +27,13 @@ LARGEST = 120_000  # bytes of a picture
 
 
 def recipes(page: str) -> list:
-    """Names and programs of the recipes."""
+    """Returns the names and the programs of the recipes."""
     sections = re.findall(r"^## (.+?)\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE)
     return [(name, block) for name, text in sections for block in re.findall(r"^```python\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)]
 
 
 def shrink(source: Path, target: Path) -> None:
-    """A copy of a picture in few colours."""
+    """Copies a picture in few colours. Animations are left out."""
     picture = Image.open(source)
     if getattr(picture, "is_animated", False):
         return

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws docs/images/orbit.gif, the turntable that README.md shows.
+"""Draws docs/images/orbit.gif, the turntable of docs/cookbook.md.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/orbit_picture.py MESH [FILE]
 

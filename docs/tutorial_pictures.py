@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/tutorial.md, by the code that stands there.
+"""Runs the code of docs/tutorial.md as one program, and keeps the pictures that it draws.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/tutorial_pictures.py [FOLDER]
 
-FOLDER is docs/images/tutorial if it is not given.  Pictures have 32 colours, to be small.
+FOLDER is docs/images/tutorial by default.  Pictures are reduced to 32 colours, so that the files are small.
 """
 
 import re
@@ -20,12 +20,12 @@ LARGEST = 60_000  # bytes of a picture
 
 
 def program(tutorial: str) -> str:
-    """All Python blocks of the tutorial as one program."""
+    """Joins all Python blocks of the tutorial into one program."""
     return "\n".join(re.findall(r"^```python\n(.*?)^```$", tutorial, re.DOTALL | re.MULTILINE))
 
 
 def shrink(source: Path, target: Path) -> None:
-    """A copy of a picture in few colours."""
+    """Copies a picture in few colours."""
     picture = Image.open(source).convert("RGB").quantize(32, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
     picture.save(target, optimize=True)
     print(f"{target.name}: {target.stat().st_size} bytes")
