@@ -25,7 +25,7 @@ FILES = {
     "lamp": ("lamp_mesh.ply", "Lantern of KayKit Halloween Bits: Kay Lousberg, CC0 1.0"),
     "canyon": ("canyon_512.ply", "Yosemite Valley: USGS National Elevation Dataset, public domain"),
 }
-# Models that use the same files with other options.
+# The scan of the bunny, and the mesh of the lamp without further options.
 FILES["bunny_mesh"] = ("bunny_zipper.ply", FILES["bunny"][1])
 FILES["lantern"] = FILES["lamp"]
 MORE = {"lamp": ["--samples", "1500", "--crease", "30"], "bunny_mesh": ["--samples", "1100"]}
