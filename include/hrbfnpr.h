@@ -100,10 +100,11 @@
  *   unless they are flagged thread-safe.  No call changes the caller's
  *   floating-point state, locale or OpenMP settings.
  *
- * Stacks.  Every call except hrbfnpr_model_fit, hrbfnpr_model_fit_mesh and
- *   hrbfnpr_orient runs on a thread stack of 64 KiB; 12 KiB of them are for the
- *   caller's own frames and callbacks.  These three calls need 512 KiB on the
- *   calling thread and, with `run_tasks`, on the threads that run their tasks.
+ * Stacks.  Calls that fit a surface or find normals need a thread stack of
+ *   512 KiB: hrbfnpr_model_fit, hrbfnpr_model_fit_mesh, hrbfnpr_orient,
+ *   hrbfnpr_picture_create and hrbfnpr_source_inspect.  With `run_tasks` the
+ *   threads that run their tasks need as much.  Every other call runs on 64 KiB;
+ *   12 KiB of them are for the caller's own frames and callbacks.
  *   The stack does not grow with the number of samples or marks.
  *
  * Callbacks.  A callback must return normally: it must not throw, longjmp, or
