@@ -17,7 +17,7 @@ struct Row {
     std::function<void(T&)> change;
     const char* message;
 };
-TEST(BadInput, Generate) {
+TEST(BadInput, IsRefusedByGenerate) {
     using Desc = Generation;
     static const std::vector<double> bad_point{0, 0, nan};
     static const std::vector<double> far_point{1e3, 1e3, 1e3};
@@ -144,7 +144,7 @@ protected:
     Drawing kept; // a valid drawing
 };
 
-TEST_F(BadFrame, Style) {
+TEST_F(BadFrame, InvalidStylesAreRefused) {
     using Style = hrbfnpr_style;
     const std::vector<Row<Style>> rows = {
         {[](Style& s) { s.hidden_lines = 3; }, "items[0].style.hidden_lines is 3; it must be one of HRBFNPR_HIDDEN"},
@@ -170,7 +170,7 @@ TEST_F(BadFrame, Style) {
     EXPECT_GT(info_of(kept).dots, 0);
 }
 
-TEST_F(BadFrame, LayerStyle) {
+TEST_F(BadFrame, InvalidLayerStylesAreRefused) {
     using Layer = hrbfnpr_layer_style;
     const std::vector<Row<Layer>> rows = {
         {[](Layer& l) { l.ink[2] = nanf; }, "items[0].style.layers[1].ink[2] is nan"}};
@@ -190,7 +190,7 @@ TEST_F(BadFrame, LayerStyle) {
     EXPECT_FAILS(draw(), invalid, "items[0].style.layer_stride is 4");
 }
 
-TEST_F(BadFrame, Poses) {
+TEST_F(BadFrame, InvalidPosesAreRefused) {
     using Pose = hrbfnpr_layer_pose;
     static std::vector<float> place, normal;
     place = attribute<float>(set, by_curvature, HRBFNPR_MARK_ATTRIBUTE_POSITION);
@@ -241,7 +241,7 @@ TEST_F(BadFrame, Poses) {
     EXPECT_FAILS(draw(), invalid, "items[0].poses is NULL");
 }
 
-TEST_F(BadFrame, ItemsAndCamera) {
+TEST_F(BadFrame, InvalidItemsAndCamerasAreRefused) {
     EXPECT_FAILS(call(nullptr, 1, 0), invalid, "items is NULL");
     EXPECT_FAILS(call(&item, -1, 0), invalid, "item_count is -1");
     EXPECT_FAILS(call(&item, std::numeric_limits<std::int64_t>::max(), 0), invalid,
@@ -292,7 +292,7 @@ TEST_F(BadFrame, ItemsAndCamera) {
     camera = good_camera;
 }
 
-TEST_F(BadFrame, Image) {
+TEST_F(BadFrame, InvalidImagesAreRefused) {
     std::vector<std::uint8_t> pixels;
     hrbfnpr_image good = image_of(pixels, 16);
     const std::vector<Row<hrbfnpr_image>> rows = {
@@ -317,7 +317,7 @@ TEST_F(BadFrame, Image) {
     EXPECT_EQ(pixels, std::vector<std::uint8_t>(1024, 0));
 }
 
-TEST_F(BadFrame, RasterDesc) {
+TEST_F(BadFrame, InvalidRasterDescriptorsAreRefused) {
     std::vector<std::uint8_t> pixels;
     const hrbfnpr_image image = image_of(pixels, 16);
     std::vector<float> depth(256);
@@ -338,7 +338,7 @@ TEST_F(BadFrame, RasterDesc) {
                  "raster_desc.host_depth.count is 255; it must be 256");
 }
 
-TEST_F(BadFrame, VertexLayout) {
+TEST_F(BadFrame, InvalidVertexLayoutsAreRefused) {
     Layout good;
     good.add(HRBFNPR_VERTEX_ATTRIBUTE_POSITION, HRBFNPR_SCALAR_FLOAT32, 0);
     good.add(HRBFNPR_VERTEX_ATTRIBUTE_ID, HRBFNPR_SCALAR_UINT32, 12);
@@ -394,7 +394,7 @@ TEST_F(BadFrame, VertexLayout) {
     EXPECT_OK(hrbfnpr_drawing_vertex_bound(kept.get(), 1, nullptr, nullptr, error));
 }
 
-TEST_F(BadFrame, MarksAndIds) {
+TEST_F(BadFrame, InvalidMarkResultsAndIdsAreRefused) {
     const std::int64_t marks = layer_info(set, stipples).marks;
     std::vector<std::uint8_t> shown(static_cast<std::size_t>(marks), 77);
     std::vector<float> radius(static_cast<std::size_t>(marks));

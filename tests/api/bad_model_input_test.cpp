@@ -89,7 +89,7 @@ const std::vector<Row<FitCall>>& fit_rows() {
     return rows;
 }
 
-TEST(BadInput, Fit) {
+TEST(BadInput, IsRefusedByFit) {
     const Context context = make_context();
     const std::int64_t before = info_of(context).bytes_now;
     for (const Row<FitCall>& row : fit_rows()) {
@@ -103,7 +103,7 @@ TEST(BadInput, Fit) {
     EXPECT_EQ(info_of(context).bytes_now, before);
 }
 
-TEST(BadInput, FitNulls) {
+TEST(BadInput, NullPointersAreRefusedByFit) {
     Error error;
     const Context context = make_context();
     const FitCall call;
@@ -114,7 +114,7 @@ TEST(BadInput, FitNulls) {
     EXPECT_EQ(hrbfnpr_model_fit(context.get(), nullptr, nullptr, &model, nullptr), invalid);
 }
 
-TEST(BadInput, Context) {
+TEST(BadInput, IsRefusedByContextCreation) {
     const std::vector<Row<hrbfnpr_context_desc>> rows = {
         {[](auto& d) { d.abi_version = 77; }, HRBFNPR_STATUS_VERSION_MISMATCH,
          "context_desc.abi_version is 77 and this library's is 1"},
@@ -140,7 +140,7 @@ TEST(BadInput, Context) {
     }
 }
 
-TEST(BadInput, Custom) {
+TEST(BadInput, IsRefusedByCustomModels) {
     const std::vector<Row<hrbfnpr_custom_desc>> rows = {
         {[](auto& d) { d.function = nullptr; }, invalid, "custom_desc.function is NULL"},
         {[](auto& d) { d.bounds_min[1] = nan; }, invalid, "custom_desc.bounds_min is nan"},
@@ -185,7 +185,7 @@ void expect_untouched(const Query& query) {
     for (const std::uint8_t value : query.byte) EXPECT_EQ(value, 77);
 }
 
-TEST(BadInput, Evaluate) {
+TEST(BadInput, IsRefusedByEvaluate) {
     const std::vector<Row<Query>> rows = {
         {[](Query& q) { q.points.data = nullptr; }, invalid, "points.data is NULL but its count is 2"},
         {[](Query& q) { q.numbers.count = 1; }, invalid, "value.count is 1; it must be 2"},
@@ -217,7 +217,7 @@ TEST(BadInput, Evaluate) {
                  "points is NULL");
 }
 
-TEST(BadInput, Project) {
+TEST(BadInput, IsRefusedByProject) {
     const std::vector<Row<Query>> rows = {
         {[](Query& q) { q.vectors.count = 3; }, invalid, "projection.position.count is 3; it must be 2"},
         {[](Query& q) { q.bytes.scalar = HRBFNPR_SCALAR_FLOAT32; }, invalid,
@@ -249,7 +249,7 @@ TEST(BadInput, Project) {
                  "projection.reserved is 1; it must be 0");
 }
 
-TEST(BadInput, Curvature) {
+TEST(BadInput, IsRefusedByCurvature) {
     Error error;
     const Context context = make_context();
     Sphere sphere;

@@ -66,7 +66,7 @@ double part_at(const double* p) {
     return std::max({body, -std::max(rho - 0.3, std::abs(p[2]) - 2.0), -box(-0.9, 0, 0.4, 0.25, 1.5, 0.5)});
 }
 
-TEST(CsgModel, IsWhatItIsMadeOf) {
+TEST(CsgModel, HasTheValuesOfItsParts) {
     const Context context = make_context();
     CsgNodes nodes = csg_part();
     nodes.nodes[1].blend = 0.0;
@@ -139,7 +139,7 @@ TEST(CsgModel, RaysProjectionsAndInsideTestsAreRight) {
     EXPECT_GT(hit, 700);
 }
 
-TEST(CsgModel, IsTrimmedByGivenPointsAndSavedSo) {
+TEST(CsgModel, CanBeTrimmedByGivenPointsAndSaved) {
     Error error;
     const Context context = make_context();
     CsgNodes nodes;
@@ -162,7 +162,7 @@ TEST(CsgModel, IsTrimmedByGivenPointsAndSavedSo) {
     EXPECT_EQ(saved(again), bytes);
 }
 
-TEST(CsgModel, ATreeInATreeIsPartOfIt) {
+TEST(CsgModel, ATreeCanBeALeafOfAnotherTree) {
     const Context context = make_context();
     CsgNodes ball;
     ball.add(HRBFNPR_CSG_OFFSET).distance = 0.25;
@@ -195,7 +195,7 @@ TEST(CsgModel, ATreeInATreeIsPartOfIt) {
     EXPECT_EQ(saved(part), saved(plain));
 }
 
-TEST(CsgModel, KeepsItsLeavesAndLetsThemGo) {
+TEST(CsgModel, HoldsItsLeavesUntilItIsReleased) {
     Error error;
     const Context context = make_context();
     const std::int64_t before = info_of(context).bytes_now;
@@ -328,7 +328,7 @@ TEST(CsgModel, ATrimmedLeafIsRefused) {
     create(context, nodes);
 }
 
-TEST(CsgModel, TreesThatDoubleEndWithAnError) {
+TEST(CsgModel, TooManyNodesAreRefused) {
     const Context context = make_context();
     CsgNodes nodes;
     nodes.add(HRBFNPR_CSG_SPHERE);
@@ -374,7 +374,7 @@ TEST(CsgModel, IsDrawnWithItsContours) {
 
 // The sides of both cylinders are one function, and the gap between them is so small that a step of a contour could
 // cross it.
-TEST(CsgModel, ContoursOfCylindersOnOneAxisEndWithThem) {
+TEST(CsgModel, ContoursDoNotCrossTheGapBetweenCoaxialCylinders) {
     Error error;
     const Context context = make_context();
     CsgNodes bars;

@@ -92,7 +92,7 @@ TEST(Custom, IsCalledOnTheEnteringThreadOnly) {
 
 // A model is const to callers, who may share it. A function that is not thread-safe is still called by one thread at a
 // time.
-TEST(Custom, ThatIsNotThreadSafeIsCalledByOneThreadAtATime) {
+TEST(Custom, WithoutThreadSafetyIsCalledByOneThreadAtATime) {
     // If the function is thread-safe, the first call waits for a second call, however busy the machine is.
     struct Alone {
         bool waits = false;
@@ -195,7 +195,7 @@ TEST(Custom, AFailureOfTheFunctionFailsTheCall) {
     EXPECT_EQ(info_of(context).bytes_now, before);
 }
 
-TEST(Custom, InfoSaysSo) {
+TEST(Custom, ModelInfoNamesTheCustomKernel) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
@@ -221,7 +221,7 @@ TEST(Custom, CannotBeSaved) {
     EXPECT_EQ(size, 5);
 }
 
-TEST(Custom, ReleaseIsCalledOnceWithTheLastReferenceAndNotAfterAFailure) {
+TEST(Custom, IsReleasedOnceAndNotAfterAFailure) {
     Error error;
     const Context context = make_context();
     Sphere sphere;

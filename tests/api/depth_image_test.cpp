@@ -23,7 +23,7 @@ hrbfnpr_depth_image_desc desc_of(const SeenDepths& seen) {
     return desc;
 }
 
-TEST(DepthImage, WritesPointsNormalsAndWhatItFound) {
+TEST(DepthImage, WritesPointsNormalsAndInfo) {
     Error error;
     const Context context = make_context();
     const SeenDepths seen = image();
@@ -104,7 +104,7 @@ TEST(DepthImage, BadInputsAreNamed) {
 }
 
 // A result that FLOAT32 cannot hold is an error, and nothing is written.
-TEST(DepthImage, SaysWhatDoesNotFit) {
+TEST(DepthImage, RefusesResultsThatFloatsCannotHold) {
     Error error;
     const Context context = make_context();
     SeenDepths seen = image();

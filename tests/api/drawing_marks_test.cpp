@@ -45,7 +45,7 @@ TEST_F(DrawingTest, MarkResultsAgreeWithTheVertices) {
     }
 }
 
-TEST_F(DrawingTest, MarkIndicesAreThoseThatAreShown) {
+TEST_F(DrawingTest, MarkIndicesAreTheShownMarks) {
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_ATTENUATE;
     style.tone = HRBFNPR_TONE_LIGHT;
     const Drawing drawing = drawn();
@@ -143,7 +143,7 @@ int most_different(const std::vector<std::uint8_t>& a, const std::vector<std::ui
 }
 
 // Only one layer moves. It is drawn like a set that was made at the new place.
-TEST_F(DrawingTest, OneLayerMovesAlone) {
+TEST_F(DrawingTest, OneLayerCanMoveAlone) {
     layers[1].shown = 0;
     const std::array<double, 3> shift{0.2, 0.1, 0.0};
     Poses poses(set, shift);

@@ -5,7 +5,7 @@
 namespace api_test::drawing_test {
 namespace {
 
-TEST_F(DrawingTest, OwnStrokesAreWhereTheyShouldBe) {
+TEST_F(DrawingTest, OwnStrokesLieAtTheirGivenPlaces) {
     layers[1].shown = 0; // shows nothing else
     const Drawing drawing = drawn();
     const hrbfnpr_drawing_info info = info_of(drawing);
@@ -26,7 +26,7 @@ TEST_F(DrawingTest, OwnStrokesAreWhereTheyShouldBe) {
     for (std::size_t i = 0; i < near.size(); ++i) ASSERT_TRUE(near[i] || pixels[4 * i + 1] == 255) << i;
 }
 
-TEST_F(DrawingTest, ItsLayersSayWhatTheyAre) {
+TEST_F(DrawingTest, LayerInfosDescribeTheLayers) {
     const Drawing drawing = drawn();
     const hrbfnpr_drawing_info info = info_of(drawing);
     std::int64_t dots = 0;
@@ -53,7 +53,7 @@ TEST_F(DrawingTest, ItsLayersSayWhatTheyAre) {
 
 // ---- memory --------------------------------------------------------------------------------
 
-TEST(DrawingMemory, IsRecycledWhenNobodyHoldsIt) {
+TEST(DrawingMemory, IsRecycledOnceTheDrawingIsReleased) {
     Allocator allocator;
     const Context context = make_context(allocator_desc(allocator));
     Sphere sphere;
@@ -112,7 +112,7 @@ TEST(DrawingMemory, IsRecycledWithHatching) {
     EXPECT_EQ(allocator.calls, before);
 }
 
-TEST(DrawingMemory, IsLeftAloneWhileItIsHeld) {
+TEST(DrawingMemory, IsNotReusedWhileADrawingIsHeld) {
     const Context context = make_context(1);
     Sphere sphere;
     const PointSet set = generate(context, custom_sphere(context, sphere), small_desc());
@@ -134,7 +134,7 @@ TEST(DrawingMemory, IsLeftAloneWhileItIsHeld) {
 }
 
 // A renderer keeps several drawings to fill again, but these hold only the sets of the last drawing.
-TEST(DrawingMemory, KeepsTheSetsOfTheLastDrawingAlone) {
+TEST(DrawingMemory, HoldsOnlyThePointSetsOfTheLastDrawing) {
     const Context context = make_context(1);
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);

@@ -129,7 +129,7 @@ double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std
 
 // ---- units -----------------------------------------------------------------------------------
 
-TEST(Edges, UnitsChangeNoDrawing) {
+TEST(Edges, TheUnitOfLengthDoesNotChangeTheDrawing) {
     const Context context = make_context();
     const Scene unit(context, scenes::torus(100));
     for (const std::uint32_t which : {HRBFNPR_PRESET_FULL, HRBFNPR_PRESET_ETCHING, HRBFNPR_PRESET_XRAY}) {
@@ -191,7 +191,7 @@ std::vector<Few> few_samples() {
             {"a contradiction", contradiction()}};
 }
 
-TEST(Edges, FewSamplesAreDrawnOrRefused) {
+TEST(Edges, FewSamplesAreDrawnOrRefusedWithAReason) {
     const Context context = make_context();
     for (const Few& few : few_samples()) {
         SCOPED_TRACE(few.name);
@@ -207,7 +207,7 @@ TEST(Edges, FewSamplesAreDrawnOrRefused) {
     }
 }
 
-TEST(Edges, AHundredfoldSphereIsTheSphere) {
+TEST(Edges, AHundredCopiesOfASampleCountAsOne) {
     const Context context = make_context();
     Error error;
     const Model model = fitted(context, repeated(scenes::sphere_6(), 100));
@@ -246,7 +246,7 @@ std::vector<hrbfnpr_camera> odd_cameras() {
             looking({0.0, 0.0, 4.0}, {0.0, 0.0, 9.0}, 40.0)};    // all behind the camera
 }
 
-TEST(Edges, OddCamerasSeeAPicture) {
+TEST(Edges, UnusualCamerasGiveAPicture) {
     const Context context = make_context();
     const Scene scene(context, scenes::torus(100));
     const std::vector<hrbfnpr_camera> cameras = odd_cameras();
@@ -260,7 +260,7 @@ TEST(Edges, OddCamerasSeeAPicture) {
     }
 }
 
-TEST(Edges, ANarrowCameraSeesTheSameAsAnOrthographicOne) {
+TEST(Edges, AVeryNarrowCameraMatchesAnOrthographicOne) {
     const Context context = make_context();
     const Scene scene(context, scenes::torus(100));
     Error error;
@@ -275,7 +275,7 @@ TEST(Edges, ANarrowCameraSeesTheSameAsAnOrthographicOne) {
     }
 }
 
-TEST(Edges, BehindTheEyeThereIsNothing) {
+TEST(Edges, NothingBehindTheEyeIsDrawn) {
     const Context context = make_context();
     const Scene scene(context, scenes::torus(100));
     const hrbfnpr_drawing_info info = info_of(scene.draw(odd_cameras().back(), preset(HRBFNPR_PRESET_FULL)));
@@ -285,7 +285,7 @@ TEST(Edges, BehindTheEyeThereIsNothing) {
 
 // ---- images ----------------------------------------------------------------------------------
 
-TEST(Edges, ImagesOfOnePixelAndOfOneRow) {
+TEST(Edges, ImagesOfOnePixelOrOneRowAreDrawn) {
     const Context context = make_context();
     const Scene scene(context, scenes::torus(100));
     constexpr std::int32_t sizes[][2] = {{1, 1}, {32768, 1}, {1, 32768}, {2, 3}};

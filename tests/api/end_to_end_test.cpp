@@ -15,21 +15,21 @@ void expect_a_drawing(const std::vector<std::uint8_t>& pixels) {
     EXPECT_EQ(pixels[3], 255);
 }
 
-TEST(EndToEnd, SixSamplesOfASphere) {
+TEST(EndToEnd, SixSamplesOfASphereGiveADrawing) {
     const Context context = make_context();
     const Model model = fit(context, scenes::sphere_6());
     const PointSet set = generate(context, model, small_desc());
     expect_a_drawing(draw(make_renderer(context), set));
 }
 
-TEST(EndToEnd, Torus) {
+TEST(EndToEnd, ATorusGivesADrawing) {
     const Context context = make_context();
     const Model model = fit(context, scenes::torus(100));
     const PointSet set = generate(context, model, small_desc(HRBFNPR_DISTRIBUTION_PUBLISHED));
     expect_a_drawing(draw(make_renderer(context), set));
 }
 
-TEST(EndToEnd, CustomFunction) {
+TEST(EndToEnd, ACustomFunctionGivesADrawing) {
     const Context context = make_context();
     Sphere sphere;
     {

@@ -102,7 +102,7 @@ TEST(File, ASetWithoutMarksLoads) {
 }
 
 // Marks are floats. If the model or its curvatures are too large for floats, a set must not hold infinities.
-TEST(File, WhatIsGeneratedLoadsAtEveryScale) {
+TEST(File, GeneratedSetsLoadAtEveryScale) {
     Error error;
     const Context context = make_context();
     for (const double scale : {1e-90, 1e-30, 1.0, 1e30, 1e90}) {
@@ -149,7 +149,7 @@ TEST(File, StreamsCarryTheSameBytes) {
     EXPECT_EQ(saved(PointSet(set_again)), saved(set));
 }
 
-TEST(File, StreamFailuresAreIo) {
+TEST(File, StreamFailuresAreIoErrors) {
     Error error;
     const Context context = make_context();
     const Model model = fit(context, scenes::sphere_6());
@@ -171,7 +171,7 @@ TEST(File, StreamFailuresAreIo) {
     EXPECT_FAILS(hrbfnpr_model_load(context.get(), liar, nullptr, &loaded, error), HRBFNPR_STATUS_IO, "read returned");
 }
 
-TEST(File, MemoryThatIsTooSmallIsLeftAlone) {
+TEST(File, ATooSmallBufferIsLeftUnchanged) {
     Error error;
     const Context context = make_context();
     const Model model = fit(context, scenes::sphere_6());

@@ -9,7 +9,7 @@
 namespace api_test::fit_trim_test {
 namespace {
 
-TEST(FitTrim, EndsAnOpenSurfaceAsTrimmingDoes) {
+TEST(FitTrim, EndsAnOpenSurfaceLikeASeparateTrim) {
     Error error;
     const Context context = make_context();
     const scenes::Samples open = zone(-1.0, 1.0, true);
@@ -28,7 +28,7 @@ TEST(FitTrim, EndsAnOpenSurfaceAsTrimmingDoes) {
     EXPECT_GT(lowest(stipples_of(context, model)), -1.0 * sphere_spacing);
 }
 
-TEST(FitTrim, GoesByAllSamplesNotByTheCentres) {
+TEST(FitTrim, UsesAllSamplesNotOnlyTheCentres) {
     Error error;
     const Context context = make_context();
     const scenes::Samples open = zone(0.0, 1.0);
@@ -44,7 +44,7 @@ TEST(FitTrim, GoesByAllSamplesNotByTheCentres) {
 }
 
 // A closed surface is not trimmed, so its marks have the same bits as those of a fit without trimming.
-TEST(FitTrim, LeavesClosedSurfacesAsTheyAre) {
+TEST(FitTrim, LeavesClosedSurfacesUnchanged) {
     const Context context = make_context();
     for (const scenes::Samples& closed : {scenes::trefoil(600), zone(-1.0, 1.0)}) {
         const Model model = fit(context, closed);
@@ -67,7 +67,7 @@ TEST(FitTrim, FindsAHoleInAClosedSurface) {
 
 // All of the surface between wires and between cross sections stays, and so does the part beyond the last section that
 // closes it.
-TEST(FitTrim, LeavesASurfaceThatCurvesBound) {
+TEST(FitTrim, KeepsASurfaceSpannedByWiresOrSections) {
     const Context context = make_context();
     const Model wires = fit(context, hrbfnpr::test::torus_wires(0.08));
     EXPECT_EQ(info_of(wires).is_trimmed, 0U);
@@ -79,7 +79,7 @@ TEST(FitTrim, LeavesASurfaceThatCurvesBound) {
     EXPECT_GT(farthest, 3.85F); // at most 4; the box of the samples ends at 3, and margins at 3.6
 }
 
-TEST(FitTrim, EndsAnOpenSurfaceThatCurvesBound) {
+TEST(FitTrim, EndsAnOpenSurfaceOfParallelLines) {
     const Context context = make_context();
     scenes::Samples lines;
     for (int line = 0; line < 6; ++line)
@@ -87,7 +87,7 @@ TEST(FitTrim, EndsAnOpenSurfaceThatCurvesBound) {
     EXPECT_EQ(info_of(fit(context, lines)).is_trimmed, 1U);
 }
 
-TEST(FitTrim, LeavesAFlatSquareOfASquare) {
+TEST(FitTrim, EndsAFlatSquareAtItsBorder) {
     const Context context = make_context();
     const Model model = fit(context, square());
     EXPECT_GE(info_of(model).parts_to_end, 1);
@@ -98,7 +98,7 @@ TEST(FitTrim, LeavesAFlatSquareOfASquare) {
 }
 
 // One, two or three samples, and samples on a line, keep a surface without an end.
-TEST(FitTrim, LeavesWholeWhatItCannotTell) {
+TEST(FitTrim, KeepsTheWholeSurfaceOfTooFewSamples) {
     const Context context = make_context();
     for (const int count : {1, 2, 3, 4, 9, 30}) {
         scenes::Samples samples;

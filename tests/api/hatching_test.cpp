@@ -10,7 +10,7 @@ namespace {
 using HatchingTest = DrawingTest;
 
 // A point between two marks has the id of the nearest mark.
-TEST_F(HatchingTest, MarkResultsAreThoseOfItsLines) {
+TEST_F(HatchingTest, MarkResultsMatchTheDrawnLines) {
     style.tone = HRBFNPR_TONE_NONE;
     layers[0].shape = layers[1].shape = HRBFNPR_SHAPE_HATCH;
     const Drawing drawing = drawn();

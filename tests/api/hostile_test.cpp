@@ -90,7 +90,7 @@ std::vector<double> places(const PointSet& set) {
 bool on_the_right(const double* p) { return p[0] > 0.3; }
 
 // If all gradients are spoilt, no seed arrives. If a part is spoilt, no mark lies there, and dropped seeds are counted.
-TEST(Hostile, GradientsThatAreNoneAreDegenerate) {
+TEST(Hostile, InvalidGradientsAreDegenerate) {
     const Context context = make_context(1);
     for (const double factor : {infinity, std::nan(""), 1e300}) {
         Steep steep{factor};
@@ -115,7 +115,7 @@ TEST(Hostile, GradientsThatAreNoneAreDegenerate) {
     }
 }
 
-TEST(Hostile, ValuesThatAreNoneToo) {
+TEST(Hostile, InvalidValuesGiveNoSeeds) {
     const Context context = make_context(1);
     for (const double factor : {infinity, std::nan(""), 1e308}) {
         Steep steep;
@@ -171,7 +171,7 @@ TEST(Hostile, ABoxThatIsTooWideIsRefusedOrServed) {
         }
 }
 
-TEST(Hostile, ABoxThatMissesTheSurface) {
+TEST(Hostile, ABoxThatMissesTheSurfaceGivesNoSeeds) {
     const Context context = make_context(1);
     Error error;
     Steep steep;
@@ -222,7 +222,7 @@ hrbfnpr_status with_density(double density, PointSet& set, Error& error) {
     return generated(context, model_of(context, steep), desc, error, set);
 }
 
-TEST(Hostile, ADensityIsHeldAgainstOne) {
+TEST(Hostile, ADensityIsRelativeToOne) {
     PointSet set;
     for (const double density : {1.0, 1e300, infinity}) {
         Error error;
@@ -242,7 +242,7 @@ TEST(Hostile, ADensityIsHeldAgainstOne) {
 
 // ---- lengths -------------------------------------------------------------------------------
 
-TEST(Hostile, LengthsAtTheirLimits) {
+TEST(Hostile, ExtremeLengthsAreServedOrRefused) {
     const Context context = make_context(1);
     for (const double length : {1e-300, 1e-13, 1e-2, 1e6, 1e12, 1e300})
         for (const std::uint32_t field : {0U, 1U}) {

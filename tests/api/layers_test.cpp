@@ -100,7 +100,7 @@ TEST(Layers, AreMadeFromArrays) {
     draw(make_renderer(context), set, 16);
 }
 
-TEST(Layers, OfArraysAreChecked) {
+TEST(Layers, InvalidArraysAreRefused) {
     Error error;
     const Context context = make_context();
     const auto refused = [&](auto&& change) {
@@ -133,7 +133,7 @@ TEST(Layers, OfArraysAreChecked) {
 }
 
 // The elements of a list are larger or smaller than the library's, and each states its own size.
-TEST(Layers, ListsHaveStrides) {
+TEST(Layers, ListsMayHaveStrides) {
     Error error;
     const Context context = make_context();
     Arrays arrays;
@@ -169,7 +169,7 @@ std::int32_t only_north(void* /*user*/, std::int64_t count, const double* positi
     return 0;
 }
 
-TEST(Layers, OfOneKindHaveSettingsOfTheirOwn) {
+TEST(Layers, TwoLayersOfOneKindHaveSeparateSettings) {
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);

@@ -72,7 +72,7 @@ TEST(Lifetime, NothingLeaks) {
     EXPECT_EQ(allocator.bytes, 0);
 }
 
-TEST(Lifetime, RetainedHandlesLive) {
+TEST(Lifetime, RetainedHandlesStayValid) {
     Error error;
     Allocator allocator;
     Context context = make_context(allocator_desc(allocator));
@@ -106,7 +106,7 @@ TEST(Lifetime, RetainedHandlesLive) {
     EXPECT_EQ(allocator.bytes, 0);
 }
 
-TEST(Lifetime, RetainedOperationsAndRenderersLive) {
+TEST(Lifetime, RetainedOperationsAndRenderersStayValid) {
     Error error;
     Allocator allocator;
     hrbfnpr_operation* operation = nullptr;
@@ -178,7 +178,7 @@ struct Messages {
 };
 } // namespace
 
-TEST(Log, TellsOfRepairs) {
+TEST(Log, ReportsRepairs) {
     Messages messages;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.log = Messages::call;
@@ -196,7 +196,7 @@ TEST(Log, TellsOfRepairs) {
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_WARNING);
 }
 
-TEST(Log, SaysThatASurfaceIsLeftWhole) {
+TEST(Log, ReportsASurfaceThatIsNotTrimmed) {
     Messages messages;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.log = Messages::call;
@@ -207,7 +207,7 @@ TEST(Log, SaysThatASurfaceIsLeftWhole) {
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_INFO);
 }
 
-TEST(Log, KeepsBelowItsLevelToItself) {
+TEST(Log, OmitsMessagesBelowItsLevel) {
     scenes::Samples samples = scenes::sphere_6();
     for (double& component : samples.normals) component *= 2.0;
     const std::size_t wanted[] = {2, 2, 1}; // an INFO and a WARNING
@@ -225,7 +225,7 @@ TEST(Log, KeepsBelowItsLevelToItself) {
 }
 
 #if defined(__unix__)
-TEST(Fork, AChildGoesOnSerially) {
+TEST(Fork, AChildContinuesSerially) {
     const Context context = make_context(4);
     const Model model = fit(context, scenes::torus(40)); // the threads have started
     const auto before = saved(generate(context, model, small_desc())).size();

@@ -83,7 +83,7 @@ struct FoundEdges {
     hrbfnpr_mesh_edges_info info = made(hrbfnpr_mesh_edges_info_init);
 };
 
-TEST(MeshEdges, OfABoxPartItsSixFaces) {
+TEST(MeshEdges, SeparateTheSixFacesOfABox) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 3));
     const FoundEdges found(mesh);
@@ -108,7 +108,7 @@ TEST(MeshEdges, OfABoxPartItsSixFaces) {
     EXPECT_EQ(FoundEdges(mesh, HRBFNPR_EDGES_SHARP, 95.0, 2.0).info.edges, 0);
 }
 
-TEST(MeshEdges, OfABallAreNone) {
+TEST(MeshEdges, AreAbsentOnABall) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::icosphere(2));
     EXPECT_EQ(FoundEdges(mesh).info.edges, 0);
@@ -119,7 +119,7 @@ TEST(MeshEdges, OfABallAreNone) {
     EXPECT_GT(FoundEdges(mesh, HRBFNPR_EDGES_AUTO, 5.0).info.doubtful, 0.0);
 }
 
-TEST(MeshEdges, AreToldByTheMesh) {
+TEST(MeshEdges, AreReportedInTheMeshInfo) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 3));
     auto info = made(hrbfnpr_mesh_info_init);
@@ -129,7 +129,7 @@ TEST(MeshEdges, AreToldByTheMesh) {
     EXPECT_NEAR(info.crease_length, 12.0 / std::sqrt(3.0), 1e-9);
 }
 
-TEST(MeshEdges, AreSharpWhereTheyStandOut) {
+TEST(MeshEdges, AreKeptSharpInAFit) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::drilled_cube(0.5, 48));
     hrbfnpr_mesh_fit_info info{};
@@ -151,7 +151,7 @@ TEST(MeshEdges, AreSharpWhereTheyStandOut) {
     EXPECT_GT(smooth.centres, info.centres);
 }
 
-TEST(MeshEdges, AreAskedForByTheirAngle) {
+TEST(MeshEdges, AreChosenByTheirAngle) {
     const Context context = make_context();
     const std::vector<hrbfnpr::test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
     const Mesh disc = mesh_of(context, hrbfnpr::test::ringed(rings, 30, 0.5)); // its faces meet at 12 degrees
@@ -168,7 +168,7 @@ TEST(MeshEdges, AreAskedForByTheirAngle) {
 }
 
 // The fit of a mesh without edges is the same, bit for bit, as with edges off.
-TEST(MeshEdges, ThatAreNoneChangeNothing) {
+TEST(MeshEdges, DoNotChangeTheFitOfASmoothMesh) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::torus(60, 24, 0.4));
     hrbfnpr_mesh_fit_info one{};
@@ -181,7 +181,7 @@ TEST(MeshEdges, ThatAreNoneChangeNothing) {
     EXPECT_EQ(values(a, places), values(b, places));
 }
 
-TEST(MeshEdges, AreKeptInFiles) {
+TEST(MeshEdges, AreSavedWithTheModel) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::stepped_shaft(48));
     hrbfnpr_mesh_fit_info info{};
@@ -283,7 +283,7 @@ TEST(MeshEdges, SolidsThatCrossKeepTheirEdges) {
 }
 
 // Boxes stand on each other, and a pin is in a wall: no wall remains where they touch.
-TEST(MeshEdges, SolidsThatTouchAreOne) {
+TEST(MeshEdges, TouchingSolidsBecomeOne) {
     const Context context = make_context();
     const Triangles box = hrbfnpr::test::box(1.0, 1.0, 1.0, 1);
     const Triangles small = hrbfnpr::test::box(0.5, 0.4, 0.3, 2);
@@ -304,7 +304,7 @@ TEST(MeshEdges, SolidsThatTouchAreOne) {
 
 // The top of the box has a vertex far below the bottom, so the inside is not defined. Parts of the fit that are far
 // from the mesh are left out.
-TEST(MeshEdges, OfAMeshThatCrossesItselfEndWithIt) {
+TEST(MeshEdges, AFitOfASelfCrossingMeshEndsNearTheMesh) {
     const Context context = make_context();
     Triangles crossed = hrbfnpr::test::box(1.0, 1.0, 1.0, 5);
     for (std::size_t i = 0; i < crossed.vertices.size(); i += 3)

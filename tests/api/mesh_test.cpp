@@ -36,7 +36,7 @@ hrbfnpr_mesh_info info_of(const Mesh& mesh) {
     return info;
 }
 
-TEST(Mesh, SaysWhatItIs) {
+TEST(Mesh, InfoDescribesTheMesh) {
     const Context context = make_context();
     const Triangles from = torus(30, 12, 0.4).unwelded().turned();
     const Mesh mesh = mesh_of(context, from);
@@ -77,7 +77,7 @@ TEST(Mesh, TakesIndicesOfAllTypes) {
     EXPECT_EQ(info_of(Mesh(raw)).genus, 0);
 }
 
-TEST(Mesh, GivesViewsOfWhatItKeeps) {
+TEST(Mesh, GivesViewsOfItsVerticesAndFaces) {
     const Context context = make_context();
     const Triangles from = icosphere(2).with(icosphere(1).moved(0.5, 0, 0, 0)).with(icosphere(1).moved(1, 5, 0, 0));
     const Mesh mesh = mesh_of(context, from);
@@ -99,7 +99,7 @@ TEST(Mesh, GivesViewsOfWhatItKeeps) {
     EXPECT_FAILS(hrbfnpr_mesh_view(mesh.get(), 5, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "attribute is 5");
 }
 
-TEST(Mesh, RefusesWhatIsNone) {
+TEST(Mesh, RefusesInvalidMeshes) {
     const Context context = make_context();
     Error error;
     Triangles from = icosphere(1);
@@ -136,7 +136,7 @@ TEST(Mesh, RefusesWhatIsNone) {
     expect(mesh_desc(from), "across; it must be at least 1e-60");
 }
 
-TEST(Mesh, IsSampled) {
+TEST(Mesh, SamplesLieOnTheSurface) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, icosphere(4));
     Error error;
@@ -165,7 +165,7 @@ TEST(Mesh, IsSampled) {
                  "");
 }
 
-TEST(FarthestPoints, AreInOrder) {
+TEST(FarthestPoints, AreOrderedByFallingDistance) {
     const Context context = make_context();
     Error error;
     const std::vector<double> points{0, 0, 0, 1, 0, 0, 9, 0, 0, 5, 0, 0};
@@ -189,7 +189,7 @@ TEST(FarthestPoints, AreInOrder) {
                  HRBFNPR_STATUS_INVALID_ARGUMENT, "points[1] has the coordinate inf");
 }
 
-TEST(FitMesh, ReachesItsToleranceAndIsMeasured) {
+TEST(FitMesh, ReachesAndReportsItsTolerance) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, torus(100, 40, 0.4));
     Error error;

@@ -44,7 +44,7 @@ TEST(Model, InfoDescribesTheFit) {
     EXPECT_GT(info.bytes, 6 * 10 * 8);
 }
 
-TEST(Model, ViewsOfItsSamples) {
+TEST(Model, GivesViewsOfItsSamples) {
     Error error;
     const Context context = make_context();
     const scenes::Samples samples = scenes::sphere_6();
@@ -98,7 +98,7 @@ TEST(Model, EvaluatesUnalignedElements) {
     EXPECT_NEAR(value[1], -0.25, 1e-12);
 }
 
-TEST(Model, EvaluatesMoreThanABlockAndNoPointsAtAll) {
+TEST(Model, EvaluatesManyPointsOrNoPoints) {
     Error error;
     const Context context = make_context();
     const Model model = fit(context, plane());
@@ -138,7 +138,7 @@ TEST(Model, ProjectsOntoThePlane) {
     for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(normal[i], i % 3 == 2 ? 1.0F : 0.0F, 1e-6F);
 }
 
-TEST(Model, TellsWhichPointsDoNotProject) {
+TEST(Model, ReportsWhichPointsDoNotProject) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
@@ -163,7 +163,7 @@ TEST(Model, TellsWhichPointsDoNotProject) {
     EXPECT_EQ(projection.converged, 0);
 }
 
-TEST(Model, CurvatureOfASphere) {
+TEST(Model, GivesTheCurvatureOfASphere) {
     Error error;
     const Context context = make_context();
     Sphere sphere;

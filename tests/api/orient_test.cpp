@@ -24,7 +24,7 @@ scenes::Samples inward(scenes::Samples samples) {
     return samples;
 }
 
-TEST(Orient, WritesNormalsAndWhatItFound) {
+TEST(Orient, WritesNormalsAndInfo) {
     Error error;
     const Context context = make_context();
     const scenes::Samples samples = shape();
@@ -118,7 +118,7 @@ hrbfnpr_model_info fitted(const scenes::Samples& samples, std::uint32_t mode, bo
     return info;
 }
 
-TEST(Orient, IsAModeOfTheFit) {
+TEST(Orient, WorksAsAModeOfTheFit) {
     double inside = 0.0;
     const auto without = fitted(shape(), HRBFNPR_NORMALS_NONE, false, &inside);
     EXPECT_LT(inside, 0.0);
@@ -132,7 +132,7 @@ TEST(Orient, IsAModeOfTheFit) {
     EXPECT_EQ(turned.normals_inward, 0U);
 }
 
-TEST(Orient, AFitSaysThatGivenNormalsPointInward) {
+TEST(Orient, AFitReportsThatGivenNormalsPointInward) {
     double inside = 0.0;
     const auto wrong = fitted(inward(shape()), HRBFNPR_NORMALS_GIVEN, true, &inside);
     EXPECT_GT(inside, 0.0); // the normals are used as given
@@ -157,7 +157,7 @@ TEST(Orient, AFitWithoutNormalsSaysHowToGetThem) {
 }
 
 // The descriptor is that of a program built before normal modes existed.
-TEST(Orient, OldDescriptorsMeanTheNormalsAsGiven) {
+TEST(Orient, OldDescriptorsKeepTheGivenNormals) {
     Error error;
     const Context context = make_context();
     const scenes::Samples samples = shape();

@@ -58,7 +58,7 @@ hrbfnpr_status write(const Context& context, const Page& page, Watch& watch) {
     return hrbfnpr_page_write(context.get(), &page, skip, nullptr, nullptr, operation.get(), error);
 }
 
-TEST(PageLooks, AreFrequentWithManyLines) {
+TEST(PageLooks, CheckForACancelOftenWithManyLines) {
     const Context context = make_context();
     Page page;
     for (const int format : {HRBFNPR_PAGE_FORMAT_SVG, HRBFNPR_PAGE_FORMAT_PDF, HRBFNPR_PAGE_FORMAT_HPGL}) {

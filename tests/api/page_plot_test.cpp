@@ -99,7 +99,7 @@ std::int64_t rings_of(const std::string& svg) {
     return count;
 }
 
-TEST_F(DrawingTest, InPlotOrderHasTheSameStrokes) {
+TEST_F(DrawingTest, HasTheSameStrokesInPlotOrder) {
     const Drawing drawing = drawn();
     Page page;
     page.format = HRBFNPR_PAGE_FORMAT_SVG;
@@ -125,7 +125,7 @@ TEST_F(DrawingTest, InPlotOrderHasTheSameStrokes) {
     EXPECT_NEAR(page.info.seconds - seconds, page.info.travelled / 80.0, 1e-6);
 }
 
-TEST_F(DrawingTest, IsPlottedWithAPenForEachGroup) {
+TEST_F(DrawingTest, IsPlottedWithOnePenPerGroup) {
     const Drawing drawing = drawn();
     Page page;
     page.add(drawing, 0.0, 0.0, 100.0 / side);
@@ -143,7 +143,7 @@ TEST_F(DrawingTest, IsPlottedWithAPenForEachGroup) {
     EXPECT_GT(page.info.dropped_dots, narrow); // dots that are nearer to each other than half a pen are dropped
 }
 
-TEST(PagePlot, WritesWhatIsBesideDrawings) {
+TEST(PagePlot, WritesAnnotationsWithoutADrawing) {
     const Context context = make_context();
     const std::vector<double> line{10.0, 90.0, 20.0, 90.0}, next{20.0, 90.0, 30.0, 90.0}, far{-50.0, 50.0, 150.0, 50.0};
     const std::vector<double> text{5.0, 5.0};
@@ -174,7 +174,7 @@ TEST(PagePlot, WritesWhatIsBesideDrawings) {
     EXPECT_EQ(bytes.substr(bytes.size() - 6), "M5\nM2\n");
 }
 
-TEST(PagePlot, FillsWideLinesUnlessToldNotTo) {
+TEST(PagePlot, FillsWideLinesUnlessDisabled) {
     const Context context = make_context();
     const std::vector<double> line{10.0, 50.0, 60.0, 50.0}, thin{10.0, 70.0, 60.0, 70.0};
     Page page;
@@ -243,7 +243,7 @@ std::int64_t peak_of(const std::vector<double>& points, int lines, int groups) {
     return info_of(context).bytes_peak - before;
 }
 
-TEST(PagePlot, TakesMemoryByItsLargestGroup) {
+TEST(PagePlot, NeedsMemoryForItsLargestGroupOnly) {
     const std::vector<double> points = wavy(20000);
     const std::int64_t one = peak_of(points, 20000, 1);
     EXPECT_LT(one, 20000 * 1800); // bytes of a line of 8 points

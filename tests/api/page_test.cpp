@@ -52,7 +52,7 @@ protected:
     hrbfnpr_page_info info = made(hrbfnpr_page_info_init);
 };
 
-TEST_F(PageTest, HasWhatTheDrawingHas) {
+TEST_F(PageTest, HasAllDotsAndPathsOfTheDrawing) {
     auto counts = made(hrbfnpr_drawing_info_init);
     EXPECT_OK(hrbfnpr_drawing_get_info(drawing.get(), &counts, error));
     ASSERT_GT(counts.dots, 100);
@@ -73,7 +73,7 @@ TEST_F(PageTest, HasWhatTheDrawingHas) {
     EXPECT_EQ(written().substr(0, 5), "%PDF-");
 }
 
-TEST_F(PageTest, HasAnnotationsPensAndPlaces) {
+TEST_F(PageTest, WritesAnnotationsPensAndPlaces) {
     const std::vector<double> line{10, 10, 60, 10};
     hrbfnpr_annotation notes[2] = {made(hrbfnpr_annotation_init), made(hrbfnpr_annotation_init)};
     notes[0].points = notes[1].points = in(line, 2);
@@ -106,7 +106,7 @@ TEST_F(PageTest, HasAnnotationsPensAndPlaces) {
     EXPECT_EQ(count_of(alone, "fill=\"#ffffff\""), 1U); // the white paper
 }
 
-TEST_F(PageTest, RefusesWhatIsWrong) {
+TEST_F(PageTest, RefusesInvalidDescriptors) {
     const auto with = [&](auto member, auto value, const char* part) {
         const hrbfnpr_page_desc before = desc;
         desc.*member = value;
@@ -151,7 +151,7 @@ TEST_F(PageTest, RefusesWhatIsWrong) {
     refused("page_desc.annotations[0].group has 0 bytes");
 }
 
-TEST_F(PageTest, StopsWhereItMust) {
+TEST_F(PageTest, StopsAtAWriteErrorOrACancel) {
     EXPECT_FAILS(hrbfnpr_page_write(context.get(), &desc, fail_to_write, nullptr, nullptr, nullptr, error),
                  HRBFNPR_STATUS_IO, "write returned 5");
     EXPECT_FAILS(hrbfnpr_page_write(context.get(), &desc, nullptr, nullptr, nullptr, nullptr, error), invalid,
@@ -165,7 +165,7 @@ TEST_F(PageTest, StopsWhereItMust) {
               HRBFNPR_STATUS_CANCELLED);
 }
 
-TEST_F(PageTest, HasDiscsOfPaperInTheirOrder) {
+TEST_F(PageTest, WritesPaperDiscsInDrawingOrder) {
     layers[0].shape = layers[1].shape = HRBFNPR_SHAPE_DOTS;
     style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_ATTENUATE;

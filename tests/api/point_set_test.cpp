@@ -22,7 +22,7 @@ TEST(PointSet, DefaultsAreStipples) {
 }
 
 // Table 1: six seeds and four levels give 3750 stipples.
-TEST(PointSet, ThePublishedCountsComeOut) {
+TEST(PointSet, ReproducesThePublishedCounts) {
     const Context context = make_context();
     const Model model = fit(context, scenes::sphere_6());
     Error error;
@@ -64,7 +64,7 @@ TEST(PointSet, ThePublishedCountsComeOut) {
     EXPECT_GT(info.bytes, 3000 * 40);
 }
 
-TEST(PointSet, ViewsOfAllAttributesFitTogether) {
+TEST(PointSet, ViewsOfAllAttributesAreConsistent) {
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);

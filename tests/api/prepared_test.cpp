@@ -62,7 +62,7 @@ std::vector<double> places(std::int64_t count) {
     return points;
 }
 
-TEST(Prepared, ManyPointsGetWhatFewPointsGet) {
+TEST(Prepared, ManyPointsGetTheResultsOfFewPoints) {
     const Context context = logging_context(2);
     const Model model = fit(context, scenes::torus(2000));
     const std::vector<double> points = places(800000);

@@ -90,7 +90,7 @@ TEST(CastRays, AllArraysAndTheDescriptorAreOptional) {
     EXPECT_EQ(sphere.calls, 0);
 }
 
-TEST(CastRays, SaysWhereItGaveUp) {
+TEST(CastRays, ReportsTheReasonForGivingUp) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
@@ -110,7 +110,7 @@ TEST(CastRays, SaysWhereItGaveUp) {
 }
 
 // Fits a sphere's samples: hits lie on the fit, with its normal, and near the hits of the sphere.
-TEST(CastRays, OfAFit) {
+TEST(CastRays, HitAFittedSphere) {
     Error error;
     const Context context = make_context();
     scenes::Samples samples;
@@ -155,7 +155,7 @@ TEST(CastRays, OfAFit) {
 }
 
 // Many rays with many hits each fill more than one block; the result is the same as for few rays at a time.
-TEST(CastRays, BlocksLeaveNoTrace) {
+TEST(CastRays, GiveTheSameHitsInManyBlocks) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
@@ -237,7 +237,7 @@ TEST(CastRays, BadArgumentsAreNamed) {
         invalid, "ray_hits is NULL");
 }
 
-TEST(Lipschitz, IsTheBoundThatRaysAreCastWith) {
+TEST(Lipschitz, IsTheBoundUsedToCastRays) {
     Error error;
     const Context context = make_context();
     Sphere sphere;
@@ -257,7 +257,7 @@ TEST(Lipschitz, IsTheBoundThatRaysAreCastWith) {
     EXPECT_FAILS(hrbfnpr_model_lipschitz(nullptr, &bound, nullptr, error), invalid, "model is NULL");
 }
 
-TEST(Contains, SaysWhatLiesInside) {
+TEST(Contains, FindsThePointsInside) {
     Error error;
     const Context context = make_context();
     Sphere sphere;

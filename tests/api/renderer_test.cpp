@@ -32,7 +32,7 @@ protected:
     Drawing drawing;
 };
 
-TEST_F(RendererTest, CountsWhatItDrew) {
+TEST_F(RendererTest, CountsTheDrawnMarks) {
     auto style = made(hrbfnpr_style_init);
     for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_DEPTH_LAYERS, HRBFNPR_VISIBILITY_PUBLISHED}) {
         style.visibility = visibility;
@@ -164,7 +164,7 @@ TEST_F(RendererTest, ADrawingKeepsItsPointSet) {
     EXPECT_EQ(pixels, before);
 }
 
-TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
+TEST_F(RendererTest, CallsTheToneFunctionOnTheCallersThread) {
     struct Tone {
         std::int64_t marks = 0;
         std::int32_t result = 0;

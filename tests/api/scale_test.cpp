@@ -50,7 +50,7 @@ void expect_times(const PointSet& set, const PointSet& unit, double by) {
     }
 }
 
-TEST(Scale, APowerOfTwoLeavesNoTraceInTheMarks) {
+TEST(Scale, APowerOfTwoScalesTheMarksExactly) {
     const Context context = make_context();
     for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED}) {
         Generation desc = small_desc(distribution);
@@ -92,7 +92,7 @@ TEST(Scale, LengthsOfTheDescriptorAreInTheSamplesUnit) {
     expect_times(made_at(std::ldexp(1.0, -70)), made_at(1.0), std::ldexp(1.0, -70));
 }
 
-TEST(Scale, StepPatchesToo) {
+TEST(Scale, APowerOfTwoScalesStepPatchesExactly) {
     const Context context = make_context();
     const auto patches = [&](double scale) {
         Error error;
@@ -140,7 +140,7 @@ double mean_difference(const std::vector<std::uint8_t>& a, const std::vector<std
     return sum / static_cast<double>(a.size());
 }
 
-TEST(Scale, PicturesAreThoseOfRadiusOne) {
+TEST(Scale, PicturesDoNotDependOnTheScale) {
     const Context context = make_context();
     Generation desc = small_desc();
     const auto set_of = [&](double radius) { return generate(context, sphere_of(context, radius), desc); };
@@ -159,7 +159,7 @@ TEST(Scale, PicturesAreThoseOfRadiusOne) {
     }
 }
 
-TEST(Scale, ExactVisibilityToo) {
+TEST(Scale, ExactVisibilityDoesNotDependOnTheScale) {
     const Context context = make_context();
     const hrbfnpr_style style = preset(HRBFNPR_PRESET_XRAY, HRBFNPR_VISIBILITY_DEPTH_LAYERS);
     std::vector<std::vector<std::uint8_t>> pictures;
@@ -173,7 +173,7 @@ TEST(Scale, ExactVisibilityToo) {
 }
 
 // For a host that reads a frame, directions and normals are unit vectors, and positions are those of the marks.
-TEST(Scale, VerticesAreFiniteAndUnit) {
+TEST(Scale, VerticesAreFiniteAtAnyScale) {
     const Context context = make_context();
     Error error;
     const double scale = std::ldexp(1.0, -90);
@@ -204,7 +204,7 @@ TEST(Scale, VerticesAreFiniteAndUnit) {
 
 // ---- refusals ------------------------------------------------------------------------------
 
-TEST(Scale, WhatFloatsDoNotHoldIsRefusedAtOnce) {
+TEST(Scale, ModelsTooLargeOrSmallForFloatsAreRefused) {
     const Context context = make_context();
     for (const double radius : {1e-100, 1e-60, 1e-38, 1e38, 1e39, 1e60, 1e99}) {
         Error error;
@@ -249,7 +249,7 @@ hrbfnpr_status from_arrays(const Context& context, const std::vector<double>& po
     return status;
 }
 
-TEST(Scale, ReadyMadeMarksToo) {
+TEST(Scale, GivenMarksTooLargeOrSmallForFloatsAreRefused) {
     const Context context = make_context();
     Error error;
     for (const double size : {1e-300, 1e-40, 1e34, 1e38})
@@ -391,7 +391,7 @@ TEST(Scale, RaysAreCastAtAnyScaleOrRefused) {
     }
 }
 
-TEST(Scale, BoxesOfCustomModelsAreAskedForTheirSize) {
+TEST(Scale, ExtremeBoxesOfCustomModelsAreRefused) {
     const Context context = make_context();
     Error error;
     Sphere sphere;

@@ -62,7 +62,7 @@ struct Helper {
 };
 
 // The next drawing is made while others are read, and each is released by the thread that reads it.
-TEST(SharedDrawing, IsReadWhileTheNextIsMade) {
+TEST(SharedDrawing, CanBeReadWhileTheNextIsMade) {
     const Context context = make_context(1);
     const PointSet set = generate(context, fit(context, scenes::torus(60)), small_desc());
     const Renderer renderer = make_renderer(context);
@@ -78,7 +78,7 @@ TEST(SharedDrawing, IsReadWhileTheNextIsMade) {
     EXPECT_EQ(same, 20);
 }
 
-TEST(SharedDrawing, ARunnerMayReadItInTheMiddleOfReading) {
+TEST(SharedDrawing, CanBeReadByAJobRunnerDuringAnotherRead) {
     Helper helper;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.run_tasks = Helper::run;

@@ -41,7 +41,7 @@ protected:
     hrbfnpr_style style = made(hrbfnpr_style_init);
 };
 
-TEST_F(Sides, BothShowTheInsideOfABowl) {
+TEST_F(Sides, BothSidesShowTheInsideOfABowl) {
     const PointSet set = bowl();
     style.tone = HRBFNPR_TONE_NONE;
     for (const std::uint32_t visibility : {HRBFNPR_VISIBILITY_DEPTH_LAYERS, HRBFNPR_VISIBILITY_PUBLISHED}) {
@@ -67,7 +67,7 @@ TEST_F(Sides, BothShowTheInsideOfABowl) {
     }
 }
 
-TEST_F(Sides, BothAreLitByTheirOwnNormals) {
+TEST_F(Sides, EachSideIsLitByItsOwnNormals) {
     const PointSet set = bowl();
     style.tone = HRBFNPR_TONE_LIGHT;
     style.light_space = HRBFNPR_LIGHT_WORLD;
@@ -82,7 +82,7 @@ TEST_F(Sides, BothAreLitByTheirOwnNormals) {
     EXPECT_GT(right_ink, 1.4 * left_ink);
 }
 
-TEST_F(Sides, BothOfASolidAreItsFront) {
+TEST_F(Sides, BothSidesOfASolidLookLikeItsFront) {
     Sphere sphere;
     const PointSet set = generate(context, custom_sphere(context, sphere), small_desc());
     auto strokes = made(hrbfnpr_layer_style_init);
@@ -97,7 +97,7 @@ TEST_F(Sides, BothOfASolidAreItsFront) {
 
 // The bottom of the box is seen at a low angle, where a layer that faces the eye would by itself let through half of
 // the ink behind it.
-TEST_F(Sides, BothOfASolidHideItsInside) {
+TEST_F(Sides, BothSidesOfASolidHideItsInside) {
     auto desc = made(hrbfnpr_custom_desc_init);
     desc.function = [](void* /*user*/, std::int64_t count, const double* points, double* value, double*, double*) {
         for (std::int64_t i = 0; i < count; ++i) {
@@ -126,7 +126,7 @@ TEST_F(Sides, BothOfASolidHideItsInside) {
 }
 
 // The reference draws the same marks twice, once posed with opposite normals.
-TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
+TEST_F(Sides, TheBackLooksLikeAFrontWithOppositeNormals) {
     const PointSet set = bowl();
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     const std::vector<std::uint8_t> both = picture(draw(set, HRBFNPR_SIDES_BOTH));
@@ -159,7 +159,7 @@ TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
 }
 
 // Rays go from the marks to the eye, and begin on the visible side.
-TEST_F(Sides, BothAreSeenThroughAModel) {
+TEST_F(Sides, BothSidesAreVisibleWithExactVisibility) {
     const Model model = bowl_model();
     const PointSet set = generate(context, model, small_desc());
     style.tone = HRBFNPR_TONE_NONE;

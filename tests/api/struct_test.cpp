@@ -36,7 +36,7 @@ protected:
     std::int32_t threads = 0;
 };
 
-TEST_F(ReadStruct, AShortOneHasDefaultsForTheRest) {
+TEST_F(ReadStruct, AShortStructGetsDefaultsForTheRest) {
     // The size ends before thread_count. The rest is garbage that must not be read.
     EXPECT_EQ(hrbfnpr_context_desc_init(&desc.known, 8), HRBFNPR_STATUS_OK);
     desc.known.thread_count = -77;
@@ -50,14 +50,14 @@ TEST_F(ReadStruct, AShortOneHasDefaultsForTheRest) {
     EXPECT_EQ(threads, 3);
 }
 
-TEST_F(ReadStruct, OneCutInAPointerDoesNotUseHalfOfIt) {
+TEST_F(ReadStruct, APartialPointerIsIgnored) {
     EXPECT_OK(hrbfnpr_context_desc_init(&desc.known, sizeof(hrbfnpr_context_desc)));
     std::memset(static_cast<void*>(&desc.known.log), 0x55, sizeof desc.known.log);
     desc.known.struct_size = offsetof(hrbfnpr_context_desc, log) + 4;
     EXPECT_OK(create());
 }
 
-TEST_F(ReadStruct, ALongOneIsRefusedOnlyIfItsTailIsUsed) {
+TEST_F(ReadStruct, ALongStructIsRefusedOnlyIfItsTailIsSet) {
     EXPECT_OK(hrbfnpr_context_desc_init(&desc.known, sizeof desc));
     EXPECT_OK(create());
     for (std::size_t at = sizeof(hrbfnpr_context_desc); at < sizeof desc; ++at) {
@@ -68,7 +68,7 @@ TEST_F(ReadStruct, ALongOneIsRefusedOnlyIfItsTailIsUsed) {
     }
 }
 
-TEST_F(ReadStruct, OneThatWasNotSetUpIsRefused) {
+TEST_F(ReadStruct, AnUninitializedStructIsRefused) {
     for (const std::uint32_t size : {0U, 7U, 0x55555555U}) {
         desc.known.struct_size = size;
         EXPECT_FAILS(create(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
@@ -128,14 +128,14 @@ protected:
     std::vector<double> point{0.0, 0.0, 0.9};
 };
 
-TEST_F(ResultStruct, AShortOneGetsNoNumberAndItsRubbishIsNotRead) {
+TEST_F(ResultStruct, FieldsBeyondAShortStructAreNotTouched) {
     expect_short_one_is_kept_to(hrbfnpr_projection_init, &hrbfnpr_projection::position);
     expect_short_one_is_kept_to(hrbfnpr_projection_init, &hrbfnpr_projection::converged);
     expect_short_one_is_kept_to(hrbfnpr_ray_hits_init, &hrbfnpr_ray_hits::count);
     expect_short_one_is_kept_to(hrbfnpr_ray_hits_init, &hrbfnpr_ray_hits::hit_rays);
 }
 
-TEST_F(ResultStruct, ALongOneIsRefusedOnlyIfItsTailIsUsed) {
+TEST_F(ResultStruct, ALongStructIsRefusedOnlyIfItsTailIsSet) {
     Longer<hrbfnpr_projection> result;
     ASSERT_OK(hrbfnpr_projection_init(&result.known, sizeof result));
     EXPECT_OK(call(result));
@@ -149,7 +149,7 @@ TEST_F(ResultStruct, ALongOneIsRefusedOnlyIfItsTailIsUsed) {
     EXPECT_FAILS(call(result), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "projection.struct_size is 3");
 }
 
-TEST_F(ResultStruct, AFailedCallWritesNoNumber) {
+TEST_F(ResultStruct, AFailedCallWritesNothing) {
     Operation operation;
     hrbfnpr_operation* raw = nullptr;
     ASSERT_OK(hrbfnpr_operation_create(context.get(), &raw, error));

@@ -20,7 +20,7 @@ Model trimmed(const Model& model, const hrbfnpr_trim_desc* desc = nullptr) {
     return Model(made);
 }
 
-TEST(Trim, LeavesOutWhatIsBeyondTheSamplesOfAnOpenScan) {
+TEST(Trim, EndsAnOpenScanNearItsSamples) {
     const Context context = make_context();
     const Model open = fit_whole(context, zone(-1.0, 1.0, true));
     const Model model = trimmed(open);
@@ -52,7 +52,7 @@ TEST(Trim, KeepsSmallHolesClosed) {
 }
 
 // The hole of 0.45 is not found if spacings count as at least 0.2 diagonals.
-TEST(Trim, TakesNoSpacingToBeLessThanClosest) {
+TEST(Trim, TreatsSpacingsAsAtLeastClosest) {
     const Context context = make_context();
     const Model model = fit_whole(context, zone(-1.0, 0.9));
     auto desc = made(hrbfnpr_trim_desc_init);
@@ -95,7 +95,7 @@ Model sphere_with_tube(const Context& context) {
     return Model(model);
 }
 
-TEST(Trim, LeavesOutSheetsThatNoSampleIsNearTo) {
+TEST(Trim, LeavesOutSheetsFarFromAllSamples) {
     const Context context = make_context();
     const scenes::Samples samples = zone(-1.0, 1.0);
     auto desc = made(hrbfnpr_trim_desc_init);
@@ -109,7 +109,7 @@ TEST(Trim, LeavesOutSheetsThatNoSampleIsNearTo) {
     for (std::size_t i = 2; i < stipples.size(); i += 3) EXPECT_LT(stipples[i], 1.0 + 1.5 * sphere_spacing);
 }
 
-TEST(Trim, EndsRaysAndLines) {
+TEST(Trim, AppliesToRaysAndLines) {
     Error error;
     const Context context = make_context();
     const Model model = trimmed(fit_whole(context, zone(0.0, 1.0)));
@@ -138,7 +138,7 @@ TEST(Trim, EndsRaysAndLines) {
     EXPECT_GT(info.left_out, 0.01);
 }
 
-TEST(Trim, KeepsTheModelThatItIsOf) {
+TEST(Trim, KeepsItsSourceModelAlive) {
     Error error;
     const Context context = make_context();
     Model open = fit_whole(context, zone(0.0, 1.0));
@@ -171,7 +171,7 @@ TEST(Trim, IsSavedWithTheModel) {
     EXPECT_EQ(hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &made, error), HRBFNPR_STATUS_CORRUPT_DATA);
 }
 
-TEST(Trim, RefusesWhatIsNoEnd) {
+TEST(Trim, RefusesInvalidDescriptors) {
     Error error;
     const Context context = make_context();
     const Model model = fit_whole(context, zone(0.0, 1.0));
@@ -201,7 +201,7 @@ TEST(Trim, RefusesWhatIsNoEnd) {
 }
 
 // The fit of one sample is a plane without an end.
-TEST(Trim, SaysThatOneSampleHasNoEnd) {
+TEST(Trim, RefusesAModelOfOneSample) {
     Error error;
     const Context context = make_context();
     scenes::Samples samples;

@@ -60,7 +60,7 @@ TEST(BuildInfo, WritesNothingIntoABufferThatIsTooSmall) {
     EXPECT_EQ(hrbfnpr_build_info(nullptr, 8, &needed), HRBFNPR_STATUS_INVALID_ARGUMENT);
 }
 
-TEST(ErrorRecord, IsSetUpEmpty) {
+TEST(ErrorRecord, IsInitializedEmpty) {
     hrbfnpr_error error;
     std::memset(&error, 0x55, sizeof error);
     EXPECT_EQ(hrbfnpr_error_init(&error, sizeof error), HRBFNPR_STATUS_OK);
@@ -71,7 +71,7 @@ TEST(ErrorRecord, IsSetUpEmpty) {
     EXPECT_EQ(hrbfnpr_error_init(&error, 255), HRBFNPR_STATUS_UNSUPPORTED_STRUCT);
 }
 
-TEST(ErrorRecord, IsFilledByAFailureAndLeftAloneByASuccess) {
+TEST(ErrorRecord, IsFilledByFailuresAndUntouchedBySuccesses) {
     Error error;
     hrbfnpr_context* context = nullptr;
     EXPECT_EQ(hrbfnpr_context_create(nullptr, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT);
@@ -82,7 +82,7 @@ TEST(ErrorRecord, IsFilledByAFailureAndLeftAloneByASuccess) {
     hrbfnpr_context_release(context);
 }
 
-TEST(ErrorRecord, OneThatWasNotSetUpIsLeftAlone) {
+TEST(ErrorRecord, IsUntouchedIfNotInitialized) {
     hrbfnpr_error error;
     std::memset(&error, 0x55, sizeof error);
     error.struct_size = 255;
@@ -91,7 +91,7 @@ TEST(ErrorRecord, OneThatWasNotSetUpIsLeftAlone) {
     EXPECT_EQ(error.message[0], 0x55);
 }
 
-TEST(ErrorRecord, ALargerOneOfTheFutureIsFilledToOurSize) {
+TEST(ErrorRecord, ALargerFutureRecordIsFilledToTheKnownSize) {
     struct Larger {
         hrbfnpr_error error;
         char tail[8];

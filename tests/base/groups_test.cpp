@@ -26,7 +26,7 @@ TEST(Groups, KeepTheOrderOfTheirItems) {
     }
 }
 
-TEST(Groups, MayBeNone) {
+TEST(Groups, MayBeEmpty) {
     base::Memory memory;
     EXPECT_EQ(base::Groups(memory, 0, [](auto&&) {}).groups(), 0);
     EXPECT_TRUE(base::Groups(memory, 3, [](auto&&) {})[2].empty());

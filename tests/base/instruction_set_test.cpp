@@ -35,7 +35,7 @@ TEST(InstructionSet, IsNeverHigherThanAskedFor) {
     }
 }
 
-TEST(InstructionSet, IsOneThatTheProcessorHas) {
+TEST(InstructionSet, IsSupportedByTheProcessor) {
     for (const InstructionSet highest : all)
         EXPECT_TRUE(processor_has(choose_instruction_set(highest))) << name(highest);
 }
@@ -46,7 +46,7 @@ TEST(InstructionSet, BaselineIsHonoured) {
     EXPECT_EQ(runtime.instruction_set, InstructionSet::baseline);
 }
 
-TEST(InstructionSet, AutomaticIsTheBestOfAll) {
+TEST(InstructionSet, AutomaticIsTheBestSupportedSet) {
     const InstructionSet best = choose_instruction_set(InstructionSet::automatic);
     const std::vector<InstructionSet> sets = test::instruction_sets();
     EXPECT_EQ(best, *std::max_element(sets.begin(), sets.end()));

@@ -80,7 +80,7 @@ TEST(Memory, UsesTheGivenAllocatorWithSizeAndAlignment) {
     EXPECT_EQ(allocator.bytes, 0);
 }
 
-TEST(Memory, SaysHowManyBytesWereRefused) {
+TEST(Memory, ReportsHowManyBytesWereRefused) {
     Allocator allocator;
     allocator.refuse_at = 1;
     Memory memory(Allocator::allocate, Allocator::deallocate, &allocator);
@@ -105,7 +105,7 @@ TEST(Array, NewElementsAreZero) {
     EXPECT_EQ(array[3], 0);
 }
 
-TEST(Array, ResizedForOverwritingItKeepsWhatItHas) {
+TEST(Array, ResizingForOverwriteKeepsExistingElements) {
     Memory memory;
     Array<int> array(memory, 2);
     array[0] = 7;
@@ -149,7 +149,7 @@ TEST(Array, MovesWithoutCopying) {
     EXPECT_EQ(other[4], 9);
 }
 
-TEST(Array, GivesEverythingBack) {
+TEST(Array, ReturnsAllItsMemory) {
     Memory memory;
     {
         Array<double> array(memory, 1000);

@@ -81,7 +81,7 @@ TEST(Operation, StaysCancelled) {
     EXPECT_EQ(status_of([&] { Progress(&operation).check(); }), Status::cancelled);
 }
 
-TEST(Progress, PartsNest) {
+TEST(Progress, PartsCanBeNested) {
     Operation operation;
     operation.begin();
     const Progress half = Progress(&operation).part(0.5, 1.0);
@@ -99,7 +99,7 @@ TEST(Progress, WithoutAnOperationNothingHappens) {
 }
 
 // While progress stands still, a check for a cancel calls the callback again after a while.
-TEST(Operation, CallsBackWhereProgressStandsStill) {
+TEST(Operation, CallsBackWhileProgressStandsStill) {
     Watcher watcher;
     Operation operation;
     operation.set_callback(Watcher::call, &watcher);
@@ -118,7 +118,7 @@ TEST(Operation, CallsBackWhereProgressStandsStill) {
     EXPECT_THROW(progress.check(), Error);
 }
 
-TEST(SortLong, SortsAsSortDoes) {
+TEST(SortLong, GivesTheResultOfStdSort) {
     std::vector<std::uint64_t> numbers;
     for (std::uint64_t i = 0; i < 300000; ++i) numbers.push_back(i * 0x9E3779B97F4A7C15U);
     std::vector<std::uint64_t> sorted = numbers;
@@ -127,7 +127,7 @@ TEST(SortLong, SortsAsSortDoes) {
     EXPECT_EQ(numbers, sorted);
 }
 
-TEST(ResizeLong, GivesZerosAndLooks) {
+TEST(ResizeLong, FillsWithZerosAndCanBeCancelled) {
     Memory memory;
     Array<std::int32_t> numbers(memory, 2);
     numbers[1] = 7;
@@ -142,7 +142,7 @@ TEST(ResizeLong, GivesZerosAndLooks) {
     EXPECT_EQ(status_of([&] { resize_long(numbers, 3'000'000, Progress(&operation)); }), Status::cancelled);
 }
 
-TEST(LongArray, GrowsAsOthersDoAndLooks) {
+TEST(LongArray, GrowsLikeAnArrayAndCanBeCancelled) {
     Memory memory;
     Array<std::int64_t> numbers(memory), same(memory);
     for (std::int64_t i = 0; i < 2'000'000; ++i) {
@@ -161,7 +161,7 @@ TEST(LongArray, GrowsAsOthersDoAndLooks) {
     EXPECT_EQ(numbers[1'999'999], 3 * 1'999'999);
 }
 
-TEST(LongArray, IsFilledAnewAndCancelled) {
+TEST(LongArray, CanBeRefilledAndCancelled) {
     Memory memory;
     Array<std::int64_t> numbers(memory, 7);
     fill_long(numbers, 1'200'000, std::int64_t{-1}, {});
@@ -176,7 +176,7 @@ TEST(LongArray, IsFilledAnewAndCancelled) {
     EXPECT_EQ(status_of([&] { fill_long(numbers, 3, std::int64_t{5}, Progress(&operation)); }), Status::cancelled);
 }
 
-TEST(MergeLong, MergesAsMergeDoesAndLooks) {
+TEST(MergeLong, GivesTheResultOfStdMergeAndCanBeCancelled) {
     std::vector<int> a, b;
     for (int i = 0; i < 200000; ++i) (i % 7 < 3 ? a : b).push_back(i / 2);
     std::vector<int> merged(a.size() + b.size()), expected(merged.size());

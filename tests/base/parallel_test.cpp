@@ -49,7 +49,7 @@ TEST(Parallel, DoesNothingForNoElements) {
     parallel.for_chunks(0, 10, [](std::int64_t, std::int64_t) { FAIL(); });
 }
 
-TEST(Parallel, CutsChunksBySizeAlone) {
+TEST(Parallel, CutsChunksRegardlessOfTheThreadCount) {
     for (const int threads : {1, 3, 7}) {
         const Parallel parallel(threads, nullptr, nullptr);
         std::vector<std::int64_t> ends(4, -1);
@@ -59,7 +59,7 @@ TEST(Parallel, CutsChunksBySizeAlone) {
     }
 }
 
-TEST(Parallel, LooksForACancelBeforeEachTask) {
+TEST(Parallel, ChecksForACancelBeforeEachTask) {
     for (const int threads : {1, 3}) {
         const Parallel parallel(threads, nullptr, nullptr);
         Operation operation;
@@ -129,7 +129,7 @@ TEST(Parallel, UsesTheHostsJobRunner) {
     EXPECT_EQ(host.calls.load(), 1);
 }
 
-TEST(Parallel, Nests) {
+TEST(Parallel, CanBeNested) {
     for (const Parallel& parallel : {Parallel(4, nullptr, nullptr), Parallel::openmp(4)}) {
         std::atomic<int> count{0};
         parallel.for_each(8, [&](std::int64_t) { parallel.for_each(8, [&](std::int64_t) { count.fetch_add(1); }); });
@@ -183,7 +183,7 @@ TEST(Parallel, PutsTheTasksOwnFailureFirst) {
 
 // ---- OpenMP --------------------------------------------------------------------------------
 
-TEST(ParallelOpenMp, DoesTheSame) {
+TEST(ParallelOpenMp, VisitsEachIndexOnceAndReportsTheFirstFailure) {
     for (const int threads : {0, 1, 2, 3, 7}) {
         const Parallel parallel = Parallel::openmp(threads);
         std::vector<std::atomic<int>> visits(1000);

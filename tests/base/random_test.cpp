@@ -37,7 +37,7 @@ TEST(Random, UniformNumbersAreUniform) {
     }
 }
 
-TEST(Random, EveryKeyGivesOtherNumbers) {
+TEST(Random, EveryKeyGivesDifferentNumbers) {
     std::set<double> seen;
     std::size_t asked = 0;
     for (const std::uint64_t seed : {1ULL, 2ULL, 1ULL << 40U})

@@ -32,7 +32,7 @@ TEST(Status, ErrorsHoldTheirMessageInPlace) {
     EXPECT_EQ(std::string(error.what()), std::string(247, 'x'));
 }
 
-TEST(Status, FailFormats) {
+TEST(Status, FailFormatsItsMessage) {
     try {
         fail(Status::singular_system, "%d of %s", 3, "four");
     } catch (const Error& error) {

@@ -57,7 +57,7 @@ TEST(ThreadPool, StartsItsWorkersWithTheFirstJob) {
     meet(pool, 4);
 }
 
-TEST(ThreadPool, OfTheMostThreadsEndsAsItShould) {
+TEST(ThreadPool, EndsCleanlyWithTheMostThreads) {
     ThreadPool pool(ThreadPool::most_threads);
     run(pool, 1000, [](std::int64_t) {});
     EXPECT_GT(pool.workers(), 0);
@@ -65,7 +65,7 @@ TEST(ThreadPool, OfTheMostThreadsEndsAsItShould) {
 
 // The pool ends whatever place between two jobs a worker is at: a worker does not wait for a notice of the end that
 // came before it looked.
-TEST(ThreadPool, EndsWhereverItsWorkersAre) {
+TEST(ThreadPool, EndsAtAnyMomentBetweenJobs) {
     for (int i = 0; i < 3000; ++i) {
         ThreadPool pool(2 + i % 3);
         pool.run(
@@ -74,7 +74,7 @@ TEST(ThreadPool, EndsWhereverItsWorkersAre) {
 }
 
 // A caller does not wait for a worker that has begun none of its tasks, whatever keeps the worker.
-TEST(ThreadPool, CallersGoOnWhileAllWorkersAreKept) {
+TEST(ThreadPool, CallersDoNotWaitForBusyWorkers) {
     ThreadPool pool(3);
     std::latch begun(3);
     std::latch go_on(1);
@@ -98,7 +98,7 @@ TEST(ThreadPool, CallersGoOnWhileAllWorkersAreKept) {
     keeper.join();
 }
 
-TEST(ThreadPool, CallersAwaitWhatOthersHaveBegun) {
+TEST(ThreadPool, CallersWaitForTasksThatWorkersHaveBegun) {
     ThreadPool pool(2);
     for (int round = 0; round < 20; ++round) {
         std::atomic<int> ended{0};
@@ -130,7 +130,7 @@ TEST(ThreadPool, ServesManyCallersAtOnce) {
     EXPECT_EQ(sum, 48 * 8 * (99 * 100 / 2));
 }
 
-TEST(ThreadPool, RunsJobsWithinTasksOnTheTasksOwnThread) {
+TEST(ThreadPool, RunsNestedJobsOnTheTasksThread) {
     ThreadPool pool(4);
     std::atomic<int> runs{0};
     std::atomic<int> elsewhere{0};
@@ -148,7 +148,7 @@ TEST(ThreadPool, RunsJobsWithinTasksOnTheTasksOwnThread) {
 
 // A host may confine its process: the workers have no other processor to go to.
 #if defined(__linux__)
-TEST(ThreadPool, SharesOneProcessorIfThereIsNoOther) {
+TEST(ThreadPool, WorksOnASingleProcessor) {
     cpu_set_t before, one;
     ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
     CPU_ZERO(&one);
@@ -231,7 +231,7 @@ TEST(ThreadPool, HasNewWorkersInAForkedChild) {
     meet(pool, 3);
 }
 
-TEST(ThreadPool, OfTheParentEndsInAForkedChild) {
+TEST(ThreadPool, CanBeDestroyedInAForkedChild) {
     auto pool = std::make_unique<ThreadPool>(3);
     meet(*pool, 3);
     EXPECT_TRUE(works_in_a_child([&] { pool.reset(); }));

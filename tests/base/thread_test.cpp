@@ -54,7 +54,7 @@ private:
     cpu_set_t before_{};
 };
 
-TEST(Processors, OneIsLeftForAnotherAndMayBeComeBackTo) {
+TEST(Processors, LeavingOneKeepsItAllowed) {
     if (processor_count() < 2) GTEST_SKIP() << "one processor";
     const Affinity affinity;
     for (int time = 0; time < 20; ++time) {
@@ -68,7 +68,7 @@ TEST(Processors, OneIsLeftForAnotherAndMayBeComeBackTo) {
     FAIL() << "it stays where it is";
 }
 
-TEST(Processors, TheOnlyOneIsNotLeft) {
+TEST(Processors, TheOnlyProcessorIsNotLeft) {
     const Affinity affinity;
     cpu_set_t one;
     CPU_ZERO(&one);

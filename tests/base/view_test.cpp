@@ -45,7 +45,7 @@ TEST(View, WritesTouchNothingElse) {
 }
 
 #if defined(__SSE2__)
-TEST(FpState, IsSetAndGivenBack) {
+TEST(FpState, IsSetAndRestored) {
     const unsigned before = _mm_getcsr();
     const unsigned strange = before | 0x8040U | 0x6000U; // flush to zero, round toward zero
     _mm_setcsr(strange);

@@ -90,7 +90,7 @@ void expect_whole(const LineSet& lines, double area) {
     EXPECT_EQ(triangles, mesh.triangles());
 }
 
-TEST(Creases, Cube) {
+TEST(Creases, ACubeHasTwelveStraightEdges) {
     const auto shape = sharp_cube();
     for (const double side : {0.3, 0.12, 0.05}) {
         const auto lines = line_set(*shape, side);
@@ -108,14 +108,14 @@ TEST(Creases, Cube) {
 }
 
 // The cube is aligned with the lattice.
-TEST(Creases, CubeAlongTheAxes) {
+TEST(Creases, AnAxisAlignedCubeHasTwelveEdges) {
     const auto shape = sharp_cube(glm::dmat3(1.0));
     const auto lines = line_set(*shape, 0.11);
     expect_whole(*lines, 24.0);
     EXPECT_EQ(lines->creases().count(), 12);
 }
 
-TEST(Creases, BoredCube) {
+TEST(Creases, ABoredCubeHasTheRimsOfItsBore) {
     const auto shape = bored_cube();
     const auto lines = line_set(*shape, 0.1);
     const double pi = std::acos(-1.0);
@@ -131,7 +131,7 @@ TEST(Creases, BoredCube) {
     EXPECT_LE(found.off, 1e-5);
 }
 
-TEST(Creases, SteppedShaft) {
+TEST(Creases, ASteppedShaftHasFourRings) {
     const auto shape = stepped_shaft();
     const auto lines = line_set(*shape, 0.07);
     const double pi = std::acos(-1.0);
@@ -146,7 +146,7 @@ TEST(Creases, SteppedShaft) {
     EXPECT_LE(found.off, 1e-5);
 }
 
-TEST(Creases, TwoBalls) {
+TEST(Creases, TwoBallsMeetInOneCircle) {
     for (const bool joined : {true, false}) {
         const auto shape = two_balls(joined);
         const auto lines = line_set(*shape, 0.08);
@@ -167,7 +167,7 @@ TEST(Creases, TwoBalls) {
     }
 }
 
-TEST(Creases, CappedCone) {
+TEST(Creases, ACappedConeHasTwoRims) {
     const auto shape = capped_cone();
     const auto lines = line_set(*shape, 0.06);
     const Measured found = measure(lines->creases(), [](const glm::dvec3& p) {
@@ -179,7 +179,7 @@ TEST(Creases, CappedCone) {
 }
 
 // The crease along y exists at all angles, but is left out below a limit.
-TEST(Creases, AngleFades) {
+TEST(Creases, AnglesFadeAlongAWedge) {
     const auto shape = fading_wedge();
     const auto lines = line_set(*shape, 0.06);
     const Creases& creases = lines->creases();
@@ -195,7 +195,7 @@ TEST(Creases, AngleFades) {
 }
 
 // Two overlapping boxes with four common face planes are one box, whichever of two equal faces is active.
-TEST(Creases, FacesInOnePlaneAreOne) {
+TEST(Creases, CoplanarFacesHaveNoCreaseBetween) {
     const auto box = [](double low, double high) {
         return max_of({plane({1, 0, 0}, high), plane({-1, 0, 0}, -low), plane({0, 1, 0}, 0.7), plane({0, -1, 0}, 0.7),
                        plane({0, 0, 1}, 0.6), plane({0, 0, -1}, 0.6)});
@@ -217,7 +217,7 @@ TEST(Creases, FacesInOnePlaneAreOne) {
 
 // The five plates are thinner than the cells that the spacing asks for. Where these cells tear the plates, creases cut
 // very many triangles, and the mesh is made again with smaller cells.
-TEST(Creases, OfThinWallsAreFoundInSmallerCells) {
+TEST(Creases, ThinWallsAreMeshedWithSmallerCells) {
     constexpr double thickness = 0.034;
     std::vector<Sharp> plates;
     for (int k = -2; k <= 2; ++k) {
@@ -245,7 +245,7 @@ TEST(Creases, OfThinWallsAreFoundInSmallerCells) {
 
 // Two sheets differ by at most 1 % of a cell, as parts of one patch do, and a third sheet goes through both. The steps
 // between the two are not drawn.
-TEST(Creases, AreNotInStepsOfNothing) {
+TEST(Creases, TinyStepsBetweenSheetsHaveNoCrease) {
     const glm::dmat3 turn = odd_turn();
     const auto lower = turned(plane({0, 0, 1}, 0.0), turn);
     const auto upper = turned(plane({1e-3, 0, 1}, 0.0), turn);
@@ -284,7 +284,7 @@ private:
     double gap_;
 };
 
-TEST(Creases, GoOnThroughSeams) {
+TEST(Creases, ContinueThroughSeams) {
     const SeamedTop shape;
     for (const double side : {0.13, 0.1}) {
         const auto lines = line_set(shape, side);
@@ -301,7 +301,7 @@ TEST(Creases, GoOnThroughSeams) {
 
 // The two sheets are half a cell apart and meet nowhere, so smaller cells would not help and are not tried again and
 // again.
-TEST(Creases, SheetsThatNeverMeetAreNotCutToPieces) {
+TEST(Creases, SheetsThatNeverMeetAreNotRefined) {
     const auto near = line_set(SeamedTop(), 0.1);
     const auto apart = line_set(SeamedTop(0.05), 0.1);
     EXPECT_LT(static_cast<double>(apart->mesh().triangles()), 1.3 * static_cast<double>(near->mesh().triangles()));
@@ -309,7 +309,7 @@ TEST(Creases, SheetsThatNeverMeetAreNotCutToPieces) {
 
 // Beyond the inner corner of a notch, both sheets of an edge of the notch's floor are 0, and so is f, but no edge is
 // there.
-TEST(Creases, EndAtInnerCorners) {
+TEST(Creases, EndAtInnerCornersOfANotch) {
     const double slope = std::tan(glm::radians(30.0));
     const std::vector<glm::dvec2> outline{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 0.05 + 0.9 * slope},
                                           {0.1, 0.05},  {0.1, 1.0},  {-1.0, 1.0}};

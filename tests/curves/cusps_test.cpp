@@ -160,14 +160,14 @@ protected:
     }
 };
 
-TEST_F(TorusCusps, AreThoseOfItsAngles) {
+TEST_F(TorusCusps, LieAtTheirExactAngles) {
     std::int64_t all = 0;
     for (const Eye& eye : test::eyes(cube_directions(0.1), 4.0)) all += compare(eye);
     EXPECT_GT(all, 60);
 }
 
 // The eye is in the ring's hole, or beside it.
-TEST_F(TorusCusps, FromNear) {
+TEST_F(TorusCusps, AreFoundFromANearbyEye) {
     for (const glm::dvec3& towards : cube_directions(0.1)) {
         const double distance = std::abs(towards.z) > 0.5 ? 0.7 : 0.4;
         compare(Eye::at(towards, distance, true));
@@ -175,14 +175,14 @@ TEST_F(TorusCusps, FromNear) {
 }
 
 // A part of the ring has no contour: one curve goes forth and back over the rest.
-TEST_F(TorusCusps, EyeWithinTheTube) {
+TEST_F(TorusCusps, AreFoundFromInsideTheTube) {
     const Eye eye = Eye::at({0.9, 0.1, 0.05}, 1.1, true);
     ASSERT_EQ(TorusContour(eye).curves().size(), 1U);
     compare(eye);
 }
 
 // The eye moves through views in which two cusps meet.
-TEST_F(TorusCusps, ComeInPairs) {
+TEST_F(TorusCusps, AppearInPairs) {
     std::set<std::int64_t> numbers;
     for (int i = 0; i <= 60; ++i) {
         const double angle = 0.2 + 0.02 * i;
@@ -192,14 +192,14 @@ TEST_F(TorusCusps, ComeInPairs) {
     for (const std::int64_t cusps : numbers) EXPECT_EQ(cusps % 2, 0);
 }
 
-TEST(Cusps, NoneOnWhatIsConvex) {
+TEST(Cusps, AreAbsentOnConvexSurfaces) {
     const test::Ellipsoid ellipsoid({1.0, 0.5, 0.2});
     const Meshed meshed(runtime(), ellipsoid, {{1.0, 0.0, 0.0}}, 0.06);
     for (const Eye& eye : test::eyes(cube_directions(0.1), 1.3))
         EXPECT_EQ(Contours(runtime(), meshed, eye.view()).cusps(), 0);
 }
 
-TEST(Cusps, OfNoCurvesAreNone) {
+TEST(Cusps, AreAbsentWithoutCurves) {
     const test::SquareSphere sphere;
     const ContourLevel level(sphere, {});
     Curves none(runtime().memory);

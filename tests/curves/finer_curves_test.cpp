@@ -57,7 +57,7 @@ protected:
     const Meshed of;
 };
 
-TEST_F(FinerCurves, AreAsNearAsAsked) {
+TEST_F(FinerCurves, StayWithinTheTolerance) {
     const Contours found(runtime(), of, view, coarse());
     ASSERT_GT(farthest(found, found.curves), 2e-3);
     base::Array<std::uint8_t> all(runtime().memory, found.curves.point.size());
@@ -71,7 +71,7 @@ TEST_F(FinerCurves, AreAsNearAsAsked) {
     EXPECT_EQ(count_cusps(finer), found.cusps());
 }
 
-TEST_F(FinerCurves, StayWhereNothingIsMarked) {
+TEST_F(FinerCurves, AreUnchangedWithoutMarkedPoints) {
     const Contours found(runtime(), of, view, coarse());
     const base::Array<std::uint8_t> none(runtime().memory, found.curves.point.size());
     std::int64_t evaluations = 0;
@@ -98,7 +98,7 @@ struct Ovals {
 };
 
 // A mesh that joins the two ovals has sign changes that no contour passes.
-TEST(NearParts, HaveNoCurveBetween) {
+TEST(NearParts, HaveNoContourInTheGapBetweenThem) {
     for (const double gap : {0.005, 0.01, 0.02}) {
         const test::AnyField surface({glm::dvec3(-1.0, -0.5, -0.5), glm::dvec3(1.0, 0.5, 0.5)}, Ovals{gap});
         for (const double side : {0.05, 0.06, 0.07, 0.08}) {

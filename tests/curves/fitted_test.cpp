@@ -56,7 +56,7 @@ TEST_F(Fitted, MeshIsClosedAndOnTheSurface) {
     EXPECT_LE(found.off, 1e-9 * hrbf.diagonal());
 }
 
-TEST_F(Fitted, MeshHardlyDependsOnItsSide) {
+TEST_F(Fitted, MeshHardlyDependsOnTheCellSide) {
     const SurfaceMesh fine = triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.03));
     const test_checks::Measures a = test_checks::measure(mesh, hrbf);
     const test_checks::Measures b = test_checks::measure(fine, hrbf);
@@ -66,7 +66,7 @@ TEST_F(Fitted, MeshHardlyDependsOnItsSide) {
 }
 
 // Half of the segments end at the surface and are tangent to it.
-TEST_F(Fitted, SheetsAreThoseOfTheReference) {
+TEST_F(Fitted, SheetCountsMatchTheReference) {
     constexpr std::int64_t count = 600;
     geometry::VecArray from(runtime.memory, count);
     geometry::VecArray to(runtime.memory, count);

@@ -57,7 +57,7 @@ TEST(LevelRoots, AreOnTheSurface) {
 }
 
 // A step along the gradient would have a length of a thousand chords, or would be impossible.
-TEST(LevelRoots, StayBetweenThePlacesWhereTheSlopeIsLost) {
+TEST(LevelRoots, StayInTheirIntervalWhereTheSlopeVanishes) {
     for (const double slope : {1e-6, 0.0}) {
         const CurvePoint p = halved(slope);
         EXPECT_NEAR(p.position.x, wanted, 0x1p-9) << slope;

@@ -53,7 +53,7 @@ void expect_each_edge_once(const SurfaceMesh& mesh, const base::Array<double>& l
     EXPECT_EQ(chains.first[chains.count()], chains.point.size());
 }
 
-TEST(MeshChains, ParallelsOfASphereAreClosedAndKeepWhatIsNegativeToTheLeft) {
+TEST(MeshChains, ParallelsOfASphereAreClosedWithNegativeOnTheLeft) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const auto bands = [](const glm::dvec3& p) { return std::sin(6.0 * p.z + 0.1); };
@@ -74,7 +74,7 @@ TEST(MeshChains, ParallelsOfASphereAreClosedAndKeepWhatIsNegativeToTheLeft) {
     }
 }
 
-TEST(MeshChains, OpenOnesRunFromBorderToBorder) {
+TEST(MeshChains, OpenChainsRunFromBorderToBorder) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, -0.3}, {1.0, 1.0, 0.3}});
     const Meshed meshed(runtime(), plane, {{0.1, 0.1, 0.0}}, 0.1);
     const base::Array<double> level =
@@ -93,7 +93,7 @@ TEST(MeshChains, OpenOnesRunFromBorderToBorder) {
     }
 }
 
-TEST(MeshChains, WhatIsZeroCountsAsPositive) {
+TEST(MeshChains, ZeroCountsAsPositive) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, -0.3}, {1.0, 1.0, 0.3}});
     const Meshed meshed(runtime(), plane, {{0.1, 0.1, 0.0}}, 0.25);
     EXPECT_EQ(find_beads(runtime(), meshed.mesh, values(meshed.mesh, [](const glm::dvec3&) { return 0.0; })).count(),
@@ -105,7 +105,7 @@ TEST(MeshChains, WhatIsZeroCountsAsPositive) {
     for (const Bead& c : chains.point) EXPECT_EQ(c.place, c.edge.positive);
 }
 
-TEST(MeshChains, OfNoNumbersAndOfNothing) {
+TEST(MeshChains, BearNaNAndEmptyMeshes) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const base::Array<double> level =

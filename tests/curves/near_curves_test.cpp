@@ -22,7 +22,7 @@ CurvePoint on_circle(double radius, double angle) {
     return p;
 }
 
-TEST(CubicPiece, IsTheArcOfACircle) {
+TEST(CubicPiece, ApproximatesAnArcOfACircle) {
     constexpr double radius = 3.0;
     for (const double angle : {0.01, 0.25, 0.4, 0.8}) {
         const CubicPiece piece(on_circle(radius, 0.0), on_circle(radius, angle));
@@ -57,7 +57,7 @@ Curves circles(base::Memory& memory) {
     return curves;
 }
 
-TEST(NearCurves, PassWhereTheirNearestPlaceIsNear) {
+TEST(NearCurves, PassAPlaceIfTheirNearestPointIsNear) {
     constexpr double distance = 0.05;
     const base::Runtime runtime = test::with_threads(1);
     const Curves curves = circles(runtime.memory);

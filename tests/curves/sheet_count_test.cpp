@@ -85,7 +85,7 @@ protected:
 };
 
 // The segments begin near and far, in all directions, and end anywhere in the box.
-TEST_P(Sheets, AreThoseOfTheReferenceForRandomSegments) {
+TEST_P(Sheets, CountsMatchTheReferenceForRandomSegments) {
     Segments segments(runtime.memory);
     const geometry::Bounds& box = implicit->bounds();
     for (std::int64_t i = 0; i < 3000; ++i) {
@@ -100,7 +100,7 @@ TEST_P(Sheets, AreThoseOfTheReferenceForRandomSegments) {
 }
 
 // At their end the segments are tangent to the surface, as the lines of sight to a contour are.
-TEST_P(Sheets, AreThoseOfTheReferenceForContours) {
+TEST_P(Sheets, CountsMatchTheReferenceForContours) {
     Segments segments(runtime.memory);
     const double clear = 2e-3 * implicit->diagonal();
     for (std::int64_t i = 0; i < 2000; ++i) {
@@ -116,7 +116,7 @@ TEST_P(Sheets, AreThoseOfTheReferenceForContours) {
 
 // The segments end on the surface and cross it there, and nothing is left out at the end: this tells whether the end is
 // visible.
-TEST_P(Sheets, DoNotCountTheEndItself) {
+TEST_P(Sheets, AreNotCountedAtTheEndItself) {
     Segments open(runtime.memory);
     Segments clear(runtime.memory);
     for (std::int64_t i = 0; i < 1000; ++i) {
@@ -175,7 +175,7 @@ protected:
     base::Array<SheetCounter::Answer> answer{runtime.memory};
 };
 
-TEST_F(SheetCount, OfPlainSegments) {
+TEST_F(SheetCount, IsRightForSimpleSegments) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
     EXPECT_EQ(count(sphere, {3, 0.1, 0.2}, {-3, 0.2, 0.1}).sheets, 2);
@@ -189,7 +189,7 @@ TEST_F(SheetCount, OfPlainSegments) {
 }
 
 // The segments go through corners of triangles.
-TEST_F(SheetCount, ThroughCornersOfTriangles) {
+TEST_F(SheetCount, IsRightThroughCornersOfTriangles) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
     Segments segments(runtime.memory);
@@ -202,7 +202,7 @@ TEST_F(SheetCount, ThroughCornersOfTriangles) {
     }
 }
 
-TEST_F(SheetCount, NothingIsCountedWhereNothingIs) {
+TEST_F(SheetCount, IsZeroForEmptyOrInvalidInput) {
     const Sphere sphere;
     EXPECT_EQ(count(sphere, {3, 0, 0}, {-3, 0, 0}).sheets, 0); // an empty mesh
     make(sphere, {0, 0, 1}, 0.1);
@@ -216,7 +216,7 @@ TEST_F(SheetCount, NothingIsCountedWhereNothingIs) {
 
 // The lines pass a sphere ever more closely. A line outside meets no sheet, a line through it two, and in between the
 // answer is uncertain.
-TEST_F(SheetCount, ATouchIsNotCertain) {
+TEST_F(SheetCount, ATangentSegmentIsUncertain) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
     const glm::dvec3 out = glm::normalize(glm::dvec3(0.3, 0.5, 0.7));
@@ -234,7 +234,7 @@ TEST_F(SheetCount, ATouchIsNotCertain) {
     EXPECT_TRUE(beside(1.0 - 1e-2).certain);
 }
 
-TEST_F(SheetCount, NoNumberIsNotCertain) {
+TEST_F(SheetCount, NaNIsUncertain) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
@@ -247,7 +247,7 @@ TEST_F(SheetCount, NoNumberIsNotCertain) {
 }
 
 // Three roots lie between two of the first sample points, where f has different signs. The mesh does not show them.
-TEST_F(SheetCount, SeveralRootsNearEachOther) {
+TEST_F(SheetCount, FindsSeveralRootsNearEachOther) {
     const AnyField wave(cube(0.5), [](const glm::dvec3& p) {
         constexpr double root = 0.012;
         return Field{
@@ -261,7 +261,7 @@ TEST_F(SheetCount, SeveralRootsNearEachOther) {
 }
 
 // The mesh of one function is used with the values of others.
-TEST_F(SheetCount, TheTwoCountsHaveToAgree) {
+TEST_F(SheetCount, IsCertainOnlyIfMeshAndFunctionAgree) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.1);
     const auto shifted = [](double by) {
@@ -278,7 +278,7 @@ TEST_F(SheetCount, TheTwoCountsHaveToAgree) {
 }
 
 // A part without a seed is not counted, but is noticed where it lies between two sheets.
-TEST_F(SheetCount, OnlyPartsOfTheMeshCount) {
+TEST_F(SheetCount, LeavesOutPartsWithoutMesh) {
     const AnyField both(cube(1.2), two_spheres);
     make(both, {-.6, .6, 0}, 0.06);
     EXPECT_EQ(count(both, {-.6, .1, 3}, {-.6, .1, -3}).sheets, 2);
@@ -286,7 +286,7 @@ TEST_F(SheetCount, OnlyPartsOfTheMeshCount) {
 }
 
 // The answer for a segment does not depend on the other segments, and all answers together need few evaluations.
-TEST_F(SheetCount, AsksForFewValues) {
+TEST_F(SheetCount, NeedsFewEvaluations) {
     const Sphere sphere;
     make(sphere, {0, 0, 1}, 0.05);
     Segments segments(runtime.memory);

@@ -53,7 +53,7 @@ double reach_of(const Curves& curves) {
 
 class SmallLoops : public testing::TestWithParam<double> {};
 
-TEST_P(SmallLoops, AreFoundWhereverTheyAre) {
+TEST_P(SmallLoops, AreFoundAnywhereInACell) {
     const double reach = 0.5 * GetParam() * side;
     std::int64_t between = 0;
     for (int i = 0; i < 25; ++i) {
@@ -75,7 +75,7 @@ TEST_P(SmallLoops, AreFoundWhereverTheyAre) {
 // The sizes are in cells.
 INSTANTIATE_TEST_SUITE_P(Sizes, SmallLoops, testing::Values(0.5, 0.25, 0.1));
 
-TEST(SmallLoop, NoneWhereTheSightIsSteeper) {
+TEST(SmallLoop, IsAbsentFromASteeperView) {
     const test::AnyField field = bump({0.01, 0.02});
     const Meshed meshed(runtime(), field, {{0.9, 0.9, 0.0}}, side);
     for (const double more : {1e-4, 1e-2, 0.3}) {

@@ -36,9 +36,9 @@ std::unique_ptr<implicit::Implicit> any(const geometry::Bounds& bounds, std::fun
     return std::make_unique<AnyField>(bounds, std::move(f));
 }
 
-class Closed : public testing::TestWithParam<Shape> {};
+class SurfaceMeshOfShapes : public testing::TestWithParam<Shape> {};
 
-TEST_P(Closed, IsAClosedOrientedManifoldOnTheSurface) {
+TEST_P(SurfaceMeshOfShapes, IsAClosedOrientedManifoldOnTheSurface) {
     const base::Runtime runtime = with_threads(2);
     const Shape& shape = GetParam();
     const std::unique_ptr<implicit::Implicit> implicit = shape.make();
@@ -64,7 +64,7 @@ TEST_P(Closed, IsAClosedOrientedManifoldOnTheSurface) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Shapes, Closed,
+    Shapes, SurfaceMeshOfShapes,
     testing::Values(
         Shape{"sphere", [] { return std::make_unique<Sphere>(); }, {{0, 0, 1}}, 0.1, 2, 4 * pi},
         // The poles and some other points are exactly on corners of the lattice.
@@ -126,7 +126,7 @@ TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
 }
 
 // The mesh contains all of the surface that the samples support, and little of what lies beyond.
-TEST(SurfaceMesh, EndsBeyondItsSamples) {
+TEST(SurfaceMesh, EndsJustBeyondItsSamples) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
     geometry::VecArray samples(runtime.memory);
@@ -156,7 +156,7 @@ TEST(SurfaceMesh, EndsBeyondItsSamples) {
     EXPECT_LT(3 * cap.triangles(), whole.triangles());
 }
 
-TEST(SurfaceMesh, OfAnySizeTakesWiderCellsWhereTooManyTrianglesWouldBe) {
+TEST(SurfaceMesh, UsesWiderCellsToStayBelowTheTriangleLimit) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
     const geometry::VecArray seed = seeds(runtime, {{0.0, 0.0, 1.0}});
@@ -182,7 +182,7 @@ TEST(SurfaceMesh, ReachesOnlyPartsWithASeed) {
 }
 
 // All corners of the seed's own cell are on one side, because the cap above the cell is lower than the cell.
-TEST(SurfaceMesh, FindsTheSurfaceFromASeedBesideIt) {
+TEST(SurfaceMesh, FindsTheSurfaceFromANearbySeed) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
     for (int k = 0; k < 200; ++k) {
@@ -225,7 +225,7 @@ TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
 }
 
 // The missed seed is near triangles, but they face the other way.
-TEST(SurfaceMesh, CountsMissedSeedsBesideAnotherPart) {
+TEST(SurfaceMesh, CountsMissedSeedsNextToAnotherPart) {
     const base::Runtime runtime = with_threads(2);
     const AnyField drop(cube(1.0), [](const glm::dvec3& p) {
         const glm::dvec3 q = p - glm::dvec3(0.03, 0.02, 0.1);
@@ -239,7 +239,7 @@ TEST(SurfaceMesh, CountsMissedSeedsBesideAnotherPart) {
     EXPECT_EQ(triangulate(runtime, drop, seed, cells).missed_seeds, 1);
 }
 
-TEST(SurfaceMesh, SaysWhereAWallIsTooThin) {
+TEST(SurfaceMesh, ReportsWhereAWallIsTooThin) {
     const base::Runtime runtime = with_threads(2);
     const AnyField shell(cube(1.1), Shell{0.03});
     EXPECT_GT(triangulate(runtime, shell, seeds(runtime, {{0, 0, 1}}), settings(shell, 0.06)).turned, 0);
@@ -274,7 +274,7 @@ TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
 }
 
 // f is NaN in a ball around a pole and in a thin layer that cells hardly meet.
-TEST(SurfaceMesh, LeavesOutWhereThereIsNoNumber) {
+TEST(SurfaceMesh, LeavesOutPlacesWithNaN) {
     const base::Runtime runtime = with_threads(2);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const AnyField holed(cube(1.0), [&](const glm::dvec3& p) {
@@ -298,7 +298,7 @@ TEST(SurfaceMesh, LeavesOutWhereThereIsNoNumber) {
     EXPECT_LE(off, mesh.unresolved);
 }
 
-TEST(SurfaceMesh, CostsTwoEvaluationsAVertex) {
+TEST(SurfaceMesh, NeedsFewerThanThreeEvaluationsPerVertex) {
     const base::Runtime runtime = with_threads(2);
     const AnyField quartic(cube(1.2), two_holes);
     const SurfaceMesh mesh = triangulate(runtime, quartic, seeds(runtime, {{0, 0, .2}}), settings(quartic, 0.03));

@@ -17,7 +17,7 @@ base::Runtime& runtime() {
     return instance;
 }
 
-TEST(Trace, SphereHasTheCircleThatIsKnown) {
+TEST(Trace, GivesTheKnownCircleOfASphere) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.08);
     for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
@@ -36,7 +36,7 @@ TEST(Trace, SphereHasTheCircleThatIsKnown) {
 
 // Tracing that starts from the curves of a view half a degree away gives the curves of this view with fewer
 // evaluations. A curve that is missing there is found as without them.
-TEST(Trace, GoesOnFromTheViewBefore) {
+TEST(Trace, ContinuesFromThePreviousView) {
     const test::Torus torus(1.0, 0.45);
     const Meshed meshed(runtime(), torus, {{1.45, 0.0, 0.0}}, 0.05);
     const auto seen_from = [](double angle) {
@@ -73,7 +73,7 @@ TEST(Trace, GoesOnFromTheViewBefore) {
 }
 
 // In the image with y up, the surface lies to the left of the outline.
-TEST(Trace, OutlineRunsRoundItsSurface) {
+TEST(Trace, OutlineKeepsTheSurfaceOnItsLeft) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.08);
     for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
@@ -83,7 +83,7 @@ TEST(Trace, OutlineRunsRoundItsSurface) {
     }
 }
 
-TEST(Trace, EllipsoidHasTheSectionThatIsKnown) {
+TEST(Trace, GivesTheKnownSectionOfAnEllipsoid) {
     const test::Ellipsoid ellipsoid({1.0, 0.7, 0.45});
     const Meshed meshed(runtime(), ellipsoid, {{1.0, 0.0, 0.0}}, 0.06);
     for (const Eye& eye : test::eyes(cube_directions(), 3.0)) {
@@ -115,7 +115,7 @@ double apparent_curvature(const Eye& eye, const glm::dvec3& a, const glm::dvec3&
 }
 
 // K = radial curvature times apparent curvature.  [Koenderink 1984]
-TEST(Trace, CurvaturesMultiplyToThatOfGauss) {
+TEST(Trace, RadialTimesApparentCurvatureIsGaussian) {
     const test::Ellipsoid ellipsoid({1.0, 0.7, 0.45});
     const Meshed meshed(runtime(), ellipsoid, {{1.0, 0.0, 0.0}}, 0.06);
     TraceSettings fine;
@@ -149,14 +149,14 @@ void expect_sound_at_all_views(const Meshed& meshed, double distance) {
     }
 }
 
-TEST(Trace, GenusTwo) {
+TEST(Trace, IsSoundOnAGenusTwoSurface) {
     const test::TwoHoles surface;
     const Meshed meshed(runtime(), surface, {{1.05, 0.1, 0.0}}, 0.04);
     ASSERT_GT(meshed.mesh.triangles(), 1000);
     expect_sound_at_all_views(meshed, 3.0);
 }
 
-TEST(Trace, Knot) {
+TEST(Trace, IsSoundOnAKnot) {
     const test::Knot knot;
     const Meshed meshed(runtime(), knot, {{1.0 + test::Knot::tube, 0.0, 0.0}}, 0.05);
     ASSERT_GT(meshed.mesh.triangles(), 1000);
@@ -202,7 +202,7 @@ void expect_finite(const Contours& found) {
     }
 }
 
-TEST(Trace, EyeOnTheSurface) {
+TEST(Trace, IsFiniteWithTheEyeOnTheSurface) {
     const test::SquareSphere sphere;
     const Meshed ball(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const test::Torus torus(1.0, 0.35);
@@ -217,7 +217,7 @@ TEST(Trace, EyeOnTheSurface) {
     }
 }
 
-TEST(Trace, EndsWhereTheFunctionIsNoNumber) {
+TEST(Trace, EndsWhereTheFunctionIsNaN) {
     const test::SquareSphere sphere;
     const test::AnyField torn(sphere.bounds(), [&](const glm::dvec3& p) {
         test::Field field = sphere.at(p);
@@ -238,7 +238,7 @@ TEST(Trace, EndsWhereTheFunctionIsNoNumber) {
         expect_finite(Contours(runtime(), levelled, eye.view()));
 }
 
-TEST(Trace, EmptyMesh) {
+TEST(Trace, FindsNothingOnAnEmptyMesh) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {}, 0.08);
     ASSERT_EQ(meshed.mesh.triangles(), 0);

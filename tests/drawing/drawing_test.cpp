@@ -57,7 +57,7 @@ protected:
     Drawing drawing{memory};
 };
 
-TEST_F(DrawingTest, FindsTheRunOfAnIdWithEmptyLayersBetween) {
+TEST_F(DrawingTest, FindsTheLayerOfAnIdAcrossEmptyLayers) {
     EXPECT_EQ(drawing.run_of(0), nullptr);
     EXPECT_EQ(drawing.run_of(10), nullptr);
     EXPECT_EQ(drawing.run_of(0xFFFFFFFFU), nullptr);
@@ -69,7 +69,7 @@ TEST_F(DrawingTest, FindsTheRunOfAnIdWithEmptyLayersBetween) {
     }
 }
 
-TEST_F(DrawingTest, OfNoMarksFindsNothing) {
+TEST_F(DrawingTest, FindsNoIdsWithoutMarks) {
     const Drawing empty(memory);
     EXPECT_EQ(empty.run_of(1), nullptr);
     drawing.clear();
@@ -95,7 +95,7 @@ TEST_F(DrawingTest, IdentifiesMarksAndTheirStrokes) {
     expect(9, {1, 1, 1, -1, 0});
 }
 
-TEST_F(DrawingTest, TellsWhereAMarkIsInTheWorld) {
+TEST_F(DrawingTest, GivesTheWorldPositionOfAMark) {
     const MarkSource plain = drawing.source(6);
     EXPECT_EQ(plain.position, glm::vec3(22.0F, 0.0F, 0.0F));
     EXPECT_EQ(plain.normal, glm::vec3(0.0F, 0.0F, 1.0F));
@@ -106,7 +106,7 @@ TEST_F(DrawingTest, TellsWhereAMarkIsInTheWorld) {
     EXPECT_EQ(moved.direction, glm::vec3(0.0F, 1.0F, 0.0F));
 }
 
-TEST_F(DrawingTest, TellsWhereAPosedMarkIs) {
+TEST_F(DrawingTest, GivesThePositionOfAPosedMark) {
     drawing.runs[2].posed = 0; // ids 4 to 7
     for (int i = 0; i < 4; ++i) {
         for (const float c : {0.0F, static_cast<float>(i), 0.0F}) drawing.posed_position.push_back(c);

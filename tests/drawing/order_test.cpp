@@ -102,7 +102,7 @@ TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     }
 }
 
-TEST(Tiles, BearStrangeFootprints) {
+TEST(Tiles, AcceptInvalidFootprints) {
     base::Memory memory;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();

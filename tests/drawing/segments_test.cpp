@@ -53,7 +53,7 @@ protected:
     Drawing drawing;
 };
 
-TEST_F(SegmentTiles, AreThoseThatALevelSegmentPasses) {
+TEST_F(SegmentTiles, AreTheTilesThatAStraightSegmentPasses) {
     add_stroke(point(70.0, 96.0, 1.0), point(380.0, 96.0, 1.0));
     add_stroke(point(96.0, 70.0, 1.0), point(96.0, 120.0, 1.0));
     drawing::bin_segments(runtime.parallel, drawing);
@@ -61,7 +61,7 @@ TEST_F(SegmentTiles, AreThoseThatALevelSegmentPasses) {
     EXPECT_EQ(tiles_of(2), (std::vector<std::int64_t>{11}));
 }
 
-TEST_F(SegmentTiles, HoldAllThatIsCovered) {
+TEST_F(SegmentTiles, ContainEveryCoveredPixel) {
     constexpr std::uint64_t count = 200;
     for (std::uint64_t i = 0; i < count; ++i) {
         const auto u = base::uniform4(1, i, base::Purpose::candidate);

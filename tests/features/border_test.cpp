@@ -81,7 +81,7 @@ TEST_F(OpenSphere, BorderIsExact) {
     }
 }
 
-TEST_F(OpenSphere, ContoursEndOnIt) {
+TEST_F(OpenSphere, ContoursEndOnTheBorder) {
     for (const Eye& eye : eyes({{1.0, 0.2, 0.1}, {0.3, -1.0, -0.5}, {0.0, 0.7, 0.9}}, 4.0)) {
         const View view = eye.view();
         const ContourLevel level(sphere, view);
@@ -101,14 +101,14 @@ TEST_F(OpenSphere, ContoursEndOnIt) {
     }
 }
 
-TEST_F(OpenSphere, ContoursBeyondItAreNone) {
+TEST_F(OpenSphere, ContoursBeyondTheBorderAreDropped) {
     const View view = Eye::at({0.05, 0.0, -1.0}, 1.2, true).view(); // sees a circle at z = -0.83
     const ContourLevel level(sphere, view);
     TraceReport report;
     EXPECT_EQ(trace(runtime, level, open.lines.mesh(), {}, report).count(), 0);
 }
 
-TEST_F(OpenSphere, RaysGoThroughWhatIsNotThere) {
+TEST_F(OpenSphere, RaysPassThroughTheMissingPart) {
     const geometry::VecArray from = test_shapes::seeds(
         runtime, {{0.3, 0.2, 3.0}, {0.3, 0.2, 3.0}, {3.0, 0.1, 0.5}, {3.0, 0.1, -0.5}, {0.9, 0.1, -3.0}});
     const geometry::VecArray to = test_shapes::seeds(
@@ -125,7 +125,7 @@ TEST_F(OpenSphere, RaysGoThroughWhatIsNotThere) {
 
 // The rays go through the surface beside its border, towards the middle of the sphere: the triangles do not tell there
 // where the surface ends.
-TEST_F(OpenSphere, RaysBesideTheBorder) {
+TEST_F(OpenSphere, RaysNextToTheBorderCountTheRightSheets) {
     geometry::VecArray from(runtime.memory);
     geometry::VecArray to(runtime.memory);
     for (const CurvePoint& p : open.lines.border().curves.point) {
@@ -172,7 +172,7 @@ TEST_F(OpenSphere, FacingPartsFitTogether) {
     }
 }
 
-TEST(Border, EndsOfAHalfTorus) {
+TEST(Border, AHalfTorusHasTwoBorders) {
     const base::Runtime runtime = with_threads(2);
     const Torus torus(1.0, 0.4);
     const Open open(runtime, torus, half_torus(1.0, 0.4), 0.06);
@@ -181,7 +181,7 @@ TEST(Border, EndsOfAHalfTorus) {
     for (const CurvePoint& p : open.lines.border().curves.point) EXPECT_LT(p.position.y, 0.0);
 }
 
-TEST(Border, NothingIsCutFromASphereAllAround) {
+TEST(Border, AFullySampledSphereIsNotCut) {
     const base::Runtime runtime = with_threads(2);
     const SquareSphere sphere;
     const Open open(runtime, sphere, sphere_cap(600, -1.0), 0.07);
@@ -189,7 +189,7 @@ TEST(Border, NothingIsCutFromASphereAllAround) {
     EXPECT_EQ(open.lines.left_out(), 0.0);
 }
 
-TEST(Border, AllBeyondIsAnError) {
+TEST(Border, ASurfaceWithoutAnySupportIsAnError) {
     const base::Runtime runtime = with_threads(2);
     const SquareSphere sphere;
     PartSamples turned = sphere_cap(600, 0.0);

@@ -61,7 +61,7 @@ std::vector<glm::dvec3> zero_lines(const Subject& subject, const FeatureRequest&
     return found;
 }
 
-TEST(FittedFeatures, SuggestiveContoursAreThoseOfADenseReference) {
+TEST(FittedFeatures, SuggestiveContoursMatchADenseReference) {
     const Fitted fitted(fit_test::bumpy(1000), implicit::ordinary_smoothing);
     const double side = fitted.hrbf.data().spacing * 0.7;
     const Subject subject = fitted.meshed(side);
@@ -106,7 +106,7 @@ double off_circles(const fit_test::Cloud& cloud, double smoothing) {
 }
 
 // The shift grows with the square of the smoothing: 0.3 spacings move a line by some thousandths of a spacing.
-TEST(FittedFeatures, SmoothingMovesLinesLittle) {
+TEST(FittedFeatures, SmoothingHardlyMovesLines) {
     const fit_test::Cloud cloud = fit_test::torus(1000);
     EXPECT_LT(off_circles(cloud, 0.05), 1e-3);
     EXPECT_LT(off_circles(cloud, implicit::ordinary_smoothing), 3e-3);
@@ -148,7 +148,7 @@ TEST(FittedFeatures, SmoothingMendsDerivativesAtSamples) {
     EXPECT_LT(spread_at_samples(Fitted(cloud, implicit::ordinary_smoothing)), 0.3);
 }
 
-TEST(FittedFeatures, ASphereHasNone) {
+TEST(FittedFeatures, ASphereHasNoFeatureLines) {
     const Fitted fitted(fit_test::sphere(500), implicit::ordinary_smoothing);
     const Subject subject = fitted.meshed(0.1);
     for (const auto kind :

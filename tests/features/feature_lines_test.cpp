@@ -113,7 +113,7 @@ TEST(FeatureLines, RidgesOfARingWithAFlatTubeAreItsRims) {
 }
 
 // The same surface turned inside out: ridges become valleys.
-TEST(FeatureLines, ValleysAreTheRidgesOfTheOtherSide) {
+TEST(FeatureLines, RidgesBecomeValleysInsideOut) {
     const AnyField field({glm::dvec3(-1.4, -1.4, -0.2), glm::dvec3(1.4, 1.4, 0.2)}, [](const glm::dvec3& p) {
         Field f = elliptic_torus(p, 0.4, 0.2);
         for (double& h : f.hessian) h = -h;
@@ -253,7 +253,7 @@ std::vector<glm::dvec3> suggestive_of_torus(const glm::dvec4& eye, double unit, 
 
 class Suggestive : public testing::TestWithParam<glm::dvec4> {};
 
-TEST_P(Suggestive, ContoursOfATorusAreThoseOfADenseReference) {
+TEST_P(Suggestive, ContoursOfATorusMatchADenseReference) {
     const test::Torus torus(1.0, 0.35);
     const Subject subject = of(torus, {1.35, 0.0, 0.0}, 0.06);
     const double unit = torus.diagonal();

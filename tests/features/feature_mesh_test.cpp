@@ -45,7 +45,7 @@ struct Fitted {
     implicit::HrbfShape source;
 };
 
-TEST(FeatureMesh, IsAsClosedAsItsCoarseMeshAndLiesOnTheSurface) {
+TEST(FeatureMesh, StaysClosedAndOnTheSurface) {
     const Fitted fitted(rough());
     const SurfaceMesh mesh = fitted.meshed(0.5);
     const ShapedMesh fine = measured_mesh(runtime(), fitted.hrbf, fitted.source, mesh);
@@ -61,7 +61,7 @@ TEST(FeatureMesh, IsAsClosedAsItsCoarseMeshAndLiesOnTheSurface) {
     EXPECT_LT(found.off, 1e-8);
 }
 
-TEST(FeatureMesh, OfASmoothSurfaceNothingIsHalved) {
+TEST(FeatureMesh, IsNotRefinedOnASmoothSurface) {
     const geometry::Bounds box{glm::dvec3(-1.5, -1.5, -0.4), glm::dvec3(1.5, 1.5, 0.4)};
     const AnyField shape(box, [](const glm::dvec3& p) { return elliptic_torus(p, 0.4, 0.3); });
     const implicit::DifferencedShape source(shape);
@@ -71,7 +71,7 @@ TEST(FeatureMesh, OfASmoothSurfaceNothingIsHalved) {
 }
 
 // The reference is a mesh with a side of 0.08 spacings; lines agree within a pixel of 720.
-TEST(FeatureMesh, MakesSuggestiveContoursOfARoughFitThoseOfADenseMesh) {
+TEST(FeatureMesh, GivesARoughFitTheSuggestiveContoursOfADenseMesh) {
     const Fitted fitted(rough());
     const ShapedMesh fine = measured_mesh(runtime(), fitted.hrbf, fitted.source, fitted.meshed(0.5));
     const SurfaceMesh dense = fitted.meshed(0.08);

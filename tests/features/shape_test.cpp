@@ -93,7 +93,7 @@ TEST(Shape, HasTheDerivativesOfTheCurvatures) {
     EXPECT_GT(checked, 40);
 }
 
-TEST(Shape, IsNothingWithoutAGradient) {
+TEST(Shape, HasNoNormalWithoutAGradient) {
     const ShapePoint none = shape_point(glm::dvec3(0.0), {1, 0, 0, 1, 0, 1}, {});
     EXPECT_EQ(none.normal, glm::dvec3(0.0));
     const ShapePoint broken = shape_point({0, 0, 1}, {std::nan(""), 0, 0, 1, 0, 1}, {});

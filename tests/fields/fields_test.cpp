@@ -157,7 +157,7 @@ TEST_P(Fields, AnyValueGivesAPictureOrAFailureThatNamesTheField) {
 INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::ValuesIn(places(50)), testing::PrintToStringParamName());
 
 // Structs that a caller fills in are in the scene; structs that the library fills in are not.
-TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
+TEST(FieldsOfTheBoundary, IncludeEveryDescriptor) {
     const std::set<std::string> results{"hrbfnpr_error",
                                         "hrbfnpr_array",
                                         "hrbfnpr_array_out",

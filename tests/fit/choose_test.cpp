@@ -72,7 +72,7 @@ TEST(Choose, FewSamplesBringADenseTorusWithinTheTolerance) {
     EXPECT_GT(result.report.seconds_choose, 0.0);
 }
 
-TEST(Choose, ALooserToleranceTakesFewer) {
+TEST(Choose, ALooserToleranceNeedsFewerCentres) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(8000);
     std::int64_t before = 8000;
@@ -116,7 +116,7 @@ TEST(Choose, MaximumCentresWithoutAToleranceIsReached) {
     EXPECT_LT(before, 1e-3);
 }
 
-TEST(Choose, TheWorstAreAddedRatherThanTheFarthest) {
+TEST(Choose, AddsTheWorstSamplesRatherThanTheFarthest) {
     // The surface is a bump on a plane: samples of the plane need no centre.
     Cloud cloud;
     for (int i = 0; i < 6400; ++i) {
@@ -134,7 +134,7 @@ TEST(Choose, TheWorstAreAddedRatherThanTheFarthest) {
     EXPECT_GT(on_bump, 2 * 400 * 0.1257); // twice its share of the area
 }
 
-TEST(Choose, ReportsWhatIsReachedWithTooFewCentres) {
+TEST(Choose, ReportsTheErrorReachedWithTooFewCentres) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(5000);
     const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-5, 300));
@@ -145,7 +145,7 @@ TEST(Choose, ReportsWhatIsReachedWithTooFewCentres) {
     EXPECT_NEAR(result.report.input_share_within, static_cast<double>(within) / 5000.0, 1e-3);
 }
 
-TEST(Choose, AllSamplesAreCentresIfNobodyAsksOrTheyAreFew) {
+TEST(Choose, UsesAllSamplesIfTheyAreFewOrNoLimitIsSet) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(300);
     for (const fit::FitInput& call : {choosing(cloud, 0.0), choosing(cloud, 0.0, 300), choosing(cloud, 0.0, 301)}) {

@@ -78,7 +78,7 @@ TEST(Clean, FindsNothingOnCleanShapes) {
     expect_nothing_found(torus(1000).moved(1e-6, {1e3, 0, 0}), "small and far away");
 }
 
-TEST(Clean, FindsAllOutliersAndNoOther) {
+TEST(Clean, FindsAllOutliersAndNothingElse) {
     const Cloud cloud = torus_with_outliers(2000);
     const Cleaned kept(cloud);
     EXPECT_EQ(kept.report.outliers_found, planted_count(2000));
@@ -96,7 +96,7 @@ TEST(Clean, FindsAllOutliersAndNoOther) {
     }
 }
 
-TEST(Clean, MeasuresAgainWithoutWhatWasDropped) {
+TEST(Clean, MeasuresAgainAfterDroppingOutliers) {
     Cloud cloud = torus(1000);
     const Cleaned without(cloud);
     cloud.add({9.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
@@ -107,7 +107,7 @@ TEST(Clean, MeasuresAgainWithoutWhatWasDropped) {
     EXPECT_EQ(dropped.samples.spacing, without.samples.spacing);
 }
 
-TEST(Clean, FindsAllFlippedNormalsAndNoOther) {
+TEST(Clean, FindsAllFlippedNormalsAndNothingElse) {
     const Cloud cloud = torus_with_flips(2000);
     const Cloud even = torus(2000);
     const Cleaned kept(cloud);
@@ -178,7 +178,7 @@ TEST(Clean, MergesNearDuplicatesThatAgree) {
     }
 }
 
-TEST(Clean, TakesTheOddOneOfNearDuplicatesThatDisagreeForAnOutlier) {
+TEST(Clean, TreatsADisagreeingNearDuplicateAsAnOutlier) {
     const Cloud even = torus(1000);
     const double spacing = Cleaned(even).samples.spacing;
     Cloud cloud = even;

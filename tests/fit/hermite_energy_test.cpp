@@ -39,7 +39,7 @@ struct Made {
     base::Array<std::int64_t> rank;
 };
 
-TEST(HermiteEnergy, SolvedIsTheFitsAndSparseIsNearIt) {
+TEST(HermiteEnergy, MatchesTheFitAndItsSparseEstimateIsNear) {
     const fit_test::Cloud cloud = fit_test::torus(600);
     Made made(cloud);
     fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {});
@@ -55,7 +55,7 @@ TEST(HermiteEnergy, SolvedIsTheFitsAndSparseIsNearIt) {
     EXPECT_NEAR(sparse, exact, 0.3 * exact);
 }
 
-TEST(HermiteEnergy, DerivativesAreThose) {
+TEST(HermiteEnergy, DerivativesMatchDifferences) {
     const fit_test::Cloud cloud = fit_test::bumpy(300);
     Made made(cloud);
     fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {2.0, 16});

@@ -68,7 +68,7 @@ TEST(Interpolation, HoldsForAllKernelsDegreesAndCounts) {
     }
 }
 
-TEST(Interpolation, HoldsForManySamples) {
+TEST(Interpolation, HoldsForAThousandSamples) {
 #if defined(NDEBUG)
     const int count = 1024;
 #else
@@ -202,7 +202,7 @@ TEST(Interpolation, FollowsATranslation) {
     for (const Kind kind : kinds) expect_moved_along(kind, 1.0, glm::dvec3(-2.7e4, 2.1e4, 1.1e4), 1e-6);
 }
 
-TEST(Interpolation, ARadiusIsInTheUnitOfThePoints) {
+TEST(Interpolation, AKernelRadiusIsInTheUnitOfThePoints) {
     const Runtime runtime;
     const Cloud cloud = sphere(60);
     for (const Kind kind : {Kind::gaussian, Kind::wendland_c2}) {

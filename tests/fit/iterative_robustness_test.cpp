@@ -58,7 +58,7 @@ TEST(IterativeErrors, WithoutConvergenceTheResidualIsNamed) {
     expect_error(chosen, Status::not_converged, " in 2 iterations, not 1.0e-10");
 }
 
-TEST(IterativeErrors, AsManyNeighboursAsThereMayBe) {
+TEST(IterativeErrors, TooManyNeighboursAreRefused) {
     const Cloud cloud = bumpy(250);
     fit::FitInput chosen = iterative(cloud);
     const base::Runtime runtime;
@@ -69,7 +69,7 @@ TEST(IterativeErrors, AsManyNeighboursAsThereMayBe) {
 }
 
 // The vectors have more than one chunk.
-TEST(IterativeRobustness, SameBitsForManySamples) {
+TEST(IterativeRobustness, AnyThreadCountGivesTheSameBits) {
     const Cloud cloud = bumpy(4500);
     fit::FitInput chosen = iterative(cloud);
     chosen.solver_tolerance = 0.1;

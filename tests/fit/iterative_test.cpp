@@ -74,7 +74,7 @@ TEST(Iterative, FindsTheDirectSolution) {
     }
 }
 
-TEST(Iterative, FindsTheDirectSolutionWithoutAPolynomialWhereTheKernelNeedsNone) {
+TEST(Iterative, FindsTheDirectSolutionForKernelsWithoutPolynomial) {
     const Cloud cloud = bumpy(160);
     for (const Kind kind : {Kind::gaussian, Kind::wendland_c2}) {
         for (const std::int32_t degree : {-1, 0}) {
@@ -123,7 +123,7 @@ TEST(Iterative, ReportsTheMisfitOfTheFinishedFunction) {
     }
 }
 
-TEST(Iterative, TakesFewIterations) {
+TEST(Iterative, NeedsFewIterations) {
     const base::Runtime runtime;
     const fit::FitReport report = fit::fit(runtime, solved_by(fit::SolverKind::iterative, bumpy(1500))).report;
     EXPECT_GE(report.iterations, 3);
@@ -134,7 +134,7 @@ TEST(Iterative, TakesFewIterations) {
     EXPECT_GT(report.peak_bytes, 0);
 }
 
-TEST(Iterative, TakesFewerIterationsTheMoreNeighboursThereAre) {
+TEST(Iterative, NeedsFewerIterationsWithMoreNeighbours) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(800);
     fit::FitInput chosen = solved_by(fit::SolverKind::iterative, cloud);
@@ -205,7 +205,7 @@ TEST(Solver, AutomaticIsDirectWhereTheSystemIsNotDefinite) {
     EXPECT_EQ(report.solver_reason, fit::SolverReason::not_definite);
 }
 
-TEST(Solver, AutomaticFallsBackToTheDirectOne) {
+TEST(Solver, AutomaticFallsBackToTheDirectSolver) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(250);
     fit::FitInput chosen = input(cloud);
@@ -243,7 +243,7 @@ Cloud graded_box() {
     return cloud;
 }
 
-TEST(Solver, AutomaticTakesWhatTheIterativeOneIsContentWith) {
+TEST(Solver, AutomaticKeepsAnAcceptableIterativeSolution) {
     const base::Runtime runtime;
     const Cloud cloud = graded_box();
     fit::FitInput chosen = input(cloud);

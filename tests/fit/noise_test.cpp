@@ -54,7 +54,7 @@ double error(const fit::FitResult& result, const Cloud& truth) {
     return std::sqrt(sum / static_cast<double>(truth.count()));
 }
 
-TEST(Noise, IsNotSeenInCleanSamples) {
+TEST(Noise, IsNotDetectedInCleanSamples) {
     EXPECT_EQ(measured(sphere(40)).position, 0.0);
     EXPECT_EQ(measured(sphere(2000)).position, 0.0);
     EXPECT_EQ(measured(bumpy(1000)).position, 0.0);
@@ -77,9 +77,9 @@ TEST(Noise, IsMeasured) {
 }
 
 // The noise is larger than the spacing: samples are near each other if their noise is similar.
-TEST(Noise, IsSeenWhereItHidesTheSpacing) { EXPECT_GT(measured(noisy(sphere(3000), 0.1, 0.0)).position, 0.03); }
+TEST(Noise, IsDetectedEvenIfLargerThanTheSpacing) { EXPECT_GT(measured(noisy(sphere(3000), 0.1, 0.0)).position, 0.03); }
 
-TEST(AutomaticRegularization, BringsNoisySamplesNearerToTheTruth) {
+TEST(AutomaticRegularization, ReducesTheErrorOfNoisySamples) {
     const base::Runtime runtime;
     for (const double normal : {0.0, 0.1}) {
         const Cloud truth = bumpy(1500);
@@ -103,7 +103,7 @@ TEST(AutomaticRegularization, DoesNotDependOnTheUnit) {
     EXPECT_NEAR(fitted(runtime, cloud.moved(1e-3, {10, 0, 0}), true).report.regularization / expected, 1.0, 1e-3);
 }
 
-TEST(AutomaticRegularization, IsNoneForCleanSamples) {
+TEST(AutomaticRegularization, IsZeroForCleanSamples) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(700);
     const fit::FitResult automatic = fitted(runtime, cloud, true);

@@ -42,7 +42,7 @@ Eigen::VectorXd wave(Eigen::Index size) {
     return x;
 }
 
-TEST(PolynomialSpace, TakeOutIsTheOrthogonalProjection) {
+TEST(PolynomialSpace, TakeOutRemovesTheOrthogonalProjection) {
     const Runtime runtime;
     const VecArray x = positions(runtime, 60);
     for (std::int32_t degree = -1; degree <= 3; ++degree) {
@@ -88,7 +88,7 @@ TEST(PolynomialSpace, ExplainFindsThePolynomialAndLeavesNothing) {
     }
 }
 
-TEST(PolynomialSpace, ExplainTakesOutWhatItFinds) {
+TEST(PolynomialSpace, ExplainRemovesThePolynomialThatItFinds) {
     const Runtime runtime;
     const VecArray x = positions(runtime, 40);
     const fit::HermiteSystem system = system_of(x, 2);
@@ -102,7 +102,7 @@ TEST(PolynomialSpace, ExplainTakesOutWhatItFinds) {
     EXPECT_LT((rest + fit_test::applied(plain(system), c) - wave(system.rows())).norm(), 1e-10);
 }
 
-TEST(PolynomialSpace, KnowsAPolynomialAtOneSample) {
+TEST(PolynomialSpace, EvaluatesAPolynomialAtOneSample) {
     const Runtime runtime;
     const VecArray x = positions(runtime, 60);
     for (std::int32_t degree = 0; degree <= 3; ++degree) {

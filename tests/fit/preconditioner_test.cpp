@@ -188,7 +188,7 @@ TEST(Preconditioner, IsTheInverseOfFewSamples) {
                     << hrbfnpr::kernel::name(kind) << count;
 }
 
-TEST(Preconditioner, IsTheInverseWhereAllOthersAreNeighbours) {
+TEST(Preconditioner, IsTheInverseIfAllSamplesAreNeighbours) {
     base::Runtime runtime;
     for (const base::InstructionSet set : instruction_sets()) {
         runtime.instruction_set = set;
@@ -202,7 +202,7 @@ TEST(Preconditioner, IsTheInverseWhereAllOthersAreNeighbours) {
     }
 }
 
-TEST(Preconditioner, IsBetterTheMoreNeighboursItHas) {
+TEST(Preconditioner, ImprovesWithMoreNeighbours) {
     const base::Runtime runtime;
     const VecArray x = positions(runtime.memory, 300);
     double before = 10.0;
@@ -241,7 +241,7 @@ TEST(Preconditioner, IsTheSameForAllInstructionSetsAndThreads) {
     }
 }
 
-TEST(Preconditioner, RefusesWhatIsNotDefinite) {
+TEST(Preconditioner, RefusesAnIndefiniteSystem) {
     const base::Runtime runtime;
     const Arranged arranged(positions(runtime.memory, 80));
     fit::HermiteSystem::Options flat = options(Kind::gaussian, 0.0);

@@ -87,7 +87,7 @@ TEST_F(PreparedTest, EqualsTheSumOverAllCentres) {
     EXPECT_GT(prepared->bytes(), result.data.count() * 100);
 }
 
-TEST_F(PreparedTest, WhatIsFarIsSummedUpAlready) {
+TEST_F(PreparedTest, CellsContainTheSamplesButNoDistantPlaces) {
     const auto prepared = Prepared::make(runtime, result.data);
     ASSERT_NE(prepared, nullptr);
     EXPECT_GT(prepared->cells(), 50);
@@ -99,7 +99,7 @@ TEST_F(PreparedTest, WhatIsFarIsSummedUpAlready) {
     EXPECT_EQ(prepared->cell_of({NAN, 0.0, 0.0}) + 1, prepared->cells());
 }
 
-TEST_F(PreparedTest, APointsResultDoesNotDependOnTheOthers) {
+TEST_F(PreparedTest, APointsResultDoesNotDependOnOtherPoints) {
     const auto prepared = Prepared::make(runtime, result.data);
     const Everything all = evaluate(runtime, *prepared);
     for (std::int64_t i = 0; i < at.size(); i += 37) {
@@ -112,7 +112,7 @@ TEST_F(PreparedTest, APointsResultDoesNotDependOnTheOthers) {
 }
 
 // Parts nearly coincide and cross, so samples contradict each other and the weights need many digits.
-TEST(Prepared, IsThereForPartsThatCross) {
+TEST(Prepared, StaysAccurateForCrossingParts) {
     const base::Runtime runtime;
     Cloud crossing = bumpy(1200);
     const Cloud other = bumpy(1200).moved(1.0, {0.003, 0.002, 0.001});
@@ -125,7 +125,7 @@ TEST(Prepared, IsThereForPartsThatCross) {
     EXPECT_LT(prepared->error().gradient, 200e-7);
 }
 
-TEST(Prepared, IsForManyCentresOfTheTriharmonicKernelOnly) {
+TEST(Prepared, IsUsedOnlyForManyTriharmonicCentres) {
     const base::Runtime runtime;
     const fit::FitResult few = fit::fit(runtime, input(bumpy(100)));
     EXPECT_EQ(Prepared::make(runtime, few.data), nullptr);

@@ -60,7 +60,7 @@ Sampled by_definition(const Cloud& cloud, Kind kind, double radius, double eta, 
     return s;
 }
 
-TEST(Regularization, IsAddedInCoordinatesWhoseDiagonalIsOne) {
+TEST(Regularization, IsAddedInCoordinatesWithUnitDiagonal) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(40).moved(25.0, {3, 4, 5});
     for (const Kind kind : {Kind::triharmonic, Kind::gaussian, Kind::wendland_c2}) {

@@ -34,7 +34,7 @@ TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
     }
 }
 
-TEST(Robustness, ASingularSystemSaysWhatToDo) {
+TEST(Robustness, ASingularSystemNamesARemedy) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(60);
     fit::FitInput flat = input(cloud, Kind::gaussian, 1);
@@ -51,7 +51,7 @@ TEST(Robustness, ASingularSystemSaysWhatToDo) {
     EXPECT_NO_THROW(static_cast<void>(fit::fit(runtime, flat)));
 }
 
-TEST(Robustness, NoFitIsReturnedThatDoesNotInterpolate) {
+TEST(Robustness, AFitThatDoesNotInterpolateIsRefused) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(80);
     int good = 0;
@@ -89,7 +89,7 @@ TEST(Robustness, RefinementLowersTheResidual) {
     EXPECT_LT(better.solver_residual, 0.5 * once.solver_residual);
 }
 
-TEST(Robustness, SamplesMayBeVeryClose) {
+TEST(Robustness, SamplesMayLieVeryCloseTogether) {
     const base::Runtime runtime;
     for (const Kind kind : {Kind::triharmonic, Kind::wendland_c2}) {
         for (const double gap : {1e-3, 1e-5, 1e-7}) {

@@ -37,7 +37,7 @@ void expect_message(const fit::FitInput& bad, std::initializer_list<const char*>
     for (const char* word : words) EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
 
-TEST(Samples, CoincidentOnesThatAgreeAreMergedAndCounted) {
+TEST(Samples, CoincidentSamplesAreMergedAndCounted) {
     const Runtime runtime;
     const Cloud cloud = sphere(50);
     Cloud doubled = cloud;
@@ -60,7 +60,7 @@ TEST(Samples, CoincidentOnesThatAgreeAreMergedAndCounted) {
     EXPECT_GT(glm::distance(averaged, cloud.normal(7)), 1e-3);
 }
 
-TEST(Samples, OnesThatNearlyCoincideAreKept) {
+TEST(Samples, NearlyCoincidentSamplesAreKept) {
     const Runtime runtime;
     Cloud cloud = sphere(50);
     cloud.add(glm::normalize(cloud.point(7) + glm::dvec3(1e-4, 0, 0)),
@@ -70,7 +70,7 @@ TEST(Samples, OnesThatNearlyCoincideAreKept) {
     EXPECT_LE(result.report.gradient_residual_max, 1e-8);
 }
 
-TEST(Samples, AllInOnePlaceAreOneSample) {
+TEST(Samples, ManyCopiesOfOneSampleCountAsOne) {
     const Runtime runtime;
     Cloud cloud;
     for (int i = 0; i < 3000; ++i) cloud.add({1, 2, 3}, {0, 1, 0});
@@ -121,7 +121,7 @@ TEST(Samples, BadParametersAreNamed) {
     expect_message(wrong, {"tolerance is -1"});
 }
 
-TEST(Samples, MaximumCentresCountsWhatIsLeftAfterMerging) {
+TEST(Samples, MaximumCentresAppliesAfterMerging) {
     const Runtime runtime;
     Cloud cloud = sphere(10);
     cloud.add(cloud.point(0), cloud.normal(0));
@@ -130,7 +130,7 @@ TEST(Samples, MaximumCentresCountsWhatIsLeftAfterMerging) {
     EXPECT_EQ(fit::fit(runtime, enough).data.count(), 10);
 }
 
-TEST(Samples, ADegreeThatTheyDoNotDetermineIsNamed) {
+TEST(Samples, ATooHighPolynomialDegreeIsNamed) {
     expect_message(input(sphere(2), Kind::gaussian, 2), {"polynomial_degree 2", "2 samples", "lower it"});
     // The samples are off the axes, so that terms vanish only up to rounding.
     const auto turned = [](const glm::dvec3& p) {

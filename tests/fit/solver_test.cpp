@@ -73,7 +73,7 @@ Eigen::VectorXd right_hand_side(Eigen::Index size) {
     return rhs;
 }
 
-TEST(System, BlocksAndProductsAreThePlainMatrix) {
+TEST(System, BlocksAndProductsMatchThePlainMatrix) {
     const Runtime runtime;
     const VecArray x = positions(runtime.memory, bumpy(37));
     for (const Kind kind : kinds) {
@@ -101,7 +101,7 @@ TEST(System, BlocksAndProductsAreThePlainMatrix) {
     }
 }
 
-TEST(NullSpace, IsOrthogonalAndTakesTheConstraintsAway) {
+TEST(NullSpace, IsOrthogonalAndRemovesTheConstraints) {
     const Runtime runtime;
     const VecArray x = positions(runtime.memory, bumpy(23));
     for (std::int32_t degree = -1; degree <= 3; ++degree) {
@@ -149,7 +149,7 @@ TEST(NullSpaceSolver, EqualsAPlainLuOfTheWholeSystem) {
     }
 }
 
-TEST(NullSpaceSolver, NoticesWhatIsNotDefinite) {
+TEST(NullSpaceSolver, DetectsAnIndefiniteSystem) {
     const Runtime runtime;
     const VecArray x = positions(runtime.memory, bumpy(40));
     fit::HermiteSystem::Options o = options(Kind::triharmonic, -1);
@@ -185,7 +185,7 @@ TEST(DenseLu, EqualsAPlainLu) {
     }
 }
 
-TEST(TiledCholesky, FactorsAndEstimates) {
+TEST(TiledCholesky, FactorsSolvesAndEstimatesTheInverseNorm) {
     const Runtime runtime;
     for (const Eigen::Index size : {1, 5, 128, 129, 300}) {
         const Eigen::MatrixXd half = Eigen::MatrixXd::Random(size, size);
@@ -219,7 +219,7 @@ TEST(TiledCholesky, FactorsAndEstimates) {
     }
 }
 
-TEST(TiledCholesky, NumbersItsTiles) {
+TEST(TiledCholesky, NumbersTilesRowByRow) {
     std::int64_t t = 0;
     for (std::int64_t i = 0; i < 200; ++i) {
         for (std::int64_t j = 0; j <= i; ++j, ++t) {

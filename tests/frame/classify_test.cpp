@@ -32,7 +32,7 @@ void expect_consistent(const Counts& info) {
     EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette);
 }
 
-TEST_F(Classify, SharesOfASphereSeenFromAfarAreThoseOfItsArea) {
+TEST_F(Classify, SharesOfADistantSphereAreProportionalToArea) {
     const int count = 20000;
     const marks::PointSet set = sphere(runtime.memory, count);
     for (const double threshold : {0.05, 0.2, 0.5}) {
@@ -120,7 +120,7 @@ TEST_F(Classify, MarksOutsideTheFrustumCountAsOutside) {
     expect_consistent(info);
 }
 
-TEST_F(Classify, AMarkAtTheCameraDoesNoHarm) {
+TEST_F(Classify, AMarkAtTheCameraStaysFinite) {
     marks::PointSet set(runtime.memory);
     set.spacing = 0.1;
     add_stipple(set, {0.0, 0.0, 10.0}, {0, 0, 1});
@@ -135,7 +135,7 @@ TEST_F(Classify, AMarkAtTheCameraDoesNoHarm) {
     for (const Disc& disc : frame.discs()) EXPECT_TRUE(std::isfinite(disc.radius) && std::isfinite(disc.x));
 }
 
-TEST_F(Classify, MarksThatAreNotNumbersAreOutside) {
+TEST_F(Classify, NonFiniteMarksCountAsOutside) {
     marks::PointSet set(runtime.memory);
     for (int i = 0; i < 6; ++i) add_stipple(set, {0.0, 0.0, 0.0}, {0, 0, 1});
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -174,7 +174,7 @@ TEST_F(Classify, NormalsFollowTheInverseTransposeAlsoUnderMirrors) {
     }
 }
 
-TEST_F(Classify, TheSameFarFromTheOrigin) {
+TEST_F(Classify, DoesNotDependOnTheDistanceFromTheOrigin) {
     const marks::PointSet near_set = sphere(runtime.memory, 3000);
     draw(near_set, plain_style(), front_camera(500, 500));
     const std::vector<Disc> expected(frame.discs().begin(), frame.discs().end());
@@ -192,7 +192,7 @@ TEST_F(Classify, TheSameFarFromTheOrigin) {
     }
 }
 
-TEST_F(Classify, IdsCountOverItemsAndLayersWhateverIsUsed) {
+TEST_F(Classify, IdsCountHiddenLayersToo) {
     marks::PointSet first(runtime.memory);
     add_stipple(first, {0, 0, 0}, {0, 0, 1});
     add_stipple(first, {0, 0, 0.1}, {0, 0, 1});
@@ -211,7 +211,7 @@ TEST_F(Classify, IdsCountOverItemsAndLayersWhateverIsUsed) {
     EXPECT_EQ(frame.source(frame.discs()[1]).position, glm::vec3(0.0F, 0.0F, 0.3F));
 }
 
-TEST_F(Classify, NothingToDrawIsFine) {
+TEST_F(Classify, AcceptsNothingToDraw) {
     frame.draw({}, front_camera(100, 100));
     EXPECT_TRUE(frame.drawn());
     EXPECT_TRUE(frame.discs().empty());

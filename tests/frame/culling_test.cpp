@@ -145,7 +145,7 @@ protected:
     marks::PointSet open = set_of();
 };
 
-TEST_F(Culling, ChangesNoInk) {
+TEST_F(Culling, DoesNotChangeTheInk) {
     std::int64_t culled = 0;
     for (const View& view : views()) {
         for (const Style& style : styles()) culled += expect_same_without(view, style);
@@ -153,7 +153,7 @@ TEST_F(Culling, ChangesNoInk) {
     EXPECT_GT(culled, 100000);
 }
 
-TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
+TEST_F(Culling, DoesNotChangeTheInkOfThePublishedToneRule) {
     Style style = styles()[0];
     style.tone_rule = frame::ToneRule::published;
     for (const View& view : views()) expect_same_without(view, style);
@@ -234,7 +234,7 @@ Plain plain_of(const Mark& mark, const Sight& s, const Style& style, double radi
 }
 
 // With LINEAR tone every law is known without the clusters.
-TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
+TEST_F(Culling, KeepsTheMarksThatTheLawsShow) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
     style.tone_curve = frame::ToneCurve::linear;
@@ -268,7 +268,7 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
 }
 
 // The set is evenly lit, and each mark takes the share of coverage for its turn away from the eye.
-TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
+TEST_F(Culling, KeepsTheShareThatCoverageNeeds) {
     set = clustered(runtime, torus(runtime.memory, 200));
     Style style;
     style.hidden_lines = frame::HiddenLines::show;

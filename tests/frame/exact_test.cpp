@@ -34,7 +34,7 @@ protected:
     DrawnFrame frame{runtime};
 };
 
-TEST_F(Exact, FrontMarksAreHiddenAsLinesOfSightSay) {
+TEST_F(Exact, FrontMarksAreHiddenWhereTheLineOfSightIsBlocked) {
     Style style = all_front(HiddenLines::hide);
     style.halo_width = 0.0F;
     for (const double tilt : {0.9, 1.2, 1.4}) {
@@ -58,7 +58,7 @@ TEST_F(Exact, FrontMarksAreHiddenAsLinesOfSightSay) {
     }
 }
 
-TEST_F(Exact, FollowsTheItemAndThePerspective) {
+TEST_F(Exact, FollowsTheTransformAndThePerspective) {
     Style style = all_front(HiddenLines::hide);
     style.halo_width = 0.0F;
     const double tilt = 1.25;
@@ -124,7 +124,7 @@ TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
     EXPECT_GT(dimmed, 300);
 }
 
-TEST_F(Exact, ShowDimsNothing) {
+TEST_F(Exact, ShowLeavesHiddenMarksUndimmed) {
     const double tilt = 1.25;
     const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, size, half);
     const std::vector<float> share = shares(all_front(HiddenLines::show), camera, glm::dmat4(1.0));

@@ -89,7 +89,7 @@ protected:
     marks::PointSet front_{runtime.memory};
 };
 
-TEST_F(HatchCuts, LinesEndAtTheEdgesOfWhatHidesThem) {
+TEST_F(HatchCuts, LinesEndAtTheEdgesOfTheHidingShape) {
     add_lines(0.02);
     for (const double turn : {0.1, 0.35, 0.7}) {
         for (const float halo : {0.0F, 2.0F, 3.5F}) {
@@ -103,7 +103,7 @@ TEST_F(HatchCuts, LinesEndAtTheEdgesOfWhatHidesThem) {
 }
 
 // Splats extend farther than the surface that they represent.
-TEST_F(HatchCuts, LinesThatPassACornerAreWhole) {
+TEST_F(HatchCuts, LinesThatPassACornerAreNotCut) {
     const double turn = 0.35;
     const double corner = half * (std::cos(turn) + std::sin(turn));
     for (const double beyond : {0.5, 2.0, 5.0}) // pixels
@@ -115,7 +115,7 @@ TEST_F(HatchCuts, LinesThatPassACornerAreWhole) {
 }
 
 // Wide lines become narrower beside an edge that they run along, and end bluntly at an edge that they meet.
-TEST_F(HatchCuts, WideLinesStayBesideTheEdgesThatTheyRunAlong) {
+TEST_F(HatchCuts, WideLinesDoNotCrossTheEdgesThatTheyFollow) {
     layer.hatch_coverage_begin = layer.hatch_coverage_end = 0.6F;
     layer.hatch_spacing = 10.0F;
     add_lines(0.02);
@@ -143,7 +143,7 @@ TEST_F(HatchCuts, WideLinesStayBesideTheEdgesThatTheyRunAlong) {
 }
 
 // Lines just behind an edge have no halo, as with contours.
-TEST_F(HatchCuts, HalosOpenWithTheDistanceOfWhatHides) {
+TEST_F(HatchCuts, HalosWidenWithDepthBehindTheHidingShape) {
     add_lines(0.02);
     double before = 0.0;
     for (const double gap : {5.0, 6.0, 8.0, 12.0, 20.0}) { // pixels from the plane to the front of the box

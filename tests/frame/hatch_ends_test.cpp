@@ -6,7 +6,7 @@
 namespace hrbfnpr::testing::hatch_ends_test {
 namespace {
 
-TEST_F(Hatch, ALineEndsWhereItsToneDoes) {
+TEST_F(Hatch, ALineEndsWhereItsToneEnds) {
     for (const double y : {-0.1, 0.0, 0.1}) add_line(set, {y, -1.0, 1.0, 0}, 0.05);
     set_nesting(set, 0.1, 0);
     cluster();
@@ -63,7 +63,7 @@ TEST_F(Hatch, EndsAtTheContourAreFoundToATenthOfAPixel) {
 }
 
 // A line of a level that fades in begins where the law says, and has the law's width.
-TEST_F(Hatch, LevelsEndWhereTheLawSays) {
+TEST_F(Hatch, ALevelThatFadesInBeginsWhereTheLawPredicts) {
     constexpr double separation = 0.02;
     constexpr auto coarse = static_cast<float>(2.0 * separation * 200.0); // pixels
     add_line(set, {0.0, -1.0, 1.0, 1}, 0.002);
@@ -95,7 +95,7 @@ TEST_F(Hatch, LevelsEndWhereTheLawSays) {
     }
 }
 
-TEST_F(Hatch, LinesNarrowToTheirEnds) {
+TEST_F(Hatch, LinesNarrowTowardTheirEnds) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
     set_nesting(set, 0.02, 0);
     cluster();
@@ -117,7 +117,7 @@ TEST_F(Hatch, LinesNarrowToTheirEnds) {
 }
 
 // The face z = 0 is dark up to its edge at x = 0.5. Lines narrow to their ends, except at the edge.
-TEST_F(Hatch, LinesOnlyRoundOffAtCreases) {
+TEST_F(Hatch, LinesNarrowExceptAtCreases) {
     const test::SharpShape shape(geometry::Bounds{glm::dvec3(-1.0), glm::dvec3(1.0)},
                                  test::max_of({test::plane({0, 0, 1}, 0.0), test::plane({1, 0, 0}, 0.5)}));
     curves::LineSetSettings settings;
@@ -212,7 +212,7 @@ TEST_P(HatchCircle, HasNoEnds) {
     for (const StrokePoint& p : points_of(0)) EXPECT_GT(p.x, 250.0F - 25.0F);
 }
 
-TEST_P(HatchCircle, HasTwoWhereItIsHidden) {
+TEST_P(HatchCircle, HasTwoEndsIfPartlyHidden) {
     add_circle(set, 0.8, 0.0, {0, 0, 1}, 40, GetParam());
     set_nesting(set, 0.03, 0);
     cluster();
@@ -228,7 +228,7 @@ TEST_P(HatchCircle, HasTwoWhereItIsHidden) {
     for (const StrokePoint& p : points_of(0)) EXPECT_GT(p.x, 240.0F);
 }
 
-TEST_F(Hatch, WhatIsHiddenOfAWideLineInPassingIsDrawn) {
+TEST_F(Hatch, WideLinesCrossNarrowHiddenParts) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
     set.spacing = 0.02;
     cluster();
@@ -245,7 +245,7 @@ TEST_F(Hatch, WhatIsHiddenOfAWideLineInPassingIsDrawn) {
 
 // Where a contour ends, a line is hidden over the length of a halo. Lines continue across hidden parts of at most this
 // length; across parts up to half as long again they become thinner.
-TEST_F(Hatch, WhatIsHiddenForAHaloIsDrawn) {
+TEST_F(Hatch, LinesCrossHiddenPartsAsShortAsAHalo) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
     set.spacing = 0.02;
     layer.radius = 0.5F;
@@ -269,7 +269,7 @@ TEST_F(Hatch, WhatIsHiddenForAHaloIsDrawn) {
 
 // A part between two hidden ones must be at least three times as long as other parts, and is narrower up to twice that
 // length.
-TEST_F(Hatch, ShortPartsBetweenHiddenOnesAreLeftOut) {
+TEST_F(Hatch, ShortPartsBetweenHiddenPartsAreLeftOut) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
     set.spacing = 0.02;
     layer.radius = 0.5F;
@@ -320,7 +320,7 @@ void add_helix(marks::PointSet& set, double rise) {
 
 // Lines that cross the contour at 30 degrees or more, seen over half a taper, do not narrow. Closer to the contour all
 // lines are tangent to it.
-TEST_F(Hatch, LinesRunOutUnderAContourThatTheyCross) {
+TEST_F(Hatch, LinesDoNotNarrowAtAContourThatTheyCross) {
     style.tone = frame::Tone::none;
     for (const auto& [rise, crosses] : {std::pair{0.0, true}, {0.15, true}, {0.7, false}, {0.9, false}}) {
         set = marks::PointSet(runtime.memory);
@@ -359,7 +359,7 @@ TEST_F(Hatch, AnArcHasTwoEnds) {
     EXPECT_EQ(points_of(0).back().radius, 0.0F);
 }
 
-TEST_F(Hatch, ASphereHidesWhatIsBehindIt) {
+TEST_F(Hatch, ASphereHidesTheLinesBehindIt) {
     set = nested_plane(runtime.memory);
     cluster();
     const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 20000, 0.4, {0, 0, 1}));
@@ -433,7 +433,7 @@ TEST_F(Hatch, WidthsDoNotDependOnWhereALineBegins) {
     EXPECT_LT(most - least, 0.3F * most);
 }
 
-TEST_F(Hatch, TheBackIsNotDrawn) {
+TEST_F(Hatch, TheBackOfASurfaceIsNotDrawn) {
     add_latitudes(set);
     cluster();
     frame::Camera camera = front_camera(size, size, 1.25);

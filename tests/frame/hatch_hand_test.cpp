@@ -25,7 +25,7 @@ protected:
     }
 };
 
-TEST_F(HatchByHand, LinesStrayByNoMoreThanTheyMay) {
+TEST_F(HatchByHand, LinesStrayWithinTheirLimit) {
     layer.hatch_pen = 2.0F;
     layer.hatch_wobble = 1.5F;
     float most = 0.0F;
@@ -49,7 +49,7 @@ TEST_F(HatchByHand, LinesStrayByNoMoreThanTheyMay) {
     EXPECT_LE(most, 3.0F);
 }
 
-TEST_F(HatchByHand, ASeedIsAHand) {
+TEST_F(HatchByHand, EachSeedGivesADifferentHand) {
     layer.hatch_wobble = 2.0F;
     const auto y = [&](std::uint32_t seed) {
         layer.hatch_seed = seed;
@@ -61,7 +61,7 @@ TEST_F(HatchByHand, ASeedIsAHand) {
     EXPECT_NE(first, y(8));
 }
 
-TEST_F(HatchByHand, LinesRunPastTheirTone) {
+TEST_F(HatchByHand, LinesOvershootTheirTone) {
     for (const float end : ends()) EXPECT_NEAR(end, 0.0F, 0.1F);
     layer.hatch_overshoot = 30.0F;
     const std::vector<float> longer = ends();

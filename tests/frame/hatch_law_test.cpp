@@ -7,7 +7,7 @@
 namespace hrbfnpr::testing::hatch_law_test {
 namespace {
 
-TEST(HatchLaw, TakesALittleLessInMiddleTones) {
+TEST(HatchLaw, LowersMiddleTonesByAPowerLaw) {
     constexpr int steps = 1000;
     EXPECT_EQ(law::hollowed(0.0F), 0.0F);
     EXPECT_NEAR(law::hollowed(1.0F), 1.0F, 1e-6F);

@@ -68,7 +68,7 @@ protected:
 
 class HatchLimitsOfLines : public HatchLimits, public ::testing::WithParamInterface<bool> {};
 
-TEST_P(HatchLimitsOfLines, ChangeNothingThatIsDrawn) {
+TEST_P(HatchLimitsOfLines, DoNotChangeTheDrawing) {
     const bool closed = GetParam();
     for (const bool tone_normals : {false, true}) {
         for (const double exponent : {0.5, 1.0, 3.0}) {
@@ -89,7 +89,7 @@ TEST_P(HatchLimitsOfLines, ChangeNothingThatIsDrawn) {
 }
 INSTANTIATE_TEST_SUITE_P(OpenAndClosed, HatchLimitsOfLines, ::testing::Bool());
 
-TEST(HatchLoops, KnowWhichMarksMayBeDrawn) {
+TEST(HatchLoops, FindTheMarksThatMayBeDrawn) {
     constexpr std::int64_t count = 29; // not a multiple of the vector width
     std::vector<float> normals;
     std::vector<float> tone_normals;

@@ -6,7 +6,7 @@ namespace hrbfnpr::testing::hatch_steady_test {
 namespace {
 
 // Checks the levels that fade in, up to where they are full.
-TEST(HatchLaw, ALevelThatFadesInGoesOverIntoAFullOne) {
+TEST(HatchLaw, ALevelFadesInWithoutAJump) {
     LayerStyle style;
     for (const float gap : {0.5F, 0.7F, 1.0F, 1.5F}) {
         for (const float coverage : {0.1F, 0.2F, 0.5F}) {
@@ -64,7 +64,7 @@ protected:
 };
 
 // The core is as long as the shortest parts. Beside it the line is just drawn, or just not drawn.
-TEST_F(SteadyHatch, AShortPartIsNoLongerWhereAHairlineJoinsIt) {
+TEST_F(SteadyHatch, AnAdjacentHairlineHardlyChangesAShortPart) {
     add_fading_line();
     std::vector<double> found;
     for (const float beside : {-0.02F, 0.02F}) {
@@ -93,7 +93,7 @@ TEST_F(SteadyHatch, ALongHairlineIsDrawn) {
 
 // Two parts become one: between them the line becomes thinner little by little, wherever its points are. The tone falls
 // by 0.2 per pixel, so a gap puts points where the line is thinnest, between two samples. This causes most of a step.
-TEST_F(SteadyHatch, AGapOpensLittleByLittle) {
+TEST_F(SteadyHatch, AGapOpensGradually) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.001); // a fifth of a pixel
     set_nesting(set, 0.02, 0);
     cluster();
@@ -129,7 +129,7 @@ TEST_F(SteadyHatch, AClosedLineBeginsInItsWidestGap) {
 }
 
 // Lines of all widths have the same width at the same small distance from their ends.
-TEST_F(SteadyHatch, TipsOfAllWidthsBeginAlike) {
+TEST_F(SteadyHatch, TipsHaveTheSameWidthForAllLines) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.02);
     set_nesting(set, 0.02, 0);
     cluster();

@@ -6,7 +6,7 @@
 namespace hrbfnpr::testing::hatch_test {
 namespace {
 
-TEST_F(Hatch, CoversWhatTheToneAsksForAtAnyZoom) {
+TEST_F(Hatch, CoverageMatchesTheToneAtAnyZoom) {
     set = nested_plane(runtime.memory);
     cluster();
     double worst = 0.0;
@@ -23,7 +23,7 @@ TEST_F(Hatch, CoversWhatTheToneAsksForAtAnyZoom) {
 }
 
 // The real distances of the lines count, not their intended separation: on the whole surface, and in parts of it.
-TEST_F(Hatch, CoversWhatTheToneAsksForWhereLinesLieNearerOrFartherApart) {
+TEST_F(Hatch, CoverageMatchesTheToneForAnyLineDistance) {
     for (const double stretch : {0.7, 1.0, 1.4}) {
         set = nested_plane(runtime.memory);
         marks::Layer& layer_of_lines = layer_of(set, marks::Kind::own);
@@ -45,7 +45,7 @@ TEST_F(Hatch, CoversWhatTheToneAsksForWhereLinesLieNearerOrFartherApart) {
     }
 }
 
-TEST_F(Hatch, CoversWhatTheToneAsksForAtASlant) {
+TEST_F(Hatch, CoverageMatchesTheToneOnASlant) {
     set = nested_plane(runtime.memory);
     cluster();
     darkness = [](const glm::dvec3&) { return 0.5; };
@@ -87,7 +87,7 @@ TEST_F(Hatch, ALineChangesItsLevel) {
 }
 
 // No level appears suddenly, neither as ink nor as lines that are wide at once.
-TEST_F(Hatch, ZoomingChangesNothingAtOnce) {
+TEST_F(Hatch, ZoomingCausesNoJumps) {
     set = nested_plane(runtime.memory);
     cluster();
     darkness = [](const glm::dvec3&) { return 0.45; };
@@ -107,7 +107,7 @@ TEST_F(Hatch, ZoomingChangesNothingAtOnce) {
     }
 }
 
-TEST_F(Hatch, ThereIsALeastWhiteAndALeastPen) {
+TEST_F(Hatch, WhiteGapsAndPensHaveAMinimumWidth) {
     set = nested_plane(runtime.memory);
     cluster();
     layer.hatch_coverage_end = 1.0F;
@@ -138,7 +138,7 @@ TEST_F(Hatch, ThereIsALeastWhiteAndALeastPen) {
     }
 }
 
-TEST_F(Hatch, WithoutASeparationWidthsGoByTheRadius) {
+TEST_F(Hatch, WithoutASeparationTheRadiusSetsTheWidth) {
     add_line(set, {0.0, -1.0, 1.0, 2}, 0.02);
     set.spacing = 0.02;
     cluster();
@@ -151,7 +151,7 @@ TEST_F(Hatch, WithoutASeparationWidthsGoByTheRadius) {
     }
 }
 
-TEST_F(Hatch, TwiceAsLargeWithLengthsTwiceAsLargeIsTheSame) {
+TEST_F(Hatch, ScalingThePictureAndItsLengthsScalesTheLines) {
     add_latitudes(set);
     cluster();
     style.tone = frame::Tone::light;
@@ -194,7 +194,7 @@ TEST_F(Hatch, TwiceAsLargeWithLengthsTwiceAsLargeIsTheSame) {
     EXPECT_NEAR(ink(300.0, 300.0, size), ink_before, 0.002);
 }
 
-TEST_F(Hatch, AFillLightMakesLinesThinnerWhereTheSurfaceIsTurnedAwayFromTheLight) {
+TEST_F(Hatch, AFillLightThinsLinesOnTheDarkSide) {
     set = nested_plane(runtime.memory);
     cluster();
     style.tone = frame::Tone::light;
@@ -213,7 +213,7 @@ void tilt_tone_normals(marks::Layer& marks, double angle) {
             marks.tone_normal.push_back(static_cast<float>(x));
 }
 
-TEST_F(Hatch, ToneGoesByTheNormalsForTone) {
+TEST_F(Hatch, ToneUsesTheToneNormals) {
     set = nested_plane(runtime.memory);
     tilt_tone_normals(set.layers[0], 1.0);
     cluster();
@@ -236,7 +236,7 @@ TEST_F(Hatch, ToneGoesByTheNormalsForTone) {
 }
 
 // Marks stay at their places, but turn by a quarter about their normals.
-TEST_F(Hatch, NormalsForToneAreTurnedWithTheirMarks) {
+TEST_F(Hatch, ToneNormalsTurnWithTheirMarks) {
     set = nested_plane(runtime.memory);
     tilt_tone_normals(set.layers[0], 1.0);
     cluster();
@@ -290,7 +290,7 @@ protected:
 };
 INSTANTIATE_TEST_SUITE_P(WithAndWithoutNormalsForTone, HatchPieces, ::testing::Bool());
 
-TEST_P(HatchPieces, ThatArePassedOverWouldNotBeDrawn) {
+TEST_P(HatchPieces, SkippedPiecesWouldNotBeDrawn) {
     add_ball(set);
     cluster();
     style.tone = frame::Tone::light;
@@ -325,7 +325,7 @@ TEST_P(HatchPieces, ThatArePassedOverWouldNotBeDrawn) {
     }
 }
 
-TEST_F(Hatch, CountsAndLayersSayWhatIsDrawn) {
+TEST_F(Hatch, CountsAndLayersDescribeTheDrawing) {
     set = nested_plane(runtime.memory);
     cluster();
     darkness = [](const glm::dvec3& p) { return p.x > 0.0 ? 0.6 : 0.0; };

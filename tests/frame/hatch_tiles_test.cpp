@@ -26,7 +26,7 @@ void add_points(drawing::Drawing& drawing, frame::HatchPoints::Batch& batch, std
     }
 }
 
-TEST(HatchTiles, HoldEachPointInTheTileThatItIsNearestTo) {
+TEST(HatchTiles, AssignEachPointToItsNearestTile) {
     const base::Runtime runtime;
     drawing::Drawing drawing(runtime.memory);
     drawing.first_pixel = {10, -20};

@@ -70,7 +70,7 @@ protected:
     DrawnFrame frame{runtime};
 };
 
-TEST_F(LayerStyles, WithoutAnyAllLayersAreDrawnByDefault) {
+TEST_F(LayerStyles, WithoutStylesAllLayersAreDrawn) {
     add_layers();
     for (const bool published : {false, true}) {
         draw({}, published);
@@ -89,7 +89,7 @@ TEST_F(LayerStyles, WithoutAnyAllLayersAreDrawnByDefault) {
     }
 }
 
-TEST_F(LayerStyles, TheFirstThatIsForKindAndNameWins) {
+TEST_F(LayerStyles, TheFirstMatchOfKindAndNameWins) {
     add_layers();
     for (const bool published : {false, true}) {
         const std::array styles{named(Kind::any, "b", 3.0F), named(Kind::stipples, "a", 4.0F),
@@ -104,7 +104,7 @@ TEST_F(LayerStyles, TheFirstThatIsForKindAndNameWins) {
     }
 }
 
-TEST_F(LayerStyles, NamesAreComparedWhole) {
+TEST_F(LayerStyles, NamesMustMatchCompletely) {
     add_layers();
     const std::array styles{named(Kind::any, "stipple", 5.0F), named(Kind::any, "stippless", 6.0F),
                             named(Kind::any, "", 7.0F), named(Kind::any, "stipples", 2.0F)};
@@ -112,7 +112,7 @@ TEST_F(LayerStyles, NamesAreComparedWhole) {
     EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 2, 1, 1));
 }
 
-TEST_F(LayerStyles, HideAllButOneOfTheLayersOfAKind) {
+TEST_F(LayerStyles, CanHideAllLayersOfAKindExceptOne) {
     add_layers();
     LayerStyle hidden;
     hidden.kind = Kind::stipples;
@@ -210,7 +210,7 @@ protected:
     DrawnFrame frame{runtime};
 };
 
-TEST_F(SplatLayer, IsNeverOfOwnStrokesUnlessTheyAreAlone) {
+TEST_F(SplatLayer, UsesOwnStrokesOnlyIfTheyAreAlone) {
     EXPECT_THAT(with({}), ElementsAre(1)) << "stipples, though there are a few more own marks";
     // Own marks have the same kind as own strokes here. All layers are used except the stipples.
     EXPECT_THAT(with(std::array{unused(Kind::stipples)}), ElementsAre(2));
@@ -228,7 +228,7 @@ TEST_F(SplatLayer, IsNeverOfOwnStrokesUnlessTheyAreAlone) {
     EXPECT_FALSE(frame.drawing().has_splats);
 }
 
-TEST_F(SplatLayer, IsWhatIsUsedEvenIfItIsNotInked) {
+TEST_F(SplatLayer, IsUsedEvenIfItsInkIsHidden) {
     LayerStyle contours_only;
     contours_only.kind = Kind::stipples;
     contours_only.shown = false;
@@ -248,7 +248,7 @@ std::vector<drawing::Dot> dots_of(const drawing::Drawing& drawing, std::int32_t 
 }
 
 // A line that a caller adds does not change the tone of the other layers.
-TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
+TEST(OwnStrokes, DoNotChangeOtherLayers) {
     const base::Runtime runtime;
     const auto draw = [&](bool line, DrawnFrame& frame) {
         marks::PointSet set = sphere(runtime.memory, 20000);

@@ -140,7 +140,7 @@ Agreement agreement(const marks::PointSet& set, const Solid& solid, const std::v
     return result;
 }
 
-TEST_F(LayersTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
+TEST_F(LayersTest, ATorusHidesMarksLikeLinesOfSight) {
     int hidden = 0;
     for (const int rings : {90, 200}) {
         const marks::PointSet set = clustered(runtime, torus(runtime.memory, rings));
@@ -172,7 +172,7 @@ TEST_F(LayersTest, ATorusHidesWhatLinesOfSightSayAndDimsNoneOfItsOwnFront) {
     EXPECT_GT(hidden, 5000);
 }
 
-TEST_F(LayersTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
+TEST_F(LayersTest, FewMarksAreWrongNearAHidingContour) {
     // Includes all marks that are uncertain in the test above. Within a band of 2 px and the halo either result is
     // allowed, but not beyond it.
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 300));
@@ -257,7 +257,7 @@ struct Front {
     bool faces_away;
 };
 
-TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
+TEST_F(LayersTest, StackedOpenLayersDimExactly) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 60));
     Style style = all_front(HiddenLines::attenuate);
     style.attenuation_front = 0.4;
@@ -324,7 +324,7 @@ TEST_F(LayersTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, 2.0}), all);
 }
 
-TEST_F(LayersTest, AHaloIsAsWideAsAskedAtAnyZoom) {
+TEST_F(LayersTest, AHaloHasItsWidthAtAnyZoom) {
     const marks::PointSet disc = clustered(runtime, sphere(runtime.memory, 60000, 0.5));
     const marks::PointSet wall = clustered(runtime, plane(runtime.memory, 700));
     for (const HiddenLines hidden : hiding) {
@@ -355,7 +355,7 @@ TEST_F(LayersTest, AHaloIsAsWideAsAskedAtAnyZoom) {
     }
 }
 
-TEST_F(LayersTest, InstancesEqualTwoSets) {
+TEST_F(LayersTest, InstancesLookLikeSeparateSets) {
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 80));
     const marks::PointSet same = clustered(runtime, torus(runtime.memory, 80));
     Style first;

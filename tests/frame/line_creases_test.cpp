@@ -129,7 +129,7 @@ private:
 };
 
 // Six edges bound the cube in the image, three are inside. No line narrows where it meets others.
-TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
+TEST_F(LineCreases, BoundingEdgesOfACubeAreContours) {
     const auto cube = test::sharp_cube(glm::dmat3(1.0));
     look_at(*cube, {-0.8, 1.0, -0.6});
     styles[0].outline_factor = 2.0F;
@@ -155,7 +155,7 @@ TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
 }
 
 // The camera looks along an axis, so four faces of the cube are seen edge-on.
-TEST_F(LineCreases, OfFacesSeenEdgeOnAreDrawn) {
+TEST_F(LineCreases, EdgesOfFacesSeenEdgeOnAreDrawn) {
     for (const glm::dmat3& turn : {glm::dmat3(1.0), test::odd_turn()}) {
         const auto cube = test::sharp_cube(turn);
         const glm::dmat3 to_world = glm::transpose(turn);
@@ -177,7 +177,7 @@ TEST_F(LineCreases, OfFacesSeenEdgeOnAreDrawn) {
     }
 }
 
-TEST_F(LineCreases, AllAreCreasesWhereNoContoursAreDrawn) {
+TEST_F(LineCreases, AllEdgesAreCreasesWithoutContours) {
     const auto cube = test::sharp_cube(glm::dmat3(1.0));
     look_at(*cube, {-0.8, 1.0, -0.6});
     styles.erase(styles.begin());
@@ -188,7 +188,7 @@ TEST_F(LineCreases, AllAreCreasesWhereNoContoursAreDrawn) {
     EXPECT_EQ(strokes_of(LineKind::crease).size(), 12U);
 }
 
-TEST_F(LineCreases, ByTheWayOfBending) {
+TEST_F(LineCreases, CanBeLimitedToConvexOrConcave) {
     const auto shaft = test::stepped_shaft();
     look_at(*shaft, {-0.5, 0.9, -0.7});
     const auto length_of = [&] {
@@ -210,7 +210,7 @@ TEST_F(LineCreases, ByTheWayOfBending) {
 }
 
 // The crease fades from 30 degrees, where it is opaque, to 15.
-TEST_F(LineCreases, FadesWithItsAngle) {
+TEST_F(LineCreases, FadeWithTheirAngle) {
     const auto wedge = test::fading_wedge();
     look_at(*wedge, {0.1, 0.2, -1.0});
     styles = {style_of(LineKind::crease, 1.0F)};
@@ -251,7 +251,7 @@ TEST_F(LineCreases, WeakPartsOfTheContourHaveNoStrokes) {
 }
 
 // The crease is part of the contour where it is sharper than 27 degrees. From there it continues to 15 degrees.
-TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
+TEST_F(LineCreases, ContinueWhereTheyStopBeingContours) {
     const auto wedge = test::fading_wedge();
     look_at(*wedge, {-1.0, 0.0, -0.24});
     draw();
@@ -296,7 +296,7 @@ TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
 
 // The top is seen nearly edge-on, and is wavy by a fifth of a pixel, which hides parts of its far edge. The contours of
 // the waves are short and narrow at both ends, and draw nothing of the outline.
-TEST_F(LineCreases, OfAFaceThatIsNotQuiteFlatAreWhole) {
+TEST_F(LineCreases, EdgesOfANearlyFlatFaceAreWhole) {
     const auto top = [](const glm::dvec3& p) {
         const double at = 60.0 * p.x + 30.0 * p.y;
         const double high = 1e-3 * std::sin(at);
@@ -328,7 +328,7 @@ TEST_F(LineCreases, OfAFaceThatIsNotQuiteFlatAreWhole) {
     }
 }
 
-TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
+TEST_F(LineCreases, SmoothItemsHaveNoCreaseLayer) {
     const test::SquareSphere ball;
     curves::LineSetSettings settings;
     settings.side = 0.1;
@@ -346,7 +346,7 @@ TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
 }
 
 // The second drawing starts from the contours of the first, sheet by sheet.
-TEST_F(LineCreases, FrameAfterFrame) {
+TEST_F(LineCreases, AreStableFromFrameToFrame) {
     const auto cone = test::capped_cone();
     for (int i = 0; i < 6; ++i) {
         const double angle = 0.01 * i;

@@ -136,7 +136,7 @@ TEST_F(LineStrokes, TheOutlineOfASphereIsOneClosedStroke) {
 }
 
 // In perspective the contour is where the cone of sight touches the sphere.
-TEST_F(LineStrokes, CircumferenceInPerspective) {
+TEST_F(LineStrokes, AContourInPerspectiveHasTheRightLength) {
     for (const glm::dvec3& from : {glm::dvec3(3.0, 0.0, 0.0), {1.0, -2.0, 2.0}, {-2.0, 1.5, 1.66}}) {
         frame::Camera camera;
         camera.view = frame::look_at(from, glm::dvec3(0.0), {0.1, 0.2, 1.0});
@@ -151,7 +151,7 @@ TEST_F(LineStrokes, CircumferenceInPerspective) {
 }
 
 // Marks draw no contours, with and without lines.
-TEST_F(LineStrokes, AloneDrawContours) {
+TEST_F(LineStrokes, OnlyLineStrokesDrawContours) {
     frame::Item item = item_of(nullptr);
     draw(std::array{item});
     EXPECT_GT(frame.drawing().counts.front, 100);
@@ -170,7 +170,7 @@ TEST_F(LineStrokes, AloneDrawContours) {
 }
 
 // A drawing that is filled again keeps nothing of the one before.
-TEST_F(LineStrokes, CountsAreOfTheLastDrawing) {
+TEST_F(LineStrokes, CountsDescribeTheLastDrawing) {
     frame::Item item = item_of(&ring_lines);
     draw(std::array{item});
     EXPECT_EQ(frame.drawing().line_counts.curves, 2);
@@ -180,7 +180,7 @@ TEST_F(LineStrokes, CountsAreOfTheLastDrawing) {
     EXPECT_EQ(frame.drawing().line_counts.nanoseconds, 0);
 }
 
-TEST_F(LineStrokes, ItemsWithoutLinesAreAsTheyWere) {
+TEST_F(LineStrokes, DoNotChangeItemsWithoutLines) {
     frame::Item plain = item_of(nullptr, moved({0.5, 0.0, 0.0}, 0.6));
     draw(std::array{plain});
     std::vector<Disc> before(frame.discs().begin(), frame.discs().end());
@@ -217,7 +217,7 @@ protected:
     const double whole = 2.0 * pi * 80.0;
 };
 
-TEST_F(HiddenPart, IsNotDrawn) {
+TEST_F(HiddenPart, CanBeOmitted) {
     const std::vector<Stroke> strokes = far_strokes(HiddenParts::none);
     ASSERT_EQ(strokes.size(), 1U);
     EXPECT_FALSE(strokes[0].closed);
@@ -229,14 +229,14 @@ TEST_F(HiddenPart, IsNotDrawn) {
 }
 
 // On both sides the gap is the halo plus half of either line's width, as the lines cross at more than 30 degrees.
-TEST_F(HiddenPart, HasGapsBesideIt) {
+TEST_F(HiddenPart, HasHaloGapsAtItsEnds) {
     halo = 3.0F;
     const std::vector<Stroke> strokes = far_strokes(HiddenParts::none);
     ASSERT_EQ(strokes.size(), 1U);
     EXPECT_NEAR(length_of(strokes[0]), whole - arc - 2.0 * static_cast<double>(halo + style[0].width), 0.2);
 }
 
-TEST_F(HiddenPart, IsAttenuated) {
+TEST_F(HiddenPart, CanBeAttenuated) {
     style[0].hidden_opacity = 0.3F;
     style[0].hidden_width = 1.0F;
     const std::vector<Stroke> strokes = far_strokes(HiddenParts::attenuated);
@@ -252,7 +252,7 @@ TEST_F(HiddenPart, IsAttenuated) {
     }
 }
 
-TEST_F(HiddenPart, IsShownAsTheOthers) {
+TEST_F(HiddenPart, CanBeShownLikeVisibleParts) {
     const std::vector<Stroke> strokes = far_strokes(HiddenParts::shown);
     double sum = 0.0;
     for (const Stroke& stroke : strokes) {
@@ -265,7 +265,7 @@ TEST_F(HiddenPart, IsShownAsTheOthers) {
     EXPECT_NEAR(sum, whole, 0.2);
 }
 
-TEST_F(HiddenPart, IsDashed) {
+TEST_F(HiddenPart, CanBeDashed) {
     style[0].hidden_width = 2.0F;
     style[0].dash = 4.0F;
     style[0].gap = 3.0F; // 8 pixels, 6 pixels
@@ -283,7 +283,7 @@ TEST_F(HiddenPart, IsDashed) {
 }
 
 // A part behind n layers has the opacity to the power of n.
-TEST_F(LineStrokes, LayersMultiply) {
+TEST_F(LineStrokes, OpacitiesOfHiddenLayersMultiply) {
     style[0].hidden = HiddenParts::attenuated;
     style[0].hidden_opacity = 0.5F;
     const std::array items{item_of(&ball_lines, moved({0.0, 0.0, 4.0}, 0.5)),
@@ -300,7 +300,7 @@ TEST_F(LineStrokes, LayersMultiply) {
 
 // A circle of radius 0.5 is behind a larger one of radius 0.6, which leaves an arc. The arc would be a dot if it is
 // shorter than half the line's width, so it is not drawn.
-TEST_F(LineStrokes, WhatIsSeenIsNoDot) {
+TEST_F(LineStrokes, TooShortVisiblePartsAreNotDrawn) {
     style[0].width = 8.0F;
     style[0].hidden = HiddenParts::none;
     const auto strokes = [&](double pixels) {
@@ -357,7 +357,7 @@ TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
 
 // The camera goes round a ring, with a jump. The result equals that of a new renderer, and two drawings from one place
 // have the same bits.
-TEST_F(LineStrokes, GoOnFromTheLastFrame) {
+TEST_F(LineStrokes, MatchAFreshRendererFromFrameToFrame) {
     style[0].hidden = HiddenParts::attenuated;
     const std::array items{item_of(&ring_lines)};
     const auto whole = [&](const drawing::Drawing& drawing) {
@@ -399,7 +399,7 @@ protected:
     }
 };
 
-TEST_F(TaperedAtCusps, TheThinnerTheShorter) {
+TEST_F(TaperedAtCusps, ShortStrokesAreThinner) {
     constexpr float taper = 300.0F;
     style[0].taper = taper;
     style[0].width = 4.0F;
@@ -419,7 +419,7 @@ TEST_F(TaperedAtCusps, TheThinnerTheShorter) {
     EXPECT_GT(thin, 0);
 }
 
-TEST_F(TaperedAtCusps, OnlyThere) {
+TEST_F(TaperedAtCusps, OtherEndsKeepTheirWidth) {
     style[0].taper = 20.0F;
     style[0].width = 4.0F;
     style[0].cap = Cap::pointed;
@@ -443,7 +443,7 @@ TEST_F(TaperedAtCusps, OnlyThere) {
     EXPECT_EQ(free_ends, 2); // at the other two cusps the line is hidden
 }
 
-TEST_F(TaperedAtCusps, NotAtAll) {
+TEST_F(TaperedAtCusps, ZeroTaperKeepsTheWidth) {
     style[0].taper = 0.0F;
     style[0].width = 4.0F;
     look();
@@ -452,7 +452,7 @@ TEST_F(TaperedAtCusps, NotAtAll) {
 }
 
 // The camera is inside the torus or beside it, and items may be mirrored. Dashes beyond the window are not made.
-TEST_F(LineStrokes, AnyCameraGivesNumbers) {
+TEST_F(LineStrokes, AreFiniteForAnyCamera) {
     style[0].hidden = HiddenParts::dashed;
     stretched = 0.25; // a piece beside the eye is not drawn evenly
     glm::dmat4 mirrored(1.0);
@@ -471,7 +471,7 @@ TEST_F(LineStrokes, AnyCameraGivesNumbers) {
 }
 
 // A mirrored item has the same strokes, mirrored.
-TEST_F(LineStrokes, MirroredItems) {
+TEST_F(LineStrokes, MirroredItemsHaveMirroredStrokes) {
     frame::Camera camera = front_camera(size, size, 1.6);
     camera.view = frame::look_at({0.0, -8.5, 5.0}, glm::dvec3(0.0), {0.0, 0.0, 1.0});
     glm::dmat4 mirror(1.0);

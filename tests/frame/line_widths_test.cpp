@@ -84,13 +84,13 @@ protected:
     DrawnFrame frame{runtime};
 };
 
-TEST_F(LineWidths, AreEvenWithoutLaws) {
+TEST_F(LineWidths, AreConstantWithoutLaws) {
     draw({item_of(&ball_lines)});
     expect_radius(0, 2.0, 0.0);
 }
 
 // The three contours are the nearest, the farthest, and one at a quarter of the depth range.
-TEST_F(LineWidths, ByDepth) {
+TEST_F(LineWidths, FollowTheDepth) {
     style[0].far_factor = 0.25F;
     draw({item_of(&ball_lines, moved({-0.7, 0.0, 2.0}, 0.2)), item_of(&ball_lines, moved({0.0, 0.0, 1.0}, 0.2)),
           item_of(&ball_lines, moved({0.7, 0.0, -2.0}, 0.2))});
@@ -102,7 +102,7 @@ TEST_F(LineWidths, ByDepth) {
     expect_radius(1, 2.0 * 0.25);
 }
 
-TEST_F(LineWidths, ByLight) {
+TEST_F(LineWidths, FollowTheLight) {
     style[0].lit_factor = 0.2F;
     light = {3.0, 4.0, 0.0};
     for (const frame::LightSpace space : {frame::LightSpace::camera, frame::LightSpace::world}) {
@@ -120,7 +120,7 @@ TEST_F(LineWidths, ByLight) {
 }
 
 // The radial curvature of a sphere is 1 / its radius, for any size and transform.
-TEST_F(LineWidths, ByRadialCurvature) {
+TEST_F(LineWidths, FollowTheRadialCurvature) {
     style[0].curvature_factor = 0.5F;
     style[0].curvature_radius = 1.0F;
     const double share = 1.0 - 1.0 / ball.diagonal();
@@ -134,7 +134,7 @@ TEST_F(LineWidths, ByRadialCurvature) {
 }
 
 // On a parallel of a torus the curvature across the line is that of the tube.
-TEST_F(LineWidths, ByCurvatureAcrossALine) {
+TEST_F(LineWidths, FollowTheCurvatureAcrossALine) {
     const test::Torus torus(1.0, 0.25);
     curves::LineRequest request;
     request.kind = curves::LineKind::section;
@@ -152,7 +152,7 @@ TEST_F(LineWidths, ByCurvatureAcrossALine) {
 }
 
 // In front of a larger ball a ball's contour is an inner one; beside it both are outlines.
-TEST_F(LineWidths, OfTheOutline) {
+TEST_F(LineWidths, AreLargerOnTheOutline) {
     style[0].outline_factor = 2.0F;
     draw({item_of(&ball_lines, moved({0.0, 0.0, 3.0}, 0.3)), item_of(&ball_lines)});
     expect_radius(0, 2.0);
@@ -189,7 +189,7 @@ TEST_F(LineWidths, ChangeSmoothlyFromTheOutline) {
 }
 
 // The camera is inside a torus and beside it, with all laws. Lines that pass beside the eye are extremely long.
-TEST_F(LineWidths, FromAnyCamera) {
+TEST_F(LineWidths, AreFiniteForAnyCamera) {
     const test::Torus torus(1.0, 0.4);
     const curves::LineSet lines(runtime, torus, std::make_unique<implicit::DifferencedShape>(torus), with_sections({}));
     style[0].outline_factor = 2.0F;
@@ -242,7 +242,7 @@ protected:
     }
 };
 
-TEST_F(WobblingLines, StayNear) {
+TEST_F(WobblingLines, StayWithinTheirWobble) {
     style[0].wobble = 0.5F;
     const std::vector<double> found = strays(500);
     const auto [least, most] = std::minmax_element(found.begin(), found.end());
@@ -254,7 +254,7 @@ TEST_F(WobblingLines, StayNear) {
     for (std::size_t i = 0; i < 360; ++i) EXPECT_NEAR(found[i], found[(i + 1) % 360], 0.1); // smooth, and closed
 }
 
-TEST_F(WobblingLines, TheSameAtEverySize) {
+TEST_F(WobblingLines, WobbleAlikeAtEverySize) {
     style[0].wobble = 1.0F;
     const std::vector<double> small = strays(400);
     const std::vector<double> large = strays(1600);
@@ -277,7 +277,7 @@ TEST_F(WobblingLines, VaryInWidth) {
 }
 
 // The shown and the dashed parts of one line are on one wobbling curve.
-TEST_F(WobblingLines, HiddenPartsGoOn) {
+TEST_F(WobblingLines, HiddenPartsContinueTheWobble) {
     style[0].wobble = 1.0F;
     const std::vector<frame::Item> items{item_of(&ball_lines, moved({0.5, 0.0, 3.0}, 0.4)), item_of(&ball_lines)};
     const std::vector<StrokePoint> alone = draw({item_of(&ball_lines, moved({900.0, 0.0, 0.0}, 0.4)), items[1]});

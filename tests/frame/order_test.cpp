@@ -8,7 +8,7 @@ namespace hrbfnpr::testing::order_test {
 namespace {
 
 // The test checks the painting order by comparing eye depths, slowly and plainly.
-TEST(PaintingOrder, IsFarToNearWithInkBeforeItsMarkAndPaperBehindIt) {
+TEST(PaintingOrder, IsFarToNearWithPaperBehindItsInk) {
     base::Runtime runtime;
     marks::PointSet set(runtime.memory);
     set.spacing = 0.04;

@@ -74,7 +74,7 @@ constexpr Visibility both[] = {Visibility::depth_layers, Visibility::published};
 frame::Camera oblique() { return camera_from({0.2, -0.9, 0.6}, size, 1.7); }
 
 // Normals along an axis are already unit vectors, so nothing is rounded.
-TEST_F(Posed, AtTheSamePlacesMarksAreTheSameDots) {
+TEST_F(Posed, MarksAtTheirOwnPlacesGiveTheSameDots) {
     for (const glm::dvec3 origin : {glm::dvec3(0.0), glm::dvec3(0.25, -0.5, 1.0)}) {
         marks::PointSet flat = plane(runtime.memory, 120);
         flat.origin = origin;
@@ -116,7 +116,7 @@ glm::dmat4 turned(double angle, const glm::dvec3& by) {
     return m;
 }
 
-TEST_F(Posed, ARigidMotionIsThatOfTheItem) {
+TEST_F(Posed, ARigidMotionEqualsAnItemTransform) {
     const marks::PointSet set = ring();
     for (const glm::dmat4& motion : {turned(0.7, {0.3, -0.2, 0.4}), turned(2.5, {-0.2, 0.0, 0.1})}) {
         const Places stipples(set, 0, motion);
@@ -163,7 +163,7 @@ TEST_F(Posed, ARigidMotionIsThatOfTheItem) {
     }
 }
 
-TEST_F(Posed, WithoutDirectionsTheyStayAsInTheSet) {
+TEST_F(Posed, MissingDirectionsAreTakenFromTheSet) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 10));
     const Places places(set, 0, turned(0.4, {0.0, 0.0, 0.0}));
     std::array poses{places.pose(0)};
@@ -176,7 +176,7 @@ TEST_F(Posed, WithoutDirectionsTheyStayAsInTheSet) {
 }
 
 // A pose holds for one drawing; in the next the layer is at its old place.
-TEST_F(Posed, LastsForOneDrawing) {
+TEST_F(Posed, APoseLastsForOneDrawing) {
     const marks::PointSet set = ring();
     const Places stipples(set, 0, turned(0.7, {0.3, -0.2, 0.4}));
     const std::array poses{stipples.pose(0)};
@@ -262,7 +262,7 @@ protected:
     }
 };
 
-TEST_F(ManyItems, AreSeenFromTheirOtherSide) {
+TEST_F(ManyItems, AreDrawnFromBothSides) {
     std::vector<Item> items;
     for (int i = 0; i < many; ++i) {
         items.push_back(layered_item(set, all_front(frame::HiddenLines::hide), place(i)));
@@ -271,7 +271,7 @@ TEST_F(ManyItems, AreSeenFromTheirOtherSide) {
     for (const bool from_behind : {false, true}) expect_sum(items, wide(from_behind));
 }
 
-TEST_F(ManyItems, ArePosed) {
+TEST_F(ManyItems, AreDrawnWithPoses) {
     std::vector<Places> places;
     for (int i = 0; i < many; ++i) places.emplace_back(set, 0, place(i));
     std::vector<Pose> poses;
@@ -303,7 +303,7 @@ protected:
     Places places{set, 0};
 };
 
-TEST_F(BadPose, IsForgottenAfterwards) {
+TEST_F(BadPose, DoesNotAffectTheNextDrawing) {
     places.normal[2] = 3.0;
     expect_error(std::array{places.pose(0)}, "normal[0]");
     const std::array items{layered_item(set, all_front(frame::HiddenLines::hide))};

@@ -29,7 +29,7 @@ struct Line {
     bool closed;
 };
 
-TEST(HeldLength, IsTheWayToWhereThePresenceEnds) {
+TEST(HeldLength, EndsWhereThePresenceEnds) {
     const Line line({0, 1, 1, 1, 0, 1});
     EXPECT_FLOAT_EQ(line.held(1, 1).length, 2.25F) << "two steps, and a quarter of the third";
     EXPECT_EQ(line.held(1, 1).stopped_at, 4);
@@ -38,7 +38,7 @@ TEST(HeldLength, IsTheWayToWhereThePresenceEnds) {
     EXPECT_FLOAT_EQ(line.held(0, 1).length, 0.0F) << "nothing is there";
 }
 
-TEST(HeldLength, EndsAtTheMostAndAtTheLinesEnd) {
+TEST(HeldLength, StopsAtItsMaximumOrTheLinesEnd) {
     const Line line({1, 1, 1, 1, 1});
     EXPECT_FLOAT_EQ(line.held(0, 1, 2.5F).length, 2.5F);
     EXPECT_FLOAT_EQ(line.held(0, 1).length, 4.0F);
@@ -48,7 +48,7 @@ TEST(HeldLength, EndsAtTheMostAndAtTheLinesEnd) {
 
 // A part with the presence 0.5 counts half for a full part, but the full part counts fully for it: a soft end belongs
 // to its part.
-TEST(HeldLength, CountsALesserPresenceLessAndAGreaterOneOnce) {
+TEST(HeldLength, WeightsStretchesByTheirPresenceUpToOne) {
     const Line line({0.5F, 0.5F, 1, 1, 1});
     EXPECT_FLOAT_EQ(line.held(4, -1).length, 2.0F + 0.75F + 0.5F);
     EXPECT_FLOAT_EQ(line.held(0, 1).length, 4.0F);
@@ -63,7 +63,7 @@ TEST(HeldLength, GoesAroundARingOnce) {
 }
 
 // The presence in the middle of a line goes from 1 to 0, and the held length never jumps.
-TEST(HeldLength, ChangesLittleWhereThePresenceDoes) {
+TEST(HeldLength, ChangesSmoothlyWithThePresence) {
     float before = -1.0F;
     for (int k = 0; k <= 1000; ++k) {
         const float low = 1.0F - static_cast<float>(k) / 1000.0F;
@@ -77,7 +77,7 @@ TEST(HeldLength, ChangesLittleWhereThePresenceDoes) {
     EXPECT_NEAR(before, 1.25F, 0.5F);
 }
 
-TEST(Risen, GoesFromNoneToAll) {
+TEST(Risen, RisesFromZeroToOne) {
     EXPECT_EQ(frame::risen(1.0F, 1.0F, 3.0F), 0.0F);
     EXPECT_EQ(frame::risen(2.0F, 1.0F, 3.0F), 0.5F);
     EXPECT_EQ(frame::risen(5.0F, 1.0F, 3.0F), 1.0F);

@@ -103,7 +103,7 @@ TEST_F(Strokes, AStraightStrokeIsOneLineThroughAllItsMarks) {
 }
 
 // The order of the marks in the layer does not matter.
-TEST_F(Strokes, MarksStandInTheOrderOfTheStroke) {
+TEST_F(Strokes, MarksFollowTheOrderOfTheStroke) {
     marks::Layer& layer = layer_of(set, marks::Kind::hatch);
     for (std::uint32_t i = 0; i < 40; ++i) {
         const std::uint32_t place = 7 * i % 20; // along each of two strokes
@@ -125,7 +125,7 @@ TEST_F(Strokes, MarksStandInTheOrderOfTheStroke) {
     }
 }
 
-TEST_F(Strokes, OneThatIsHiddenInItsMiddleBecomesTwo) {
+TEST_F(Strokes, AStrokeHiddenInItsMiddleBecomesTwo) {
     add_line(set, -1.0, 0.025, 81);
     set.spacing = 0.025;
     const drawing::Drawing& drawing = draw(frame::HiddenLines::hide, true);
@@ -168,7 +168,7 @@ TEST_F(Strokes, SingleMarksStayDots) {
     EXPECT_EQ(drawing.counts.shown, 24);
 }
 
-TEST_F(Strokes, StandFarToNearByTheirMiddles) {
+TEST_F(Strokes, AreOrderedFarToNearByTheirMiddles) {
     for (int s = 0; s < 50; ++s) {
         const auto u = base::uniform4(3, static_cast<std::uint64_t>(s), base::Purpose::candidate);
         std::vector<glm::dvec3> places;
@@ -191,7 +191,7 @@ TEST_F(Strokes, StandFarToNearByTheirMiddles) {
     EXPECT_EQ(first, drawing.points.size());
 }
 
-TEST_F(Strokes, AreDotsWhereTheStyleSaysNothingElse) {
+TEST_F(Strokes, CanBeDrawnAsDots) {
     add_line(set, -1.0, 0.1, 21);
     set.spacing = 0.1;
     set = clustered(runtime, std::move(set));

@@ -68,7 +68,7 @@ TEST_F(Visibility, ASphereKeepsItsFrontAndItsContour) {
     }
 }
 
-TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
+TEST_F(Visibility, ASphereHidesAnotherBehindIt) {
     const marks::PointSet set = sphere(runtime.memory, 20000);
     const marks::PointSet small = sphere(runtime.memory, 3000, 0.5);
     std::array items{item_of(set, hiding_style()), item_of(small, hiding_style(), moved({0.2, 0.0, -2.0}))};
@@ -87,7 +87,7 @@ TEST_F(Visibility, ASphereHidesAnotherOneBehindIt) {
     EXPECT_NEAR(static_cast<double>(frame.info().shown), 23000 * 0.6, 6.0);
 }
 
-TEST_F(Visibility, TheInsideOfAnOpenLayerHidesToo) {
+TEST_F(Visibility, TheBackOfAnOpenLayerHidesToo) {
     const marks::PointSet set = plane(runtime.memory, 60);
     glm::dmat4 turned(1.0); // turns its back to the camera
     turned[0][0] = -1.0;
@@ -178,7 +178,7 @@ TEST_F(Visibility, PaperFollowsTheLawsOfAttenuation) {
     EXPECT_EQ(draw(items, front_camera(500, 500)).splats, 0);
 }
 
-TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
+TEST_F(Visibility, OneLayerPaintsPaperExceptAsPublished) {
     marks::PointSet set = sphere(runtime.memory, 1000);
     for (int i = 0; i < 3000; ++i) {
         const glm::dvec3 n = spiral_direction(i, 3000);

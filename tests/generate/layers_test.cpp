@@ -10,7 +10,7 @@ namespace {
 using namespace marks;
 using namespace test;
 
-TEST(Layers, AppearOneAfterTheOther) {
+TEST(Layers, AppearOneAfterAnother) {
     for (const Distribution distribution : {Distribution::blue_noise, Distribution::published}) {
         generate::Settings settings = blue({Kind::stipples, Kind::hatch}, 3000);
         settings.distribution = distribution;
@@ -65,7 +65,7 @@ TEST(Layers, ShareTheTonesAndTheBudget) {
 }
 
 // Lines of hatching run in one direction, and this direction gets all tones of the layer.
-TEST(Layers, OfHatchingHaveOnePartOfTheTones) {
+TEST(Layers, AHatchingLayerGetsOneToneRange) {
     Settings settings;
     settings.layers.resize(4);
     for (std::size_t i = 1; i < 4; ++i) settings.layers[i].kind = Kind::hatch;
@@ -80,7 +80,7 @@ TEST(Layers, OfHatchingHaveOnePartOfTheTones) {
 }
 
 // The length over which normals are averaged for the tone depends on the kind of the layer.
-TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
+TEST(Layers, TonesOfLinesAreSmoothedByDefault) {
     Settings settings = blue({Kind::stipples, Kind::hatch}, 100);
     EXPECT_EQ(completed(settings).layers[0].tone_smoothing, 0.0);
     EXPECT_EQ(completed(settings).layers[1].tone_smoothing, 0.006);
@@ -91,7 +91,7 @@ TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
 }
 
 // Each layer is distributed by its own density, and independently of the other.
-TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
+TEST(Layers, TwoOfOneKindHaveIndependentMarks) {
     const Sphere sphere;
     Settings settings = blue({Kind::stipples}, 3000);
     const PointSet one = make(sphere, settings);
@@ -125,7 +125,7 @@ TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
 }
 
 // Each layer has the same lines as it has alone.
-TEST(Layers, OfHatchingMayDifferInAllTheySay) {
+TEST(Layers, HatchingLayersMayDifferInAllSettings) {
     const Torus torus;
     Settings settings = blue({principal}, 6000);
     settings.layers.push_back(settings.layers[0]);

@@ -31,7 +31,7 @@ TEST(Determinism, TheRandomSeedChangesTheMarks) {
     }
 }
 
-TEST(Memory, BytesAreThoseOfTheArrays) {
+TEST(Memory, BytesMatchTheArrays) {
     const base::Runtime runtime;
     const PointSet set = generate::generate(runtime, Torus(), {}, small_blue());
     EXPECT_EQ(set.bytes(), runtime.memory.bytes_now());

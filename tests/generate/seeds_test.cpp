@@ -9,7 +9,7 @@ using namespace test;
 
 std::int64_t level0(const PointSet& set) { return set.layers[0].report.level[0].placed; }
 
-TEST(Seeds, BoxHasRCellsAlongItsLongestSideAndCubicOnes) {
+TEST(Seeds, BoxHasCubicCellsAndRAlongItsLongestSide) {
     generate::Settings settings = recursion({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::box;
     EXPECT_EQ(make(Sphere(), settings).seeds.attempted, 512) << "8^3, the recursion's R";
@@ -22,7 +22,7 @@ TEST(Seeds, BoxHasRCellsAlongItsLongestSideAndCubicOnes) {
 
 // The centre of the ball is its only critical point, and cells farther from the sphere than their
 // diagonal are dropped.
-TEST(Seeds, BoxDropsAndCountsWhatStraysOrSticks) {
+TEST(Seeds, BoxDropsAndCountsSeedsThatStrayOrStick) {
     generate::Settings settings = recursion({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::box;
     settings.seeds.box_jitter = 0.0;
@@ -75,7 +75,7 @@ TEST(Seeds, ASurfaceSmallerThanTheBoxKeepsTheCellsNearIt) {
     expect_sound(set, sphere);
 }
 
-TEST(Seeds, SamplesAreTakenAsTheyAre) {
+TEST(Seeds, SamplesAreUsedUnchanged) {
     const std::vector<double> samples = spiral_seeds(300);
     generate::Settings settings = recursion({Kind::stipples}, 0);
     settings.seeds.source = SeedSource::samples;
@@ -104,7 +104,7 @@ TEST(Seeds, StepIsTheMeanEmptyBallDiameter) {
         << "points that coincide do not make the step 0";
 }
 
-TEST(Seeds, AutoTakesWellSpreadSamplesOnly) {
+TEST(Seeds, AutoUsesOnlyWellSpreadSamples) {
     generate::Settings settings = recursion({Kind::stipples}, 0);
     EXPECT_EQ(make(Sphere(), settings).seed_source, SeedSource::box) << "there are none";
     const std::vector<double> even = spiral_seeds(200);
@@ -131,7 +131,7 @@ TEST(Seeds, PointsAreProjectedFromAnywhere) {
     EXPECT_NEAR(glm::distance(position(set, Kind::stipples, 2), {0, 0, -1}), 0.0, 1e-6);
 }
 
-TEST(Seeds, ASetWithoutAnyIsAnError) {
+TEST(Seeds, NoSeedsIsAnError) {
     const AnyField nothing(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {glm::dot(p, p) + 1.0, 2.0 * p, identity(2.0)};
     });

@@ -16,7 +16,7 @@ bool are(const test::Samples& samples, int times = 1) {
     return along_curves(PointTree(points, {}));
 }
 
-TEST(AlongCurves, AreWiresAndSections) {
+TEST(AlongCurves, WiresAndSectionsAreDetected) {
     EXPECT_TRUE(are(test::torus_wires(0.05)));
     EXPECT_TRUE(are(test::torus_wires(0.25)));
     EXPECT_TRUE(are(test::torus_sections(9, 64)));
@@ -24,9 +24,9 @@ TEST(AlongCurves, AreWiresAndSections) {
     EXPECT_FALSE(are(test::with_noise(test::torus_wires(0.05), 0.5)));
 }
 
-TEST(AlongCurves, ArePointsThatCoincideToo) { EXPECT_TRUE(are(test::torus_wires(0.05), 2)); }
+TEST(AlongCurves, DuplicatedPointsAreDetected) { EXPECT_TRUE(are(test::torus_wires(0.05), 2)); }
 
-TEST(AlongCurves, AreNoPointsAllOverASurface) {
+TEST(AlongCurves, PointsSpreadOverASurfaceAreNotDetected) {
     for (const test::Samples& shape : {test::sphere(25), test::sphere(5000), test::torus(700), test::bumpy(600)}) {
         EXPECT_FALSE(are(shape)) << shape.count();
         EXPECT_FALSE(are(test::with_noise(shape, 0.02))) << shape.count();

@@ -59,7 +59,7 @@ void expect_naive(const VecArray& points, std::int64_t count) {
     }
 }
 
-TEST(FarthestOrder, IsTheNaiveOne) {
+TEST(FarthestOrder, MatchesANaiveSearch) {
     for (const int count : {1, 2, 15, 16, 17, 33, 100, 1000}) expect_naive(scattered(count), 0);
     expect_naive(scattered(1000), 37);
     expect_naive(scattered(10), 99);
@@ -67,7 +67,7 @@ TEST(FarthestOrder, IsTheNaiveOne) {
 
 TEST(FarthestOrder, BreaksTiesByIndexAndTakesEachPointOnce) { expect_naive(lattice(7), 0); }
 
-TEST(FarthestOrder, OfNothingIsNothing) { EXPECT_TRUE(farthest_order(VecArray(memory()), 0, {}).order.empty()); }
+TEST(FarthestOrder, IsEmptyWithoutPoints) { EXPECT_TRUE(farthest_order(VecArray(memory()), 0, {}).order.empty()); }
 
 TEST(FarthestOrder, DistancesNeverRise) {
     const FarthestOrder order = farthest_order(scattered(30000), 0, {});

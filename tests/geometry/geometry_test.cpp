@@ -37,7 +37,7 @@ VecArray awkward(int count) {
     return points;
 }
 
-TEST(PointTree, FindsWhatBruteForceFinds) {
+TEST(PointTree, MatchesABruteForceSearch) {
     for (const int count : {1, 2, 8, 9, 17, 100, 777}) {
         const VecArray points = awkward(count);
         const PointTree tree(points, {});
@@ -72,7 +72,7 @@ TEST(PointTree, IsEmptyForNoPoints) {
     EXPECT_TRUE(tree.bounds().empty());
 }
 
-TEST(Morton, CodesGoBackToTheirCells) {
+TEST(Morton, CodesConvertBackToTheirCells) {
     for (const std::array<std::int64_t, 3>& cell :
          {std::array<std::int64_t, 3>{0, 0, 0}, {1, 2, 3}, {12345, 654321, 2097151}, {2097151, 0, 77}}) {
         EXPECT_EQ(morton_cell(morton_code(cell)), cell);
@@ -82,7 +82,7 @@ TEST(Morton, CodesGoBackToTheirCells) {
     EXPECT_EQ(morton_code({0, 1, 1}), 6U);
 }
 
-TEST(CellSet, IsASet) {
+TEST(CellSet, BehavesLikeAStdSet) {
     CellSet cells(memory());
     std::set<std::uint64_t> reference;
     for (std::uint64_t i = 0; i < 5000; ++i) {
@@ -98,7 +98,7 @@ CellGrid::Cell random_cell(std::mt19937& random) {
             static_cast<std::int64_t>(random() % 9)};
 }
 
-TEST(CellSet, TakesNeighboursAllAtOnce) {
+TEST(CellSet, InsertsManyNeighboursAtOnce) {
     CellSet cells(memory());
     std::set<CellGrid::Cell> reference;
     std::mt19937 random(5);

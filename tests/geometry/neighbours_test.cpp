@@ -45,7 +45,9 @@ TEST(Neighbours, AreTheNearestInOrder) {
     }
 }
 
-TEST(Neighbours, OfNothingAreNothing) { EXPECT_EQ(Neighbours(base::Parallel(), VecArray(memory()), 6, {}).each(), 0); }
+TEST(Neighbours, AreEmptyWithoutPoints) {
+    EXPECT_EQ(Neighbours(base::Parallel(), VecArray(memory()), 6, {}).each(), 0);
+}
 
 } // namespace
 } // namespace hrbfnpr::geometry::neighbours_test

@@ -64,7 +64,7 @@ std::vector<VecArray> clouds() {
     return result;
 }
 
-TEST(Octree, HasEveryPointOnce) {
+TEST(Octree, ContainsEveryPointOnce) {
     for (const VecArray& points : clouds()) {
         const Octree tree(points, 7, 0.0, {});
         ASSERT_EQ(tree.points().size(), points.size());
@@ -102,7 +102,7 @@ TEST(Octree, LeavesHoldFewPointsUnlessTheyAreTheDeepest) {
     EXPECT_EQ(Octree(surface(100), 100, 0.0, {}).levels(), 1);
 }
 
-TEST(Octree, CubesHoldTheirPoints) {
+TEST(Octree, CubesContainTheirPoints) {
     for (const VecArray& points : clouds()) {
         const Octree tree(points, 7, 0.0, {});
         for (const Octree::Node& node : tree.nodes()) {
@@ -138,7 +138,7 @@ TEST(Octree, ChildrenFollowEachOtherAndShareTheParentsPoints) {
     }
 }
 
-TEST(Octree, StandsLevelByLevelAlongACurve) {
+TEST(Octree, NodesAreOrderedByLevelAlongACurve) {
     for (const VecArray& points : clouds()) {
         const Octree tree(points, 7, 0.0, {});
         EXPECT_EQ(tree.level_begin(0), 0);

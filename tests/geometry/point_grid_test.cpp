@@ -31,7 +31,7 @@ TEST(PointGrid, VisitsEveryPointOfABallOnce) {
     }
 }
 
-TEST(PointGrid, PutsValuesInItsOrder) {
+TEST(PointGrid, ReordersValuesLikeItsPoints) {
     base::Memory memory;
     VecArray points(memory);
     for (int i = 0; i < 500; ++i) points.push_back({std::fmod(0.7548 * i, 1.0), std::fmod(0.5698 * i, 1.0), 0.01 * i});
@@ -41,7 +41,7 @@ TEST(PointGrid, PutsValuesInItsOrder) {
     for (std::int64_t at = 0; at < grid.size(); ++at) EXPECT_EQ(sorted[at], points[grid.index(at)]);
 }
 
-TEST(PointGrid, OfNoPointsOrOfTwins) {
+TEST(PointGrid, AcceptsNoPointsAndCoincidentPoints) {
     base::Memory memory;
     int visits = 0;
     PointGrid(VecArray(memory), 1.0).around({0, 0, 0}, [&](std::int64_t) { ++visits; });

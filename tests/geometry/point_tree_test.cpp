@@ -82,13 +82,13 @@ void expect_nearest(const VecArray& points) {
     }
 }
 
-TEST(PointTreeNearest, IsWhatBruteForceFinds) {
+TEST(PointTreeNearest, MatchesABruteForceSearch) {
     for (const int count : {1, 2, 8, 9, 17, 100, 777}) expect_nearest(scattered(count));
 }
 
-TEST(PointTreeNearest, BreaksTiesByPlace) { expect_nearest(lattice(6)); }
+TEST(PointTreeNearest, BreaksTiesByPosition) { expect_nearest(lattice(6)); }
 
-TEST(PointTreeNearest, OfNothingIsNothing) {
+TEST(PointTreeNearest, IsEmptyWithoutPointsOrACount) {
     const auto all = [](std::int64_t) { return true; };
     std::int64_t found = -1;
     EXPECT_EQ(PointTree(VecArray(memory()), {}).nearest({0, 0, 0}, 1, all, all, &found), 0);

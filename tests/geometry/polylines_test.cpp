@@ -77,7 +77,7 @@ TEST_F(CurveFitTest, IsNearEverywhereWithFewCurves) {
     }
 }
 
-TEST_F(CurveFitTest, KeepsWhatLiesBetweenFarPoints) {
+TEST_F(CurveFitTest, StaysNearLongSegments) {
     const std::vector<dvec2> line{{0, 0}, {50, 0.0}, {90, 25}, {91, 26}, {92, 28}, {93, 31}, {60, 80}};
     EXPECT_LE(apart(line, line.front(), fit.fit(line, 0.05, false)), 0.08);
 }
@@ -100,7 +100,7 @@ TEST_F(CurveFitTest, KeepsCorners) {
     EXPECT_LE(apart(line, line.front(), cubics), 1e-9);
 }
 
-TEST_F(CurveFitTest, GoesRoundWithoutACorner) {
+TEST_F(CurveFitTest, ClosesACircleWithoutACorner) {
     std::vector<dvec2> circle;
     for (int i = 0; i < 200; ++i) circle.push_back({20.0 * std::cos(pi * i / 100.0), 20.0 * std::sin(pi * i / 100.0)});
     circle.push_back(circle.front());
@@ -123,7 +123,7 @@ TEST_F(CurveFitTest, BeginsARingAtItsCorner) {
     EXPECT_LE(apart(drop, cubics.back().end, cubics), 0.0015);
 }
 
-TEST_F(CurveFitTest, TakesWhatIsNoLine) {
+TEST_F(CurveFitTest, AcceptsDegenerateLines) {
     EXPECT_TRUE(fit.fit({}, 0.05, false).empty());
     const std::vector<dvec2> one(5, dvec2(3.0, 4.0));
     EXPECT_TRUE(fit.fit(one, 0.05, false).empty());

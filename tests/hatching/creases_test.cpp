@@ -101,7 +101,7 @@ void expect_clean(const SharpShape& shape, const char* name) {
     EXPECT_GE(found.at_crease, found.strokes);
 }
 
-TEST(LinesAtCreases, NoneStepsOver) {
+TEST(LinesAtCreases, DoNotCrossTheCreases) {
     expect_clean(*sharp_cube(), "cube");
     expect_clean(*bored_cube(), "bored cube");
     expect_clean(*stepped_shaft(), "shaft");

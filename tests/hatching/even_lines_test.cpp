@@ -30,7 +30,7 @@ double farthest_from(const Lines& lines, std::int64_t line, double y, double fro
     return most;
 }
 
-TEST(EvenLines, MoveToTheMiddleWithTheirLevels) {
+TEST(EvenLines, MoveToTheMiddleBetweenNeighbours) {
     const base::Runtime runtime;
     Lines lines(runtime.memory);
     add_line(lines, 0.0, 0.0, 40.0, 1);
@@ -89,7 +89,7 @@ double most_turn_of(const Lines& lines) {
     return most;
 }
 
-TEST(EvenLines, TurnSlowlyButWhereTheFieldTurns) {
+TEST(EvenLines, TurnSharplyOnlyAroundSingularPoints) {
     const base::Runtime runtime;
     const auto turned = [&](double turn) {
         Lines lines(runtime.memory);

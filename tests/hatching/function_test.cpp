@@ -33,7 +33,7 @@ void expect_follows(const PointSet& set, Where where) {
     EXPECT_LT(sum / static_cast<double>(looked_at), 5.0);
 }
 
-TEST(Function, IsFollowed) {
+TEST(Function, IsFollowedByTheLines) {
     const Torus torus;
     const Sphere sphere;
     Caller caller{helix};
@@ -60,7 +60,7 @@ TEST(Function, WithoutDirectionsLinesAreSmooth) {
     expect_sound(make(torus, along(normal, 2000)), torus);
 }
 
-TEST(Function, IsAskedAtAbsolutePlaces) {
+TEST(Function, IsCalledWithAbsolutePositions) {
     for (const double scale : {1.0, 1e15}) {
         const AnyField large(cube(scale), [scale](const glm::dvec3& p) -> Field {
             const glm::dvec3 q = p / scale;

@@ -104,7 +104,7 @@ TEST(Guides, AreBlendedWithCurvature) {
 }
 
 // On a face that is flat up to the tolerance of its fit the axis gives the lines, which are straight.
-TEST(Guides, CurvatureSaysNothingOfWhatIsNearlyFlat) {
+TEST(Guides, CurvatureIsIgnoredOnNearlyFlatFaces) {
     const auto sure = [](double curvature) {
         return std::abs(curvature_line(0.5 * curvature, 0.5 * curvature, 10.0)); // the diagonal is 10
     };

@@ -89,7 +89,7 @@ TEST(Hatching, IsEvenAndNestedOnATorus) {
                 0.06 * static_cast<double>(marks.count()));
 }
 
-TEST(Hatching, IsEvenOnASphereWhereTheAxisAloneSays) {
+TEST(Hatching, IsEvenOnASphereGuidedByTheAxisAlone) {
     const Sphere sphere;
     const PointSet set = make(sphere, hatched(0.03));
     expect_even(set, 0.13, 0.05);
@@ -194,7 +194,7 @@ TEST(Hatching, IsStraightOnEachSideOfACube) {
     for (const glm::dvec3& along : first) EXPECT_NE(along, glm::dvec3(0.0));
 }
 
-TEST(Hatching, ABudgetIsAboutWhatIsMade) {
+TEST(Hatching, MarkCountIsCloseToTheBudget) {
     for (const std::int64_t budget : {1000, 20000}) {
         const PointSet set = make(Torus(), blue({Kind::hatch}, budget));
         EXPECT_NEAR(static_cast<double>(hatch_of(set).count()), static_cast<double>(budget),
@@ -202,7 +202,7 @@ TEST(Hatching, ABudgetIsAboutWhatIsMade) {
     }
 }
 
-TEST(Hatching, IsRefusedWhereItCannotBe) {
+TEST(Hatching, TooSmallASeparationIsRefused) {
     generate::Settings tiny = hatched(1e-6);
     expect_error(Status::invalid_argument, {"layers[0]", "separation"}, [&] { (void)make(Sphere(), tiny); });
 }

@@ -53,7 +53,7 @@ protected:
     base::Runtime runtime;
 };
 
-TEST_F(Join, LinesThatFaceEachOtherOverAGap) {
+TEST_F(Join, ConnectsLinesAcrossASmallGap) {
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.1, 3, 0.1)}).count(), 1);
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 1.0, 3, 1.0)}).count(), 2) << "aside";
     EXPECT_EQ(join({line(-3, 0, -1.2, 0), line(1.2, 0.0, 3, 0.0)}).count(), 2) << "too far";
@@ -61,7 +61,7 @@ TEST_F(Join, LinesThatFaceEachOtherOverAGap) {
 }
 
 // If the ends touch, the way across the gap may have any direction.
-TEST_F(Join, LinesWhoseEndsTouch) {
+TEST_F(Join, ConnectsLinesWhoseEndsTouch) {
     for (int k = 0; k < 12; ++k) {
         const double x = 0.1 * std::cos(0.5236 * k);
         const double y = 0.1 * std::sin(0.5236 * k);
@@ -77,7 +77,7 @@ TEST_F(Join, LinesWhoseEndsTouch) {
 }
 
 // The last points of a line may be ragged, so they do not tell its direction.
-TEST_F(Join, AnEndMayBeRagged) {
+TEST_F(Join, IgnoresRaggedEnds) {
     Polyline ragged = line(-3, 0, 0, 0);
     for (const double y : {0.03, 0.07, 0.12}) ragged.emplace_back(0.02, y, 0.0);
     EXPECT_EQ(join({ragged, line(0.05, 0.1, 3, 0)}).count(), 1);

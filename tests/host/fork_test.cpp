@@ -45,7 +45,7 @@ TEST(Fork, ChildrenDoTheSameWork) {
     EXPECT_TRUE(same());
 }
 
-TEST(Fork, ChildrenReleaseWhatTheyGot) {
+TEST(Fork, ChildrenCanReleaseInheritedObjects) {
     EXPECT_EQ(in_a_child([] {
                   Scene scene(make_context(0));
                   return in_a_child([&] {

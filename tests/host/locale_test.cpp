@@ -78,7 +78,7 @@ Bytes session() {
     return bytes;
 }
 
-TEST_F(CommaLocale, OfTheProcess) {
+TEST_F(CommaLocale, InTheProcessDoesNotChangeResults) {
     const Bytes wanted = session();
     ASSERT_NE(std::setlocale(LC_ALL, german), nullptr);
     EXPECT_EQ(half(), "0,5");
@@ -89,7 +89,7 @@ TEST_F(CommaLocale, OfTheProcess) {
     EXPECT_TRUE(got == wanted);
 }
 
-TEST_F(CommaLocale, OfTheThread) {
+TEST_F(CommaLocale, InTheThreadDoesNotChangeResults) {
     const Bytes wanted = session();
     const locale_t before = uselocale(german_);
     EXPECT_EQ(half(), "0,5");
@@ -98,7 +98,7 @@ TEST_F(CommaLocale, OfTheThread) {
     EXPECT_TRUE(got == wanted);
 }
 
-TEST_F(CommaLocale, OfCPlusPlus) {
+TEST_F(CommaLocale, InCPlusPlusDoesNotChangeResults) {
     const Bytes wanted = session();
     const std::locale before = std::locale::global(std::locale(german));
     const Bytes got = session();

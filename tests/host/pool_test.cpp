@@ -60,7 +60,7 @@ Context context_by(std::int32_t threads, std::uint32_t backend) {
     return make_context(desc);
 }
 
-TEST(Pool, LivesFromTheFirstNeedToTheLastReference) {
+TEST(Pool, LivesFromFirstUseToLastReference) {
     using Names = std::set<std::string>;
     Context context = context_by(4, HRBFNPR_THREAD_BACKEND_AUTO);
     EXPECT_EQ(threads_of_the_library(), Names{});
@@ -79,7 +79,7 @@ TEST(Pool, IsNotMadeForOtherBackends) {
     EXPECT_EQ(threads_of_the_library(), std::set<std::string>{});
 }
 
-TEST(Pool, SaysWhatItIs) {
+TEST(Pool, ReportsItsBackend) {
     const auto backend = [](const Context& context) {
         auto info = made(hrbfnpr_context_info_init);
         scenes::Check()(hrbfnpr_context_get_info(context.get(), &info, nullptr));
@@ -90,7 +90,7 @@ TEST(Pool, SaysWhatItIs) {
     EXPECT_EQ(backend(context_by(1, HRBFNPR_THREAD_BACKEND_POOL)), HRBFNPR_THREAD_BACKEND_SERIAL);
 }
 
-TEST(Pool, GoesOnWithoutThreadsThatTheSystemDoesNotGive) {
+TEST(Pool, WorksIfTheSystemRefusesThreads) {
     const Bytes wanted = everything(make_context(1));
     refuses = true;
     const Bytes alone = everything(make_context(4));

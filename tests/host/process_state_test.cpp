@@ -41,7 +41,7 @@ struct Signals {
     stack_t stack{};
 };
 
-TEST(ProcessState, SignalsAreTheHosts) {
+TEST(ProcessState, SignalsAreNotTouched) {
     sigset_t some;
     sigemptyset(&some);
     sigaddset(&some, SIGUSR1);
@@ -71,7 +71,7 @@ struct Words {
 };
 
 // The sticky flags stay unchanged, too: the test's own computations raise none.
-TEST(ProcessState, FloatingPointStateIsTheHosts) {
+TEST(ProcessState, FloatingPointStateIsNotTouched) {
     const scenes::Samples samples = scenes::torus(192);
     const hrbfnpr_fit_desc desc = fit_desc(samples);
     const Context context = make_context(0);

@@ -26,7 +26,7 @@ void expect_enough(std::size_t stack, const char* what, const std::function<void
 
 class SmallStacks : public testing::TestWithParam<std::int32_t> {}; // parameter: the context's threads, 0 = all
 
-TEST_P(SmallStacks, DoForEverythingButFit) {
+TEST_P(SmallStacks, SufficeForEverythingExceptFit) {
     const Calls calls(make_context(GetParam()));
     for (const api_test::Stage& call : calls.all()) expect_enough(small, call.name.c_str(), [&] { Calls::run(call); });
 }
@@ -38,7 +38,7 @@ std::int64_t bytes_in_use(const Context& context) {
     return info.bytes_now;
 }
 
-TEST_P(SmallStacks, DoForAModelThatPreparesItself) {
+TEST_P(SmallStacks, SufficeForAModelThatPreparesItself) {
     static constexpr int centres = 1500;
     static constexpr std::int64_t count =
         400'000; // with Hessians, enough points to make preparation pay: see _evaluate
@@ -100,7 +100,7 @@ std::vector<std::pair<const char*, hrbfnpr_fit_desc>> fits(const scenes::Samples
     return all;
 }
 
-TEST_P(SmallStacks, AreSaidForFit) {
+TEST_P(SmallStacks, DocumentedSizeSufficesForFit) {
     const Context context = make_context(GetParam());
     const scenes::Samples samples = scenes::torus(600);
     for (const auto& [name, desc] : fits(samples)) expect_enough(fit_needs, name, [&] { fit(context, desc); });
@@ -118,7 +118,7 @@ void run_on_workers(void* user, hrbfnpr_task_fn task, void* task_context, std::i
     });
 }
 
-TEST(SmallStacksOfWorkers, DoForEverythingButFit) {
+TEST(SmallStacksOfWorkers, SufficeForEverythingExceptFit) {
     std::size_t stack = fit_needs;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = 4;

@@ -116,7 +116,7 @@ void expect_same(const Both& both, const test::Points& points) {
     EXPECT_TRUE(same_bits(quick.value, plain.value));
 }
 
-TEST(CsgGroups, RandomTreesAreTheSameToTheLastBit) {
+TEST(CsgGroups, RandomTreesGiveTheSameBits) {
     int nested = 0;
     for (std::uint32_t seed = 0; seed < 400 && !HasFailure(); ++seed) {
         SCOPED_TRACE(seed);
@@ -129,7 +129,7 @@ TEST(CsgGroups, RandomTreesAreTheSameToTheLastBit) {
 }
 
 // The leaves are replaced by models that reach beyond their boxes.
-TEST(CsgGroups, TreesOfModelsAreTheSameToTheLastBit) {
+TEST(CsgGroups, TreesOfModelsGiveTheSameBits) {
     std::vector<Lump> lumps(3);
     lumps[1].radius = 0.4;
     lumps[2].radius = 1.6;
@@ -153,7 +153,7 @@ TEST(CsgGroups, TreesOfModelsAreTheSameToTheLastBit) {
 }
 
 // If operands are equal everywhere, the sheets of the first one count. Zeros keep their signs.
-TEST(CsgGroups, EqualOperandsAreTakenInTheirOrder) {
+TEST(CsgGroups, EqualOperandsKeepTheirOrder) {
     for (const CsgKind kind : {CsgKind::unite, CsgKind::intersect, CsgKind::subtract}) {
         Nodes nodes{node(kind)};
         for (int i = 0; i < 40; ++i) {
@@ -187,7 +187,7 @@ TEST(CsgGroups, AlternatingTreesOfAnyDepthNeedNoMoreStack) {
 }
 
 // In a grid of models, each place near a surface evaluates little more than one model.
-TEST(CsgGroups, OnlyModelsThatCanBeTheLeastAreAsked) {
+TEST(CsgGroups, OnlyModelsThatCanBeTheMinimumAreEvaluated) {
     Lump lump;
     const implicit::Custom model(lump.function());
     for (const CsgKind kind : {CsgKind::unite, CsgKind::subtract})
@@ -222,7 +222,7 @@ TEST(CsgGroups, OnlyModelsThatCanBeTheLeastAreAsked) {
 }
 
 // Complements are never left out, because no bound of their f is known.
-TEST(CsgGroups, ComplementsOfModelsAreAsked) {
+TEST(CsgGroups, ComplementsOfModelsAreAlwaysEvaluated) {
     Lump lump;
     const implicit::Custom model(lump.function());
     Nodes nodes{node(CsgKind::unite)};
@@ -236,7 +236,7 @@ TEST(CsgGroups, ComplementsOfModelsAreAsked) {
 }
 
 // Models without cells of their own are cells, so that nearby points are evaluated together.
-TEST(CsgGroups, PointsAreOrderedByTheModelThatTheyAreNear) {
+TEST(CsgGroups, PointsAreOrderedByTheirNearestModel) {
     Lump lump;
     const implicit::Custom model(lump.function());
     Nodes nodes{node(CsgKind::unite)};

@@ -106,7 +106,7 @@ CsgNode half_space(std::int64_t parent, int axis, double at) {
     return made;
 }
 
-TEST(Csg, AnyTreeIsWhatARecursionSays) {
+TEST(Csg, AnyTreeMatchesARecursiveEvaluation) {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
         const test::RandomTree tree(seed, 1 + static_cast<int>(seed % 5), true);
@@ -123,7 +123,7 @@ TEST(Csg, AnyTreeIsWhatARecursionSays) {
 }
 
 // Differences are compared where one sheet is f all around the point.
-TEST(Csg, GradientsAndHessiansAreDifferences) {
+TEST(Csg, GradientsAndHessiansMatchDifferences) {
     int compared = 0;
     for (std::uint32_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(seed);
@@ -164,7 +164,7 @@ TEST(Csg, GradientsAndHessiansAreDifferences) {
     EXPECT_GT(compared, 3000);
 }
 
-TEST(Csg, ASheetIsFWhereItIsActiveAndSmoothAround) {
+TEST(Csg, AnActiveSheetEqualsFAndIsSmooth) {
     int crossings = 0;
     for (std::uint32_t seed = 0; seed < 120; ++seed) {
         SCOPED_TRACE(seed);
@@ -326,7 +326,7 @@ TEST(Csg, DeepTreesNeedFewRegistersAndNoStack) {
     EXPECT_EQ(at(Solid(nodes).csg, {3.0, 0.0, 0.0}).value, 2.0);
 }
 
-TEST(Csg, PairsOfSheetsThatAreTooManyAreOne) {
+TEST(Csg, TooManyPairsOfSheetsBecomeOneSheet) {
     Nodes nodes{node(CsgKind::unite)};
     nodes[0].blend = 0.1;
     for (int i = 0; i < 14; ++i) {
@@ -367,7 +367,7 @@ struct Ball {
     }
 };
 
-TEST(Csg, ModelsEndAtTheirBoxesAndAreAskedWhereTheyMatter) {
+TEST(Csg, ModelsEndAtTheirBoxesAndAreSkippedElsewhere) {
     std::vector<Ball> balls;
     for (int i = 0; i < 6; ++i) balls.push_back({{3.0 * i, 0.1 * i, 0.0}, 1.0, 0, 0, true});
     std::vector<std::unique_ptr<implicit::Custom>> own;

@@ -104,7 +104,7 @@ TEST(CubeBasis, ApproximatesFarSources) {
     EXPECT_LT(largest_error(runtime, CubeBasis(runtime, CubeBasis::degree_max), kernel), 1e-9);
 }
 
-TEST(CubeBasis, ToCoefficientsInverts) {
+TEST(CubeBasis, ToCoefficientsInvertsEvaluation) {
     const base::Runtime runtime;
     for (const int degree : {0, 1, 2, 6, 9, CubeBasis::degree_max}) {
         const CubeBasis basis(runtime, degree);
@@ -121,7 +121,7 @@ TEST(CubeBasis, ToCoefficientsInverts) {
     }
 }
 
-TEST(CubeBasis, TheTransposedMatrixIsTheTransposed) {
+TEST(CubeBasis, TheStoredTransposeMatchesTheMatrix) {
     const base::Runtime runtime;
     const CubeBasis basis(runtime, 7);
     for (std::int64_t j = 0; j < basis.size(); ++j)

@@ -59,7 +59,7 @@ TEST(CubeShift, IsTheSamePolynomialInEachOctant) {
         for (int octant = 0; octant < 8; ++octant) EXPECT_LT(largest_error(degree, degree, degree, octant), 1e-11);
 }
 
-TEST(CubeShift, ALowerDegreeKeepsWhatItCan) {
+TEST(CubeShift, ALowerDegreeLosesOnlyHigherTerms) {
     for (int octant = 0; octant < 8; ++octant) {
         EXPECT_LT(largest_error(16, 14, 14, octant), 1e-11);
         EXPECT_GT(largest_error(16, 14, 16, octant), 1e-9);

@@ -102,7 +102,7 @@ void expect_wave(const Points& points, const Fields& fields, double gradient_tol
     }
 }
 
-TEST(Custom, PassesOnWhatTheFunctionProvides) {
+TEST(Custom, PassesOnProvidedDerivatives) {
     Calls calls;
     const implicit::Custom custom(make(calls, true, true));
     const Points points = queries(600);
@@ -136,7 +136,7 @@ TEST(Custom, DifferencesGradientAndHessianOfABareValue) {
     EXPECT_EQ(calls.hessians, 0);
 }
 
-TEST(Custom, DifferencesAMissingGradientBesideAGivenHessian) {
+TEST(Custom, DifferencesAMissingGradientIfTheHessianIsGiven) {
     Calls calls;
     const implicit::Custom custom(make(calls, false, true));
     const Points points = queries(20);
@@ -145,7 +145,7 @@ TEST(Custom, DifferencesAMissingGradientBesideAGivenHessian) {
     expect_wave(points, fields, 2e-7, 0.0);
 }
 
-TEST(Custom, TakesItsStepFromTheCaller) {
+TEST(Custom, UsesTheGivenDifferenceStep) {
     Calls calls;
     implicit::CustomFunction coarse = make(calls, false, false);
     coarse.difference_step = 0.1;
@@ -161,7 +161,7 @@ TEST(Custom, TakesItsStepFromTheCaller) {
     EXPECT_NEAR(fields.hessian[hessian_index[1][1]][0], second, 1e-11);
 }
 
-TEST(Custom, AsksOnlyForWhatIsWanted) {
+TEST(Custom, RequestsOnlyNeededFields) {
     Calls calls;
     const implicit::Custom custom(make(calls, true, true));
     const Points points = queries(5);
@@ -192,7 +192,7 @@ TEST(Custom, AFailureNamesTheNumberReturned) {
     }
 }
 
-TEST(Custom, PassesOnWhatIsNotFinite) {
+TEST(Custom, PassesOnNonFiniteValues) {
     Calls calls;
     implicit::CustomFunction custom = make(calls, false, false);
     custom.function = [](void*, std::int64_t count, const double*, double* value, double*, double*) {

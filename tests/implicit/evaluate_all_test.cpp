@@ -72,7 +72,7 @@ TEST(EvaluateAll, ResultsAreInTheCallersOrder) {
         }
 }
 
-TEST(EvaluateAll, OnlyWhatIsWantedIsWritten) {
+TEST(EvaluateAll, WritesOnlyRequestedFields) {
     const base::Runtime runtime;
     const Slices slices(5);
     const VecArray p = points(runtime.memory, 300);
@@ -83,7 +83,7 @@ TEST(EvaluateAll, OnlyWhatIsWantedIsWritten) {
     EXPECT_EQ(fields.gradient[2][7], p.x[7] + 2.0);
 }
 
-TEST(EvaluateAll, PointsOfACellComeTogether) {
+TEST(EvaluateAll, EvaluatesPointsOfACellTogether) {
     const base::Runtime runtime;
     const Slices slices(10);
     const VecArray p = points(runtime.memory, 2000);

@@ -151,7 +151,7 @@ TEST(FarField, IsExactWhereEverythingIsNear) {
     EXPECT_LT(error(quickly(runtime, points, weights, {1.0, 0, 150, 1.0}), directly(runtime, points, weights)), 1e-13);
 }
 
-TEST(FarField, SumsNothingOfTheCallBefore) {
+TEST(FarField, RepeatedCallsGiveTheSameSums) {
     const base::Runtime runtime;
     const VecArray points = sphere(runtime.memory, 600);
     implicit::FarField field(runtime, points, {4.0, 0, 30, 1.0});

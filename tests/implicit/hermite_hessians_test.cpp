@@ -91,7 +91,7 @@ void expect_sums(const Hessians& found, const Hessians& expected, std::size_t co
 
 class HermiteHessians : public testing::TestWithParam<kernel::Kind> {};
 
-TEST_P(HermiteHessians, AreThePlainOnesForAnyCount) {
+TEST_P(HermiteHessians, MatchPlainSumsForAnyCount) {
     base::Memory memory;
     for (const int centres : {0, 1, 23}) {
         const implicit::HrbfData data = hermite_data(memory, GetParam(), centres);
@@ -104,7 +104,7 @@ TEST_P(HermiteHessians, AreThePlainOnesForAnyCount) {
     }
 }
 
-TEST_P(HermiteHessians, DoNotDependOnHowTheTargetsAreCut) {
+TEST_P(HermiteHessians, DoNotDependOnTheSplitOfTargets) {
     base::Memory memory;
     const implicit::HrbfData data = hermite_data(memory, GetParam(), 31);
     const Points points = targets(data, 137);
@@ -123,7 +123,7 @@ TEST_P(HermiteHessians, DoNotDependOnHowTheTargetsAreCut) {
 }
 
 // Points next to the source are included, where the limit depends on the direction.
-TEST_P(HermiteHessians, AreThePlainOnesAtASource) {
+TEST_P(HermiteHessians, MatchPlainSumsAtASource) {
     base::Memory memory;
     const implicit::HrbfData data = hermite_data(memory, GetParam(), 2);
     Points points;
@@ -157,7 +157,7 @@ TEST_P(HermiteHessians, LeaveASourcesOwnThirdDerivativeOut) {
 }
 
 // At a source in the origin, doubles come closer than smallest_r2.
-TEST_P(HermiteHessians, AreBoundedAsCloseToASourceAsDoublesGo) {
+TEST_P(HermiteHessians, AreBoundedArbitrarilyCloseToASource) {
     base::Memory memory;
     implicit::HrbfData data = hermite_data(memory, GetParam(), 1);
     data.centre_position.set(0, glm::dvec3(0.0));

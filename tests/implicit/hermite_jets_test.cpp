@@ -88,7 +88,7 @@ Jets by_targets(base::InstructionSet set, const Weighted& sources, const std::ve
     return jets;
 }
 
-TEST(HermiteJets, AreTheSumsAndTheirHessians) {
+TEST(HermiteJets, MatchTheSumsAndTheirHessians) {
     const Weighted sources(61);
     const Points points = places(sources, 7);
     // Ranges of whole vectors, of parts of one, an empty range, and a single source.
@@ -104,7 +104,7 @@ TEST(HermiteJets, AreTheSumsAndTheirHessians) {
     }
 }
 
-TEST(HermiteJets, DoNotDependOnWhatStandsBeside) {
+TEST(HermiteJets, DoNotDependOnOtherPoints) {
     const Weighted sources(29);
     const Points points = places(sources, 6);
     const implicit::SourceRange all{0, 29};
@@ -119,7 +119,7 @@ TEST(HermiteJets, DoNotDependOnWhatStandsBeside) {
     }
 }
 
-TEST(HermiteJets, ReadNoSourceBeyondARange) {
+TEST(HermiteJets, ReadNoSourcesOutsideTheRange) {
     Weighted sources(16);
     for (std::vector<double>& column : sources.column)
         for (std::size_t j = 11; j < 16; ++j) column[j] = infinite;

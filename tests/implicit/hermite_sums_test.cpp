@@ -70,7 +70,7 @@ void expect_sums(const std::vector<double>& found, const std::vector<double>& ex
 
 class HermiteSums : public testing::TestWithParam<kernel::Kind> {};
 
-TEST_P(HermiteSums, AreThePlainOnesForAnyCount) {
+TEST_P(HermiteSums, MatchPlainSumsForAnyCount) {
     base::Memory memory;
     for (const int centres : {0, 1, 23}) {
         const implicit::HrbfData data = hermite_data(memory, GetParam(), centres);
@@ -91,7 +91,7 @@ TEST_P(HermiteSums, AreThePlainOnesForAnyCount) {
     }
 }
 
-TEST_P(HermiteSums, DoNotDependOnHowTheTargetsAreCut) {
+TEST_P(HermiteSums, DoNotDependOnTheSplitOfTargets) {
     base::Memory memory;
     const implicit::HrbfData data = hermite_data(memory, GetParam(), 31);
     const Points points = targets(data, 137);
@@ -132,7 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Kernels, HermiteSums,
                          testing::Values(kernel::Kind::triharmonic, kernel::Kind::gaussian, kernel::Kind::wendland_c2),
                          [](const auto& kind) { return std::string(1, "TGW"[static_cast<int>(kind.param)]); });
 
-TEST(TriharmonicValues, AreTheValuesOfTheSums) {
+TEST(TriharmonicValues, MatchTheValuesOfTheSums) {
     base::Memory memory;
     const implicit::HrbfData data = hermite_data(memory, kernel::Kind::triharmonic, 23);
     for (const int count : {0, 1, 7, 8, 9, 30}) {

@@ -103,7 +103,7 @@ protected:
     base::Memory memory;
 };
 
-TEST_P(HermiteThirds, AreThePlainOnesForAnyCountAndCut) {
+TEST_P(HermiteThirds, MatchPlainSumsForAnyCountAndCut) {
     const implicit::HrbfData data = make(memory, GetParam(), 23);
     for (const std::size_t count : {1U, 2U, 3U, 5U, 8U, 9U, 16U, 67U}) {
         const Points points = points_of(data, static_cast<int>(count));
@@ -126,7 +126,7 @@ TEST_P(HermiteThirds, AreThePlainOnesForAnyCountAndCut) {
 }
 
 // Without smoothing the Hessian is that of the function. With smoothing the thirds are still the Hessian's derivatives.
-TEST_P(HermiteThirds, HessiansAreTheFunctionsAndThirdsTheirDifferences) {
+TEST_P(HermiteThirds, MatchTheHessianAndItsDifferences) {
     const implicit::HrbfData data = make(memory, GetParam(), 9);
     Points points;
     for (int i = 0; i < 40; ++i) points.add({scatter(3 * i + 5001), scatter(3 * i + 5002), scatter(3 * i + 5003)});
@@ -244,7 +244,7 @@ TEST(DifferencedShape, DifferencesHessiansOfAPolynomial) {
     }
 }
 
-TEST(ScaledShape, IsThatOfTheScaledFunction) {
+TEST(ScaledShape, MatchesTheScaledFunction) {
     const hrbfnpr::test::Torus torus(40.0, 15.0);
     const implicit::Scaled scaled(torus, 32.0);
     const implicit::DifferencedShape own(torus);

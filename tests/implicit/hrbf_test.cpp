@@ -70,7 +70,7 @@ glm::dvec3 axis(glm::length_t a) {
     return e;
 }
 
-TEST(Hrbf, ValueIsEquationOne) {
+TEST(Hrbf, ValueFollowsTheDefinition) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
         for (std::int32_t degree = -1; degree <= 3; ++degree) {
@@ -137,7 +137,7 @@ TEST(Hrbf, APointsResultDoesNotDependOnItsBatch) {
     }
 }
 
-TEST(Hrbf, AFieldDoesNotDependOnWhatElseIsAskedFor) {
+TEST(Hrbf, AFieldDoesNotDependOnOtherRequestedFields) {
     Memory memory;
     for (const kernel::Kind kind : kinds) {
         const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
@@ -183,7 +183,7 @@ TEST(Hrbf, IsDefinedAtASampleAsTheMeanOverAllDirections) {
     }
 }
 
-TEST(Hrbf, IsFiniteAsCloseToASampleAsDoublesGo) {
+TEST(Hrbf, IsFiniteArbitrarilyCloseToASample) {
     Memory memory;
     implicit::HrbfData data = make(memory, kernel::Kind::triharmonic, 1, 1);
     data.centre = glm::dvec3(0.0);
@@ -202,7 +202,7 @@ TEST(Hrbf, IsFiniteAsCloseToASampleAsDoublesGo) {
     }
 }
 
-TEST(Hrbf, TakesAnEmptyBatchAndKnowsItsSize) {
+TEST(Hrbf, AcceptsAnEmptyBatchAndReportsItsSize) {
     Memory memory;
     const implicit::Hrbf hrbf(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
                               make(memory, kernel::Kind::gaussian, 5, 1));

@@ -142,7 +142,7 @@ TEST(LocalField, ALooserToleranceIsLessAccurate) {
     EXPECT_LT(finer.gradient, 0.2 * loose.gradient);
 }
 
-TEST(LocalField, OutsideOfAllCubesThereIsNone) {
+TEST(LocalField, PlacesOutsideAllCubesHaveNoCube) {
     const base::Runtime runtime;
     const Sources sources = sheet(runtime.memory, 16, 0);
     const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, {1.0, 1e-3, 0});

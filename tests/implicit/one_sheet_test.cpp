@@ -29,7 +29,7 @@ std::vector<double> thirds_of(const ShapeSource& shape, const std::vector<glm::d
     return out;
 }
 
-TEST(OneSheet, IsThatSheet) {
+TEST(OneSheet, HasTheValuesOfItsSheetEverywhere) {
     const auto shape = stepped_shaft();
     const OneSheet cylinder(*shape, *shape, 0);
     const glm::dvec3 p(0.3, -0.4, 2.5); // far from the region where the sheet is f

@@ -88,7 +88,7 @@ std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& p) {
     return sheet;
 }
 
-TEST(Pieces, AreTheTreeWhereAllCellsHaveIt) {
+TEST(Pieces, EqualTheTreeThatAllCellsContain) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const implicit::Pieces f(InstructionSet::automatic,
                              eight(runtime.memory, {{0, 1, larger, 2, 3, smaller, smaller}}));
@@ -112,7 +112,7 @@ TEST(Pieces, AreTheTreeWhereAllCellsHaveIt) {
 }
 
 // Places are in [-1, 1]^3, where the outer sphere begins, and where it is the only sheet.
-TEST(Pieces, DerivativesAreThoseOfTheValue) {
+TEST(Pieces, DerivativesMatchDifferences) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
     ASSERT_TRUE(implicit::is_sound(f.data()));
@@ -146,7 +146,7 @@ TEST(Pieces, DerivativesAreThoseOfTheValue) {
     EXPECT_GT(compared, 500);
 }
 
-TEST(Pieces, OfAPointDoNotDependOnOthers) {
+TEST(Pieces, APointsResultDoesNotDependOnOtherPoints) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
     constexpr std::int64_t count = 300;
@@ -176,7 +176,7 @@ TEST(Pieces, OfAPointDoNotDependOnOthers) {
     }
 }
 
-TEST(Pieces, FarAwayAreADistanceFromASphere) {
+TEST(Pieces, FarAwayEqualTheDistanceFromASphere) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
     for (const glm::dvec3& p : {glm::dvec3(30.0, 0.0, 0.0), glm::dvec3(-1e6, 2e6, 5.0)})
@@ -186,7 +186,7 @@ TEST(Pieces, FarAwayAreADistanceFromASphere) {
 }
 
 // A file may have a program that names its only sheet twice. The cells here are small enough for zones.
-TEST(Pieces, ZonesOfOneSheetThatIsNamedTwiceAreThatSheet) {
+TEST(Pieces, ZonesAcceptASheetThatIsNamedTwice) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     PiecesData data = eight(runtime.memory, {{}});
     data.child.clear();

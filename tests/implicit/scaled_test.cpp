@@ -42,7 +42,7 @@ implicit::CustomFunction saddle_in(double& unit) {
 }
 
 // There are more points than in a batch; the fields are evaluated one by one and all together.
-TEST(Scaled, IsTheSameFunctionInItsUnit) {
+TEST(Scaled, GivesTheSameFunctionInAnotherUnit) {
     double small = 0x1p-80;
     double one = 1.0;
     const implicit::Custom own(saddle_in(small));

@@ -19,14 +19,14 @@ using implicit::triharmonic_size;
 
 namespace {
 
-TEST(TriharmonicBasis, HasAllPolynomialsOfLowDegreesAndFewerOfHighOnes) {
+TEST(TriharmonicBasis, HasTheExpectedNumberOfTerms) {
     for (int degree = 0; degree <= 5; ++degree) EXPECT_EQ(triharmonic_size(degree), CubeBasis::terms(degree));
     EXPECT_EQ(triharmonic_size(6), CubeBasis::terms(6) - 1); // without |p|^6
     EXPECT_EQ(triharmonic_size(7), CubeBasis::terms(7) - 4); // and without its products with x, y, z
     EXPECT_EQ(triharmonic_size(20), 21 * 21 + 19 * 19 + 17 * 17);
 }
 
-TEST(TriharmonicBasis, ValuesAreThoseOfTheCoefficients) {
+TEST(TriharmonicBasis, ValuesMatchTheCoefficients) {
     base::Memory memory;
     VecArray points(memory);
     for (int i = 0; i < 9; ++i)
@@ -54,7 +54,7 @@ TEST(TriharmonicBasis, ValuesAreThoseOfTheCoefficients) {
 
 // The seven-point Laplacian is exact for polynomials of second degree. Applied three times to the basis, its error is
 // the square of the step.
-TEST(TriharmonicBasis, TheLaplacianVanishesWhenTakenThreeTimes) {
+TEST(TriharmonicBasis, TheThirdPowerOfTheLaplacianVanishes) {
     base::Memory memory;
     constexpr double step = 0.05;
     VecArray points(memory); // a grid of 7 x 7 x 7 about a point; only |i| + |j| + |k| <= 3 is used

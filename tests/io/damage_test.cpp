@@ -31,7 +31,7 @@ protected:
     base::Memory memory;
 };
 
-TEST_P(Damage, TruncatedAtEveryLength) {
+TEST_P(Damage, TruncationAtAnyLengthIsDetected) {
     const Bytes whole = bytes();
     for (std::size_t length = 0; length < whole.size(); ++length) {
         const Outcome outcome = load(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)));
@@ -42,7 +42,7 @@ TEST_P(Damage, TruncatedAtEveryLength) {
     }
 }
 
-TEST_P(Damage, EverySingleBitFlip) {
+TEST_P(Damage, EverySingleBitFlipIsDetected) {
     Bytes damaged = bytes();
     for (std::size_t bit = 0; bit < 8 * damaged.size(); ++bit) {
         const auto mask = static_cast<std::uint8_t>(1U << (bit % 8));
@@ -80,7 +80,7 @@ TEST_P(Damage, HeaderFieldsAreChecked) {
     EXPECT_NE(changed(0, 0x46464952).message.find("not a"), std::string::npos);
 }
 
-TEST_P(Damage, TheOtherKindIsNamed) {
+TEST_P(Damage, AFileOfAnotherKindIsNamed) {
     const Bytes other = is_model() ? point_set_bytes() : model_bytes();
     const Outcome outcome = load(other);
     EXPECT_EQ(outcome.status, Status::corrupt_data);
@@ -171,7 +171,7 @@ TEST(ModelFile, ContentIsChecked) {
 }
 
 // No fit makes such values from samples that it accepts.
-TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
+TEST(ModelFile, PlacesAndScalesThatNoFitMakesAreRefused) {
     using Data = implicit::HrbfData;
     const auto expect = [](const std::string& message, const char* part) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
@@ -308,7 +308,7 @@ TEST(PointSetFile, MarksLieInTheirBox) {
     EXPECT_EQ(set_message([](Set& s) { s.bounds.max.y = 1e38; }), "");
 }
 
-TEST(PointSetFile, FarMarksAreRoundedIntoTheirBox) {
+TEST(PointSetFile, DistantMarksAreRoundedIntoTheirBox) {
     for (const double origin : {0.0, 1.0, -1e9, 3e38, 1e99})
         for (const double half : {0.0, 1e-44, 1.0, 1e30, 3.4e38}) {
             const auto far = [&](Set& s) {
@@ -322,7 +322,7 @@ TEST(PointSetFile, FarMarksAreRoundedIntoTheirBox) {
         }
 }
 
-TEST(PointSetFile, ASetWithoutMarksHasNoOtherPlaces) {
+TEST(PointSetFile, ASetWithoutMarksMayNotHaveBounds) {
     const auto message = [](auto&& change) {
         base::Memory memory;
         marks::PointSet set(memory);

@@ -22,7 +22,7 @@ Bytes golden(const char* name) {
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-TEST(Golden, ModelOfVersion1) {
+TEST(Golden, AModelOfVersion1Loads) {
     base::Memory memory;
     const Bytes bytes = golden("sphere_6.model.v1");
     MemoryReader reader = reader_of(bytes);
@@ -49,7 +49,7 @@ TEST(Golden, ModelOfVersion1) {
     EXPECT_NEAR(value[2], -0.41510708690424475, 1e-13);
 }
 
-TEST(Golden, TreeOfVersion2) {
+TEST(Golden, ATreeOfVersion2Loads) {
     base::Memory memory;
     const Bytes bytes = golden("sphere_6_cut.model.v2");
     MemoryReader reader = reader_of(bytes);
@@ -70,7 +70,7 @@ TEST(Golden, TreeOfVersion2) {
 }
 
 // Three sheets in eight cells, two of them plain (pieces_file_test.cpp).
-TEST(Golden, SheetsOfVersion2) {
+TEST(Golden, SheetsOfVersion2Load) {
     base::Memory memory;
     const Bytes bytes = golden("three_sheets.model.v2");
     MemoryReader reader = reader_of(bytes);
@@ -95,7 +95,7 @@ TEST(Golden, SheetsOfVersion2) {
 }
 
 // Stipples, hatching by curvature and hatching by combing, with the article's strokes in both directions of each.
-TEST(Golden, PointSetOfVersion3) {
+TEST(Golden, APointSetOfVersion3Loads) {
     base::Memory memory;
     const Bytes bytes = golden("sphere_6.points.v3");
     MemoryReader reader = reader_of(bytes);

@@ -61,7 +61,7 @@ TEST(PiecesFile, KeepsEveryBit) {
     EXPECT_EQ(loaded.trim.limit, 1.5);
 }
 
-TEST(PiecesFile, ThatIsDamagedIsRefused) {
+TEST(PiecesFile, DamagedFilesAreRefused) {
     base::Memory memory;
     Bytes bytes = bytes_of(pieces(memory));
     for (std::size_t length = 0; length < bytes.size(); ++length)
@@ -111,7 +111,7 @@ TEST(PiecesFile, ContentIsChecked) {
 }
 
 // Bytes are changed and the checksums corrected. Every file that still loads can be evaluated.
-TEST(PiecesFile, ThatLoadsCanBeEvaluated) {
+TEST(PiecesFile, EveryFileThatLoadsCanBeEvaluated) {
     base::Memory memory;
     const Bytes good = bytes_of(pieces(memory));
     std::int64_t loaded = 0;

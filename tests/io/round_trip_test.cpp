@@ -45,7 +45,7 @@ TEST(ModelFile, KeepsEveryBit) {
         }
 }
 
-TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
+TEST(ModelFile, StoresTheEndOfATrimmedModel) {
     base::Memory memory;
     ModelFile file(memory);
     file.data = model(memory, 3);
@@ -81,7 +81,7 @@ TEST(ModelFile, HoldsWhereATrimmedModelEnds) {
     is_refused(file.trim.normal[0], 2.0);
 }
 
-TEST(ModelFile, HoldsATreeWithItsLeaves) {
+TEST(ModelFile, StoresATreeWithItsLeaves) {
     base::Memory memory;
     const Bytes bytes = csg_model_bytes(3);
     MemoryReader reader = reader_of(bytes);
@@ -103,7 +103,7 @@ TEST(ModelFile, HoldsATreeWithItsLeaves) {
     EXPECT_EQ(load_model(memory, other).trim.limit, 1.5);
 }
 
-TEST(ModelFile, WhatIsNoTreeIsRefused) {
+TEST(ModelFile, InvalidTreesAreRefused) {
     base::Memory memory;
     const implicit::HrbfData data = model(memory, 2);
     const FitToSave leaf{&data, nullptr, {}};
@@ -220,7 +220,7 @@ TEST(PointSetFile, ASetWithoutMarksHasNoBox) {
     EXPECT_EQ(load(memory, bytes_of(empty), false).status, Status::ok);
 }
 
-TEST(Files, AreReadInPieces) {
+TEST(Files, CanBeReadInSmallPieces) {
     base::Memory memory;
     const Bytes bytes = point_set_bytes(100);
     for (const std::uint64_t step : {1U, 7U, 4096U}) {
@@ -229,7 +229,7 @@ TEST(Files, AreReadInPieces) {
     }
 }
 
-TEST(Files, NothingBehindTheEndIsRead) {
+TEST(Files, AreNotReadPastTheirEnd) {
     base::Memory memory;
     Bytes two = model_bytes();
     const Bytes set = point_set_bytes();
@@ -252,7 +252,7 @@ TEST(Files, FailedWritesAreReported) {
     EXPECT_THROW(save_point_set(point_set(memory, 10), writer), Error);
 }
 
-TEST(MemoryWriter, CountsWhatDoesNotFit) {
+TEST(MemoryWriter, CountsBytesThatDoNotFit) {
     std::byte room[4] = {};
     MemoryWriter writer(room);
     writer.write("abc", 3);

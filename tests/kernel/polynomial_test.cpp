@@ -34,7 +34,7 @@ TEST(Polynomial, HasTheBinomialNumberOfTerms) {
     EXPECT_EQ(kernel::polynomial_size(3), 20);
 }
 
-TEST(Polynomial, BasisStandsInTheDocumentedOrder) {
+TEST(Polynomial, BasisHasTheDocumentedOrder) {
     kernel::PolynomialBasis basis;
     kernel::polynomial_basis(3, {2.0, 3.0, 5.0}, basis);
     const std::array<double, 20> expected = {1, 2, 3, 5, 4, 6, 10, 9, 15, 25, 8, 12, 20, 18, 30, 50, 27, 45, 75, 125};
@@ -86,7 +86,7 @@ TEST(Polynomial, HessianIsTheDerivativeOfTheGradient) {
     }
 }
 
-TEST(Polynomial, OfDegreeOneHasTheBitsOfAHigherOne) {
+TEST(Polynomial, DegreeOneGivesTheBitsOfAHigherDegree) {
     std::array<double, kernel::polynomial_size_max> c{0.3, -1.7, 2.9, 0.41};
     for (const glm::dvec3& p : {glm::dvec3(0.1, -0.7, 1.3), glm::dvec3(-31.7, 0.0, 2e-9)}) {
         const kernel::PolynomialField low = kernel::polynomial(1, c.data(), p);

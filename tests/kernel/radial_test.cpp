@@ -49,13 +49,13 @@ std::string describe(const Case& c, double r) {
            std::to_string(r);
 }
 
-TEST(Radial, ValueIsTheDefinition) {
+TEST(Radial, ValueMatchesTheDefinition) {
     for (const Case& c : cases)
         for (const double r : {0.0, 1e-3, 0.3, 1.0, 1.9, 2.5, 8.0, 20.0})
             EXPECT_NEAR(radial(c.kind, c.radius, r).phi, plain(c, r), 1e-14 * (1 + plain(c, r))) << describe(c, r);
 }
 
-TEST(Radial, DerivativesAreEachOthersQuotients) {
+TEST(Radial, EachTermIsTheDerivativeOfThePreviousOverR) {
     for (const Case& c : cases) {
         for (const double r : {0.1, 0.3, 1.0, 1.7, 2.5, 8.0, 20.0}) {
             const auto field = [&](double Radial::*member) {
@@ -93,7 +93,7 @@ TEST(Radial, IsFiniteAndDefinedAtTheCentre) {
     EXPECT_DOUBLE_EQ(gaussian.c, -1.0 / 64.0);
 }
 
-TEST(Radial, WendlandVanishesFromItsRadiusOn) {
+TEST(Radial, WendlandVanishesBeyondItsRadius) {
     for (const double r : {2.0, 2.0001, 1e3, 1e100}) {
         const Radial k = radial(Kind::wendland_c2, 2.0, r);
         EXPECT_EQ(k.phi, 0.0) << r;
@@ -103,7 +103,7 @@ TEST(Radial, WendlandVanishesFromItsRadiusOn) {
     }
 }
 
-TEST(Radial, FourthIsTheDerivativeOfC) {
+TEST(Radial, FourthIsTheDerivativeOfCOverR) {
     for (const Case& c : cases) {
         for (const double r : {0.3, 0.9, 1.7, 2.5}) {
             const double h = 1e-5;

@@ -121,7 +121,7 @@ TEST_F(Clusters, HoldEveryMarkOnceAndBoundThem) {
     expect_sound(clustered(runtime, plane(runtime.memory, 70)).layers[0]);
 }
 
-TEST_F(Clusters, OfStrokesHaveOneSetEach) {
+TEST_F(Clusters, StrokesHaveOneSetOfClustersEach) {
     marks::PointSet set = torus(runtime.memory, 40);
     add_torus_strokes(set, marks::Kind::hatch, 400, 27, 0.3);
     add_torus_strokes(set, marks::Kind::own, 100, 9, 0.3);
@@ -139,7 +139,7 @@ TEST_F(Clusters, OfStrokesHaveOneSetEach) {
     expect_sound(set.layers[1], true);
 }
 
-TEST_F(Clusters, BearDegenerateSets) {
+TEST_F(Clusters, AcceptDegenerateSets) {
     marks::PointSet empty(runtime.memory);
     marks::cluster_marks(runtime, empty);
     EXPECT_TRUE(empty.layers.empty());
@@ -172,7 +172,7 @@ TEST_F(Clusters, BearDegenerateSets) {
 }
 
 // Positions, centres and radii are in the set's unit, so the result does not depend on the size.
-TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
+TEST_F(Clusters, AreFiniteForAnyFiniteMarks) {
     const marks::PointSet unit = clustered(runtime, sphere(runtime.memory, 3000));
     ASSERT_EQ(unit.unit, 1.0);
     for (const int power : {-149, -140, -100, -66, 66, 100, 127}) {
@@ -212,7 +212,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
 
 // No file and no array gives such positions. This makes sure that the undefined-behaviour sanitizer has nothing to
 // report.
-TEST_F(Clusters, BearWhatIsNoNumber) {
+TEST_F(Clusters, AcceptNonFiniteMarks) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     marks::PointSet set(runtime.memory);
     for (int i = 0; i < 300; ++i)

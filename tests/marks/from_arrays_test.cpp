@@ -75,7 +75,7 @@ TEST(FromArrays, CopiesAndNormalises) {
     EXPECT_EQ(of(set, Kind::stipples).count(), 0);
 }
 
-TEST(FromArrays, FillsInWhatIsLeftEmpty) {
+TEST(FromArrays, FillsInMissingArrays) {
     const Arrays keep;
     const LayerArrays arrays = keep.bare(Kind::stipples);
     const PointSet set = import(arrays);
@@ -105,7 +105,7 @@ TEST(FromArrays, ReadsOtherScalarsAndStrides) {
     EXPECT_EQ(position(set, Kind::hatch, 3), glm::dvec3(1, 0, 0));
 }
 
-TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
+TEST(FromArrays, RefusesAndNamesInvalidValues) {
     const auto refuse = [](std::initializer_list<const char*> words, auto&& change) {
         Arrays arrays;
         change(arrays);
@@ -145,7 +145,7 @@ TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
 }
 
 // Strokes get their directions from their course, and appear as a whole.
-TEST(FromArrays, StrokesHaveDirectionsAndRanksOfTheirOwn) {
+TEST(FromArrays, StrokesGetDirectionsAndOneRankEach) {
     Arrays arrays;
     arrays.position.clear();
     arrays.normal.clear();
@@ -181,7 +181,7 @@ TEST(FromArrays, StrokesHaveDirectionsAndRanksOfTheirOwn) {
     EXPECT_EQ(std::unique(ranks.begin(), ranks.end()), ranks.end());
 }
 
-TEST(FromArrays, AddLayersToThoseOfASet) {
+TEST(FromArrays, AddsLayersToAnExistingSet) {
     const PointSet base = make(Torus(), blue({Kind::stipples, Kind::hatch}, 2000));
     const Arrays arrays;
     LayerArrays own = arrays.views(Kind::own);

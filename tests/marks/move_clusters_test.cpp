@@ -92,7 +92,7 @@ protected:
 
 constexpr auto stay = [](glm::vec3&, glm::vec3&) {};
 
-TEST_F(MoveClusters, ThatDoNotMoveStayTheSame) {
+TEST_F(MoveClusters, MarksThatStayKeepTheirClusters) {
     marks::PointSet made = torus(runtime.memory, 150);
     add_torus_strokes(made, marks::Kind::hatch, 100, 27, 0.3);
     const marks::PointSet set = clustered(runtime, std::move(made));
@@ -140,7 +140,7 @@ TEST_F(MoveClusters, BoundTheirMarksWhereverTheyGo) {
 }
 
 // The curvature of a sphere decreases as the sphere grows.
-TEST_F(MoveClusters, FollowTheBendOfTheSurface) {
+TEST_F(MoveClusters, FollowTheCurvatureOfTheSurface) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 20000));
     const marks::Layer& layer = set.layers[0];
     for (const float scale : {1.0F, 2.0F, 0.25F}) {
@@ -157,7 +157,7 @@ TEST_F(MoveClusters, FollowTheBendOfTheSurface) {
     }
 }
 
-TEST_F(MoveClusters, OfAnEmptyLayerAreNone) {
+TEST_F(MoveClusters, AnEmptyLayerHasNoClusters) {
     const marks::Layer empty(runtime.memory);
     marks::move_clusters(empty, nullptr, nullptr, 1.0, moved);
     EXPECT_TRUE(moved.cluster.empty());

@@ -23,7 +23,7 @@ std::int64_t kept(std::int64_t count, std::int64_t room) {
     return found;
 }
 
-TEST(Thinning, KeepsAsManyAsThereIsRoomFor) {
+TEST(Thinning, KeepsAsManyMarksAsFit) {
     for (const std::int64_t count : {std::int64_t{1}, std::int64_t{2}, std::int64_t{5000}, std::int64_t{300000}})
         for (const std::int64_t room : {std::int64_t{0}, std::int64_t{1}, count / 3, count - 1, count, count + 1})
             EXPECT_EQ(kept(count, room), std::min(count, room)) << count << ", " << room;

@@ -45,7 +45,7 @@ double off(const base::Array<float>& normals, std::int64_t begin, const glm::dve
     return most;
 }
 
-TEST(ToneNormals, AverageTheGrainOfASurface) {
+TEST(ToneNormals, SmoothTheRoughnessOfASurface) {
     Marks marks = no_marks();
     add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0);
     double grain = 0.0;
@@ -89,7 +89,7 @@ TEST(ToneNormals, KeepSheetsApartAndEdgesSharp) {
     EXPECT_LT(off(soft, 2 * side * side, {1, 0, 0}), 1e-6);
 }
 
-TEST(ToneNormals, AreThoseOfLayersThatAskForThem) {
+TEST(ToneNormals, ExistOnlyForLayersThatRequestThem) {
     generate::Settings settings = blue({Kind::stipples, Kind::hatch}, 2000);
     of(settings, Kind::hatch).hatching.separation = 0.1;
     EXPECT_TRUE(of(make(Torus(), settings), Kind::stipples).tone_normal.empty());

@@ -17,7 +17,7 @@ DrawnStroke line(float y, float from, float to, float radius = 0.5F, std::uint32
     return stroke;
 }
 
-TEST(StrokeMeasures, EndsAtTheBorderAreNone) {
+TEST(StrokeMeasures, EndsAtTheBorderDoNotCount) {
     StrokeEnds ends;
     add_ends(ends, line(50.0F, 0.0F, 100.0F), 100.0, 100.0);
     EXPECT_EQ(ends.ends, 0.0);
@@ -51,7 +51,7 @@ TEST(StrokeMeasures, GapsAreMeasuredAcrossLines) {
     EXPECT_NEAR(spread_of(gaps).variation, 0.25, 1e-5);
 }
 
-TEST(StrokeMeasures, LengthIsSharedWithTheSameLineAlone) {
+TEST(StrokeMeasures, LengthIsSharedOnlyWithTheSameLine) {
     const std::vector<DrawnStroke> one{line(10.0F, 0.0F, 100.0F)};
     const auto by_hundred = [](std::uint32_t id) { return id / 100; };
     const std::vector<DrawnStroke> half{line(20.6F, 0.0F, 100.0F)}; // twice as large
@@ -60,7 +60,7 @@ TEST(StrokeMeasures, LengthIsSharedWithTheSameLineAlone) {
     EXPECT_EQ(shared_length(one, {line(10.0F, 0.0F, 100.0F, 0.5F, 100)}, 1.0, 0.5, by_hundred).share(), 0.0);
 }
 
-TEST(StrokeMeasures, InkThatComesAtOnceIsAPop) {
+TEST(StrokeMeasures, SuddenInkIsAPop) {
     const auto frames_of = [](const std::vector<float>& widths) {
         std::vector<std::vector<MarkInk>> frames;
         for (const float width : widths) frames.push_back({{width, true}});
@@ -75,7 +75,7 @@ TEST(StrokeMeasures, InkThatComesAtOnceIsAPop) {
     EXPECT_EQ(width_changes(hidden).shown, 0.0);
 }
 
-TEST(StrokeMeasures, AHairThatGoesIsNoPop) {
+TEST(StrokeMeasures, AVanishingHairlineIsNoPop) {
     const std::vector<std::vector<MarkInk>> frames{{{0.1F, true}}, {{0.0F, true}}};
     EXPECT_EQ(width_changes(frames).pops, 1.0);
     EXPECT_EQ(width_changes(frames, 0.4F).pops, 0.0);

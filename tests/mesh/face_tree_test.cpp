@@ -66,7 +66,7 @@ TEST(FaceTree, KnowsTheDistanceFromASphere) {
         ASSERT_NEAR(tree.distance(place(i)), std::abs(glm::length(place(i)) - 1.0), 1.5e-3) << i;
 }
 
-TEST(FaceTree, RaysMeetWhatAllFacesSay) {
+TEST(FaceTree, RayHitsMatchABruteForceSearch) {
     const mesh::Mesh ring = made(runtime(), torus(24, 10, 0.3));
     const mesh::FaceTree tree(runtime(), ring.vertex, ring.triangle);
     int several = 0;

@@ -29,7 +29,7 @@ const hrbfnpr::base::Runtime& runtime() {
 
 constexpr double pi = 3.141592653589793;
 
-TEST(MakeMesh, OfASphereIsClosedAndOfGenusZero) {
+TEST(MakeMesh, ASphereIsClosedWithGenusZero) {
     const Mesh sphere = made(runtime(), icosphere(4));
     EXPECT_TRUE(sphere.report.closed);
     EXPECT_EQ(sphere.report.euler_characteristic, 2);
@@ -41,7 +41,7 @@ TEST(MakeMesh, OfASphereIsClosedAndOfGenusZero) {
     EXPECT_EQ(sphere.faces(), 20 * 256);
 }
 
-TEST(MakeMesh, OfATorusIsOfGenusOneAndOfTwoOfGenusTwo) {
+TEST(MakeMesh, EachTorusAddsOneToTheGenus) {
     EXPECT_EQ(made(runtime(), torus(40, 20, 0.3)).report.genus, 1);
     const Mesh two = made(runtime(), torus(40, 20, 0.3).with(torus(40, 20, 0.3).moved(1.0, 5.0, 0.0, 0.0)));
     EXPECT_EQ(two.report.genus, 2);
@@ -51,7 +51,7 @@ TEST(MakeMesh, OfATorusIsOfGenusOneAndOfTwoOfGenusTwo) {
 }
 
 // The corners of each face were computed separately and nearly coincide. Corners that are farther apart leave a gap.
-TEST(MakeMesh, JoinsVerticesOfBordersThatRoundingKeepsApart) {
+TEST(MakeMesh, JoinsBorderVerticesThatDifferByRounding) {
     for (const double off : {1e-7, 3e-6}) {
         Triangles soup = icosphere(3).unwelded();
         for (std::size_t i = 0; i < soup.vertices.size(); ++i)
@@ -68,7 +68,7 @@ TEST(MakeMesh, JoinsVerticesOfBordersThatRoundingKeepsApart) {
     EXPECT_EQ(made(runtime(), icosphere(2).with(small), Parts::all).faces(), 2 * 20 * 16);
 }
 
-TEST(MakeMesh, JoinsVerticesInOnePlace) {
+TEST(MakeMesh, JoinsCoincidentVertices) {
     const Mesh welded = made(runtime(), icosphere(3).unwelded());
     EXPECT_EQ(welded.vertex.size(), 642);
     EXPECT_EQ(welded.report.welded_vertices, 3 * 20 * 64 - 642);
@@ -80,7 +80,7 @@ TEST(MakeMesh, JoinsVerticesInOnePlace) {
     EXPECT_TRUE(made(runtime(), cube).report.closed);
 }
 
-TEST(MakeMesh, LeavesOutFacesThatAreNone) {
+TEST(MakeMesh, LeavesOutDegenerateAndRepeatedFaces) {
     Triangles from = icosphere(2);
     from.face(0, 0, 1);
     from.face(from.triangles[1], from.triangles[2], from.triangles[0]);
@@ -97,7 +97,7 @@ TEST(MakeMesh, LeavesOutFacesThatAreNone) {
     EXPECT_EQ(kept.given_face[319], 319);
 }
 
-TEST(MakeMesh, TurnsFacesToAgree) {
+TEST(MakeMesh, TurnsFacesToAgreeWithNeighbours) {
     Triangles from = icosphere(3);
     for (std::size_t face = 0; face < from.faces(); face += 3)
         std::swap(from.triangles[3 * face], from.triangles[3 * face + 1]);
@@ -110,7 +110,7 @@ TEST(MakeMesh, TurnsFacesToAgree) {
     EXPECT_GT(mesh::make_mesh(runtime(), as_it_is).report.contrary_edges, 800);
 }
 
-TEST(MakeMesh, TurnsAClosedOneThatIsInsideOut) {
+TEST(MakeMesh, TurnsAClosedInsideOutMesh) {
     const Mesh turned = made(runtime(), icosphere(3).turned());
     EXPECT_EQ(turned.report.turned_components, 1);
     EXPECT_GT(turned.report.volume, 4.0);
@@ -122,7 +122,7 @@ TEST(MakeMesh, TurnsAClosedOneThatIsInsideOut) {
     EXPECT_LT(mesh::make_mesh(runtime(), as_it_is).report.volume, -4.0);
 }
 
-TEST(MakeMesh, TurnsOneWithHolesToo) {
+TEST(MakeMesh, TurnsAnInsideOutMeshWithHoles) {
     const auto holed = [](double, double y, double z) { return z > -0.9 && y < 0.9; };
     const Mesh right = made(runtime(), icosphere(4).where(holed));
     EXPECT_FALSE(right.report.closed);
@@ -132,7 +132,7 @@ TEST(MakeMesh, TurnsOneWithHolesToo) {
     EXPECT_EQ(made(runtime(), icosphere(4).turned().where(holed)).report.turned_components, 1);
 }
 
-TEST(MakeMesh, LeavesABowlAsItIs) {
+TEST(MakeMesh, DoesNotTurnABowl) {
     const auto half = [](double, double, double z) { return z > 0.0; };
     EXPECT_EQ(made(runtime(), icosphere(4).where(half)).report.turned_components, 0);
     const Mesh bowl = made(runtime(), icosphere(4).turned().where(half));
@@ -141,7 +141,7 @@ TEST(MakeMesh, LeavesABowlAsItIs) {
     EXPECT_EQ(bowl.report.genus, -1);
 }
 
-TEST(MakeMesh, LeavesOutWhatLiesInside) {
+TEST(MakeMesh, LeavesOutNestedParts) {
     const Triangles nested = icosphere(3).with(icosphere(3).moved(0.5, 0, 0, 0)).with(icosphere(2).moved(0.2, 0, 0, 0));
     const Triangles apart = nested.with(icosphere(2).moved(0.3, 2, 0, 0)).with(icosphere(2).moved(0.3, 1.0, 0, 0));
     const Mesh outer = made(runtime(), apart);
@@ -185,7 +185,7 @@ Triangles ball_of_columns(int columns, int rows) {
 }
 
 // If every n-th face is tested, these may all be at the same place of their column.
-TEST(MakeMesh, KeepsBallsOfColumnsThatOverlap) {
+TEST(MakeMesh, KeepsOverlappingBalls) {
     const Triangles ball = ball_of_columns(48, 24);
     const Mesh man = made(runtime(), ball.with(ball.moved(0.7, 0, 0, 1.4)).with(ball.moved(0.5, 0, 0, 2.3)));
     EXPECT_EQ(man.report.components, 3);
@@ -194,7 +194,7 @@ TEST(MakeMesh, KeepsBallsOfColumnsThatOverlap) {
 }
 
 // The centres of all faces of the turned square are inside or on the other square. Its corners are not.
-TEST(MakeMesh, KeepsWhatStandsOutAtItsCorners) {
+TEST(MakeMesh, KeepsPartsWhoseCornersStandOut) {
     const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
     for (const double low : {0.0, 0.1}) {
         Triangles turned = square.moved(std::sqrt(0.5), 0.0, 0.0, low);
@@ -231,7 +231,7 @@ TEST(MakeMesh, CountsEdgesOfThreeFaces) {
     EXPECT_FALSE(kept.report.closed);
 }
 
-TEST(MakeMesh, OfAMoebiusStripSaysThatItCannotBeOriented) {
+TEST(MakeMesh, ReportsThatAMoebiusStripCannotBeOriented) {
     Triangles strip;
     constexpr int count = 20;
     for (int i = 0; i < count; ++i)
@@ -273,7 +273,7 @@ TEST(MakeMesh, HasNormalsThatKeepCreases) {
                   0.01);
 }
 
-TEST(MakeMesh, KnowsPlacesOnItsBorder) {
+TEST(MakeMesh, KnowsPointsOnItsBorder) {
     Triangles sheet;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) static_cast<void>(sheet.add(i, j, 0));
@@ -325,7 +325,7 @@ TEST(MakeMesh, NamesTheFaceAndTheIndexThatIsOutOfRange) {
     EXPECT_NE(message_of(input(flat)).find("1 faces, and none has an area"), std::string::npos);
 }
 
-TEST(MakeMesh, IgnoresVerticesThatNoFaceHas) {
+TEST(MakeMesh, IgnoresUnusedVertices) {
     Triangles from = icosphere(2);
     static_cast<void>(from.add(std::numeric_limits<double>::infinity(), 0, 0));
     EXPECT_EQ(made(runtime(), from).vertex.size(), 162);

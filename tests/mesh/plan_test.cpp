@@ -23,7 +23,7 @@ bool never() {
 
 // ---- Faces that look the wrong way
 
-TEST(Plan, TurnsWhatIsInsideOut) {
+TEST(Plan, TurnsInsideOutParts) {
     using mesh::Faces;
     using mesh::Parts;
     mesh::Component component;
@@ -56,7 +56,7 @@ TEST(Plan, TurnsAnOpenMesh) {
 
 // ---- Edges that stand out
 
-TEST(Plan, EdgesAreMeantIfTheyStandOut) {
+TEST(Plan, EdgesAreSharpIfTheyStandOut) {
     EXPECT_FALSE(mesh::judge_edges({0.0, 0.0, 0.0}, 1.0).creases);
     EXPECT_FALSE(mesh::judge_edges({1.0, 0.49, 0.0}, 1.0).creases);
     EXPECT_TRUE(mesh::judge_edges({1.0, 0.5, 0.0}, 1.0).creases);
@@ -69,13 +69,13 @@ TEST(Plan, EdgesAreMeantIfTheyStandOut) {
     EXPECT_EQ(found.coarse, 0.5);
 }
 
-TEST(Plan, AMeshHasTheEdgesOfEnoughOfItsArea) {
+TEST(Plan, EdgesOfEnoughAreaCountForTheWholeMesh) {
     EXPECT_FALSE(mesh::judge_all_edges({1.0, 1.0, 0.0}, 1.0, 0.09, 1.0).creases);
     EXPECT_TRUE(mesh::judge_all_edges({1.0, 0.0, 0.0}, 1.0, 0.1, 1.0).creases);
     EXPECT_FALSE(mesh::judge_all_edges({}, 1.0, 0.0, 0.0).creases);
 }
 
-TEST(Plan, EdgesAreAsWishedOrAsTheyStandOut) {
+TEST(Plan, EdgesFollowTheWishOrTheShape) {
     mesh::CreaseEvidence found;
     EXPECT_EQ(mesh::plan_edges(Edges::smooth, found, never), mesh::SharpEdges::none);
     EXPECT_EQ(mesh::plan_edges(Edges::sharp, found, never), mesh::SharpEdges::bending);
@@ -85,7 +85,7 @@ TEST(Plan, EdgesAreAsWishedOrAsTheyStandOut) {
     EXPECT_EQ(mesh::plan_edges(Edges::automatic, found, never), mesh::SharpEdges::meant);
 }
 
-TEST(Plan, EachPartHasASharpnessOfItsOwn) {
+TEST(Plan, EachPartHasItsOwnSharpness) {
     mesh::CreaseEvidence part, whole;
     whole.standing = 0.6;
     EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).angle, 180.0);
@@ -136,7 +136,7 @@ TEST(Plan, DividesCoarseFacesUntilTheyAreFine) {
     EXPECT_EQ(rough.plan().choice, Choice::nothing);
 }
 
-TEST(Plan, LeavesFacesThatAreNotToBeDivided) {
+TEST(Plan, KeepsFacesThatShouldNotBeDivided) {
     Coarse coarse(0.01);
     coarse.facts.has_creases = [] { return true; };
     EXPECT_EQ(coarse.plan().choice, Choice::nothing);
@@ -172,7 +172,7 @@ TEST(Plan, AllFacesAreFlatIfTheFileSaysSo) {
     EXPECT_EQ(coarse.plan().choice, Choice::divided);
 }
 
-TEST(Plan, ADivisionThatFoldsIsNoDivision) {
+TEST(Plan, ADivisionThatFoldsIsRejected) {
     mesh::MeshWishes wishes;
     const auto judge = [&](double moved, double raised, SaidOfEdges said) {
         return mesh::judge_division({moved, raised, 0.01, [] { return 0.02; }}, said, wishes);
@@ -188,7 +188,7 @@ TEST(Plan, ADivisionThatFoldsIsNoDivision) {
     EXPECT_EQ(judge(1.0, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
 }
 
-TEST(Plan, TheFitKeepsTheEdgesThatAreWished) {
+TEST(Plan, TheFitKeepsTheWishedEdges) {
     mesh::MeshWishes wishes;
     const mesh::FittedEdges of_fit{Edges::automatic, 40.0};
     EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, false).angle, 40.0);
@@ -242,7 +242,7 @@ TEST(Plan, AFitChoosesItsSamplesUnlessTheCallerDoes) {
     EXPECT_FALSE(mesh::chooses_samples({false, false, false, false, true}));
 }
 
-TEST(Plan, TolerancesAreThoseThatAreWished) {
+TEST(Plan, TolerancesFollowTheWish) {
     EXPECT_EQ(mesh::plan_tolerance(0.0, 10.0), 0.02);
     EXPECT_EQ(mesh::plan_tolerance(0.5, 10.0), 0.5);
     EXPECT_EQ(mesh::plan_far(0.0, 0.5), 2.5);
@@ -252,7 +252,7 @@ TEST(Plan, TolerancesAreThoseThatAreWished) {
 
 // ---- Where the surface ends
 
-TEST(Plan, AClosedSurfaceEndsWhereTheFitInventsSome) {
+TEST(Plan, AClosedSurfaceEndsWhereTheFitInventsParts) {
     mesh::EndFacts facts;
     facts.mesh_p99 = facts.surface_p99 = 0.001;
     facts.surface_most = 0.01;
@@ -287,7 +287,7 @@ TEST(Plan, APictureEndsWhereTheMeshDoes) {
     EXPECT_DOUBLE_EQ(mesh::plan_end_of_samples(0.1, 1.0, true).off, 0.15);
 }
 
-TEST(Plan, ASurfaceThatIsKeptEndsNowhere) {
+TEST(Plan, AKeptSurfaceIsNotTrimmed) {
     mesh::EndFacts facts;
     facts.has_border = true;
     EXPECT_EQ(mesh::plan_end(facts, false).end, mesh::End::nowhere);
@@ -295,7 +295,7 @@ TEST(Plan, ASurfaceThatIsKeptEndsNowhere) {
     EXPECT_EQ(mesh::plan_end_of_samples(0.1, 1.0, false).end, mesh::End::nowhere);
 }
 
-TEST(Plan, CoarseFacesAreFartherOff) {
+TEST(Plan, CoarseFacesMoveTheEndFartherOut) {
     mesh::EndFacts facts;
     const auto off = [&](double p99) {
         facts.mesh_p99 = facts.surface_p99 = p99;

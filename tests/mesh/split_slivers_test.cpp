@@ -75,7 +75,7 @@ TEST(SplitSlivers, LeavesNoSlit) {
 }
 
 // Many slivers are beside each other, share corners and are cut again. Some are within the sides of others.
-TEST(SplitSlivers, LeavesNoneOfMany) {
+TEST(SplitSlivers, RemovesManyAdjacentSlivers) {
     const auto runtime = with_threads(2);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
         Triangles shape = box(1.0, 1.0, 1.0, 2);

@@ -30,7 +30,7 @@ Triangles cut_otherwise(const Triangles& from) {
     return result.turned();
 }
 
-TEST(Walls, BetweenTwoBoxesAreNone) {
+TEST(Walls, BetweenTwoBoxesAreRemoved) {
     const auto runtime = with_threads(2);
     const Mesh two = made(runtime, cube.with(at(1, 0, 0)));
     EXPECT_TRUE(two.report.closed);
@@ -41,7 +41,7 @@ TEST(Walls, BetweenTwoBoxesAreNone) {
     EXPECT_NEAR(two.report.volume, 2.0, 1e-12);
 }
 
-TEST(Walls, BetweenManyBoxesAreNone) {
+TEST(Walls, BetweenManyBoxesAreRemoved) {
     const auto runtime = with_threads(2);
     Triangles all;
     for (int x = 0; x < 3; ++x)
@@ -57,7 +57,7 @@ TEST(Walls, BetweenManyBoxesAreNone) {
 }
 
 // Faces that are cut along other diagonals are no twins, and the boxes remain two solids.
-TEST(Walls, OfOtherFacesPartTheSolids) {
+TEST(Walls, WithDifferentFacesSeparateTheSolids) {
     const auto runtime = with_threads(2);
     const Triangles other = cut_otherwise(cube).moved(1.0, 1.0, 0.0, 0.0);
     const Mesh two = made(runtime, cube.with(other));
@@ -71,7 +71,7 @@ TEST(Walls, OfOtherFacesPartTheSolids) {
 // Two pyramids, base on base. The bases share two faces, and each has others of its own. The shared faces look like a
 // wall, but are only a part of the contact: without them it would have a window. Turned and rounded to single
 // precision, the bases are not quite in one plane.
-TEST(Walls, OfSomeFacesOnlyAreNone) {
+TEST(Walls, CoveringOnlyPartOfTheContactAreKept) {
     const auto runtime = with_threads(2);
     const auto pyramid = [](double top, const std::vector<std::array<std::int32_t, 3>>& base) {
         const auto turned = [](double x, double y, double z) {
@@ -125,7 +125,7 @@ TEST(Walls, SolidsThatTouchInAnEdgeAreClosed) {
 }
 
 // Solids that share only a corner are two. Sheets that do stay as they are, since they have borders there.
-TEST(Walls, SolidsThatTouchInACornerAreTwo) {
+TEST(Walls, SolidsThatTouchInACornerStaySeparate) {
     const auto runtime = with_threads(2);
     const Mesh two = made(runtime, cube.with(at(1, 1, 1)));
     EXPECT_TRUE(two.report.closed);
@@ -163,7 +163,7 @@ TEST(Walls, SolidsThatCrossInAnEdgeAreClosed) {
     EXPECT_EQ(two.report.components, 2);
 }
 
-TEST(Walls, AreNoLeavesOfTwoSides) {
+TEST(Walls, DoNotIncludeTwoSidedLeaves) {
     const auto runtime = with_threads(2);
     const Triangles top = box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z > 0.999; });
     const Mesh leaf = made(runtime, top.with(top.turned()));

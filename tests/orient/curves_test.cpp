@@ -13,7 +13,7 @@ using orient::OutwardBy;
 
 // A search that begins with planes through neighbours gets 0.87 and 0.28 of these right. Begun with the first points of
 // the farthest-first order, it gets all right.
-TEST(OrientCurves, IsRightWhereTheyAreFarApart) {
+TEST(OrientCurves, IsRightForDistantWires) {
     const base::Runtime runtime;
     for (const double spacing : {0.05, 0.065}) {
         const Samples wires = test::torus_wires(spacing);
@@ -25,7 +25,7 @@ TEST(OrientCurves, IsRightWhereTheyAreFarApart) {
     }
 }
 
-TEST(OrientCurves, IsRightOfCrossSections) {
+TEST(OrientCurves, IsRightForCrossSections) {
     const base::Runtime runtime;
     const Samples sections = test::torus_sections(9, 60);
     const orient::Orientation result = orient::orient(runtime, input(sections));
@@ -49,14 +49,14 @@ TEST(OrientCurves, IsRightWithNoise) {
 
 // A part of more than 6000 points is enough. With noise of four spacings every sixteenth point still follows the
 // wires.
-TEST(OrientCurves, IsRightOfMany) {
+TEST(OrientCurves, IsRightForManyPoints) {
     const Samples wires = test::torus_wires(0.005);
     ASSERT_GT(wires.count(), 6000);
     for (const double noise : {0.0, 0.02}) expect_right(wires, noise, 10.0);
 }
 
 // Planes through neighbours on a wire give such normals: a quarter of them are in the surface.
-TEST(OrientCurves, MakesNormalsAnewOfWhichManyLieInTheSurface) {
+TEST(OrientCurves, ReplacesNormalsThatLieInTheSurface) {
     const base::Runtime runtime;
     const Samples sections = test::torus_sections(9, 60);
     Samples given = sections;

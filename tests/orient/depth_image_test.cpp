@@ -72,7 +72,7 @@ Errors errors_of(const SeenDepths& image, const orient::DepthImage& result, Of o
     return errors;
 }
 
-TEST(DepthImage, TakesOffMostOfTheNoise) {
+TEST(DepthImage, RemovesMostOfTheNoise) {
     const SeenDepths image = seen_depths(320, 240, kinect);
     const orient::DepthImage result = smoothed(image);
     const Errors wall = errors_of(image, result, Of::wall);
@@ -93,7 +93,7 @@ TEST(DepthImage, TakesOffMostOfTheNoise) {
 }
 
 // The planes are exact on the wall. On the ball, which is curved, they determine the error.
-TEST(DepthImage, LeavesWhatIsExactWhereItIs) {
+TEST(DepthImage, KeepsExactPointsInPlace) {
     const SeenDepths image = seen_depths(320, 240);
     const orient::DepthImage result = smoothed(image);
     const Errors errors = errors_of(image, result);
@@ -106,7 +106,7 @@ TEST(DepthImage, LeavesWhatIsExactWhereItIs) {
     EXPECT_EQ(result.report.radius, 2.0);
 }
 
-TEST(DepthImage, HasNothingWhereNothingWasSeen) {
+TEST(DepthImage, IsEmptyWhereTheCameraSawNothing) {
     const SeenDepths image = seen_depths(64, 48, kinect);
     const orient::DepthImage result = smoothed(image);
     for (std::int32_t row = 0; row < 48 / 8; ++row)
@@ -125,7 +125,7 @@ TEST(DepthImage, HasNothingWhereNothingWasSeen) {
     EXPECT_EQ(here, result.report.seen - result.report.left_out);
 }
 
-TEST(DepthImage, LeavesOutWhatIsOnNoSurface) {
+TEST(DepthImage, LeavesOutPointsOnNoSurface) {
     SeenDepths image = seen_depths(64, 48, kinect);
     const std::int64_t lone = 40 * 64 + 50; // halfway between the camera and the wall
     for (std::size_t axis = 0; axis < 3; ++axis) image.points[static_cast<std::size_t>(3 * lone) + axis] *= 0.5;
@@ -135,7 +135,7 @@ TEST(DepthImage, LeavesOutWhatIsOnNoSurface) {
     EXPECT_EQ(result.report.left_out, before + 1);
 }
 
-TEST(DepthImage, LooksToTheCameraOnBothSides) {
+TEST(DepthImage, NormalsFaceTheCameraOnBothSides) {
     for (const double side : {1.0, -1.0}) {
         const SeenDepths image = seen_depths(128, 96, {0.0014, 0.0, side});
         const orient::DepthImage result = smoothed(image);
@@ -147,7 +147,7 @@ TEST(DepthImage, LooksToTheCameraOnBothSides) {
     }
 }
 
-TEST(DepthImage, KeepsPointsIfItShall) {
+TEST(DepthImage, CanKeepThePoints) {
     const SeenDepths image = seen_depths(64, 48, kinect);
     orient::DepthImageInput input = input_of(image);
     input.keep_points = true;
@@ -174,7 +174,7 @@ TEST(DepthImage, IsSmootherOverAWiderDisc) {
     }
 }
 
-TEST(DepthImage, TakesTheGivenNoise) {
+TEST(DepthImage, UsesTheGivenNoise) {
     const SeenDepths image = seen_depths(64, 48);
     orient::DepthImageInput input = input_of(image);
     input.noise = 0.01;
@@ -184,7 +184,7 @@ TEST(DepthImage, TakesTheGivenNoise) {
 }
 
 // The result is the same in any unit and for any number of threads.
-TEST(DepthImage, DoesNotGoByTheUnitOrTheThreads) {
+TEST(DepthImage, DoesNotDependOnUnitsOrThreads) {
     const SeenDepths image = seen_depths(64, 48, kinect);
     const orient::DepthImage one = smoothed(image);
     base::Runtime many;
@@ -202,7 +202,7 @@ TEST(DepthImage, DoesNotGoByTheUnitOrTheThreads) {
 }
 
 // Numbers that overflow in between cause no crash and no infinite results.
-TEST(DepthImage, StandsOddNumbers) {
+TEST(DepthImage, AcceptsExtremeNumbers) {
     SeenDepths image = seen_depths(64, 48, kinect);
     const double odd[] = {0.0, 1e308, 5e-324, std::numeric_limits<double>::infinity(), nan};
     for (std::size_t i = 0; i < 5; ++i) {
@@ -243,7 +243,7 @@ TEST(DepthPlanes, AreExactOnPlanes) {
     EXPECT_FALSE(orient::small_plane(depth, 1, 55).has_value()) << "too near to the border";
 }
 
-TEST(DepthPlanes, DoNotCountWhatIsBeyondAnEdge) {
+TEST(DepthPlanes, IgnorePointsBeyondAnEdge) {
     base::Memory memory;
     orient::InverseDepth depth(memory);
     depth.columns = depth.rows = 60;

@@ -39,7 +39,7 @@ void expect_the_truth(const orient::Orientation& result, const Samples& samples 
     for (std::int64_t i = 0; i < samples.count(); ++i) ASSERT_EQ(result.normal[i], at(samples.normals, i)) << i;
 }
 
-TEST(GivenNormals, ThatAreRightStayBitForBit) {
+TEST(GivenNormals, CorrectNormalsStayBitForBit) {
     const orient::Orientation result = with(shape().normals);
     EXPECT_EQ(result.report.found, NormalMode::given);
     EXPECT_EQ(result.report.turned, 0);
@@ -47,7 +47,7 @@ TEST(GivenNormals, ThatAreRightStayBitForBit) {
     expect_the_truth(result);
 }
 
-TEST(GivenNormals, ThatPointInwardAreTurned) {
+TEST(GivenNormals, InwardNormalsAreTurned) {
     const std::vector<double> inward = turned(shape(), [](std::int64_t) { return true; });
     for (const NormalMode mode : {NormalMode::automatic, NormalMode::inward, NormalMode::unoriented}) {
         const orient::Orientation result = with(inward, mode);
@@ -57,7 +57,7 @@ TEST(GivenNormals, ThatPointInwardAreTurned) {
     EXPECT_EQ(with(inward).report.found, NormalMode::inward);
 }
 
-TEST(GivenNormals, PatchesThatAreTurnedAreTurnedBack) {
+TEST(GivenNormals, TurnedPatchesAreTurnedBack) {
     const auto patch = [](std::int64_t i) { return at(shape().points, i).x > 0.9; };
     const std::vector<double> mixed = turned(shape(), patch);
     for (const NormalMode mode : {NormalMode::automatic, NormalMode::mixed}) {
@@ -69,7 +69,7 @@ TEST(GivenNormals, PatchesThatAreTurnedAreTurnedBack) {
     }
 }
 
-TEST(GivenNormals, OfRandomSignsKeepTheirDirections) {
+TEST(GivenNormals, KeepTheirDirectionsIfSignsAreRandom) {
     const std::vector<double> tossed =
         turned(shape(), [](std::int64_t i) { return std::fmod(static_cast<double>(i * i) * 0.3819660113, 1.0) < 0.5; });
     const orient::Orientation result = with(tossed);
@@ -77,7 +77,7 @@ TEST(GivenNormals, OfRandomSignsKeepTheirDirections) {
     expect_the_truth(result);
 }
 
-TEST(GivenNormals, ThatAreColoursAreMadeAnew) {
+TEST(GivenNormals, MeaninglessNormalsAreReplaced) {
     std::vector<double> colours;
     for (std::int64_t i = 0; i < 3 * shape().count(); ++i)
         colours.push_back(std::fmod(static_cast<double>(i) * 0.618033988, 1.0));
@@ -92,7 +92,7 @@ TEST(GivenNormals, ThatAreColoursAreMadeAnew) {
     }
 }
 
-TEST(GivenNormals, ThatAreZeroAreMade) {
+TEST(GivenNormals, ZeroNormalsAreReplaced) {
     std::vector<double> some = shape().normals;
     std::fill_n(some.begin() + 30, 60, 0.0);
     const orient::Orientation result = with(some);
@@ -104,7 +104,7 @@ TEST(GivenNormals, ThatAreZeroAreMade) {
     EXPECT_EQ(score(shape(), none.normal).right, 1.0);
 }
 
-TEST(GivenNormals, OfOpenSheetsSayWhichSideIsMeant) {
+TEST(GivenNormals, DecideTheSideOfOpenSheets) {
     const Samples sheet = terrain(20);
     const std::vector<double> down = turned(sheet, [](std::int64_t) { return true; });
     const orient::Orientation result = with(down, NormalMode::automatic, sheet);
@@ -114,7 +114,7 @@ TEST(GivenNormals, OfOpenSheetsSayWhichSideIsMeant) {
     EXPECT_EQ(score(sheet, result.normal).right, 0.0);
 }
 
-TEST(GivenNormals, AreOnlyLookedAtWhereThatIsAsked) {
+TEST(GivenNormals, AreOnlyJudgedInModeGiven) {
     const std::vector<double> inward = turned(shape(), [](std::int64_t) { return true; });
     const orient::Orientation result = with(inward, NormalMode::given);
     EXPECT_EQ(result.report.found, NormalMode::inward);
@@ -122,7 +122,7 @@ TEST(GivenNormals, AreOnlyLookedAtWhereThatIsAsked) {
     for (std::int64_t i = 0; i < shape().count(); ++i) ASSERT_EQ(result.normal[i], at(inward, i));
 }
 
-TEST(GivenNormals, OfAClosedSurfaceAreSeenToPointInward) {
+TEST(GivenNormals, PointingInwardIsDetectedOnClosedSurfaces) {
     const base::Runtime runtime;
     const Samples sheet = terrain(20);
     const auto inward = [&](const Samples& samples, bool turn) {
@@ -149,7 +149,7 @@ Samples wall_and_ball() {
     return samples;
 }
 
-TEST(GivenNormals, StayInDoubtUnlessTheyShowByThemselves) {
+TEST(GivenNormals, HelpWhereNewNormalsWouldBeDoubtful) {
     const Samples both = wall_and_ball();
     const std::vector<double> none(both.normals.size(), 0.0);
     const orient::Orientation made = with(none, NormalMode::none, both);
@@ -164,7 +164,7 @@ TEST(GivenNormals, StayInDoubtUnlessTheyShowByThemselves) {
 }
 
 // Normals of random signs do not describe a wall.
-TEST(GivenNormals, OfRandomSignsAreTossedInDoubtToo) {
+TEST(GivenNormals, RandomSignsAreDetectedDespiteNoise) {
     const Samples wall = noisy(sheets(10, 1.5), 0.75);
     const std::vector<double> tossed =
         turned(wall, [](std::int64_t i) { return std::fmod(static_cast<double>(i * i) * 0.3819660113, 1.0) < 0.5; });

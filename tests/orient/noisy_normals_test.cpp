@@ -49,7 +49,7 @@ std::vector<double> shaken(const std::vector<double>& normals) {
     return result;
 }
 
-TEST(NoisyNormals, AreMeansWhereTheSurfaceIsSmooth) {
+TEST(NoisyNormals, AreAveragedOnSmoothSurfaces) {
     const base::Runtime runtime = test::with_threads(2);
     const Samples ball = noisy(test::sphere(1000), 0.03);
     Found found(runtime, ball, shaken(ball.normals));
@@ -78,7 +78,7 @@ TEST(NoisyNormals, DoNotMixFacesThatAreApart) {
     EXPECT_LT(found.score_of(runtime, roof).angle, 1e-5);
 }
 
-TEST(NoisyNormals, LookTheWayOfTheFaceThatTheyAreNearerTo) {
+TEST(NoisyNormals, FollowTheirNearestFace) {
     const base::Runtime runtime = test::with_threads(2);
     const Samples wall = noisy(sheets(24, 1.5), 0.2);
     std::vector<double> normals = shaken(wall.normals);

@@ -35,7 +35,7 @@ TEST(Orient, FindsOutwardNormalsOfClosedShapesOfAnySize) {
 }
 
 // A spanning tree over planes through neighbours is wrong for half of these points.
-TEST(Orient, TellsTheSidesOfThinWallsApart) {
+TEST(Orient, DistinguishesTheSidesOfThinWalls) {
     const base::Runtime runtime;
     for (const double gap : {1.0, 1.5}) {
         const Samples walls = sheets(20, gap);
@@ -75,7 +75,7 @@ TEST(Orient, TurnsEachOfSeveralSolidsOutward) {
     EXPECT_EQ(result.report.components, 2);
 }
 
-TEST(Orient, AllowsForNoise) {
+TEST(Orient, ToleratesNoise) {
     const base::Runtime runtime;
     Samples noisy = test::torus(1500);
     std::uint64_t state = 1;
@@ -95,7 +95,7 @@ TEST(Orient, AllowsForNoise) {
     EXPECT_EQ(oriented(test::torus(1500), runtime).report.noise, 0.0);
 }
 
-TEST(Orient, SaysThatPointsWithoutOrderHaveNoNormals) {
+TEST(Orient, ReportsThatRandomPointsHaveNoNormals) {
     const base::Runtime runtime;
     Samples dust;
     for (int i = 0; i < 400; ++i)
@@ -118,7 +118,7 @@ TEST(Orient, MergesPointsThatCoincide) {
     for (std::int64_t i = 0; i < 50; ++i) EXPECT_EQ(result.normal[i], result.normal[100 + i]);
 }
 
-TEST(Orient, NamesWhatIsWrongWithThePoints) {
+TEST(Orient, NamesFaultsOfThePoints) {
     const base::Runtime runtime;
     const auto message = [&](const std::vector<double>& points) -> std::string {
         Samples samples;

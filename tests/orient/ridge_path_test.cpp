@@ -39,7 +39,7 @@ struct NoisyCloud {
 constexpr double high = 3162.0;
 constexpr orient::Effort effort{3, false, true};
 
-TEST(RidgePath, KeepsTheSheetsApartThatAHighRidgeMerges) {
+TEST(RidgePath, SeparatesSheetsThatAHighRidgeMerges) {
     const base::Runtime runtime;
     const Samples wall = noisy_wall();
     const NoisyCloud noisy(runtime, wall);
@@ -49,7 +49,7 @@ TEST(RidgePath, KeepsTheSheetsApartThatAHighRidgeMerges) {
     EXPECT_GE(noisy.right(wall, found.fitted.normal), 0.97);
 }
 
-TEST(RidgePath, IsSteadyOnRoundShapesOnly) {
+TEST(RidgePath, IsSteadyOnlyOnRoundShapes) {
     const base::Runtime runtime;
     const NoisyCloud ball(runtime, noisy(test::sphere(300), 0.02));
     const NoisyCloud wall(runtime, noisy_wall());
@@ -60,7 +60,7 @@ TEST(RidgePath, IsSteadyOnRoundShapesOnly) {
     EXPECT_LT(steadiness(wall), 0.97);
 }
 
-TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
+TEST(RidgePath, SmoothsDirectionsOnlyWithinOneSide) {
     const base::Runtime runtime;
     const Samples wall = sheets(14, 1.5);
     const NoisyCloud clean(runtime, wall);
@@ -81,7 +81,7 @@ TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
     EXPECT_EQ(clean.right(wall, normal), 1.0);
 }
 
-TEST(RidgePath, IsDoubtfulOfNoisyWallsAndMoreOfNoiseWithoutOrder) {
+TEST(RidgePath, HasLowConfidenceOnNoisyWalls) {
     const base::Runtime runtime;
     const auto confidence = [&](double deviation) {
         return orient::orient(runtime, input(noisy(sheets(14, 1.5), deviation))).report.confidence;

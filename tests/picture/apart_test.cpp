@@ -32,7 +32,7 @@ protected:
     }
 };
 
-TEST_F(Apart, PartsThatCrossAreGroups) {
+TEST_F(Apart, CrossingPartsBecomeGroups) {
     const std::int64_t faces = 528;
     const std::optional<FaceGroups> found = groups(pipe().with(pipe_across()));
     ASSERT_TRUE(found);
@@ -46,7 +46,7 @@ TEST_F(Apart, PartsThatCrossAreGroups) {
     EXPECT_NE(found->groups[0].front(), found->groups[1].front());
 }
 
-TEST_F(Apart, PartsThatAreFarShareAGroup) {
+TEST_F(Apart, DistantPartsShareAGroup) {
     const test::Triangles far = pipe().moved(1.0, 6.0, 0.0, 0.0);
     EXPECT_FALSE(groups(pipe().with(far)));
     const std::optional<FaceGroups> found = groups(pipe().with(pipe_across()).with(far));
@@ -69,7 +69,7 @@ TEST_F(Apart, SolidsStayTogether) {
     EXPECT_EQ(found->groups[1].front(), 2 * 6 * 32);
 }
 
-TEST_F(Apart, ACutIsNoReason) {
+TEST_F(Apart, ACutThroughAPipeMakesNoGroups) {
     EXPECT_FALSE(groups(pipe().with(pipe().moved(1.0, 0.0, 3.002, 0.0)))); // The pipes continue each other.
     // A lid lies on the border of the pipe, but the border of the lid is elsewhere.
     const std::optional<FaceGroups> found = groups(pipe().with(wall({-1, 2.95, -1}, {0, 0, 2}, {2, 0, 0})));
@@ -77,7 +77,7 @@ TEST_F(Apart, ACutIsNoReason) {
     EXPECT_EQ(found->groups.size(), 2U);
 }
 
-TEST_F(Apart, WallsThatMeetInOneEdgeAreGroups) {
+TEST_F(Apart, WallsThatMeetInOneEdgeBecomeGroups) {
     const std::optional<FaceGroups> found = groups(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0})
                                                        .with(wall({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}))
                                                        .with(wall({0, 0, 0}, {0, 0, 1}, {0, 1, 0})));
@@ -86,7 +86,7 @@ TEST_F(Apart, WallsThatMeetInOneEdgeAreGroups) {
     EXPECT_EQ(found->groups.size(), 3U);
 }
 
-TEST_F(Apart, GroupsAreLimited) {
+TEST_F(Apart, TheNumberOfGroupsIsLimited) {
     test::Triangles many = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4);
     for (int i = 1; i < 10; ++i) many = many.with(wall({0, 0, 0.001 * i}, {1, 0, 0}, {0, 1, 0}, 4));
     // The walls are nearer to each other than a seam is wide, and all along their borders, so they count as one cut
@@ -98,12 +98,12 @@ TEST_F(Apart, GroupsAreLimited) {
     EXPECT_LE(found->groups.size(), 8U);
 }
 
-TEST_F(Apart, OneFaceIsNoGroup) {
+TEST_F(Apart, AFewFacesMakeNoGroups) {
     EXPECT_FALSE(groups(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1)));
     EXPECT_FALSE(groups(test::tetrahedron()));
 }
 
-TEST_F(Apart, AFaceOnAnEdgeOfTwoOthersIsLeftOver) {
+TEST_F(Apart, AFaceOnAnEdgeOfTwoOthersIsSetAside) {
     test::Triangles mesh = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const std::int32_t top = mesh.add(0.49, 0.5, 0.004);
     mesh.face(84, 85, top);
@@ -117,7 +117,7 @@ TEST_F(Apart, AFaceOnAnEdgeOfTwoOthersIsLeftOver) {
     EXPECT_THAT(flaps(test::icosphere(1)), IsEmpty());
 }
 
-TEST_F(Apart, APartFarAwayIsLost) {
+TEST_F(Apart, ATinyDistantPartCountsAsLost) {
     test::Triangles mesh = pipe();
     const std::int32_t a = mesh.add(60, 0, 0), b = mesh.add(60, 0.1, 0), c = mesh.add(60, 0, 0.1);
     mesh.face(a, b, c);

@@ -73,14 +73,14 @@ struct BlankTest : testing::Test {
     hrbfnpr_layer_style layer = defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
 };
 
-TEST_F(BlankTest, ASphereIsSeen) {
+TEST_F(BlankTest, ASphereIsNotBlank) {
     EXPECT_EQ(message(), "");
     const float pale[4] = {0.5F, 0.25F, 0.9F, 0.5F};
     std::copy(pale, pale + 4, style.paper);
     EXPECT_EQ(message(), "");
 }
 
-TEST_F(BlankTest, TheCameraLooksAway) {
+TEST_F(BlankTest, ACameraThatLooksAwayIsNamed) {
     view.eye = glm::dvec3(5, 0, 0);
     view.target = glm::dvec3(9, 0, 0);
     EXPECT_EQ(message(),
@@ -88,7 +88,7 @@ TEST_F(BlankTest, TheCameraLooksAway) {
               "leave out --eye and --direction, or let --target be in the model");
 }
 
-TEST_F(BlankTest, TheModelIsAPoint) {
+TEST_F(BlankTest, AModelOfOnePointIsNamed) {
     view.eye = glm::dvec3(5000, 0, 0);
     view.target = glm::dvec3(0.0);
     bounds = {glm::dvec3(0.0), glm::dvec3(0.0)};
@@ -96,12 +96,12 @@ TEST_F(BlankTest, TheModelIsAPoint) {
     EXPECT_EQ(message(), "the picture would be blank: nothing is drawn. All samples are at one point");
 }
 
-TEST_F(BlankTest, TheInkIsThePaper) {
+TEST_F(BlankTest, InkLikeThePaperIsNamed) {
     std::fill(layer.ink, layer.ink + 3, 1.0F);
     EXPECT_EQ(message(), "the picture would be blank: nothing is drawn. The ink cannot be seen on the paper");
 }
 
-TEST_F(BlankTest, AllIsLight) {
+TEST_F(BlankTest, ATooLightToneIsNamed) {
     style.light[0] = style.light[1] = 0.0F; // The light comes from the eye.
     style.light[2] = 1.0F;
     style.light_space = HRBFNPR_LIGHT_CAMERA;
@@ -113,7 +113,7 @@ TEST_F(BlankTest, AllIsLight) {
         << text;
 }
 
-TEST_F(BlankTest, NormalsLookInward) {
+TEST_F(BlankTest, InwardNormalsAreNamed) {
     for (const bool is_flipped : {false, true}) {
         const std::string text = message(-1.0, is_flipped);
         EXPECT_NE(text.find("marks that face the eye are behind something, as where normals look inward: "),
@@ -124,7 +124,7 @@ TEST_F(BlankTest, NormalsLookInward) {
     }
 }
 
-TEST_F(BlankTest, NothingIsShown) {
+TEST_F(BlankTest, AStyleWithoutMarksIsNamed) {
     layer.share = 0.0F;
     EXPECT_EQ(message(), "the picture would be blank: nothing is drawn. The model is too small in the picture, or the "
                          "style draws no marks: try --style contour-and-stipple");

@@ -69,7 +69,7 @@ TEST_F(ChangesTest, FieldsAreSetByTheirNames) {
     EXPECT_FALSE(given.number("fit.solver"));
 }
 
-TEST_F(ChangesTest, ValuesAreReadAsTheyAreWritten) {
+TEST_F(ChangesTest, ValuesAreReadInEveryNotation) {
     for (const char* ink : {"#ff8000", "#FF8000ff", "1,0.50196078431372548,0", "1, 0.50196078431372548, 0, 1"}) {
         const hrbfnpr_layer_style style = layer_style("ink", ink);
         EXPECT_EQ(style.ink[0], 1.0F) << ink;
@@ -98,7 +98,7 @@ TEST_F(ChangesTest, ValuesAreReadAsTheyAreWritten) {
     EXPECT_FALSE(ink.colour("style.paper"));
 }
 
-TEST_F(ChangesTest, TextsReferToTheList) {
+TEST_F(ChangesTest, NamesAreSetAndCleared) {
     const Changes given = changes({{"marks.hatch.name", "fur"}, {"marks.stipples.name", ""}});
     auto layer = defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init);
     given.apply("marks.hatch", layer);
@@ -107,7 +107,7 @@ TEST_F(ChangesTest, TextsReferToTheList) {
     EXPECT_EQ(layer.name, nullptr);
 }
 
-TEST_F(ChangesTest, LaterOnesWin) {
+TEST_F(ChangesTest, LaterChangesWin) {
     Vector<std::pair<String, String>> of_settings(&pool);
     of_settings.emplace_back("fit.kernel", "gaussian");
     of_settings.emplace_back("fit.tolerance", "0.5");
@@ -125,7 +125,7 @@ TEST_F(ChangesTest, LaterOnesWin) {
     EXPECT_EQ(fit.tolerance, 0.5);
 }
 
-TEST_F(ChangesTest, RegularizationHasAMode) {
+TEST_F(ChangesTest, RegularizationAlsoSetsItsMode) {
     auto fit = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
     const Changes automatic = changes({{"fit.regularization", "0.25"}, {"fit.regularization", "Auto"}});
     automatic.apply("fit", fit);
@@ -150,7 +150,7 @@ TEST_F(ChangesTest, AShareOfAllLayersIsMultiplied) {
     EXPECT_EQ(layer.share, 0.5F);
 }
 
-TEST_F(ChangesTest, PathsOfOtherStepsAreTaken) {
+TEST_F(ChangesTest, PathsOfAllStepsAreAccepted) {
     const Changes given = changes({{"style.ink", "#ff8000"},
                                    {"style.lines.wobble", "2"},
                                    {"style.layers.shape", "dots"},
@@ -168,7 +168,7 @@ TEST_F(ChangesTest, PathsOfOtherStepsAreTaken) {
     EXPECT_EQ(std::memcmp(&before, &style, sizeof style), 0);
 }
 
-TEST_F(ChangesTest, WhatIsWrongIsNamed) {
+TEST_F(ChangesTest, InvalidChangesAreNamed) {
     const std::pair<ChangesTest::Pair, const char*> cases[] = {
         {{"style.halo", "1"},
          "changes[0].field is \"style.halo\"; hrbfnpr_style has no field halo: there are halo_width,"},
@@ -217,7 +217,7 @@ TEST_F(ChangesTest, WhatIsWrongIsNamed) {
     EXPECT_TRUE(refused("style.halo", "1").ends_with(", ..."));
 }
 
-TEST_F(ChangesTest, AListThatIsNoneIsRefused) {
+TEST_F(ChangesTest, AnInvalidListIsRefused) {
     const hrbfnpr_change change{sizeof(hrbfnpr_change), 0, "fit.kernel", "gaussian"};
     EXPECT_TRUE(Changes(nullptr, 0, 0, pool).list().empty());
     EXPECT_THROW(Changes(nullptr, 1, 0, pool), Error);

@@ -32,7 +32,7 @@ protected:
     Vector<Outline> parts{&pool};
 };
 
-TEST_F(CutFacesTest, PartsBecomeOutlinesWhateverTheirOrderAndDirection) {
+TEST_F(CutFacesTest, PartsInAnyOrderAndDirectionBecomeOutlines) {
     add({{0, 10}, {10, 10}});
     add({{0, 0}, {0, 10}});
     add({{20, 0}, {30, 0}, {25, 5}, {20, 0}}); // This outline is closed by itself.
@@ -44,7 +44,7 @@ TEST_F(CutFacesTest, PartsBecomeOutlinesWhateverTheirOrderAndDirection) {
     EXPECT_EQ(found[1].size(), 4U);
 }
 
-TEST_F(CutFacesTest, WhatDoesNotCloseIsLeftOut) {
+TEST_F(CutFacesTest, OpenOutlinesAreLeftOut) {
     EXPECT_TRUE(closed_outlines(parts, pool).empty());
     add({});
     add({{1, 1}});
@@ -75,7 +75,7 @@ TEST_F(CutFacesTest, LinesRiseToTheRightInsideAndHolesStayEmpty) {
     }
 }
 
-TEST_F(CutFacesTest, WhatIsNotFiniteGetsNoLinesAndTooManyAreRefused) {
+TEST_F(CutFacesTest, NonFiniteOutlinesGetNoLinesAndTooManyAreRefused) {
     EXPECT_TRUE(hatched(parts, 1.0, pool).empty());
     add({{0, 0}, {std::numeric_limits<double>::infinity(), 0}, {0, 1}});
     EXPECT_TRUE(hatched(parts, 1.0, pool).empty());

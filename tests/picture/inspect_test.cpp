@@ -124,7 +124,7 @@ TEST_F(InspectTest, Good_points_have_facts_and_no_findings) {
     EXPECT_STREQ(info.up_reason, "nothing speaks for another direction");
 }
 
-TEST_F(InspectTest, Up_is_that_of_the_format) {
+TEST_F(InspectTest, The_format_tells_up) {
     const test::Samples ball = test::sphere(100);
     auto source = source_of(ball);
     source.up[2] = 1.0;
@@ -137,7 +137,7 @@ TEST_F(InspectTest, Up_is_that_of_the_format) {
     EXPECT_EQ(std::string(inspect(source).up_reason).size(), sizeof info.up_reason - 1);
 }
 
-TEST_F(InspectTest, Inward_normals_are_repaired_and_warned_of_in_the_callers_words) {
+TEST_F(InspectTest, Inward_normals_give_a_warning_in_the_callers_words) {
     const test::Samples inward = turned(test::sphere(400), -3.0);
     const auto info = inspect(inward);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_INWARD);
@@ -152,7 +152,7 @@ TEST_F(InspectTest, Inward_normals_are_repaired_and_warned_of_in_the_callers_wor
     EXPECT_THAT(advice(), ElementsAre("nothing: they are turned; normals keep leaves them"));
 }
 
-TEST_F(InspectTest, Normals_that_differ_are_warned_of) {
+TEST_F(InspectTest, Mixed_normals_give_a_warning) {
     test::Samples mixed = test::torus(600);
     for (std::size_t i = 0; i < mixed.normals.size(); ++i)
         if (i / 3 % 4 == 0) mixed.normals[i] = -mixed.normals[i];
@@ -167,7 +167,7 @@ TEST_F(InspectTest, Normals_that_differ_are_warned_of) {
                               "if they are many");
 }
 
-TEST_F(InspectTest, Points_that_cannot_be_used_are_counted) {
+TEST_F(InspectTest, Unusable_points_are_counted) {
     test::Samples samples = test::sphere(300);
     samples.points[3] = nan;
     samples.points[7] = -std::numeric_limits<double>::infinity();
@@ -192,7 +192,7 @@ TEST_F(InspectTest, Points_that_cannot_be_used_are_counted) {
     EXPECT_THAT(advice(), IsEmpty());
 }
 
-TEST_F(InspectTest, Normals_that_are_missing_are_made) {
+TEST_F(InspectTest, Missing_normals_are_made) {
     const test::Samples ball = test::sphere(200);
     auto info = inspect(source_of(ball, false));
     EXPECT_EQ(info.has_normals, 0U);
@@ -204,7 +204,7 @@ TEST_F(InspectTest, Normals_that_are_missing_are_made) {
     EXPECT_THAT(repairs(), ElementsAre("normals made, as all are zero"));
 }
 
-TEST_F(InspectTest, Places_tell_of_strays_of_no_data_and_of_the_origin) {
+TEST_F(InspectTest, Strays_no_data_and_distant_origins_are_reported) {
     test::Samples samples = test::sphere(1000);
     samples.add({40.0, 0.0, 0.0}, {1.0, 0.0, 0.0});
     samples.add({0.0, 0.0, -9999.0}, {1.0, 0.0, 0.0});
@@ -229,7 +229,7 @@ TEST_F(InspectTest, Places_tell_of_strays_of_no_data_and_of_the_origin) {
     EXPECT_THAT(warnings(), Contains("all points are at one place: there is no surface to draw"));
 }
 
-TEST_F(InspectTest, A_terrain_that_looks_down_is_told) {
+TEST_F(InspectTest, A_terrain_that_looks_down_gives_a_warning) {
     test::Samples waves;
     for (int i = 0; i < 30; ++i)
         for (int j = 0; j < 30; ++j) {
@@ -247,7 +247,7 @@ TEST_F(InspectTest, A_terrain_that_looks_down_is_told) {
     EXPECT_THAT(warnings(), Contains("the surface is a terrain that looks down along z"));
 }
 
-TEST_F(InspectTest, Normals_of_points_along_curves_are_judged_by_the_library) {
+TEST_F(InspectTest, Normals_along_curves_are_judged_by_the_library) {
     const test::Samples wires = test::torus_wires(0.4);
     auto info = inspect(wires);
     EXPECT_EQ(info.along_curves, 1U);
@@ -260,7 +260,7 @@ TEST_F(InspectTest, Normals_of_points_along_curves_are_judged_by_the_library) {
     EXPECT_THAT(advice(), ElementsAre("nothing: --normals keep leaves them"));
 }
 
-TEST_F(InspectTest, What_cannot_be_drawn_is_a_failure_and_no_error) {
+TEST_F(InspectTest, An_undrawable_source_is_a_failure_not_an_error) {
     const test::Samples ball = test::sphere(50);
     test::Samples both = ball;
     const test::Samples inside = turned(ball);
@@ -304,7 +304,7 @@ TEST_F(InspectTest, A_mesh_has_facts) {
     EXPECT_THAT(warnings(), IsEmpty());
 }
 
-TEST_F(InspectTest, What_is_wrong_with_a_mesh_is_told) {
+TEST_F(InspectTest, Faults_of_a_mesh_are_reported) {
     auto info = inspect(pipe());
     EXPECT_EQ(info.boundary_loops, 2);
     EXPECT_EQ(info.closed, 0U);
@@ -342,7 +342,7 @@ TEST_F(InspectTest, Edges_of_many_faces_are_mended_where_solids_touch) {
     EXPECT_THAT(warnings(), Contains("1 edge of more than two triangles"));
 }
 
-TEST_F(InspectTest, The_image_of_a_depth_camera_has_noise) {
+TEST_F(InspectTest, The_noise_of_a_depth_image_is_reported) {
     const test::SeenDepths image = test::seen_depths(48, 36, {1e-3, 0.0, 1.0});
     auto source = test::made(hrbfnpr_picture_source_init);
     source.points = in(image.points);
@@ -391,7 +391,7 @@ TEST_F(InspectTest, Models_and_their_marks_have_bounds) {
     EXPECT_EQ(of_marks.points, 50);
 }
 
-TEST_F(InspectTest, Calls_that_make_no_sense_are_refused) {
+TEST_F(InspectTest, Invalid_calls_are_refused) {
     const test::Samples ball = test::sphere(100);
     const auto source = source_of(ball);
     auto info = test::made(hrbfnpr_source_info_init);

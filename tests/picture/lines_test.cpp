@@ -74,7 +74,7 @@ TEST_F(CreasesTest, ABoxHasTwelveEdgesOfTwoPoints) {
     EXPECT_TRUE(creases(95.0).empty());
 }
 
-TEST_F(CreasesTest, EdgesThatGoRoundAreOneClosedLine) {
+TEST_F(CreasesTest, EdgesAroundARimAreOneClosedLine) {
     add_prism(24); // Sides meet at 15 degrees.
     const auto rims = creases(30.0);
     ASSERT_EQ(rims.size(), 2U);
@@ -97,7 +97,7 @@ TEST_F(CreasesTest, FacetsOfARoundedShapeAreLeftOut) {
     EXPECT_TRUE(without_facets(std::move(lines), diagonal).empty());
 }
 
-TEST_F(CreasesTest, BadFacesDoNoHarm) {
+TEST_F(CreasesTest, BadFacesAreIgnored) {
     EXPECT_THROW(static_cast<void>(creases(30.0)), Error);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     add_box();
@@ -142,7 +142,7 @@ TEST_F(LinesTest, SectionsStandEvenlyBetweenTheBounds) {
     EXPECT_TRUE(once[1].levels.empty());
 }
 
-TEST_F(LinesTest, TellsWhatWasFoundAndWhereTheSurfaceEnds) {
+TEST_F(LinesTest, ReportsFoundLinesAndTheEndOfTheSurface) {
     EXPECT_TRUE(lines_of("contour,section=z:3"));
     ASSERT_EQ(planned.report->stages.size(), 1U);
     EXPECT_NE(planned.report->stages[0].says.find(" triangles, 3 lines found once"), String::npos);
@@ -161,7 +161,7 @@ TEST_F(LinesTest, TellsWhatWasFoundAndWhereTheSurfaceEnds) {
     EXPECT_TRUE(notes().empty());
 }
 
-TEST_F(LinesTest, NoLinesAreLookedForThatNobodyDraws) {
+TEST_F(LinesTest, LinesThatNoStyleDrawsAreNotSearched) {
     style.base.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     EXPECT_FALSE(lines_of("contour"));
     style.base.visibility = HRBFNPR_VISIBILITY_DEPTH_LAYERS;
@@ -170,7 +170,7 @@ TEST_F(LinesTest, NoLinesAreLookedForThatNobodyDraws) {
     EXPECT_TRUE(planned.report->stages.empty());
 }
 
-TEST_F(LinesTest, CreasesWantAMeshOrAModelWithEdges) {
+TEST_F(LinesTest, CreasesNeedAMeshOrAModelWithEdges) {
     try {
         static_cast<void>(lines_of("crease"));
         FAIL();
@@ -187,7 +187,7 @@ TEST_F(LinesTest, CreasesWantAMeshOrAModelWithEdges) {
     EXPECT_NE(planned.report->stages[0].says.find(" triangles, 1 lines found once"), String::npos);
 }
 
-TEST_F(LinesTest, WarnsOfDoubts) {
+TEST_F(LinesTest, WarnsOfDoubtfulLines) {
     static_cast<void>(planned.call());
     hrbfnpr_drawing_info info{};
     tell_doubts(*planned.report, info);

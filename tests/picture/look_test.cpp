@@ -54,7 +54,7 @@ struct LookTest : testing::Test {
     geometry::Bounds bounds;
 };
 
-TEST_F(LookTest, PlacesFillThePicture) {
+TEST_F(LookTest, PointsFillThePicture) {
     for (const double fov : {0.0, 30.0}) {
         View wanted = view(z_up, 640);
         wanted.fov = fov;
@@ -227,7 +227,7 @@ TEST_F(LookTest, AnOrbitGoesAroundTheAxis) {
     EXPECT_EQ(orbit_centre(wanted, bounds), *wanted.target);
 }
 
-TEST_F(LookTest, ACameraOfTheCallersIsUsedAsItIs) {
+TEST_F(LookTest, ACallersCameraIsUsedUnchanged) {
     View wanted = view(y_up);
     wanted.camera = camera_for(view(z_up, 77), bounds, places, false);
     const hrbfnpr_camera camera = camera_for(wanted, bounds, places, false);
@@ -235,7 +235,7 @@ TEST_F(LookTest, ACameraOfTheCallersIsUsedAsItIs) {
     EXPECT_EQ(first_camera(wanted, bounds, places, 360.0, 36, false).projection[0], camera.projection[0]);
 }
 
-TEST_F(LookTest, NothingToSeeIsRefused) {
+TEST_F(LookTest, InvalidViewsAreRefused) {
     EXPECT_THROW(static_cast<void>(camera_for(view(y_up), bounds, Points(&pool), false)), Error);
     places[3].y = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(static_cast<void>(camera_for(view(y_up), bounds, places, false)), Error);
@@ -271,7 +271,7 @@ struct ProbeTest : LookTest {
     hrbfnpr_picture_desc desc = defaults<hrbfnpr_picture_desc>(hrbfnpr_picture_desc_init);
 };
 
-TEST_F(ProbeTest, LearnsAreaAndPlace) {
+TEST_F(ProbeTest, MeasuresTheAreaAndFindsPlaces) {
     const Options options(desc, nullptr, pool);
     Report report(pool, HRBFNPR_WORDING_OPTIONS, nullptr, nullptr, *context, nullptr);
     test::Samples samples = test::sphere(300);

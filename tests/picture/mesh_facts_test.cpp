@@ -41,7 +41,7 @@ TEST_F(MeshFactsTest, A_closed_mesh_has_its_area_and_volume) {
     EXPECT_NEAR(torus.volume, 2.0 * pi * pi * 0.0625, 2e-3);
 }
 
-TEST_F(MeshFactsTest, A_mesh_that_is_turned_is_inside_out) {
+TEST_F(MeshFactsTest, A_turned_mesh_is_inside_out) {
     const test::Triangles box = test::box(1.0, 1.0, 1.0, 2);
     const MeshFacts turned = facts_of(box.turned());
     EXPECT_TRUE(turned.closed && turned.inside_out);
@@ -66,7 +66,7 @@ TEST_F(MeshFactsTest, Borders_are_counted_by_loops) {
     EXPECT_EQ(facts_of(pipe().turned()).components_inside_out, 0);
 }
 
-TEST_F(MeshFactsTest, Edges_tell_what_is_wrong) {
+TEST_F(MeshFactsTest, Contrary_and_nonmanifold_edges_are_counted) {
     test::Triangles one_turned = test::tetrahedron();
     std::swap(one_turned.triangles[0], one_turned.triangles[1]);
     const MeshFacts contrary = facts_of(one_turned);
@@ -78,7 +78,7 @@ TEST_F(MeshFactsTest, Edges_tell_what_is_wrong) {
     EXPECT_EQ(facts_of(box.with(box.moved(1.0, 1.0, 1.0, 0.0))).nonmanifold_edges, 1);
 }
 
-TEST_F(MeshFactsTest, Faces_and_vertices_that_are_of_no_use_are_counted) {
+TEST_F(MeshFactsTest, Unusable_faces_and_vertices_are_counted) {
     test::Triangles mesh = test::tetrahedron();
     mesh.face(0, 0, 1);                         // This face has no area.
     mesh.face(3, 1, 0);                         // This repeats the first face.
@@ -95,7 +95,7 @@ TEST_F(MeshFactsTest, Faces_and_vertices_that_are_of_no_use_are_counted) {
     EXPECT_EQ(facts.components, 1);
 }
 
-TEST_F(MeshFactsTest, A_mesh_may_have_no_face_that_can_be_used) {
+TEST_F(MeshFactsTest, A_mesh_may_have_no_usable_face) {
     test::Triangles mesh;
     const std::int32_t first = mesh.add(0.0, 0.0, std::numeric_limits<double>::infinity());
     mesh.face(first, mesh.add(1.0, 0.0, 0.0), mesh.add(0.0, 1.0, 0.0));

@@ -91,7 +91,7 @@ TEST_F(MeshSurface, DividesACoarseBall) {
     EXPECT_EQ(up, glm::dvec3(0, 1, 0));
 }
 
-TEST_F(MeshSurface, LeavesWhatIsNotToBeDivided) {
+TEST_F(MeshSurface, DoesNotDivideSharpOrExcludedMeshes) {
     planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     planned.desc.subdivide = 0;
@@ -105,7 +105,7 @@ TEST_F(MeshSurface, LeavesWhatIsNotToBeDivided) {
     EXPECT_THAT(notes(), IsEmpty());
 }
 
-TEST_F(MeshSurface, DividesAsOftenAsItIsTold) {
+TEST_F(MeshSurface, DividesTheGivenNumberOfTimes) {
     planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     planned.desc.subdivide = 1;
@@ -117,7 +117,7 @@ TEST_F(MeshSurface, DividesAsOftenAsItIsTold) {
     EXPECT_THAT(refusal(test::icosphere(3)), HasSubstr("and 4000000 are the most: subdivide fewer times"));
 }
 
-TEST_F(MeshSurface, GoesByTheSharpEdgesOfAFile) {
+TEST_F(MeshSurface, UsesTheSharpEdgesOfAFile) {
     planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.02;
     Shape ball = shape_of(test::icosphere(1), planned.pool);
@@ -128,7 +128,7 @@ TEST_F(MeshSurface, GoesByTheSharpEdgesOfAFile) {
     EXPECT_GT(flat[0].fit->sheets, 40);
 }
 
-TEST_F(MeshSurface, PartsThatCrossAreSurfaces) {
+TEST_F(MeshSurface, CrossingPartsBecomeSurfaces) {
     planned.desc.tolerance = 0.1;
     const test::Triangles walls =
         wall({0, 0, 0}, {1, 0, 0.6}, {0, 1, 0}, 6).with(wall({0, 0.1, 0.6}, {1, 0, -0.6}, {0, 1, 0}, 6));
@@ -192,7 +192,7 @@ TEST_F(MeshSurface, TurnsATerrainThatLooksDown) {
     EXPECT_LT(height_of_first_face(kept[0]), 0.0);
 }
 
-TEST_F(MeshSurface, LeavesOutWhatIsLost) {
+TEST_F(MeshSurface, LeavesOutTinyDistantParts) {
     planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     test::Triangles mesh = test::icosphere(3);
@@ -203,7 +203,7 @@ TEST_F(MeshSurface, LeavesOutWhatIsLost) {
     EXPECT_THAT(stages()[0], HasSubstr("1 part, closed"));
 }
 
-TEST_F(MeshSurface, TakesAsManySamplesAsItIsTold) {
+TEST_F(MeshSurface, UsesTheGivenNumberOfSamples) {
     planned.desc.samples = 200;
     const Vector<Surface> made = surfaces(test::icosphere(3));
     ASSERT_EQ(made.size(), 1U);
@@ -216,7 +216,7 @@ TEST_F(MeshSurface, TakesAsManySamplesAsItIsTold) {
     EXPECT_EQ(refusal(test::icosphere(0)), "--samples 1000000000 is more than a mesh can have: 10000000");
 }
 
-TEST_F(MeshSurface, FitsSamplesWhereOnlyThatHasTheOption) {
+TEST_F(MeshSurface, FitsSamplesIfAnOptionNeedsIt) {
     const auto chooses = [&] { return surfaces(test::icosphere(1))[0].fit.has_value(); };
     planned.desc.subdivide = 0;
     planned.desc.tolerance = 0.1;
@@ -235,7 +235,7 @@ TEST_F(MeshSurface, FitsSamplesWhereOnlyThatHasTheOption) {
     EXPECT_EQ(stages()[1], "2: 1000 samples");
 }
 
-TEST_F(MeshSurface, TellsOfATooSmallTolerance) {
+TEST_F(MeshSurface, ReportsAToleranceThatIsNotReached) {
     planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.maximum_centres = 20;
     planned.desc.subdivide = 0;
@@ -252,7 +252,7 @@ TEST_F(MeshSurface, RefusesAMeshWithoutArea) {
     EXPECT_THAT(refusal(flat), HasSubstr("area"));
 }
 
-TEST_F(MeshSurface, TakesOneFace) {
+TEST_F(MeshSurface, AcceptsASingleFlatFace) {
     const Vector<Surface> made = surfaces(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1));
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(info_of(made[0].mesh).faces, 2);

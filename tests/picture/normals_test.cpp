@@ -42,7 +42,7 @@ protected:
 };
 
 // The same rules in Python computed the expected numbers.
-TEST_F(Normals, LookOutwardOfABall) {
+TEST_F(Normals, LookOutwardOnABall) {
     const Points ball = sphere(250);
     const NormalsLook outward = look(ball, ball);
     EXPECT_NEAR(outward.closed, 1.0234579554273797, 1e-12);
@@ -58,7 +58,7 @@ TEST_F(Normals, LookOutwardOfABall) {
     EXPECT_FALSE(inward.mixed());
 }
 
-TEST_F(Normals, AreMixedWhereSomeAreTurned) {
+TEST_F(Normals, AreMixedIfSomeAreTurned) {
     const Points ball = sphere(250);
     const NormalsLook some = look(ball, turned_where(ball, [](std::size_t i) { return i % 4 == 0; }));
     EXPECT_NEAR(some.closed, 0.5053796432748427, 1e-12);
@@ -72,7 +72,7 @@ TEST_F(Normals, AreMixedWhereSomeAreTurned) {
     EXPECT_FALSE(patch.mixed()); // This is a known gap: hrbfnpr_orient would see the patch.
 }
 
-TEST_F(Normals, OfManySamplesAFewStandForAll) {
+TEST_F(Normals, AreJudgedByAFewOfManySamples) {
     const Points ball = sphere(20'000);
     const NormalsLook outward = look(ball, ball);
     EXPECT_NEAR(outward.closed, 1.0, 0.05);
@@ -80,7 +80,7 @@ TEST_F(Normals, OfManySamplesAFewStandForAll) {
     EXPECT_NEAR(look(ball, turned_where(ball, [](std::size_t i) { return i % 10 == 0; })).flipped, 0.1, 0.02);
 }
 
-TEST_F(Normals, TellNothingOfLittle) {
+TEST_F(Normals, TellNothingAboutTooFewPoints) {
     const auto expect_nothing = [&](const Points& points) {
         const NormalsLook found = look(points, points);
         EXPECT_EQ(found.closed, 0.0);
@@ -95,7 +95,7 @@ TEST_F(Normals, TellNothingOfLittle) {
     EXPECT_FALSE(look(pairs, pairs).inward());
 }
 
-TEST_F(Normals, OpenSurfacesTellLess) {
+TEST_F(Normals, TellLessOnOpenSurfaces) {
     const Points ball = sphere(250);
     Points cap(&pool);
     for (const glm::dvec3& p : ball)
@@ -112,7 +112,7 @@ TEST_F(Normals, OpenSurfacesTellLess) {
 
 // ---- Samples at one place
 
-TEST_F(Normals, AtOnePlaceAgree) {
+TEST_F(Normals, AreAveragedAtSharedPlaces) {
     const double s = std::sqrt(0.5);
     Points points({{1, 0, 0}, {0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {-0.0, 0, 0}, {2, 0, 0}, {3, 0, 0}}, &pool);
     Points normals({{0, 0, 1}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 0}}, &pool);
@@ -177,7 +177,7 @@ TEST_F(Normals, RandomSubsetsAreEvenAndTheSameEachTime) {
     EXPECT_TRUE(random_subset(7, 0, 1, 1, pool).empty());
 }
 
-TEST_F(Normals, Medians) {
+TEST_F(Normals, MediansAreCorrectAndKeepNaN) {
     const auto median = [&](std::initializer_list<double> numbers) {
         Vector<double> copy(numbers, &pool);
         return median_of(copy);

@@ -68,7 +68,7 @@ protected:
     hrbfnpr_page_info info{};
 };
 
-TEST_F(PageTest, APixelIsThatOfCssWithoutPaper) {
+TEST_F(PageTest, WithoutPaperAPixelIsACssPixel) {
     const std::string svg = written(content({960, 480}));
     EXPECT_NEAR(info.width, 254.0, 1e-9);
     EXPECT_NEAR(info.height, 127.0, 1e-9);
@@ -79,7 +79,7 @@ TEST_F(PageTest, APixelIsThatOfCssWithoutPaper) {
     EXPECT_EQ(written(content({960, 480})).find("vase.ply"), std::string::npos);
 }
 
-TEST_F(PageTest, PaperIsTurnedAsItFitsBetter) {
+TEST_F(PageTest, PaperIsTurnedToFitBetter) {
     desc.paper = "A4";
     written(content({960, 480}));
     EXPECT_EQ(info.width, 297.0);
@@ -98,7 +98,7 @@ TEST_F(PageTest, PaperIsTurnedAsItFitsBetter) {
               "--page-margin -1 must be 0 or more, and leave room on a page of 300 x 200 mm");
 }
 
-TEST_F(PageTest, PaperThatIsNotKnownIsRefused) {
+TEST_F(PageTest, UnknownPaperIsRefused) {
     desc.paper = "a9";
     EXPECT_EQ(refusal(content({1, 1})), "--page must be one of a0, a1, a2, a3, a4, a5, a6, letter, legal, tabloid, or "
                                         "WIDTHxHEIGHT in mm, such as 210x297, not 'a9'");
@@ -108,7 +108,7 @@ TEST_F(PageTest, PaperThatIsNotKnownIsRefused) {
     }
 }
 
-TEST_F(PageTest, PlottersTellWhatTheyDraw) {
+TEST_F(PageTest, PlotterFilesReportLengthAndTime) {
     page.format = HRBFNPR_PAGE_FORMAT_GCODE;
     written(content({960, 720}));
     ASSERT_EQ(notes().size(), 1U);
@@ -125,7 +125,7 @@ TEST_F(PageTest, WidthsOfPensMustAscend) {
     }
 }
 
-TEST_F(PageTest, MetadataIsJsonAsPythonWritesIt) {
+TEST_F(PageTest, MetadataMatchesPythonsJson) {
     auto camera = picture::defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     camera.view[4] = 1e-5; // row 0, column 1
     camera.view[13] = -0.1;

@@ -62,7 +62,7 @@ protected:
 };
 
 // A reference program in Python computed the expected values.
-TEST_F(PaintTest, GivesTheValuesThatItAlwaysGave) {
+TEST_F(PaintTest, MatchesReferenceValues) {
     const PaintedMap map(two_dabs(HRBFNPR_DAB_DENSITY), HRBFNPR_DAB_DENSITY, pool);
     const std::array density{0.62875, 0.870271875, 0.841636775390625, 1.0};
     const std::array<glm::dvec3, 4> directions{
@@ -75,7 +75,7 @@ TEST_F(PaintTest, GivesTheValuesThatItAlwaysGave) {
     }
 }
 
-TEST_F(PaintTest, ManyDabsAreFoundByThePlace) {
+TEST_F(PaintTest, ManyDabsAreFoundByPosition) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> anywhere(-1.0, 1.0), some(0.01, 0.3);
     std::vector<hrbfnpr_dab> dabs;
@@ -105,7 +105,7 @@ TEST_F(PaintTest, ManyDabsAreFoundByThePlace) {
     EXPECT_GT(painted, 100);
 }
 
-TEST_F(PaintTest, ThereIsNothingBeyondTheEdgeAndOnTheBack) {
+TEST_F(PaintTest, NothingIsPaintedBeyondTheEdgeOrOnTheBack) {
     const auto dabs = two_dabs(HRBFNPR_DAB_TONE);
     const PaintedMap map({dabs.data(), 1}, HRBFNPR_DAB_TONE, pool);
     const glm::dvec3 middle = places[0];
@@ -126,7 +126,7 @@ TEST_F(PaintTest, ThereIsNothingBeyondTheEdgeAndOnTheBack) {
     EXPECT_NEAR(far.pulled(1.0, glm::dvec3(1e6), {0.0, 0.0, 1.0}), 1.0 - 0.8 * 0.9, 1e-15);
 }
 
-TEST_F(PaintTest, TonesBeginWithTheLightOfTheStyle) {
+TEST_F(PaintTest, TonesStartFromTheLightOfTheStyle) {
     Style style(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
     const std::array light{1.0, 2.0, 2.0};
     std::copy(light.begin(), light.end(), style.base.light);
@@ -153,7 +153,7 @@ TEST_F(PaintTest, TonesBeginWithTheLightOfTheStyle) {
     for (std::size_t i = 0; i < tau.size(); ++i) EXPECT_FLOAT_EQ(tau[i], expected[i]);
 }
 
-TEST_F(PaintTest, EachMapGoesToItsLayers) {
+TEST_F(PaintTest, EachMapAppliesToItsLayers) {
     std::vector<hrbfnpr_dab> dabs;
     for (const std::uint32_t map : {HRBFNPR_DAB_DENSITY, HRBFNPR_DAB_DIRECTION})
         for (const hrbfnpr_dab& dab : two_dabs(map)) dabs.push_back(dab);

@@ -45,7 +45,7 @@ TEST(Plan, ThePenIsAnEightHundredthOfThePicture) {
 }
 
 // A reference program in Python computed the expected numbers.
-TEST(Plan, CrossHatchingIsAsItAlwaysWas) {
+TEST(Plan, CrossHatchingMatchesReferenceValues) {
     PlannedCall given(HRBFNPR_PRESET_CROSS_HATCH);
     given.desc.hatch_angle = 10.0;
     const Call call = given.call();
@@ -102,7 +102,7 @@ TEST(Plan, LinesKeepTheirSeparation) {
     EXPECT_EQ(marks.layers[1].step, 0.0); // Stipples have no lines.
 }
 
-TEST(Plan, TonesAreSharedOutInTurn) {
+TEST(Plan, TonesAreSharedBetweenLayersInTurn) {
     PlannedCall given(HRBFNPR_PRESET_CROSS_HATCH);
     given.desc.mark_kinds = "stipples,hatch";
     given.change("marks.tone_ranges", "in-turn").change("style.stipples.shown", "true");
@@ -120,7 +120,7 @@ TEST(Plan, TonesAreSharedOutInTurn) {
     EXPECT_EQ(planned(scientific.call()).marks.layers[0].tone_end, 0.0F);
 }
 
-TEST(Plan, TellsWhereMarksAreLimited) {
+TEST(Plan, ReportsLimitedMarks) {
     PlannedCall given(HRBFNPR_PRESET_STIPPLE);
     given.desc.pen = 0.5;
     const Marks marks = planned(given.call(), 800.0, 600.0, 30.0, 2000.0).marks;
@@ -145,7 +145,7 @@ TEST(Plan, LinesAloneNeedFewMarks) {
     EXPECT_GT(planned(given.call()).marks.layers[0].budget, 4000);
 }
 
-TEST(Plan, TheRecursionTakesSteps) {
+TEST(Plan, TheRecursionPlansLevels) {
     PlannedCall given(HRBFNPR_PRESET_FULL);
     given.change("marks.distribution", "published");
     const Planned made = planned(given.call());
@@ -166,7 +166,7 @@ TEST(Plan, TheRecursionTakesSteps) {
 }
 
 // Its strokes are one layer, in place of the style's layers of lines.
-TEST(Plan, TheRecursionHasStrokesOfOneLayer) {
+TEST(Plan, TheRecursionPutsStrokesInOneLayer) {
     struct Row {
         std::uint32_t preset, guide, directions;
     };
@@ -189,7 +189,7 @@ TEST(Plan, TheRecursionHasStrokesOfOneLayer) {
     }
 }
 
-TEST(Plan, ChangesComeInOrder) {
+TEST(Plan, ChangesApplyInOrder) {
     PlannedCall given(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE);
     given.change("style.any.radius", "5").change("style.own.share", "0.25").change("style.ink", "#ff0000");
     given.change("style.silhouette_ink", "#00ff00").change("style.layers.share", "0.5");
@@ -210,7 +210,7 @@ TEST(Plan, ChangesComeInOrder) {
     }
 }
 
-TEST(Plan, LinesOfAKindAreChangedAlone) {
+TEST(Plan, LinesOfOneKindCanBeChangedAlone) {
     PlannedCall given;
     given.desc.lines = "contour,ridges";
     given.change("style.ridge.width", "3").change("style.contour.hidden", "dashed");
@@ -222,7 +222,7 @@ TEST(Plan, LinesOfAKindAreChangedAlone) {
     EXPECT_NE(style.lines[1].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_DASHED});
 }
 
-TEST(Plan, HiddenLinesHideTheLinesPartsToo) {
+TEST(Plan, HidingHiddenLinesAlsoHidesPartsOfLines) {
     PlannedCall given(HRBFNPR_PRESET_XRAY);
     given.change("style.hidden_lines", "hide");
     const Style style = plan_style(given.call(), 800.0, 600.0, false);
@@ -240,7 +240,7 @@ TEST(Plan, ATransparentPictureHasNoPaper) {
     EXPECT_EQ(plan_style(given.call(), 800.0, 600.0, false).base.paper[3], 0.0F);
 }
 
-TEST(Plan, AStyleOfTheCallersIsUsedAsItIs) {
+TEST(Plan, ACallersStyleIsUsedUnchanged) {
     auto own = defaults<hrbfnpr_style>(hrbfnpr_style_init);
     auto layer = defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
     layer.radius = 2.5F;
@@ -254,7 +254,7 @@ TEST(Plan, AStyleOfTheCallersIsUsedAsItIs) {
     EXPECT_EQ(style.base.halo_width, 9.0F);
 }
 
-TEST(Plan, OtherKindsThanCanBeMadeAreRefused) {
+TEST(Plan, UnknownMarkKindsAreRefused) {
     PlannedCall given;
     for (const char* const wrong : {"dots", "principal", "own", "any", "stipples,hatching"}) {
         given.desc.mark_kinds = wrong;
@@ -311,7 +311,7 @@ TEST(Plan, SettingsHaveAStyleAPenAndLayers) {
     EXPECT_NE(stipples.layers[0].budget, 40000);
 }
 
-TEST(Plan, ANamedStyleIsNotThatOfSettings) {
+TEST(Plan, ANamedStyleOverridesSettings) {
     PlannedCall given;
     given.settings = read_settings(R"({"hrbfnpr-settings": 1, "preset": "hatch", "pen": 2,
         "style": {"halo_width": 30}, "marks": {"tone_ranges": "in_turn", "layers": [{"kind": "stipples"}]}})",
@@ -324,7 +324,7 @@ TEST(Plan, ANamedStyleIsNotThatOfSettings) {
     EXPECT_EQ(made.marks.base.tone_ranges, std::uint32_t{HRBFNPR_TONE_RANGES_IN_TURN});
 }
 
-TEST(Plan, WhatIsPaintedIsInTheStyleAndTheLayers) {
+TEST(Plan, PaintReachesTheStyleAndTheLayers) {
     hrbfnpr_dab dab{};
     dab.struct_size = sizeof dab;
     dab.normal[2] = dab.radius = dab.strength = 1.0;
@@ -351,7 +351,7 @@ TEST(Plan, APartGetsItsShareOfABudget) {
     EXPECT_EQ(share_of(marks, 1e-9).layers[0].budget, 1);
 }
 
-TEST(Plan, NumbersThatAreNoneGiveOneMark) {
+TEST(Plan, InvalidAreasGiveOneMark) {
     PlannedCall given(HRBFNPR_PRESET_STIPPLE);
     EXPECT_EQ(planned(given.call(), 800.0, 600.0, std::numeric_limits<double>::quiet_NaN()).marks.layers[0].budget, 1);
     EXPECT_EQ(planned(given.call(), 800.0, 600.0, 0.0).marks.layers[0].budget, 1);
@@ -360,7 +360,7 @@ TEST(Plan, NumbersThatAreNoneGiveOneMark) {
     EXPECT_EQ(planned(given.call(), 800.0, 600.0, 0.0).marks.layers[0].levels, 1);
 }
 
-TEST(Plan, MarksArePlacedInAStage) {
+TEST(Plan, PlacingMarksIsReportedAsAStage) {
     PlannedCall given(HRBFNPR_PRESET_HATCH);
     given.change("marks.layers.budget", "300");
     const Call call = given.call();

@@ -103,7 +103,7 @@ protected:
     hrbfnpr_camera camera = picture::defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
 };
 
-TEST_F(PlateTest, FindsHaveASectionAndABarUnlessTheOptionsSayOtherwise) {
+TEST_F(PlateTest, ArchaeologicalFindsGetASectionAndABarByDefault) {
     const auto wants = [&](std::uint32_t preset, std::uint32_t profile, const char* bar) {
         planned.desc.preset = preset;
         planned.desc.profile = profile;
@@ -155,7 +155,7 @@ TEST_F(PlateTest, TheSectionIsAHatchedDiscAtTheScaleOfTheDrawing) {
     EXPECT_EQ(outside, 0.0);
 }
 
-TEST_F(PlateTest, TheDrawingStandsAtTheLeftAsItIs) {
+TEST_F(PlateTest, TheDrawingIsUnchangedAtTheLeft) {
     const glm::ivec2 size = plate_size(plate("cm"), pool);
     EXPECT_EQ(size.y, height + 44); // The strip has its least height.
     const Pixels pixels = rasterized("cm");
@@ -192,7 +192,7 @@ TEST_F(PlateTest, AllFormatsHaveTheSamePicture) {
     }
 }
 
-TEST_F(PlateTest, ASmallerOrLargerImageIsNoHarm) {
+TEST_F(PlateTest, ASmallerOrLargerImageIsAccepted) {
     const Pixels whole = rasterized("cm");
     const glm::ivec2 size = plate_size(plate("cm"), pool);
     Pixels pixels;
@@ -210,7 +210,7 @@ TEST_F(PlateTest, ASmallerOrLargerImageIsNoHarm) {
     EXPECT_THROW(rasterize_plate(*planned.context.get(), plate("cm"), drawing, bad, pool), Error);
 }
 
-TEST_F(PlateTest, TransparentPaperStaysSoAndTheSectionIsHatched) {
+TEST_F(PlateTest, TransparentPaperStaysTransparentWithAHatchedSection) {
     const Pixels opaque = rasterized("cm");
     style.base.paper[3] = 0.0F;
     draw();
@@ -222,7 +222,7 @@ TEST_F(PlateTest, TransparentPaperStaysSoAndTheSectionIsHatched) {
     EXPECT_LT(off, static_cast<std::int64_t>(clear.size()) / 4 / 200); // Lines of the drawing overlap in a few pixels.
 }
 
-TEST_F(PlateTest, APageHasTheSame) {
+TEST_F(PlateTest, APageHasTheSameContent) {
     const PageContent page = plate_page(*planned.context.get(), plate("cm"), drawing, pool);
     ASSERT_EQ(page.drawings.size(), 2U);
     EXPECT_STREQ(page.drawings[0].name, "view");

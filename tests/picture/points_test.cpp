@@ -125,7 +125,7 @@ protected:
     }
 };
 
-TEST_F(FitPoints, CleanPointsWithNormals) {
+TEST_F(FitPoints, CleanPointsWithNormalsGiveNoNotes) {
     const Fitted fitted = fit(ball());
     EXPECT_THAT(notes(), IsEmpty());
     EXPECT_THAT(warnings(), IsEmpty());
@@ -164,7 +164,7 @@ TEST_F(FitPoints, MixedNormalsAreRepaired) {
     EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "18 normals turned, 0 made anew; the surface is closed, confidence 1.00");
 }
 
-TEST_F(FitPoints, NormalsAreMade) {
+TEST_F(FitPoints, MissingNormalsAreMade) {
     const Fitted fitted = fit(without_normals(ball(120)));
     EXPECT_LT(value_at_origin(fitted.surface.model), 0.0);
     EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are made"));
@@ -194,7 +194,7 @@ TEST_F(FitPoints, AnOpenSurfaceLooksToTheScanner) {
     EXPECT_EQ(said_of(HRBFNPR_STAGE_END), "no such stage");
 }
 
-TEST_F(FitPoints, AViewpointThatTellsNothingIsSaid) {
+TEST_F(FitPoints, AnUnusedViewpointGivesAWarning) {
     desc.viewpoint[0] = desc.viewpoint[1] = desc.viewpoint[2] = 5.0;
     fit(ball());
     EXPECT_THAT(warnings(), ElementsAre("--viewpoint is for points whose normals are made, and these have some: "
@@ -221,7 +221,7 @@ TEST_F(FitPoints, ATerrainThatLooksDownIsTurned) {
 
 // ---- Samples
 
-TEST_F(FitPoints, SamplesAreChosen) {
+TEST_F(FitPoints, SamplesAreChosenFromManyPoints) {
     desc.flags = HRBFNPR_PICTURE_CLOSE; // The end of the surface is not looked for.
     fit(ball(5000));                    // The default uses fewer points.
     EXPECT_THAT(notes(), ElementsAre("5000 points, of which 4096 are used; --samples N sets another number"));
@@ -236,7 +236,7 @@ TEST_F(FitPoints, SamplesAreChosen) {
     EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), testing::StartsWith("60 centres, "));
 }
 
-TEST_F(FitPoints, WhatCannotBeUsedIsLeftOut) {
+TEST_F(FitPoints, UnusablePointsAreLeftOut) {
     Shape shape = ball();
     shape.points[3].x = nan;
     shape.normals[5] = glm::dvec3(0.0);
@@ -252,7 +252,7 @@ TEST_F(FitPoints, WhatCannotBeUsedIsLeftOut) {
     EXPECT_NE(refusal(without_normals(shape)), "");
 }
 
-TEST_F(FitPoints, FacesThatAreNotFiniteAreLeftOut) {
+TEST_F(FitPoints, NonFiniteFacesAreLeftOut) {
     Shape mesh = without_normals(ball(20));
     mesh.triangles = {{{0, 1, 2}, {1, 2, 3}, {4, 5, 6}}};
     mesh.points[0].x = nan;
@@ -264,7 +264,7 @@ TEST_F(FitPoints, FacesThatAreNotFiniteAreLeftOut) {
     EXPECT_EQ(mesh.triangles.size(), 2U);
 }
 
-TEST_F(FitPoints, PlacesWithSeveralNormals) {
+TEST_F(FitPoints, PlacesWithSeveralNormalsAreReported) {
     Shape shape = ball();
     shape.points.push_back(shape.points[7]);
     shape.normals.push_back(-shape.normals[7]);
@@ -310,7 +310,7 @@ TEST_F(FitPoints, NoiseIsSmoothed) {
     EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; through all samples"));
 }
 
-TEST_F(FitPoints, OptionsOfTheFit) {
+TEST_F(FitPoints, FitOptionsAreApplied) {
     change("fit.kernel", "gaussian");
     change("fit.solver", "direct");
     change("fit.trim", "auto");
@@ -319,7 +319,7 @@ TEST_F(FitPoints, OptionsOfTheFit) {
     EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), testing::StartsWith("40 centres, gaussian, direct; "));
 }
 
-TEST_F(FitPoints, LittleEvidenceIsSaid) {
+TEST_F(FitPoints, TooFewPointsGiveAWarning) {
     const auto told_of = [&](std::initializer_list<glm::dvec3> list, int times = 1) {
         Points points(&pool);
         for (int i = 0; i < times; ++i)
@@ -358,7 +358,7 @@ Shape depth_image(int columns, int rows, Pool& pool) {
     return shape;
 }
 
-TEST_F(FitPoints, AnImageIsSmoothed) {
+TEST_F(FitPoints, ADepthImageIsSmoothed) {
     desc.samples = 120;
     const Fitted fitted = fit(depth_image(60, 40, pool));
     EXPECT_THAT(said_of(HRBFNPR_STAGE_SMOOTH), testing::StartsWith("2280 pixels of 60 x 40, over "));
@@ -378,7 +378,7 @@ TEST_F(FitPoints, AnImageIsSmoothed) {
 
 // ---- Nearness
 
-TEST_F(FitPoints, DistancesInWords) {
+TEST_F(FitPoints, DistancesAreWrittenInWords) {
     auto found = defaults<hrbfnpr_comparison>(hrbfnpr_comparison_init);
     found.surface_p99 = 0.002;
     found.surface_max = 0.02;
@@ -395,7 +395,7 @@ TEST_F(FitPoints, DistancesInWords) {
     EXPECT_EQ(percent_of(nan, 1, pool), "nan%");
 }
 
-TEST_F(FitPoints, WhatTheFitMadeOfSamples) {
+TEST_F(FitPoints, RepairedAndDoubtfulSamplesAreReported) {
     auto info = defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
     info.samples = 1000;
     info.merged_samples = 1;

@@ -128,7 +128,7 @@ TEST_F(SettingsTest, AFileOfPythonIsReadAndWrittenAgain) {
     EXPECT_EQ(again.not_held, "");
 }
 
-TEST_F(SettingsTest, ItsValuesArrive) {
+TEST_F(SettingsTest, ValuesOfAFileAreApplied) {
     const auto settings = read(written_by_python);
     EXPECT_EQ(settings->preset, std::uint32_t{HRBFNPR_PRESET_HATCH});
     EXPECT_EQ((*settings->size)[1], 90);
@@ -167,7 +167,7 @@ TEST_F(SettingsTest, ItsValuesArrive) {
     EXPECT_TRUE(options.has(HRBFNPR_PICTURE_CLOSE));
 }
 
-TEST_F(SettingsTest, WhatIsLeftOutIsTheDefault) {
+TEST_F(SettingsTest, MissingValuesGetDefaults) {
     const auto settings = read(R"({"hrbfnpr-settings": 1})");
     EXPECT_EQ(settings->preset, std::uint32_t{HRBFNPR_PRESET_CONTOUR_AND_STIPPLE});
     EXPECT_FALSE(settings->size);
@@ -187,7 +187,7 @@ TEST_F(SettingsTest, WhatIsLeftOutIsTheDefault) {
               0.0F);
 }
 
-TEST_F(SettingsTest, WhatIsWrongIsNamed) {
+TEST_F(SettingsTest, InvalidValuesAreNamed) {
     const std::string dab = R"({"map": "tone", "position": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "strength": 1)";
     const std::string zeros = "[0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0]";
     const std::pair<std::string, const char*> cases[] = {
@@ -241,7 +241,7 @@ TEST_F(SettingsTest, WhatIsWrongIsNamed) {
     }
 }
 
-TEST_F(SettingsTest, OtherTextsAreNoSettings) {
+TEST_F(SettingsTest, OtherTextsAreRefused) {
     EXPECT_EQ(refused("{}"), "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
     EXPECT_EQ(refused("[1]"), "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
     EXPECT_EQ(refused("7"), "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
@@ -257,7 +257,7 @@ TEST_F(SettingsTest, OtherTextsAreNoSettings) {
     EXPECT_TRUE(refused(many + "}").starts_with("key0: there is no such field; there are "));
 }
 
-TEST_F(SettingsTest, ACameraIsThatOfTheFile) {
+TEST_F(SettingsTest, TheCameraOfTheFileIsUsed) {
     const Json view =
         R"("eye": [1.2, 0.8, 2.5], "target": [0, 0, 0], "up": [0, 1, 0], "near_plane": 1, "far_plane": 5)";
     const std::array<double, 3> eye{1.2, 0.8, 2.5}, target{}, up{0.0, 1.0, 0.0};
@@ -329,7 +329,7 @@ TEST_F(SettingsTest, OptionsAreWritten) {
     EXPECT_EQ(written(read(made.json.c_str()), desc()).json, made.json);
 }
 
-TEST_F(SettingsTest, APaintedToneIsWrittenAsTheOneBelow) {
+TEST_F(SettingsTest, APaintedToneIsWrittenAsTheToneBelowIt) {
     const auto settings = with(R"("style": {"tone": "none"})");
     Style painted(settings->style, pool);
     painted.base.tone = HRBFNPR_TONE_CALLBACK;
@@ -383,7 +383,7 @@ TEST_F(SettingsTest, EveryFieldOfAStyleIsWrittenAndRead) {
     }
 }
 
-TEST_F(SettingsTest, WhatIsNoNumberIsNotWritten) {
+TEST_F(SettingsTest, NaNIsNotWritten) {
     auto settings = std::make_shared<Settings>(pool);
     settings->style.base.depth_max = std::nan("");
     EXPECT_THROW(static_cast<void>(written(settings, desc())), Error);

@@ -39,14 +39,14 @@ TEST_F(SharpEdges, AreFoundAmongPointsAtTheSamePlaces) {
     EXPECT_THAT(edges_among(of, edges({}), of, pool), IsEmpty());
 }
 
-TEST_F(SharpEdges, OfPointsThatAreNotFiniteAreLeftOut) {
+TEST_F(SharpEdges, WithNonFinitePointsAreLeftOut) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const Points of = points({{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, nan, 1}});
     EXPECT_THAT(edges_among(points({of[1], of[2]}), edges({{0, 1}, {2, 1}, {3, 2}}), of, pool),
                 ElementsAre(Edge{1, 0}));
 }
 
-TEST_F(SharpEdges, OfABallAreAllOrNone) {
+TEST_F(SharpEdges, OnABallCountIfThereAreEnough) {
     const Shape ball = shape_of(test::icosphere(1), pool);
     const Vector<Edge> all = all_edges(ball);
     EXPECT_EQ(said_of_edges(ball.points, ball.triangles, all, pool), SaidOfEdges::all_are_sharp);
@@ -59,7 +59,7 @@ TEST_F(SharpEdges, OfABallAreAllOrNone) {
     EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), SaidOfEdges::some_are_sharp);
 }
 
-TEST_F(SharpEdges, OfFlatPolygonsDoNotCount) {
+TEST_F(SharpEdges, InsideFlatPolygonsDoNotCount) {
     // Only the edges of the box bend. Diagonals of its sides and edges between its cells do not.
     const Shape box = shape_of(test::box(1, 1, 1, 2), pool); // Each side has vertices of its own.
     const Vector<Edge> all = all_edges(box);
@@ -76,7 +76,7 @@ TEST_F(SharpEdges, OfFlatPolygonsDoNotCount) {
     EXPECT_EQ(said_of_edges(box.points, box.triangles, bent, pool), SaidOfEdges::all_are_sharp);
 }
 
-TEST_F(SharpEdges, OfAFewFacesSayNothing) {
+TEST_F(SharpEdges, AreIgnoredIfThereAreFewFaces) {
     const Shape four = shape_of(test::tetrahedron(), pool); // It has six edges.
     EXPECT_EQ(said_of_edges(four.points, four.triangles, all_edges(four), pool), SaidOfEdges::nothing);
     Shape flat(pool); // Its face has no area and so no normal.

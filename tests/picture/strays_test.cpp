@@ -38,7 +38,7 @@ protected:
 using Numbers = std::vector<std::int64_t>;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-TEST_F(Strays, AreFewAndFar) {
+TEST_F(Strays, AreFewAndFarFromTheRest) {
     Points points(&pool);
     add_sphere(points, 2000);
     EXPECT_EQ(far_of(points), Numbers{});
@@ -56,7 +56,7 @@ TEST_F(Strays, AreFewAndFar) {
     EXPECT_EQ(far_of(points), (Numbers{2000, 2001, 2003}));
 }
 
-TEST_F(Strays, AreNoneOfLittle) {
+TEST_F(Strays, AreAbsentInTooLittleData) {
     Points points(&pool);
     EXPECT_EQ(far_of(points), Numbers{});
     EXPECT_EQ(strays_of(points), Numbers{});
@@ -95,7 +95,7 @@ TEST_F(Strays, AreDustAroundASphere) {
     EXPECT_EQ(strays_of(two), (Numbers{600, 601, 603, 604, 605, 606, 607, 608, 609, 610}));
 }
 
-TEST_F(Strays, AreNoneOfUnevenPoints) {
+TEST_F(Strays, AreAbsentInUnevenPoints) {
     Points flat(&pool);
     add_sphere(flat, 3000);
     for (glm::dvec3& p : flat) p.z = 0.0;
@@ -118,7 +118,7 @@ Shape grid(Pool& pool) {
     return shape;
 }
 
-TEST_F(Strays, ValuesThatStandForNone) {
+TEST_F(Strays, NoDataValuesAreLeftOut) {
     Shape shape = grid(pool);
     shape.columns = shape.rows = 10;
     shape.points[3].z = shape.points[7].z = -9999.0;
@@ -132,7 +132,7 @@ TEST_F(Strays, ValuesThatStandForNone) {
     EXPECT_EQ(shape.columns, 0) << "it is no image any more";
 }
 
-TEST_F(Strays, ADepthIsNoSuchValue) {
+TEST_F(Strays, ARealDepthIsNotTakenForNoData) {
     Shape deep = grid(pool);
     deep.points[3].z = -9999.0;
     for (std::size_t i = 8; i < 40; ++i) deep.points[i].z = -9990.0;
@@ -143,7 +143,7 @@ TEST_F(Strays, ADepthIsNoSuchValue) {
     EXPECT_EQ(alone.points.size(), 3U);
 }
 
-TEST_F(Strays, FacesGoWithTheirPoints) {
+TEST_F(Strays, FacesAreLeftOutWithTheirPoints) {
     Shape mesh = grid(pool);
     mesh.points[3].z = mesh.points[7].z = -9999.0;
     mesh.triangles = {{{2, 3, 4}}};

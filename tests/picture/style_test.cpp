@@ -27,7 +27,7 @@ hrbfnpr_layer_style layer_for(std::uint32_t kind, const char* name = nullptr) {
     return layer;
 }
 
-TEST_F(StyleTest, NamedOnesAreTheLibrarysWithTextsOfTheirOwn) {
+TEST_F(StyleTest, NamedStylesCopyTheLibrarysStyles) {
     for (std::uint32_t preset = 0; hrbfnpr_preset_name(preset) != nullptr; ++preset) {
         hrbfnpr_style named;
         call([&](hrbfnpr_error* error) { return hrbfnpr_style_init_preset(&named, sizeof named, preset, error); });
@@ -49,7 +49,7 @@ TEST_F(StyleTest, NamedOnesAreTheLibrarysWithTextsOfTheirOwn) {
     EXPECT_THROW(Style(99, pool), Error);
 }
 
-TEST_F(StyleTest, AKindOfLayersGetsAnElementOfItsOwn) {
+TEST_F(StyleTest, AKindOfLayersGetsItsOwnElement) {
     Style style(pool);
     style.layers.push_back(layer_for(HRBFNPR_LAYER_KIND_HATCH, "fur"));
     style.layers.push_back(layer_for(HRBFNPR_LAYER_KIND_ANY));
@@ -67,7 +67,7 @@ TEST_F(StyleTest, AKindOfLayersGetsAnElementOfItsOwn) {
     EXPECT_EQ(empty.layers[0].kind, std::uint32_t{HRBFNPR_LAYER_KIND_STIPPLES});
 }
 
-TEST_F(StyleTest, ALayerOfMarksTakesTheFirstThatIsForIt) {
+TEST_F(StyleTest, ALayerOfMarksTakesTheFirstMatch) {
     Style style(pool);
     style.layers.push_back(layer_for(HRBFNPR_LAYER_KIND_HATCH, "fur"));
     style.layers[0].radius = 2.0F;
@@ -80,7 +80,7 @@ TEST_F(StyleTest, ALayerOfMarksTakesTheFirstThatIsForIt) {
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr).kind, std::uint32_t{HRBFNPR_LAYER_KIND_OWN});
 }
 
-TEST_F(StyleTest, OneInkIsThatOfAll) {
+TEST_F(StyleTest, SettingTheInkSetsEveryInk) {
     Style style(HRBFNPR_PRESET_BLUEPRINT, pool);
     const float ink[4] = {0.25F, 0.5F, 0.75F, 1.0F};
     style.set_ink(ink);
@@ -136,7 +136,7 @@ TEST_F(StyleTest, ACallersListIsChecked) {
     EXPECT_THROW(Style(given, pool), Error);
 }
 
-TEST_F(StyleTest, EqualMarksAreTheSame) {
+TEST_F(StyleTest, EqualMarksCompareEqual) {
     Marks marks(pool);
     const std::array points{1.0, 2.0, 3.0};
     marks.set_seed_points({points.data(), 1, 0, HRBFNPR_SCALAR_FLOAT64, 3});
@@ -164,7 +164,7 @@ TEST_F(StyleTest, EqualMarksAreTheSame) {
     EXPECT_FALSE(copy.same_as(marks));
 }
 
-TEST_F(StyleTest, MarksOfTheSamePaintAreTheSame) {
+TEST_F(StyleTest, MarksOfTheSamePaintCompareEqual) {
     hrbfnpr_dab dab{};
     dab.struct_size = sizeof dab;
     dab.map = HRBFNPR_DAB_DENSITY;

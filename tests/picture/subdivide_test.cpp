@@ -111,7 +111,7 @@ TEST_F(Subdivide, MakesACoarseBallRoundThroughItsVertices) {
     EXPECT_FALSE(fine.has_sharp_edges);
 }
 
-TEST_F(Subdivide, TellsHowCoarseAMeshIs) {
+TEST_F(Subdivide, MeasuresHowCoarseAMeshIs) {
     const Shape given = ball();
     // Edges are 0.55 long and bend by 16.5 to 18 degrees. The diagonal is 3.4.
     EXPECT_NEAR(coarseness(given, 90.0, pool), 0.00832568926515175, 1e-15);
@@ -143,7 +143,7 @@ TEST_F(Subdivide, KeepsBordersAndTheirCorners) {
     for (const glm::dvec3& p : fine.points) EXPECT_EQ(p.z, 0.0);
 }
 
-TEST_F(Subdivide, KeepsSharpEdgesUnlessAllIsToBeRound) {
+TEST_F(Subdivide, KeepsSharpEdgesUnlessTheAngleRoundsAll) {
     const Shape fine = subdivide(cube(), 2, 60.0, pool);
     EXPECT_NEAR(volume_of(fine), 1.0, 1e-12);
     for (const glm::dvec3& p : fine.points) {
@@ -153,7 +153,7 @@ TEST_F(Subdivide, KeepsSharpEdgesUnlessAllIsToBeRound) {
     EXPECT_GT(volume_of(subdivide(cube(), 2, 180.0, pool)), 1.05); // The shape is rounded through the corners.
 }
 
-TEST_F(Subdivide, IsRoundBetweenTheEdgesThatTheFileSaysAreSharp) {
+TEST_F(Subdivide, RoundsBetweenTheSharpEdgesOfTheFile) {
     const Shape fine = subdivide(cylinder(true), 3, 180.0, pool);
     ASSERT_TRUE(fine.has_sharp_edges);
     EXPECT_EQ(fine.sharp_edges.size(), 2U * 8U * 8U); // Each edge of both rims is divided in eight.
@@ -175,7 +175,7 @@ TEST_F(Subdivide, IsRoundBetweenTheEdgesThatTheFileSaysAreSharp) {
     EXPECT_TRUE(std::any_of(round.points.begin(), round.points.end(), higher));
 }
 
-TEST_F(Subdivide, KeepsBevelsFlatIfTheFileSaysWhatIsSharp) {
+TEST_F(Subdivide, KeepsBevelsFlatIfTheFileMarksSharpEdges) {
     Shape given = pillar();
     const double volume = volume_of(given);
     EXPECT_GT(std::abs(volume_of(subdivide(given, 2, 180.0, pool)) / volume - 1.0), 0.01);
@@ -190,7 +190,7 @@ TEST_F(Subdivide, KeepsBevelsFlatIfTheFileSaysWhatIsSharp) {
     EXPECT_NEAR(coarseness(given, 90.0, pool), 0.0, 1e-9);
 }
 
-TEST_F(Subdivide, LeavesPartsThatAreFine) {
+TEST_F(Subdivide, LeavesFinePartsUnchanged) {
     Shape two = cylinder(true);
     const std::size_t faces = two.triangles.size();
     const Shape other = shape_of(test::icosphere(3), pool); // It bulges by 0.0005 of its diagonal.
@@ -215,7 +215,7 @@ TEST_F(Subdivide, LeavesPartsThatAreFine) {
     EXPECT_EQ(same.parents[5], 5);
 }
 
-TEST_F(Subdivide, TakesEdgesOfThreeFacesAndVerticesOfNone) {
+TEST_F(Subdivide, AcceptsEdgesOfThreeFacesAndUnusedVertices) {
     Shape given(pool);
     given.points.assign({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {9, 9, 9}});
     given.triangles.assign({{0, 1, 2}, {1, 0, 3}, {0, 1, 4}});
@@ -225,7 +225,7 @@ TEST_F(Subdivide, TakesEdgesOfThreeFacesAndVerticesOfNone) {
     for (const std::size_t i : {0U, 1U, 5U}) EXPECT_EQ(fine.points[i], given.points[i]);
 }
 
-TEST_F(Subdivide, ChangesNothingInNoRounds) {
+TEST_F(Subdivide, ChangesNothingInZeroRounds) {
     const Shape given = cylinder(true);
     const Shape same = subdivide(given, 0, 60.0, pool);
     EXPECT_EQ(same.points, given.points);
@@ -233,7 +233,7 @@ TEST_F(Subdivide, ChangesNothingInNoRounds) {
     EXPECT_EQ(same.sharp_edges, given.sharp_edges);
 }
 
-TEST_F(Subdivide, RefusesWhatItCannotDivide) {
+TEST_F(Subdivide, RefusesMeshesItCannotDivide) {
     const auto message = [&](const Shape& shape, std::int32_t rounds) {
         try {
             static_cast<void>(subdivide(shape, rounds, 60.0, pool));
@@ -262,7 +262,7 @@ TEST_F(Subdivide, KnowsTheEdgesOfFaces) {
     EXPECT_EQ(find_edges(Vector<Triangle>(&pool), 0, pool).size(), 0U);
 }
 
-TEST_F(Subdivide, TakesPercentilesAndSums) {
+TEST_F(Subdivide, PercentilesAndSumsAreCorrect) {
     Vector<double> numbers({5, 1, 4, 2, 3}, &pool);
     EXPECT_EQ(percentile(numbers, 50.0), 3.0);
     EXPECT_DOUBLE_EQ(percentile(numbers, 90.0), 4.6);

@@ -59,12 +59,12 @@ struct UpTest : testing::Test {
     Points normals;
 };
 
-TEST_F(UpTest, ASphereHasNone) {
+TEST_F(UpTest, ASphereHasNoUp) {
     add_ellipsoid(500, glm::dvec3(0.0), glm::dvec3(1.0));
     expect_up('y', no_sign);
 }
 
-TEST_F(UpTest, NothingAPointAndAPlaneHaveNone) {
+TEST_F(UpTest, TooFewPointsHaveNoUp) {
     expect_up('y', no_sign);
     add({1.0, 2.0, 3.0}, {0.0, 0.0, 1.0});
     expect_up('y', no_sign);
@@ -73,7 +73,7 @@ TEST_F(UpTest, NothingAPointAndAPlaneHaveNone) {
     EXPECT_EQ(hangs_along(points, normals), 0);
 }
 
-TEST_F(UpTest, NumbersThatAreNoneAreNoSign) {
+TEST_F(UpTest, NonFinitePointsHaveNoUp) {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         points.clear();
         normals.clear();
@@ -87,7 +87,7 @@ TEST_F(UpTest, NumbersThatAreNoneAreNoSign) {
     expect_up('y', no_sign);
 }
 
-TEST_F(UpTest, FormatsTell) {
+TEST_F(UpTest, TheFormatTellsUp) {
     Shape shape(pool);
     shape.up = glm::dvec3(0, 0, 1);
     shape.up_by = "PLY files";
@@ -96,25 +96,25 @@ TEST_F(UpTest, FormatsTell) {
     expect_up('z', "it is so in pictures of a depth camera", &shape);
 }
 
-TEST_F(UpTest, MapsTell) {
+TEST_F(UpTest, MapCoordinatesTellUp) {
     add_ellipsoid(200, {4.0e5, 5.0e6, 100.0}, {300.0, 200.0, 80.0});
     expect_up('z', "x and y are coordinates of a map");
 }
 
-TEST_F(UpTest, TerrainsTell) {
+TEST_F(UpTest, TerrainsTellUp) {
     add_waves(1.0);
     expect_up('z', "the surface is a terrain: it is flat, and looks along z everywhere");
     EXPECT_EQ(hangs_along(points, normals), 0);
 }
 
-TEST_F(UpTest, TerrainsThatLookDownHang) {
+TEST_F(UpTest, TerrainsThatLookDownAreDetected) {
     add_waves(-1.0);
     EXPECT_EQ(hangs_along(points, normals), 'z');
     swap_y_and_z();
     EXPECT_EQ(hangs_along(points, normals), 'y');
 }
 
-TEST_F(UpTest, AFlatBaseTells) {
+TEST_F(UpTest, AFlatBaseTellsUp) {
     for (int i = 0; i < 600; ++i) { // A cone has a quarter of its samples on its base.
         const double angle = 2.399963229728653 * i;
         const double radius = std::sqrt(even(i, 0.618033988749895));
@@ -129,7 +129,7 @@ TEST_F(UpTest, AFlatBaseTells) {
     expect_up('y', no_sign);
 }
 
-TEST_F(UpTest, LeftAndRightTell) {
+TEST_F(UpTest, SymmetryTellsUp) {
     add_ellipsoid(500, glm::dvec3(0.0), {1.0, 0.5, 0.6}); // A body, a head and two legs are symmetric in y.
     add_ellipsoid(200, {1.2, 0.0, 0.7}, {0.3, 0.25, 0.4});
     for (const double side : {-0.3, 0.3}) add_ellipsoid(150, {0.6, side, -0.8}, {0.15, 0.15, 0.6});
@@ -138,7 +138,7 @@ TEST_F(UpTest, LeftAndRightTell) {
     expect_up('y', no_sign);
 }
 
-TEST_F(UpTest, TheGroundTells) {
+TEST_F(UpTest, StandingOnZeroTellsUp) {
     add_ellipsoid(300, {0.02, -0.03, 1.0}, {0.7, 0.9, 1.0});
     add_ellipsoid(100, {0.3, 0.45, 1.7}, {0.2, 0.3, 0.3});
     expect_up('z', "it stands on z = 0, in the middle of x and y");
@@ -146,7 +146,7 @@ TEST_F(UpTest, TheGroundTells) {
     EXPECT_EQ(found().direction.y, 1.0);
 }
 
-TEST_F(UpTest, FeetTell) {
+TEST_F(UpTest, FeetTellUp) {
     for (int i = 0; i < 1200; ++i) { // A top on three legs leans to one side.
         const double u = even(i, 0.7548776662);
         const double v = even(i, 0.5698402910);
@@ -162,7 +162,7 @@ TEST_F(UpTest, FeetTell) {
 }
 
 // The dome has no floor. Its hole is below along y.
-TEST_F(UpTest, AHoleToStandOnKeepsY) {
+TEST_F(UpTest, AHoleToStandOnKeepsYUp) {
     constexpr int around = 24;
     constexpr int rows = 6;
     Shape shape(pool);
@@ -188,7 +188,7 @@ TEST_F(UpTest, AHoleToStandOnKeepsY) {
     expect_up('y', no_sign, &shape);
 }
 
-TEST_F(UpTest, ChoosesWithANote) {
+TEST_F(UpTest, ChoosingUpGivesANote) {
     const test::Context context = [] {
         hrbfnpr_context* made = nullptr;
         test::Check check;

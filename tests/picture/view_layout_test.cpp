@@ -55,7 +55,7 @@ protected:
     Vector<ViewCell> cells{&pool};
 };
 
-TEST_F(ViewLayoutTest, TextsAreReadAndNamesAreDrawnOnce) {
+TEST_F(ViewLayoutTest, ViewsAndSectionsAreParsed) {
     const Vector<ViewName> names = parse_views("top,front,top", report());
     EXPECT_EQ(names, (Vector<ViewName>{{ViewName::top, ViewName::front}, &pool}));
     EXPECT_THAT(refusal([&] { return parse_views("front,side", report()); }),
@@ -79,7 +79,7 @@ TEST_F(ViewLayoutTest, TextsAreReadAndNamesAreDrawnOnce) {
         EXPECT_THAT(refusal([&] { return parse_sections(text, report()); }), HasSubstr("a finite number")) << text;
 }
 
-TEST_F(ViewLayoutTest, PapersLieAndScalesAreRatios) {
+TEST_F(ViewLayoutTest, PapersAreLandscapeAndScalesAreRatios) {
     EXPECT_FALSE(parse_paper("Auto", report()).has_value());
     const auto a3 = parse_paper("A3", report());
     EXPECT_EQ(a3->name, "a3");
@@ -97,7 +97,7 @@ TEST_F(ViewLayoutTest, PapersLieAndScalesAreRatios) {
             << text;
 }
 
-TEST_F(ViewLayoutTest, ScalesAreThoseOfTheStandard) {
+TEST_F(ViewLayoutTest, ScalesFollowTheStandard) {
     const Vector<SheetScale> scales = standard_scales(pool);
     const auto one = std::find_if(scales.begin(), scales.end(), [](const SheetScale& s) { return s.text == "1:1"; });
     ASSERT_GE(one - scales.begin(), 4);
@@ -134,7 +134,7 @@ TEST_F(ViewLayoutTest, ViewsLookTheRightWay) {
     EXPECT_FALSE(cells[0].view.is_edge_on({0, 1, 0}));
 }
 
-TEST_F(ViewLayoutTest, PlacesAreAsBefore) { // A reference program in Python computed the numbers.
+TEST_F(ViewLayoutTest, PlacesMatchReferenceValues) { // A reference program in Python computed the numbers.
     set_up_sheet();
     EXPECT_EQ(middle, glm::dvec3(18.5, 15, 8));
     EXPECT_EQ(cells[0].cuts.size(), 1U);
@@ -160,7 +160,7 @@ TEST_F(ViewLayoutTest, TheSmallestPaperWithRoomIsTakenAtAScale) {
     }
 }
 
-TEST_F(ViewLayoutTest, WhatHasNoRoomIsRefusedWithARemedy) {
+TEST_F(ViewLayoutTest, ViewsWithoutRoomAreRefusedWithARemedy) {
     set_up_sheet();
     EXPECT_EQ(
         refusal([&] { return chosen("a4", "10:1"); }),

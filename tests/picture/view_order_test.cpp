@@ -66,14 +66,14 @@ protected:
     Vector<ViewCurve> curves{&pool};
 };
 
-TEST_F(ViewOrderTest, NothingMakesNothing) {
+TEST_F(ViewOrderTest, EmptyAndTooShortLinesAreNotDrawn) {
     EXPECT_TRUE(shown().outlines.empty());
     add({{0, 0}, {0.5, 0}}); // This line is too short to be drawn.
     add({{7, 7}, {7, 7}});
     EXPECT_TRUE(shown().outlines.empty());
 }
 
-TEST_F(ViewOrderTest, OfCoincidentLinesTheVisibleOneIsDrawn) {
+TEST_F(ViewOrderTest, TheVisibleOfCoincidentLinesIsDrawn) {
     add({{0, 0.1}, {30, 0.1}}, true);
     add({{0, 0}, {30, 0}});
     add({{15, -10}, {15, 10}}, true); // This line crosses the others.
@@ -83,7 +83,7 @@ TEST_F(ViewOrderTest, OfCoincidentLinesTheVisibleOneIsDrawn) {
     EXPECT_TRUE(shown(false).hidden.empty());
 }
 
-TEST_F(ViewOrderTest, OfVisibleLinesTheLowestRankIsDrawn) {
+TEST_F(ViewOrderTest, TheLowestRankOfVisibleLinesIsDrawn) {
     add({{0, 0.1}, {30, 0.1}}).rank = 2;
     add({{0, 0.2}, {20, 0.2}}).rank = 1;
     const ShownLines lines = shown();
@@ -103,7 +103,7 @@ TEST_F(ViewOrderTest, SmoothLinesAreDrawnWhereTheyAreVisible) {
     EXPECT_TRUE(lines.hidden.empty() && lines.outlines.empty());
 }
 
-TEST_F(ViewOrderTest, ALineThatGoesOnAsAnotherHasNoGap) {
+TEST_F(ViewOrderTest, LinesThatContinueEachOtherHaveNoGap) {
     add({{0, 0}, {10, 0}});
     add({{10, 0}, {20, 0}});
     EXPECT_EQ(spans(shown().outlines), (Spans{{0, 10}, {10, 20}}));
@@ -128,7 +128,7 @@ TEST_F(ViewOrderTest, TwoHalvesOfACircleHaveNoGap) {
     EXPECT_LT(gap_of(shown().outlines), 2.1);
 }
 
-TEST_F(ViewOrderTest, ShortPartsThatAreSeenBeforeALongerLineAreDrawnOnce) {
+TEST_F(ViewOrderTest, ShortPartsBeforeALongerLineAreDrawnOnce) {
     ViewCurve behind(pool);
     for (int i = 0; i <= 80; ++i) {
         behind.points.emplace_back(0.5 * i, 0.0);
@@ -139,7 +139,7 @@ TEST_F(ViewOrderTest, ShortPartsThatAreSeenBeforeALongerLineAreDrawnOnce) {
     EXPECT_EQ(spans(shown().outlines), (Spans{{5, 35}}));
 }
 
-TEST_F(ViewOrderTest, FlickerIsAsWhatIsBeforeAndAfterIt) {
+TEST_F(ViewOrderTest, ShortFlickerTakesTheStateAroundIt) {
     ViewCurve& curve = add({{0, 0}, {10, 0}, {11.5, 0}, {20, 0}});
     curve.hidden[1] = 1;
     EXPECT_EQ(steady(curve, pool), (Flags{{0, 0, 0}, &pool}));
@@ -152,7 +152,7 @@ TEST_F(ViewOrderTest, FlickerIsAsWhatIsBeforeAndAfterIt) {
     EXPECT_EQ(steady(cusp, pool), cusp.hidden);
 }
 
-TEST_F(ViewOrderTest, TheSameLinesAsBefore) { // A reference program in Python drew these points.
+TEST_F(ViewOrderTest, LinesMatchAReference) { // A reference program in Python drew these points.
     add({{0, 0}, {12, 0}, {12, 7}}).hidden[1] = 1;
     add({{3, 0.2}, {9, 0.2}, {9, 6}}).rank = 2;
     const ShownLines lines = shown();

@@ -87,7 +87,7 @@ TEST_F(ViewsTest, ASheetHasItsViewsInLayers) {
     EXPECT_EQ(written(), sheet);
 }
 
-TEST_F(ViewsTest, UnitsAndTitlesAreAsAsked) {
+TEST_F(ViewsTest, UnitsAndTitlesAreApplied) {
     desc.unit_mm = 0.0;
     desc.flags = HRBFNPR_VIEWS_UNIT_IS_METRE;
     desc.title = "Ball & more";
@@ -101,7 +101,7 @@ TEST_F(ViewsTest, UnitsAndTitlesAreAsAsked) {
     EXPECT_EQ(planned.report->notes[0].text, "glTF is in metres: a unit is 1000 mm; --unit-mm sets another");
 }
 
-TEST_F(ViewsTest, WhatCannotBeDrawnIsRefusedInTheCallersWords) {
+TEST_F(ViewsTest, ImpossibleViewsAreRefusedInTheCallersWords) {
     desc.sections = "x:3";
     EXPECT_THAT(refusal(), HasSubstr("--section: the plane at 3 misses the model, which is between -0.999"));
     desc.sections = "y:-3"; // The cut is seen against its axis, but the message uses the axis.
@@ -124,7 +124,7 @@ TEST_F(ViewsTest, WhatCannotBeDrawnIsRefusedInTheCallersWords) {
     EXPECT_THAT(refusal(), HasSubstr("views_desc.title is not UTF-8"));
 }
 
-TEST_F(ViewsTest, LinesAreWhereTheSurfaceIs) {
+TEST_F(ViewsTest, LinesLieOnTheSurface) {
     constexpr double scale = 20.0;
     const Standing axes = standing({0, 0, 1});
     const Vector<ViewName> names({ViewName::front}, &pool);

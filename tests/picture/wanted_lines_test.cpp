@@ -28,7 +28,7 @@ protected:
     Pool pool{memory};
 };
 
-TEST_F(WantedLinesTest, ReadsKindsAndWhatIsSaidOfThem) {
+TEST_F(WantedLinesTest, ReadsKindsAndTheirSettings) {
     const auto lines =
         parse_lines("contour,suggestive,ridge,section=x:7,isophotes=0.3:-.6,isophote,apparent-ridge", pool);
     ASSERT_EQ(lines.size(), 7U);
@@ -45,7 +45,7 @@ TEST_F(WantedLinesTest, ReadsKindsAndWhatIsSaidOfThem) {
     EXPECT_EQ(parse_lines("sections=", pool)[0].planes, 10);
 }
 
-TEST_F(WantedLinesTest, SaysWhatWouldBeRight) {
+TEST_F(WantedLinesTest, NamesValidChoices) {
     EXPECT_EQ(refusal("contour,hatch"), "'hatch' is no kind of lines; there are contour, suggestive, ridges, valleys, "
                                         "apparent, parabolic, isophotes, section, border, crease and none");
     for (const char* const wrong : {"own", "contour,", ",contour", "Contour", "none,contour", "=", "con\xff"})
@@ -58,7 +58,7 @@ TEST_F(WantedLinesTest, SaysWhatWouldBeRight) {
     EXPECT_EQ(refusal(std::string(5000, 'x').c_str()).substr(0, 3), "'xx");
 }
 
-TEST_F(WantedLinesTest, AStyleHasLinesThatAreFoundOnce) {
+TEST_F(WantedLinesTest, FindsTheLinesThatAStyleNeedsOnce) {
     PlannedCall find(HRBFNPR_PRESET_ARCHAEOLOGICAL);
     const Call call = find.call();
     const Style style(HRBFNPR_PRESET_ARCHAEOLOGICAL, pool);
@@ -98,7 +98,7 @@ TEST_F(WantedLinesTest, LinesAreSizedByThePen) {
     EXPECT_FLOAT_EQ(wide.lines[1].width, 1.9090908765792847F);
 }
 
-TEST_F(WantedLinesTest, LinesThatAreAskedForReplaceThoseOfTheStyle) {
+TEST_F(WantedLinesTest, RequestedLinesReplaceTheLinesOfTheStyle) {
     PlannedCall asked(HRBFNPR_PRESET_XRAY);
     asked.desc.lines = "crease,isophotes=0.2,section";
     const Call call = asked.call();

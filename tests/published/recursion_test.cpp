@@ -14,7 +14,7 @@ using namespace generate;
 using namespace marks;
 using namespace test;
 
-TEST(PublishedCounts, Table1) {
+TEST(PublishedCounts, MatchTable1OfTheArticle) {
     const Sphere sphere;
     const std::vector<double> seeds512 = spiral_seeds(512);
     const std::vector<double> seeds4096 = spiral_seeds(4096);
@@ -190,7 +190,7 @@ TEST(PublishedDrops, StrayedMarksAreDropped) {
     EXPECT_EQ(of(set, combing).count(), 2 + 3);
 }
 
-TEST(PublishedCurvature, IsFilledWhereWanted) {
+TEST(PublishedCurvature, IsFilledIfRequested) {
     const Torus torus;
     generate::Settings settings = recursion({Kind::stipples, principal, combing}, 1);
     PointSet set = make(torus, settings);

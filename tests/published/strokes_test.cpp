@@ -140,7 +140,7 @@ TEST(Strokes, StepsLongerThanAQuarterCircleEndThere) {
 
 // A sphere is umbilic, so a stroke continues in its own direction and is a great circle, although the fallback field
 // turns and jumps.
-TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
+TEST(Strokes, KeepTheirDirectionAtUmbilics) {
     const Sphere sphere;
     generate::Settings settings = recursion({principal}, 4);
     const std::vector<double> seeds = spiral_seeds(60);
@@ -157,7 +157,7 @@ TEST(Strokes, KeepTheirOwnDirectionWhereCurvatureTellsNone) {
 
 // Published strokes keep the places where they grew. Their step is not a distance between neighbours, so frames do not
 // use it as a gap.
-TEST(Strokes, HaveNoGapsThatATonesWidthGoesBy) {
+TEST(Strokes, HaveNoGapsBetweenNeighbours) {
     generate::Settings settings = recursion({principal}, 2);
     settings.seeds.initial_step = 0.05;
     EXPECT_TRUE(of(make(Torus(), settings), principal).clusters.gap.empty());

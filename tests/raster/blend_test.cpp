@@ -79,7 +79,7 @@ TEST_F(Blend, AHugeDiscCoversEverything) {
     }
 }
 
-TEST_F(Blend, LaterDiscsLieOverEarlierOnes) {
+TEST_F(Blend, LaterDiscsCoverEarlierDiscs) {
     add_pixel_mark(set, 20.5, 20.5, 1.0); // id 1, the farther one
     add_pixel_mark(set, 20.5, 20.5, 0.0);
     Style far_style = plain_style();

@@ -67,7 +67,7 @@ bool enough(std::int64_t budget, double half, float radius, double coverage) {
                                                           frame::Overlap::blue_noise, 1.0F));
 }
 
-TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
+TEST_F(Coverage, MatchesTheToneForAnyMarkSizeZoomAndBudget) {
     int judged = 0;
     for (const std::int64_t budget : {20000, 60000}) {
         const marks::PointSet set = patch(runtime, budget);
@@ -90,7 +90,7 @@ TEST_F(Coverage, IsTheToneForMarksOfAnySizeAtAnyZoomAndBudget) {
     EXPECT_GT(judged, 60);
 }
 
-TEST_F(Coverage, IsTheToneWhereItIsDarkToo) {
+TEST_F(Coverage, MatchesDarkTones) {
     const marks::PointSet set = patch(runtime, 60000);
     for (const float radius : {2.5F, 4.0F}) {
         for (const double coverage : {0.6, 0.7, 0.8, 0.9}) {
@@ -103,7 +103,7 @@ TEST_F(Coverage, IsTheToneWhereItIsDarkToo) {
     }
 }
 
-TEST_F(Coverage, OfATiltedPatchIsTheToneToo) {
+TEST_F(Coverage, MatchesTheToneOfATiltedPatch) {
     const marks::PointSet set = patch(runtime, 60000);
     for (const double tilt : {0.4, 0.8, 1.1}) {
         Style style = toned(0.5);
@@ -116,7 +116,7 @@ TEST_F(Coverage, OfATiltedPatchIsTheToneToo) {
     }
 }
 
-TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
+TEST_F(Coverage, TooFewMarksAreAllShown) {
     const marks::PointSet set = patch(runtime, 4000);
     Style style = toned(0.1);
     style.tone_fade = 0.0F;
@@ -125,7 +125,7 @@ TEST_F(Coverage, WithoutMarksEnoughAllAreShown) {
     EXPECT_EQ(frame.info().dropped_tone, 0);
 }
 
-TEST_F(Coverage, TonesGetPalerTogetherWhereMarksAreFew) {
+TEST_F(Coverage, TooFewMarksMakeAllTonesPaler) {
     const marks::PointSet set = patch(runtime, 4000);
     const auto shown_at = [&](double coverage) {
         Style style = toned(1.0 - coverage);
@@ -218,7 +218,7 @@ TEST_F(Coverage, SmallChangesOfLightChangeInkOnlyALittle) {
     }
 }
 
-TEST_F(Coverage, FadesOnlyIfAskedTo) {
+TEST_F(Coverage, FadesOnlyIfEnabled) {
     const marks::PointSet set = patch(runtime, 20000);
     Style style = toned(0.6);
     style.tone_fade = 0.0F;

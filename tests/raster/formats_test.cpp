@@ -101,7 +101,7 @@ TEST_P(Formats, FloatsRoundToTheBytes) {
     }
 }
 
-TEST_P(Formats, PremultipliedFloatsAreStraightOnesTimesAlpha) {
+TEST_P(Formats, PremultipliedFloatsAreStraightFloatsTimesAlpha) {
     for (const glm::vec4& paper : papers) {
         draw(paper);
         const Picture straight = draw_as(Format::rgba32f, GetParam().over);
@@ -119,7 +119,7 @@ TEST_P(Formats, PremultipliedFloatsAreStraightOnesTimesAlpha) {
 }
 
 // "Over" gives the drawing on transparent paper, blended with the old content by the plain formula.
-TEST_P(Formats, OverIsTheLawOfOver) {
+TEST_P(Formats, OverFollowsThePlainBlendFormula) {
     if (!GetParam().over) return;
     draw(papers[2]);
     const Picture layer = draw_as(Format::rgba32f_premultiplied);

@@ -101,7 +101,7 @@ TEST_F(ImageTest, AViewportShiftsThePictureAndLeavesTheRestAlone) {
     }
 }
 
-TEST_F(ImageTest, OverLaysTheDrawingOnWhatIsThere) {
+TEST_F(ImageTest, OverBlendsTheDrawingWithTheOldImage) {
     Style style;
     style.paper = glm::vec4(0.0F);
     style.kind[0].ink = {0.0F, 0.0F, 0.0F, 0.5F};
@@ -133,7 +133,7 @@ TEST_F(ImageTest, OverLaysTheDrawingOnWhatIsThere) {
     }
 }
 
-TEST_F(ImageTest, OverNothingIsTheLayerItself) {
+TEST_F(ImageTest, OverAnEmptyImageGivesTheDrawingItself) {
     Style style;
     style.paper = glm::vec4(0.0F);
     draw(style);
@@ -151,7 +151,7 @@ base::OutView out_view(std::vector<T>& values, base::Scalar scalar) {
             std::int64_t{sizeof(T)}, scalar, 1};
 }
 
-TEST_F(ImageTest, OutputsTellTheNearestSurfaceAndTheTopmostMark) {
+TEST_F(ImageTest, OutputsGiveTheNearestSurfaceAndTheTopmostMark) {
     set = marks::PointSet(runtime.memory);
     add_pixel_mark(set, 20.5, 20.5, 3.0);
     add_pixel_mark(set, 24.5, 20.5, 1.0);
@@ -243,7 +243,7 @@ TEST_F(ImageTest, TheHostsDepthHidesMarksPixelByPixel) {
     }
 }
 
-TEST_F(ImageTest, AOnePixelImageIsFine) {
+TEST_F(ImageTest, AOnePixelImageIsAccepted) {
     draw(Style{}, front_camera(1, 1));
     Picture picture(1, 1);
     raster.draw(frame.drawing(), picture.image(), {});

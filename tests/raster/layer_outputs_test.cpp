@@ -53,7 +53,7 @@ protected:
     DrawSettings settings;
 };
 
-TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
+TEST_P(LayerOutputs, GiveTheNearestLayerAndItsMark) {
     draw(all_front(frame::HiddenLines::hide));
     const double reach = 10.5 * pixel; // the reach of a splat
     for (int y = 0; y < size; ++y) {
@@ -79,7 +79,7 @@ TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
     }
 }
 
-TEST_P(LayerOutputs, TellAnInnerSide) {
+TEST_P(LayerOutputs, GiveAVisibleInnerSide) {
     // Without the near half, the inner side of the far half is visible.
     marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
@@ -101,7 +101,7 @@ TEST_P(LayerOutputs, TellAnInnerSide) {
     for (const std::uint8_t one : mark_class) EXPECT_NE(one, static_cast<std::uint8_t>(MarkClass::silhouette));
 }
 
-TEST_P(LayerOutputs, LeaveOutWhatTheHostHides) {
+TEST_P(LayerOutputs, LeaveOutPartsHiddenByTheHost) {
     std::vector<float> host(size * size);
     for (int i = 0; i < size * size; ++i) { // a wall through the middle of the sphere, on the left
         const double window = i % size < size / 2 ? 8.5 / 20.0 : 1.0;

@@ -221,7 +221,7 @@ TEST_F(LayerRaster, EqualsThePlainReferenceInManyColoursFromFarToNear) {
     }
 }
 
-TEST_F(LayerRaster, LaysTheDrawingOverWhatIsThere) {
+TEST_F(LayerRaster, BlendsTheDrawingWithTheOldImage) {
     add_colors();
     for (const glm::vec4& paper : papers) {
         draw(paper);
@@ -239,7 +239,7 @@ TEST_F(LayerRaster, LaysTheDrawingOverWhatIsThere) {
     }
 }
 
-TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
+TEST_F(LayerRaster, TheHostsDepthHidesExactlyTheMarksBehindIt) {
     for (const bool many : {false, true}) {
         sets.clear();
         styles.clear();
@@ -274,7 +274,7 @@ TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
     }
 }
 
-TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
+TEST_F(LayerRaster, DiscsDrawnOneByOneGiveThePicture) {
     // An ordinary frame: layers, halos and tone.
     const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 6000, 1.0));
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
@@ -304,7 +304,7 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
 }
 
 // discs() and info().shown count the same ink, although parts of the torus are outside the picture.
-TEST_F(LayerRaster, DiscsAreThoseThatTheInfoCounts) {
+TEST_F(LayerRaster, DiscsMatchTheCountInTheInfo) {
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     Style style;
     style.kind[0].radius = 1.3F;

@@ -107,7 +107,7 @@ protected:
 
 constexpr double radii[] = {0.1, 0.25, 0.5, 0.7, 1.0, 1.6, 3.0, 6.0};
 
-TEST_F(StrokeCoverage, OfStraightLinesIsExact) {
+TEST_F(StrokeCoverage, IsExactForStraightLines) {
     for (const Cap cap : {Cap::round, Cap::flat, Cap::pointed}) {
         for (const double radius : radii) {
             for (int k = 0; k < 24; ++k) {
@@ -123,7 +123,7 @@ TEST_F(StrokeCoverage, OfStraightLinesIsExact) {
     }
 }
 
-TEST_F(StrokeCoverage, OfTapersIsExact) {
+TEST_F(StrokeCoverage, IsExactForTapers) {
     for (int k = 0; k < 20; ++k) {
         const double angle = 0.1 + 2.0 * pi * k / 20.0;
         for (const double radius : {0.6, 2.0, 6.0}) {
@@ -138,7 +138,7 @@ TEST_F(StrokeCoverage, OfTapersIsExact) {
 }
 
 // Curves of a quarter turn, sampled finely and coarsely.
-TEST_F(StrokeCoverage, OfBentLinesIsExact) {
+TEST_F(StrokeCoverage, IsExactForBentLines) {
     for (const int pieces : {3, 6, 12, 40}) {
         for (const double radius : radii) {
             for (int k = 0; k < 5; ++k) {
@@ -158,7 +158,7 @@ TEST_F(StrokeCoverage, OfBentLinesIsExact) {
     }
 }
 
-TEST_F(StrokeCoverage, OfCornersIsExact) {
+TEST_F(StrokeCoverage, IsExactForCorners) {
     for (int degrees = -176; degrees <= 176; degrees += 8) {
         for (const double radius : {0.3, 1.0, 2.5}) {
             begin(Cap::flat, Cap::flat);
@@ -172,7 +172,7 @@ TEST_F(StrokeCoverage, OfCornersIsExact) {
 }
 
 // A curve that winds back and forth, over and beside itself.
-TEST_F(StrokeCoverage, OfOverlapsIsTheUnion) {
+TEST_F(StrokeCoverage, IsTheUnionOfOverlaps) {
     for (const double radius : {0.4, 1.5, 5.0}) {
         for (int k = 0; k < 8; ++k) {
             begin();
@@ -191,7 +191,7 @@ TEST_F(StrokeCoverage, OfOverlapsIsTheUnion) {
 }
 
 // Loops and cusps that are smaller than the pen, so that places are covered three times.
-TEST_F(StrokeCoverage, OfLoopsSmallerThanThePenIsTheUnion) {
+TEST_F(StrokeCoverage, IsTheUnionOfLoopsSmallerThanThePen) {
     for (const double radius : {1.0, 3.0, 7.0}) {
         for (const double size : {0.2, 1.0, 3.0}) {
             begin();
@@ -210,7 +210,7 @@ TEST_F(StrokeCoverage, OfLoopsSmallerThanThePenIsTheUnion) {
     }
 }
 
-TEST_F(StrokeCoverage, OfThreefoldOverlapsIsTheUnion) {
+TEST_F(StrokeCoverage, IsTheUnionOfThreefoldOverlaps) {
     for (const double radius : {0.3, 2.0, 5.0}) {
         for (const int corners : {3, 5, 7}) { // stars: each line crosses the others
             begin();
@@ -228,7 +228,7 @@ TEST_F(StrokeCoverage, OfThreefoldOverlapsIsTheUnion) {
 
 // Random strokes whose width varies from point to point, and one with enough lines for a row to be sampled evenly
 // instead.
-TEST_F(StrokeCoverage, OfScribblesIsTheUnion) {
+TEST_F(StrokeCoverage, IsTheUnionOfScribbles) {
     const auto number = [](int k, int i, std::size_t which) {
         return base::uniform4(static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(i),
                               base::Purpose::probe)[which];
@@ -255,7 +255,7 @@ TEST_F(StrokeCoverage, OverlapsAreNoDarker) {
     EXPECT_NEAR(found[30 * stride + 20], 0.75F, 0.03F); // the first line's opacity, though others pass over it
 }
 
-TEST_F(StrokeCoverage, OfClosedLinesHasNoSeam) {
+TEST_F(StrokeCoverage, HasNoSeamOnClosedLines) {
     for (const int pieces : {3, 5, 24, 90}) {
         for (const double radius : {0.3, 1.0, 4.0}) {
             begin(Cap::pointed, Cap::flat); // closed lines ignore their caps
@@ -269,7 +269,7 @@ TEST_F(StrokeCoverage, OfClosedLinesHasNoSeam) {
     }
 }
 
-TEST_F(StrokeCoverage, TakesPointsThatAreRepeated) {
+TEST_F(StrokeCoverage, AcceptsRepeatedPoints) {
     begin(Cap::flat, Cap::flat);
     for (const double x : {5.0, 5.0, 20.0, 20.0, 20.0, 45.0, 45.0}) add(x, 0.7 * x, 2.0);
     expect_exact("straight");
@@ -284,7 +284,7 @@ TEST_F(StrokeCoverage, TakesPointsThatAreRepeated) {
     }
 }
 
-TEST_F(StrokeCoverage, ReachesFarOutside) {
+TEST_F(StrokeCoverage, IsExactForLinesThatReachFarOutside) {
     for (int k = 0; k < 32; ++k) {
         for (const double far : {1e3, 1e5, 1e7}) {
             begin();
@@ -299,7 +299,7 @@ TEST_F(StrokeCoverage, ReachesFarOutside) {
 }
 
 // Each tile finds its own part of the stroke.
-TEST_F(StrokeCoverage, GoesOnFromTileToTile) {
+TEST_F(StrokeCoverage, ContinuesFromTileToTile) {
     begin(Cap::pointed, Cap::round);
     for (int i = 0; i <= 400; ++i) add(30.0 * i, 6000.0 + 5000.0 * std::sin(0.03 * i), 3.0 + 1.5 * std::sin(0.1 * i));
     int inked = 0;

@@ -107,7 +107,7 @@ TEST(StrokeLoops, GiveTheSameBitsFromEveryInstructionSet) {
     }
 }
 
-TEST(StrokeLoops, LeaveOutWhatTheHostHides) {
+TEST(StrokeLoops, LeaveOutPartsHiddenByTheHost) {
     for (const float toward : {1.0F, -1.0F}) {
         const StrokePoint ends[] = {{0.0F, 32.5F, 3.0F, 1.0F, 0.0F, 0.2F, 1.0F, 0.0F, 1},
                                     {64.0F, 32.5F, 3.0F, 1.0F, 0.0F, 0.8F, 1.0F, 64.0F, 2}};
@@ -234,7 +234,7 @@ TEST_F(StrokePicture, TwoStrokesAreDarkerWhereTheyCross) {
 }
 
 // A stroke that is seen from its end is a dot.
-TEST_F(StrokePicture, KeepsItsInkWhereAllItsMarksAreOnePlace) {
+TEST_F(StrokePicture, AStrokeOfCoincidentMarksIsADot) {
     for (const int marks_of_it : {2, 5}) {
         clear();
         add_line("a", straight(20.0, 180.0, 20.5, 9), 0.0, black, 3.0F);
@@ -279,7 +279,7 @@ TEST_F(StrokePicture, StrokesAndDotsOfColoursArePaintedFarToNear) {
     } while (std::next_permutation(place.begin(), place.end()));
 }
 
-TEST_F(StrokePicture, OfOneColourIsThatOfManyColours) {
+TEST_F(StrokePicture, OneColourGivesThePictureOfManyColours) {
     for (const bool many : {false, true}) {
         clear();
         add_line("a", {{20.0, 20.0}, {90.0, 80.0}, {130.0, 30.0}, {128.0, 80.0}}, 1.0, {0.2F, 0.1F, 0.6F, 0.7F}, 2.5F);
@@ -297,7 +297,7 @@ TEST_F(StrokePicture, OfOneColourIsThatOfManyColours) {
     }
 }
 
-TEST_F(StrokePicture, OutputsTellTheMarkAtEachEnd) {
+TEST_F(StrokePicture, OutputsGiveTheMarkAtEachEnd) {
     add_line("a", straight(20.0, 180.0, 50.5, 9), 0.0, black, 3.0F);
     draw();
     std::vector<std::uint32_t> id(width * height, 77);
@@ -318,7 +318,7 @@ TEST_F(StrokePicture, OutputsTellTheMarkAtEachEnd) {
 }
 
 // A pick beside an end hits exactly the ink that is drawn there.
-TEST(StrokeSegments, CoverWhatTheirEndsDo) {
+TEST(StrokeSegments, CoverTheInkOfTheirEnds) {
     const StrokePoint a{10.0F, 20.0F, 3.0F, 1.0F, 0.0F, 0.2F, 1.0F, 0.0F, 1};
     const StrokePoint b{30.0F, 20.0F, 3.0F, 1.0F, 0.0F, 0.8F, 1.0F, 20.0F, 2};
     const float tip = 30.0F + 6.0F * drawing::point_length;

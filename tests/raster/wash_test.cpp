@@ -91,7 +91,7 @@ double darkness_behind(const base::Runtime& runtime, const Style& style, double 
     return picture.darkness(50, 50, 250, 250);
 }
 
-TEST_F(Wash, AFrontLayerIsAsOpaqueAsAskedWhateverItsDensity) {
+TEST_F(Wash, AFrontLayerHasItsOpacityAtAnyDensity) {
     for (const int side : {40, 80, 120}) {
         Style style = inked(HiddenLines::attenuate);
         style.attenuation_front = 0.0;
@@ -109,7 +109,7 @@ TEST_F(Wash, AFrontLayerIsAsOpaqueAsAskedWhateverItsDensity) {
     }
 }
 
-TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
+TEST_F(Wash, EachLayerAttenuatesByTheSameFactor) {
     const marks::PointSet set = plane(runtime.memory, 60);
     Style style = inked(HiddenLines::attenuate);
     style.attenuation_front = 0.3;
@@ -128,7 +128,7 @@ TEST_F(Wash, EveryLayerAttenuatesOnceMore) {
     }
 }
 
-TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
+TEST_F(Wash, AHaloSurroundsTheFrontItem) {
     // Dark ink is far behind a sphere. The paper of the sphere's back marks clears a rim around it.
     const marks::PointSet ball = sphere(runtime.memory, 20000, 0.5);
     const marks::PointSet wall = plane(runtime.memory, 100);

@@ -57,7 +57,7 @@ TEST(BlueNoise, EveryPrefixIsEven) {
     }
 }
 
-TEST(BlueNoise, TheMeasureOfEvennessTellsThePublishedRecursionApart) {
+TEST(BlueNoise, TheEvennessMeasureRejectsThePublishedRecursion) {
     const Sphere sphere;
     generate::Settings settings = recursion({Kind::stipples}, 3);
     const std::vector<double> seeds = spiral_seeds(64);
@@ -100,7 +100,7 @@ TEST(BlueNoise, RanksFollowTheOrder) {
     EXPECT_EQ(marks.report.full_count, 1000);
 }
 
-TEST(BlueNoise, SpacingAndAreaAreThoseOfTheSurface) {
+TEST(BlueNoise, SpacingMatchesTheSurfaceArea) {
     const Torus torus;
     for (const std::int64_t budget : {1, 7, 100, 3000, 20000}) {
         const PointSet set = make(torus, blue({Kind::stipples}, budget));
@@ -112,7 +112,7 @@ TEST(BlueNoise, SpacingAndAreaAreThoseOfTheSurface) {
 
 // With few candidates a sweep's first step may use up its own, while the last step, whose distance is smaller, still
 // has some.
-TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
+TEST(BlueNoise, OrderingEndsIfCandidatesRunOut) {
     const Torus torus;
     const Site site{runtime(), torus, 1e-6, 1};
     geometry::VecArray seed(runtime().memory);

@@ -44,7 +44,7 @@ glm::dvec3 place_of(Candidates& candidates, std::int64_t place) {
            glm::dvec3(all.at(OrderGroup::x, place), all.at(OrderGroup::y, place), all.at(OrderGroup::z, place));
 }
 
-TEST(PlaneCandidates, AreTheSurfaceWhereItIsFlatToItsCells) {
+TEST(PlaneCandidates, AreUsedWhereTheSurfaceIsFlatWithinCells) {
     const auto fine = Cover(Sphere(), {1.0, 0.0, 0.0}, 0.05).kinds();
     EXPECT_GT(fine[1], 2000);
     EXPECT_EQ(fine[2], 0) << "a sphere of twenty sides' radius";
@@ -56,7 +56,7 @@ TEST(PlaneCandidates, AreTheSurfaceWhereItIsFlatToItsCells) {
     EXPECT_GT(thin[2], 1000);
 }
 
-TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
+TEST(PlaneCandidates, LieEvenlyInTheirCellsNearTheSurface) {
     const Sphere sphere;
     Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
     Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples);
@@ -90,7 +90,7 @@ TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
 }
 
 // Memory that is not zeroed may have any content, here NaN.
-TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
+TEST(Candidates, DoNotDependOnUninitializedMemory) {
     const auto filled = [](void*, std::uint64_t size, std::uint64_t alignment) {
         void* const memory = ::operator new (size, std::align_val_t{alignment});
         return std::memset(memory, 0xff, size);
@@ -109,7 +109,7 @@ TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
 }
 
 // A part of the candidates, chosen by tickets, has the same spread as all.
-TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
+TEST(PlaneCandidates, ARandomPartIsSpreadLikeAll) {
     const Sphere sphere;
     Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
     Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples);
@@ -144,7 +144,7 @@ Field rounded_cube(const glm::dvec3& p) {
     return {beyond[axis] - 0.08, gradient, {}};
 }
 
-TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
+TEST(PlaneCandidates, AreDrawnWithinTheTrialLimit) {
     const Sphere sphere;
     const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
     const auto draw = [&](double most_trials, const base::Progress& progress) {
@@ -163,7 +163,7 @@ TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
 }
 
 // The cube is flat except for its edges. Candidates on planes and in layers meet without a seam.
-TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
+TEST(Candidates, OnPlanesAndInLayersHaveTheSameDensity) {
     const AnyField cube({glm::dvec3(-0.58), glm::dvec3(0.58)}, rounded_cube);
     constexpr double pi = 3.14159265358979323846;
     constexpr double area = 6.0 + 12.0 * (0.5 * pi * 0.08) + 4.0 * pi * 0.08 * 0.08;
@@ -198,7 +198,7 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
 }
 
 // The distance that f suggests is half of the true one.
-TEST(Candidates, OfAFunctionThatIsNoDistanceAreEnough) {
+TEST(Candidates, SufficeForAFunctionThatIsNoDistance) {
     const AnyField signed_square({glm::dvec3(-1.0), glm::dvec3(1.0)}, [](const glm::dvec3& p) {
         const double far = glm::length(p) - 1.0;
         return Field{far * std::abs(far), 2.0 * std::abs(far) * glm::normalize(p), {}};

@@ -21,7 +21,7 @@ base::Memory& memory() {
     return instance;
 }
 
-TEST(CellMap, FindsWhatItWasGiven) {
+TEST(CellMap, FindsTheGivenCells) {
     base::Array<std::uint64_t> codes(memory());
     for (std::uint64_t i = 0; i < 1000; ++i) codes.push_back(i * i * 7919U);
     const CellMap map(memory(), codes);
@@ -35,7 +35,7 @@ CellGrid::Cell random_cell(std::mt19937& random) {
             static_cast<std::int64_t>(random() % 9)};
 }
 
-TEST(CellMap, FindsTheCellsAroundOne) {
+TEST(CellMap, FindsNeighbouringCells) {
     std::set<std::uint64_t> all;
     std::mt19937 random(6);
     for (int i = 0; i < 300; ++i) all.insert(morton_code(random_cell(random)));

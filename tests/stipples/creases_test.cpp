@@ -49,7 +49,7 @@ marks::NeighbourDistances distances_of(const geometry::VecArray& places, double 
 }
 
 // Counts marks of a cube in strips along its edges, and compares with the numbers expected from the strips' area.
-TEST(StipplesAtCreases, NoGapAndNoHeapAlongEdges) {
+TEST(StipplesAtCreases, AreNeitherSparseNorDenseAlongEdges) {
     const auto shape = sharp_cube();
     const Sphere ball;
     const geometry::VecArray even = places_of(stippled(ball, 20000));
@@ -88,7 +88,7 @@ TEST(StipplesAtCreases, NoGapAndNoHeapAlongEdges) {
 }
 
 // Counts strips on both sides of a rim and of a groove.
-TEST(StipplesAtCreases, CurvedAndConcaveOnes) {
+TEST(StipplesAtCreases, AreEvenAtCurvedAndConcaveCreases) {
     const auto shape = stepped_shaft();
     const geometry::VecArray places = places_of(stippled(*shape, 20000));
     const double pi = std::acos(-1.0);

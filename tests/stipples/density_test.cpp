@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-TEST(Density, SharesTheMarksAsTheFunctionSays) {
+TEST(Density, DistributesMarksByTheFunction) {
     generate::Settings settings = blue({Kind::stipples}, 4000);
     of(settings, Kind::stipples).density.kind = Density::callback;
     of(settings, Kind::stipples).density.function = [](void*, std::int64_t count, const double* p, const double*,

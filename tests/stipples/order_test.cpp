@@ -109,7 +109,7 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
         }
 }
 
-TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
+TEST(OrderLoops, SeveralMarksActLikeOneAfterAnother) {
     const OrderMark marks[] = {mark_at({0.1F, -0.2F, 0.3F}), mark_at({-0.4F, 0.2F, 0.1F}), mark_at({0.0F, 0.5F, 0.2F})};
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
         Block plain(37);
@@ -122,7 +122,7 @@ TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
 
 // Two planes with normals along x and y meet in the z axis. The way between them is measured along the planes, as if
 // they were unfolded.
-TEST(OrderLoops, WaysLeadAlongTheSurface) {
+TEST(OrderLoops, DistancesAreMeasuredAlongTheSurface) {
     const float along_x[3] = {1.0F, 0.0F, 0.0F};
     const float along_y[3] = {0.0F, 1.0F, 0.0F};
     const OrderMark mark{{0.0F, -0.3F, 0.1F}, packed_normal(along_x)};
@@ -149,7 +149,7 @@ TEST(OrderLoops, WaysLeadAlongTheSurface) {
     }
 }
 
-TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
+TEST(OrderLoops, TheFirstOfEqualMinimaIsFound) {
     constexpr float none = std::numeric_limits<float>::infinity();
     std::vector<float> numbers(100, none);
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
@@ -165,7 +165,7 @@ TEST(OrderLoops, TheFirstOfTheSmallestIsFound) {
 }
 
 // The former content of memory must not matter: a NaN there would get into the energies.
-TEST(OrderLoops, FreePlacesHoldNumbers) {
+TEST(OrderLoops, FreePlacesAreNotNaN) {
     Block block(16);
     for (std::int64_t i = 0; i < 16; ++i)
         for (const OrderGroup::Column c : columns) block.view().at(c, i) = std::numeric_limits<float>::quiet_NaN();
@@ -175,7 +175,7 @@ TEST(OrderLoops, FreePlacesHoldNumbers) {
     EXPECT_TRUE(std::isnan(block.place(0)[0])) << "only after the last one";
 }
 
-TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
+TEST(OrderLoops, TheFirstOfEqualEnergiesIsTheLowest) {
     Block block(40);
     for (std::int64_t i = 0; i < 40; ++i) {
         block.view().at(OrderGroup::energy, i) = i % 7 == 5 ? 0.25F : 0.5F;
@@ -216,7 +216,7 @@ TEST(VoidCentre, IsTheMiddleOfATriangle) {
     for (const glm::dvec2& corner : corners) EXPECT_NEAR(glm::distance(corner, way), radius, 1e-9);
 }
 
-TEST(VoidCentre, StopsWhereThereIsRoomEnough) {
+TEST(VoidCentre, StopsWhereThereIsEnoughRoom) {
     const std::vector<glm::dvec2> corners = {{0.3, 0.0}, {-0.8, 0.9}, {-0.8, -0.9}};
     const glm::dvec2 way = toward_void(corners, 0.5, 5.0);
     EXPECT_NEAR(nearest(corners, way), 0.5, 1e-9);
@@ -225,7 +225,7 @@ TEST(VoidCentre, StopsWhereThereIsRoomEnough) {
     EXPECT_EQ(toward_void({}, 0.5, 1.0), glm::dvec2(0.0));
 }
 
-TEST(VoidCentre, NeverComesNearer) {
+TEST(VoidCentre, NeverMovesNearerToThePoints) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> number(-2.0, 2.0);
     for (int trial = 0; trial < 500; ++trial) {

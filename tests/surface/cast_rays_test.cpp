@@ -82,7 +82,7 @@ void expect_sphere(const implicit::Implicit& sphere, const std::vector<Line>& li
     }
 }
 
-TEST(CastRays, MeetsASphereWhereItIs) {
+TEST(CastRays, HitsASphereAtItsSurface) {
     // The number of rays is more than a batch, and not a multiple of it.
     expect_sphere(Sphere(), many_lines(1000), at_most(2));
     expect_sphere(SquareSphere(), many_lines(700), at_most(2));
@@ -92,7 +92,7 @@ TEST(CastRays, MeetsASphereWhereItIs) {
 }
 
 // A step that changes f by more than the bound allows is taken back, even if it ends inside the other side of the tube.
-TEST(CastRays, ABoundThatAStepShowsToBeTooSmallIsRaised) {
+TEST(CastRays, ABoundThatProvesTooSmallIsRaised) {
     RaySettings settings = at_most(4);
     settings.lipschitz = 0.06;
     const RayHits hits = cast(Torus(1.0, 0.35), {{{-1.5, 0, 0}, {1, 0, 0}}}, settings); // f = 0.15 allows a step of 2.5
@@ -103,7 +103,7 @@ TEST(CastRays, ABoundThatAStepShowsToBeTooSmallIsRaised) {
     EXPECT_EQ(cast(Torus(1.0, 0.35), {{{-1.5, 0, 0}, {1, 0, 0}}}, settings).status[0], RayStatus::miss);
 }
 
-TEST(CastRays, MissesWhatItDoesNotMeet) {
+TEST(CastRays, RaysPastTheSurfaceMiss) {
     const RayHits hits = cast(Sphere(),
                               {{{-3, 0, 1.02}, {1, 0, 0}},    // past the sphere, through the region
                                {{-3, 0, 1.5}, {1, 0, 0}},     // past the region
@@ -122,7 +122,7 @@ TEST(CastRays, MissesWhatItDoesNotMeet) {
 }
 
 // Chords longer than a smallest step are found. A touch changes no sign and does not count.
-TEST(CastRays, GrazingRays) {
+TEST(CastRays, GrazingRaysHitOnlyIfTheyCross) {
     const double smallest = 1e-4 * std::sqrt(12.0);
     for (const double factor : {1.01, 1.5, 4.0, 40.0}) {
         const double half = 0.5 * factor * smallest;
@@ -135,7 +135,7 @@ TEST(CastRays, GrazingRays) {
     EXPECT_EQ(cast(SquareSphere(), {{{-3, 0, 1}, {1, 0, 0}}}).status[0], RayStatus::miss);
 }
 
-TEST(CastRays, FromInsideOneLeaves) {
+TEST(CastRays, ARayFromInsideLeaves) {
     const RayHits hits = cast(Sphere(), {{{0.2, 0, 0}, {0, 0, 2}}, {{0, 0, 0}, {1, 0, 0}}}, at_most(3));
     EXPECT_NEAR(hits.t[0], 0.5 * std::sqrt(0.96), 1e-8);
     EXPECT_EQ(hits.count[0], 1);
@@ -144,7 +144,7 @@ TEST(CastRays, FromInsideOneLeaves) {
     EXPECT_NEAR(glm::distance(hits.normal[3], {1, 0, 0}), 0.0, 1e-8);
 }
 
-TEST(CastRays, AllFourHitsOfATorusInOrder) {
+TEST(CastRays, FindsAllFourHitsOfATorusInOrder) {
     const Torus torus(1.0, 0.35);
     const std::array<double, 4> wanted = {1.65, 2.35, 3.65, 4.35};
     const std::vector<Line> line = {{{-3, 0, 0}, {1, 0, 0}}};
@@ -163,7 +163,7 @@ TEST(CastRays, AllFourHitsOfATorusInOrder) {
     EXPECT_EQ(cast(torus, line).status[0], RayStatus::hit);
 }
 
-TEST(CastRays, SaysWhenThereAreMoreHitsThanRoom) {
+TEST(CastRays, ReportsMoreHitsThanThereIsRoomFor) {
     const Torus torus(1.0, 0.35);
     const std::vector<Line> line = {{{-3, 0, 0}, {1, 0, 0}}};
     for (const int room : {2, 3, 4}) {
@@ -175,7 +175,7 @@ TEST(CastRays, SaysWhenThereAreMoreHitsThanRoom) {
 }
 
 // At each hit f is 0 and the normal is the gradient. Every sign change of a fine scan is a hit.
-TEST(CastRays, HitsOfManyRaysAreThoseOfAFineScan) {
+TEST(CastRays, HitsMatchAFineScan) {
     const Torus torus(1.0, 0.35);
     const std::vector<Line> lines = many_lines(400, 2.5, 0.7);
     const RayHits hits = cast(torus, lines, at_most(4));
@@ -199,7 +199,7 @@ TEST(CastRays, HitsOfManyRaysAreThoseOfAFineScan) {
     EXPECT_GT(four, 10);
 }
 
-TEST(CastRays, TheRangeCutsHitsOff) {
+TEST(CastRays, TheRangeLimitsTheHits) {
     const Torus torus(1.0, 0.35);
     const std::vector<Line> line = {{{-3, 0, 0}, {1, 0, 0}}};
     const auto between = [&](double from, double to) {
@@ -222,7 +222,7 @@ TEST(CastRays, TheRangeCutsHitsOff) {
     EXPECT_NEAR(cast(torus, {{{3, 0, 0}, {1, 0, 0}}}, settings).t[0], -4.35, 1e-8);
 }
 
-TEST(CastRays, TIsInLengthsOfTheDirection) {
+TEST(CastRays, TIsMeasuredInLengthsOfTheDirection) {
     for (const double length : {1e-200, 1e-3, 0.3, 7.0, 1e200}) {
         RaySettings settings;
         settings.t_max = 2.5 / length;
@@ -235,7 +235,7 @@ TEST(CastRays, TIsInLengthsOfTheDirection) {
     }
 }
 
-TEST(CastRays, FarOriginsMeetTheSurfaceAllTheSame) {
+TEST(CastRays, DistantOriginsStillHitTheSurface) {
     const RayHits hits = cast(Sphere(), {{{-1e9, 0, 0.5}, {1, 0, 0}}, {{-1e300, 0, 0}, {1, 0, 0}}});
     EXPECT_NEAR(glm::length(hits.position[0]), 1.0, 1e-8);
     EXPECT_NEAR(hits.t[0], 1e9 - std::sqrt(0.75), 1e-6);
@@ -254,7 +254,7 @@ TEST(CastRays, FarOriginsMeetTheSurfaceAllTheSame) {
     for (int i = 0; i < 300; ++i) EXPECT_NE(far.status[i], RayStatus::not_finite) << i;
 }
 
-TEST(CastRays, WhatIsNotFiniteEndsARay) {
+TEST(CastRays, NonFiniteValuesEndARay) {
     const AnyField broken(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.x > 0.5 ? std::nan("") : p.x + 0.5, {1.0, 0.0, 0.0}, {}};
     });
@@ -301,7 +301,7 @@ TEST(CastRays, BisectionHelpsWhereNewtonDoesNot) {
     }
 }
 
-TEST(CastRays, TheSmallestStepIsWhatMayBeSteppedOver) {
+TEST(CastRays, PartsThinnerThanTheSmallestStepMayBeMissed) {
     const ThinSlab slab(1e-3); // two faces 2e-3 apart
     const double diagonal = slab.diagonal();
     RaySettings settings = at_most(4);
@@ -329,7 +329,7 @@ TEST(CastRays, EvaluationLimitKeepsHits) {
     EXPECT_LT(sphere.evaluations, 60);
 }
 
-TEST(CastRays, TheBoundIsReallyUsed) {
+TEST(CastRays, ALargerBoundNeedsMoreEvaluations) {
     const Sphere sphere;
     RaySettings settings;
     std::int64_t before = 0;
@@ -342,7 +342,7 @@ TEST(CastRays, TheBoundIsReallyUsed) {
     }
 }
 
-TEST(CastRays, ToleranceIsInDiagonals) {
+TEST(CastRays, ToleranceIsMeasuredInDiagonals) {
     RaySettings settings;
     settings.tolerance = 1e-2;
     settings.smallest_step = 0.1;
@@ -353,7 +353,7 @@ TEST(CastRays, ToleranceIsInDiagonals) {
     EXPECT_NEAR(cast(SquareSphere(), line, settings).t[0], wanted, 1e-14);
 }
 
-TEST(CastRays, NoRayDependsOnTheOthers) {
+TEST(CastRays, RaysDoNotDependOnEachOther) {
     const Torus torus;
     const std::vector<Line> lines = many_lines(700);
     const RayHits hits = cast(torus, lines, at_most(2));
@@ -366,7 +366,7 @@ TEST(CastRays, NoRayDependsOnTheOthers) {
     }
 }
 
-TEST(CastRays, NoRaysIsFine) {
+TEST(CastRays, AcceptsNoRays) {
     const Sphere sphere;
     EXPECT_EQ(cast(sphere, {}, at_most(3)).t.size(), 0);
     EXPECT_EQ(sphere.evaluations, 0);

@@ -54,7 +54,7 @@ int not_converged(const implicit::Implicit& shape, double reach, double worst_sh
     return left;
 }
 
-TEST(ProjectAtCreases, ComesOntoEveryShapeFromEverywhere) {
+TEST(ProjectAtCreases, ReachesEveryShapeFromEverywhere) {
     EXPECT_EQ(not_converged(*sharp_cube(), 2.0, 1.0), 0);
     EXPECT_EQ(not_converged(*bored_cube(), 2.0, 1.0), 0);
     EXPECT_EQ(not_converged(*stepped_shaft(), 1.5, 1.0), 0);
@@ -65,7 +65,7 @@ TEST(ProjectAtCreases, ComesOntoEveryShapeFromEverywhere) {
 }
 
 // Descent alone zigzags: between two sides at 3 degrees it takes a thousand steps.
-TEST(ProjectAtCreases, ComesOntoAcuteEdges) {
+TEST(ProjectAtCreases, ReachesAcuteEdges) {
     for (const double angle : {0.05, 0.2, 0.5, 1.0})
         for (const bool convex : {true, false}) EXPECT_EQ(not_converged(*wedge(angle, convex), 1.0), 0) << angle;
 }
@@ -73,7 +73,7 @@ TEST(ProjectAtCreases, ComesOntoAcuteEdges) {
 // The balls do not meet, so |f| of their intersection has a minimum between them that is not 0.
 Sharp no_intersection() { return max_of({sphere({-1.0, 0.0, 0.0}, 0.6), sphere({1.0, 0.0, 0.0}, 0.6)}); }
 
-TEST(ProjectBySearch, ComesFromLeastFOffTheSurfaceOntoIt) {
+TEST(ProjectBySearch, EscapesALocalMinimumOfF) {
     const SharpShape shape(cube(4.0), min_of({no_intersection(), sphere({0.0, 3.0, 0.0}, 0.7)}));
     EXPECT_EQ(not_converged(shape, 3.0), 0);
     Projection p(runtime().memory);
@@ -85,7 +85,7 @@ TEST(ProjectBySearch, ComesFromLeastFOffTheSurfaceOntoIt) {
     EXPECT_LE(glm::distance(p.gradient[0], normal), 1e-6);
 }
 
-TEST(ProjectBySearch, WhereThereIsNoSurfaceItSaysSo) {
+TEST(ProjectBySearch, ReportsThatThereIsNoSurface) {
     const SharpShape shape(cube(2.0), no_intersection());
     EXPECT_EQ(not_converged(shape, 2.0), 3000);
     Projection p(runtime().memory);
@@ -121,7 +121,7 @@ TEST(ProjectAtCreases, FindsWhereSheetsMeet) {
 }
 
 // Rays pass an edge of the cube at a small distance on either side, and the normals of hits are checked.
-TEST(RaysAtCreases, HitBesideEdges) {
+TEST(RaysAtCreases, HitNextToEdges) {
     const glm::dmat3 back = glm::transpose(odd_turn());
     const auto shape = sharp_cube();
     for (const double beside : {1e-3, 1e-5, 1e-7}) {
@@ -151,7 +151,7 @@ TEST(RaysAtCreases, HitBesideEdges) {
     }
 }
 
-TEST(RaysAtCreases, InsideAndCurvatureAreTheActiveSheets) {
+TEST(RaysAtCreases, InsideAndCurvatureUseTheActiveSheet) {
     const auto shape = stepped_shaft();
     geometry::VecArray points(runtime().memory);
     for (const glm::dvec3& p : {glm::dvec3(0.9999999, 0.0, -0.0000001), glm::dvec3(1.0000001, 0.0, -0.5),

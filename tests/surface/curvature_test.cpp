@@ -25,7 +25,7 @@ void expect_frame(const Curvature& c, const glm::dvec3& n) {
     EXPECT_GE(c.k1, c.k2);
 }
 
-TEST(Curvature, SphereBendsAwayFromItsNormalEverywhere) {
+TEST(Curvature, SphereHasEqualNegativeCurvatures) {
     const Sphere sphere(2.5);
     for (int i = 0; i < 200; ++i) {
         const auto [x, y, z] = spiral_point(i, 200);
@@ -79,7 +79,7 @@ TEST(Curvature, CylinderIsFlatAlongItsAxis) {
     EXPECT_NEAR(c.confidence, 1.0, 1e-3);
 }
 
-TEST(Curvature, PlaneHasNoneAndNoConfidence) {
+TEST(Curvature, PlaneHasZeroCurvatureAndConfidence) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(1.0, 2.0, 3.0));
     const Curvature c = of(Plane(5.0 * n, 0.0, cube(1.0)), {0.0, 0.0, 0.0});
     EXPECT_EQ(c.k1, 0.0);
@@ -124,7 +124,7 @@ TEST(Curvature, AgreesWithTraceAndFrobeniusNormOfG) {
     expect_frame(c, n);
 }
 
-TEST(Curvature, DirectionsGoOverSmoothlyIntoTheFallback) {
+TEST(Curvature, DirectionsBlendSmoothlyIntoTheFallback) {
     // The surface becomes less and less umbilic. The direction, as a line, moves in small steps.
     glm::dvec3 before(0.0);
     for (int i = 0; i <= 400; ++i) {
@@ -144,7 +144,7 @@ TEST(Curvature, DirectionsGoOverSmoothlyIntoTheFallback) {
     }
 }
 
-TEST(Curvature, NoGradientOrNoNumbersGiveZeros) {
+TEST(Curvature, MissingGradientsAndNaNGiveZeros) {
     const Hessian h = identity(1.0);
     const auto expect_zero = [](const Curvature& c) {
         EXPECT_EQ(c.k1, 0.0);
@@ -162,7 +162,7 @@ TEST(Curvature, NoGradientOrNoNumbersGiveZeros) {
     expect_zero(principal_curvature({0.0, 0.0, 1e-150}, steep, 1.0));
 }
 
-TEST(Curvature, BatchesAreThePointsOneByOne) {
+TEST(Curvature, BatchesMatchSinglePoints) {
     const Torus torus;
     const base::Runtime runtime;
     geometry::VecArray points(runtime.memory);

@@ -38,7 +38,7 @@ TEST(Project, ReachesTheNearestPointOfASphereInOneStep) {
     EXPECT_EQ(sphere.evaluations, 4) << "one evaluation at the start and one at the end";
 }
 
-TEST(Project, ConvergesFromEverywhereOnFunctionsThatAreNoDistance) {
+TEST(Project, ConvergesOnFunctionsThatAreNoDistance) {
     const SquareSphere sphere(1.0);
     Projection p(runtime().memory);
     constexpr int count = 1000; // more than a batch, and not a multiple of it
@@ -58,7 +58,7 @@ TEST(Project, APointOnTheSurfaceStaysBitForBit) {
     EXPECT_EQ(p.gradient[0], 2.0 * on);
 }
 
-TEST(Project, NoPointDependsOnTheOthers) {
+TEST(Project, PointsDoNotDependOnEachOther) {
     const Torus torus;
     Projection many(runtime().memory);
     for (int i = 0; i < 700; ++i) many.position.push_back(1.5 * pseudo_random(i));
@@ -84,7 +84,7 @@ TEST(Project, ReportsCriticalPointsAndLocalMinima) {
     EXPECT_LT(glm::length(p.position[1]), 0.1) << "the last iterate is kept, and f^2 fell";
 }
 
-TEST(Project, ReportsWhatIsNotFinite) {
+TEST(Project, ReportsNonFinitePoints) {
     const AnyField broken(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.x > 0.0 ? std::nan("") : p.x + 0.5, {1.0, 0.0, 0.0}, {}};
     });
@@ -95,7 +95,7 @@ TEST(Project, ReportsWhatIsNotFinite) {
 }
 
 // The computed length of such a gradient is infinite, so the distance f / |grad f| would be 0.
-TEST(Project, AGradientThatCannotBeSquaredIsNone) {
+TEST(Project, AGradientTooLargeToSquareIsRejected) {
     const AnyField steep(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {1e200 * (p.x - 0.5), {1e200, 0.0, 0.0}, {}};
     });
@@ -103,7 +103,7 @@ TEST(Project, AGradientThatCannotBeSquaredIsNone) {
 }
 
 // A trial step to a point where f is not finite does not lower f^2, so the step is halved.
-TEST(Project, BacktracksOutOfWhatIsNotFinite) {
+TEST(Project, BacktracksFromNonFiniteValues) {
     // f = sqrt(x) - 2 is zero at 4. Newton's step from 20 ends at x < 0.
     const AnyField root(cube(10.0), [](const glm::dvec3& p) -> Field {
         return {std::sqrt(p.x) - 2.0, {0.5 / std::sqrt(p.x), 0.0, 0.0}, {}};
@@ -125,7 +125,7 @@ TEST(Project, ArmijoTamesNewtonSteps) {
 
 // With sigma near 1/2, only steps that lower f^2 almost to zero are accepted: for f = x^2 - 1 the Newton step from 2 to
 // 1.25 lowers f^2 = 9 to 0.316, which is 3.5 % of it.
-TEST(Project, ArmijoSlopeIsTheOneOfTheRule) {
+TEST(Project, ArmijoSlopeFollowsTheRule) {
     const AnyField parabola(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.x * p.x - 1.0, {2.0 * p.x, 0.0, 0.0}, {}};
     });
@@ -153,7 +153,7 @@ TEST(Project, EvaluationLimitIsKept) {
     }
 }
 
-TEST(Project, ToleranceIsInDiagonals) {
+TEST(Project, ToleranceIsMeasuredInDiagonals) {
     const double diagonal = std::sqrt(12.0);
     const Plane plane({0.0, 0.0, 2.0}, 0.0, cube(1.0));
     ProjectionSettings settings;
@@ -162,7 +162,7 @@ TEST(Project, ToleranceIsInDiagonals) {
     EXPECT_NEAR(run(plane, {{0.0, 0.0, 0.0101 * diagonal}}, settings).position[0].z, 0.0, 1e-15);
 }
 
-TEST(Project, NoPointsIsFine) {
+TEST(Project, AcceptsNoPoints) {
     const Projection p = run(Sphere(), {});
     EXPECT_EQ(p.status.size(), 0);
 }

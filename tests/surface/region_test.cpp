@@ -32,13 +32,13 @@ TEST(Region, IsTheBoxAndATwentiethOfItsDiagonal) {
 }
 
 // The estimate is the slope at the steepest corner, times 1.5.
-TEST(LipschitzEstimate, IsTheSteepestOfAGrid) {
+TEST(LipschitzEstimate, IsTheSteepestSlopeOnAGrid) {
     EXPECT_NEAR(lipschitz_estimate(runtime(), Plane({3.0, 0.0, 4.0}, 0.0, cube(1.0))), 7.5, 1e-14);
     const SquareSphere sphere(1.0);
     EXPECT_NEAR(lipschitz_estimate(runtime(), sphere), 1.5 * 2.0 * glm::length(search_region(sphere).max), 1e-12);
 }
 
-TEST(LipschitzEstimate, LeavesOutWhatIsNotFinite) {
+TEST(LipschitzEstimate, IgnoresNonFiniteValues) {
     const AnyField half(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.x, {p.x > 0.0 ? std::nan("") : 2.0, 0.0, 0.0}, {}};
     });
@@ -47,7 +47,7 @@ TEST(LipschitzEstimate, LeavesOutWhatIsNotFinite) {
     EXPECT_GT(lipschitz_estimate(runtime(), flat), 0.0);
 }
 
-TEST(Contains, WhereFIsNegativeInTheRegion) {
+TEST(Contains, PointsWithNegativeFInTheRegion) {
     const Sphere sphere;
     const auto inside = inside_of(sphere, {{0, 0, 0}, {0.99, 0, 0}, {1.0, 0, 0}, {1.01, 0, 0}, {0, -0.7, 0.7}});
     const std::array<int, 5> wanted = {1, 1, 0, 0, 1};
@@ -55,7 +55,7 @@ TEST(Contains, WhereFIsNegativeInTheRegion) {
     EXPECT_EQ(sphere.evaluations, 5);
 }
 
-TEST(Contains, NothingBeyondTheRegionAndNothingThatIsNotFinite) {
+TEST(Contains, NothingBeyondTheRegionOrNonFinite) {
     const Plane half_space({0, 0, 1}, 0.0, cube(1.0)); // f < 0 for all z < 0
     const double edge = 1.0 + 0.05 * std::sqrt(12.0);
     const auto inside = inside_of(half_space, {{0, 0, -edge + 1e-9}, {0, 0, -edge - 1e-9}, {9, 0, -1}, {0, 0, 0.1}});
@@ -68,7 +68,7 @@ TEST(Contains, NothingBeyondTheRegionAndNothingThatIsNotFinite) {
     EXPECT_EQ(inside_of(broken, {{0, 0, 0}})[0], 0);
 }
 
-TEST(Contains, TakesNoPoints) { EXPECT_EQ(inside_of(Sphere(), {}).size(), 0); }
+TEST(Contains, AcceptsNoPoints) { EXPECT_EQ(inside_of(Sphere(), {}).size(), 0); }
 
 } // namespace
 } // namespace hrbfnpr::surface::region_test

@@ -51,7 +51,7 @@ TEST(SheetsMeet, WhereBothAreZero) {
 
 // Without this, creases of a machine part were missing around one of its sheets, whose rounding errors exceeded the
 // tolerance.
-TEST(SheetsMeet, AsNearAsRoundingLets) {
+TEST(SheetsMeet, WithinRoundingIfTheToleranceIsSmaller) {
     for (int i = 0; i < 20; ++i) { // some meet the tolerance by chance
         const MeetingPlace place = meet(2e-10, 1e-12, 1.5 + 0.01 * i);
         ASSERT_TRUE(place.found) << i;

@@ -56,7 +56,7 @@ TEST(Support, IsLowAmongSamplesAndHighBeyond) {
     }
 }
 
-TEST(Support, SlopesAreThose) {
+TEST(Support, SlopesMatchDifferences) {
     const base::Runtime runtime = test::with_threads(2);
     const Support support = support_of(runtime, test::sphere_cap(whole, 0.0));
     const double step = 1e-6;
@@ -76,7 +76,7 @@ TEST(Support, SlopesAreThose) {
     }
 }
 
-TEST(Support, SizeMeansNothing) {
+TEST(Support, DoesNotDependOnTheUnit) {
     const base::Runtime runtime = test::with_threads(2);
     const PartSamples samples = test::sphere_cap(300, -0.2);
     PartSamples large = samples;
@@ -89,7 +89,7 @@ TEST(Support, SizeMeansNothing) {
     }
 }
 
-TEST(Support, FewSamplesAndSamplesOnTopOfEachOther) {
+TEST(Support, AcceptsFewAndCoincidentSamples) {
     const base::Runtime runtime = test::with_threads(1);
     for (const int count : {1, 2, 5}) {
         PartSamples samples;

@@ -96,7 +96,7 @@ TEST(FillLines, CoversALineThatSwells) {
     EXPECT_NEAR(result.sorted.counts.drawn, drawn, 0.02 * drawn);
 }
 
-TEST(FillLines, DrawsToAndFroInOneGo) {
+TEST(FillLines, FillsBackAndForthInOnePath) {
     for (const Cap cap : {Cap::round, Cap::flat}) {
         GroupInput input;
         input.add(wave(30.0, 0.0, [](double) { return 0.8; }));
@@ -111,7 +111,7 @@ TEST(FillLines, DrawsToAndFroInOneGo) {
     }
 }
 
-TEST(FillLines, TakesAsFewPassesAsItCan) {
+TEST(FillLines, UsesAsFewPassesAsPossible) {
     const auto passes = [](double radius) {
         GroupInput input;
         input.add({{10.0, 20.0, radius}, {40.0, 20.0, radius}});
@@ -149,7 +149,7 @@ TEST(FillLines, CoversRingsCornersAndBlobs) {
     }
 }
 
-TEST(FillLines, EndsInAPoint) {
+TEST(FillLines, EndsInAPointIfTheCapIsPointed) {
     GroupInput input;
     input.add({{10.0, 20.0, 1.0}, {30.0, 20.0, 1.0}});
     input.paths[0].begin = input.paths[0].end = Cap::pointed;
@@ -184,7 +184,7 @@ TEST(FillLines, LeavesThinLinesAndOnePassAlone) {
     EXPECT_EQ(once.out.paths[1].points.size(), 81U);
 }
 
-TEST(FillLines, BoundsItsPasses) {
+TEST(FillLines, LimitsItsPasses) {
     GroupInput input;
     input.group.pen_width = 0.001;
     input.add({{10.0, 20.0, 1e5}, {10.1, 20.0, 1e5}});

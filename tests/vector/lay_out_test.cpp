@@ -92,7 +92,7 @@ protected:
     Groups page;
 };
 
-TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
+TEST_F(LayOut, GroupsLayersWithHiddenLinesFirst) {
     add(0, 0, {1, 1, 1});
     add(0, 2, {1, 1});
     add(2, 0, {1, 1});
@@ -113,7 +113,7 @@ TEST_F(LayOut, PutsLayersIntoGroupsHiddenOnesFirst) {
     EXPECT_EQ(page.views[0].name, "front");
 }
 
-TEST_F(LayOut, CallsOwnLinesByTheirName) {
+TEST_F(LayOut, NamesGroupsByTheirOwnLines) {
     picture.layers[0].line_kind = picture.layers[1].line_kind = 10;
     std::string_view("crease").copy(picture.layers[0].line_name.data(), 63);
     std::string_view("outer").copy(picture.layers[2].line_name.data(), 63);
@@ -141,7 +141,7 @@ TEST_F(LayOut, CutsStrokesWhereTheirOpacityChanges) {
     EXPECT_NEAR(paths[3].opacity, 0.25, 1e-3);
 }
 
-TEST_F(LayOut, TakesTheLastPenThatFits) {
+TEST_F(LayOut, UsesTheLastMatchingPen) {
     add(0, 0, {1, 1});
     add(0, 1, {1, 1});
     add(1, 0, {1, 1});
@@ -187,7 +187,7 @@ TEST(LineTypes, BeginAndEndWithADash) {
     }
 }
 
-TEST(LineTypes, HaveDotsAndGoRound) {
+TEST(LineTypes, MayHaveDotsAndCloseEvenly) {
     const std::vector<PagePoint> square{{0, 0, 1}, {50, 0, 1}, {50, 50, 1}, {0, 50, 1}, {0, 0, 1}};
     const std::vector<Part> found = dashed(4, square, true); // lengths of 12 and 0.25 alternate
     ASSERT_EQ(found.size() % 2, 0U);

@@ -62,7 +62,7 @@ TEST(PlotOrder, DrawsEverySegmentOnce) {
     for (const Segment& link : drawn) EXPECT_LE(std::hypot(link[0] - link[2], link[1] - link[3]), output::plotter_pen);
 }
 
-TEST(PlotOrder, TravelsFarLessAndSaysSo) {
+TEST(PlotOrder, TravelsFarLessAndReportsIt) {
     const GroupInput input = random_lines(2, 2000, 6.0);
     const Sorted result = sorted(input);
     EXPECT_LT(result.counts.travelled, 0.025 * travel_of(input.paths));
@@ -87,7 +87,7 @@ TEST(PlotOrder, BeginsClosedLinesAnywhere) {
     EXPECT_NEAR(result.counts.travelled, std::hypot(50.0, 50.0) - 10.0, 1e-3);
 }
 
-TEST(PlotOrder, TurnsCapsRoundWithTheirLine) {
+TEST(PlotOrder, TurnsCapsWithTheirLine) {
     GroupInput input;
     Line line = straight(50.0, 90.0, 10.0, 90.0); // its end is nearer to the corner of the page
     line.front().radius = 0.4;
@@ -115,7 +115,7 @@ std::int64_t joins_of(const Line& a, const Line& b) {
     return result.counts.joined;
 }
 
-TEST(PlotOrder, JoinsLinesThatGoOn) {
+TEST(PlotOrder, JoinsLinesThatContinueEachOther) {
     const Line line = straight(10.0, 50.0, 20.0, 50.0);
     EXPECT_EQ(joins_of(line, straight(20.0, 50.0, 30.0, 50.0)), 1);
     EXPECT_EQ(joins_of(line, straight(20.25, 50.0, 30.0, 50.0)), 1);
@@ -129,7 +129,7 @@ TEST(PlotOrder, JoinsLinesThatGoOn) {
     EXPECT_EQ(joins_of(line, straight(20.0, 50.05, 30.0, 50.05)), 1); // within the line's width
 }
 
-TEST(PlotOrder, JoinsTheBestPairWhereMoreMeet) {
+TEST(PlotOrder, JoinsTheBestPairWhereSeveralMeet) {
     GroupInput input; // a cross of four lines that meet
     input.add(straight(40.0, 50.0, 50.0, 50.0));
     input.add(straight(50.0, 40.0, 50.0, 50.0));
@@ -142,7 +142,7 @@ TEST(PlotOrder, JoinsTheBestPairWhereMoreMeet) {
         EXPECT_DOUBLE_EQ(between(path.points.front(), path.points.back()), 20.0);
 }
 
-TEST(PlotOrder, GoesOnStraightRatherThanAtTheVeryPlace) {
+TEST(PlotOrder, PrefersToContinueStraight) {
     GroupInput input;
     input.add(straight(40.0, 50.0, 50.0, 50.0));
     input.add(straight(50.0, 50.0, 57.0, 57.0));  // by 45 degrees
@@ -155,7 +155,7 @@ TEST(PlotOrder, GoesOnStraightRatherThanAtTheVeryPlace) {
     EXPECT_DOUBLE_EQ(longest, 20.0);
 }
 
-TEST(PlotOrder, LeavesRowsOfHatchingApart) {
+TEST(PlotOrder, KeepsRowsOfHatchingApart) {
     GroupInput input;
     for (int row = 0; row < 50; ++row) input.add(straight(20.0, 40.0 + 0.25 * row, 60.0, 40.0 + 0.25 * row));
     const Sorted result = sorted(input);
@@ -166,7 +166,7 @@ TEST(PlotOrder, LeavesRowsOfHatchingApart) {
     EXPECT_NEAR(result.counts.travelled, first + 49.0 * 0.25, 1e-6);
 }
 
-TEST(PlotOrder, JoinsArcsToARing) {
+TEST(PlotOrder, JoinsArcsIntoARing) {
     GroupInput input;
     input.add(circle(50.0, 50.0, 10.0, 20, 0.0, 0.3));
     Line back = circle(50.0, 50.0, 10.0, 20, 0.3, 0.7);
@@ -181,7 +181,7 @@ TEST(PlotOrder, JoinsArcsToARing) {
     EXPECT_NEAR(length_of(result.out.paths[0].points), 20.0 * std::numbers::pi, 0.3);
 }
 
-TEST(PlotOrder, KeepsOpacitiesApartButForAPlotter) {
+TEST(PlotOrder, KeepsOpacitiesApartExceptForAPlotter) {
     GroupInput input; // a line that fades, in parts that are shorter than half of its width
     for (int i = 0; i < 20; ++i)
         input.add(straight(20.0 + 0.08 * i, 50.0, 20.08 + 0.08 * i, 50.0, 1), false, 1.0 - 0.04 * i);
@@ -197,7 +197,7 @@ TEST(PlotOrder, KeepsOpacitiesApartButForAPlotter) {
     EXPECT_EQ(written.counts.dropped_paths, 0);
 }
 
-TEST(PlotOrder, DropsWhatIsTooShort) {
+TEST(PlotOrder, DropsLinesThatAreTooShort) {
     GroupInput input;
     input.add(straight(20.0, 50.0, 20.14, 50.0));
     input.add(straight(20.0, 60.0, 20.16, 60.0));
@@ -218,7 +218,7 @@ TEST(PlotOrder, DropsWhatIsTooShort) {
     EXPECT_EQ(result.out.paths.size(), 4U);
 }
 
-TEST(PlotOrder, DropsDotsNearToOthers) {
+TEST(PlotOrder, DropsDotsNearOtherDots) {
     GroupInput input;
     for (int i = 0; i < 10; ++i) input.dots.push_back({50.0 + 0.1 * i, 50.0, 0.5, 1.0, false});
     Sorted result = sorted(input); // closer than half of 0.3 mm: every second dot stays
@@ -234,7 +234,7 @@ TEST(PlotOrder, DropsDotsNearToOthers) {
     EXPECT_EQ(result.out.dots[0].x, 50.0);
 }
 
-TEST(PlotOrder, CutsOffWhatIsBeyondTheFrame) {
+TEST(PlotOrder, CutsLinesAtTheFrame) {
     base::Memory memory;
     Recorder out;
     output::PageCounts counts;
@@ -273,7 +273,7 @@ TEST(PlotOrder, CutsOffWhatIsBeyondTheFrame) {
     EXPECT_NEAR(length, 60.0 + 10.0 * pi + 10.0 * pi + 15.0 * pi + 10.0, 0.1);
 }
 
-TEST(PlotOrder, HandsTextsOnFirstAndNests) {
+TEST(PlotOrder, WritesTextsBeforePathsAndNestsGroups) {
     base::Memory memory;
     Recorder out;
     output::PageCounts counts;

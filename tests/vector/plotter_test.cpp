@@ -228,7 +228,7 @@ TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
     }
 }
 
-TYPED_TEST(Plotter, SaysHowLongItTakes) {
+TYPED_TEST(Plotter, EstimatesTheTime) {
     output::PageSettings format;
     format.plot.speeds = {30.0, 200.0, 0.5};
     const Written result = written<TypeParam>({random_lines(3, 300, 8.0)}, format);
@@ -236,7 +236,7 @@ TYPED_TEST(Plotter, SaysHowLongItTakes) {
     expect_estimate(result, format.plot.speeds);
 }
 
-TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
+TYPED_TEST(Plotter, DoesNotLiftWhereALineContinues) {
     GroupInput square; // corners are not joined, but drawn in one go
     square.add({{50.0, 50.0, 0.1}, {60.0, 50.0, 0.1}});
     square.add({{60.0, 60.0, 0.1}, {60.0, 50.0, 0.1}});
@@ -315,7 +315,7 @@ TYPED_TEST(Plotter, ChangesPensBetweenGroups) {
     expect_estimate(result);
 }
 
-TEST(Hpgl, IsWhatPlottersRead) {
+TEST(Hpgl, WritesTheExpectedCommands) {
     GroupInput input, other;
     input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}, {20.0, 70.0, 0.1}});
     input.dots = {{20.0, 50.0, 0.1, 1.0, false}};
@@ -328,7 +328,7 @@ TEST(Hpgl, IsWhatPlottersRead) {
 }
 
 // A label moves the pen.
-TEST(Hpgl, GoesBackAfterALabel) {
+TEST(Hpgl, ReturnsAfterALabel) {
     base::Memory memory;
     StringWriter out;
     output::PageCounts counts;
@@ -344,7 +344,7 @@ TEST(Hpgl, GoesBackAfterALabel) {
     EXPECT_EQ(out.text, "IN;\nSP1;\nPU400,400;\nSI0.28,0.4;LBa\x03\nPU400,400;\nPD800,400;\nPU;\nPU;SP0;\n");
 }
 
-TEST(Gcode, IsWhatPlottersRead) {
+TEST(Gcode, WritesTheExpectedCommands) {
     GroupInput input, other;
     input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}, {20.0, 70.5, 0.1}});
     std::snprintf(input.group.name, sizeof input.group.name, "hatch (2) gr%s", "\xC3\xBCn");
@@ -362,7 +362,7 @@ TEST(Gcode, IsWhatPlottersRead) {
               "M0 (pen 1: , 0.3 mm)\n(text left out: a??b?)\nM2\n");
 }
 
-TEST(Gcode, HasItsOwnLinesForThePen) {
+TEST(Gcode, HasDefaultPenCommands) {
     GroupInput input;
     input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}});
     const std::string text = written<Gcode>({input}).text;

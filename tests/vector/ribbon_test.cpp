@@ -132,7 +132,7 @@ TEST(Ribbon, LeavesTheMiddleOfARingEmpty) {
     EXPECT_EQ(wrong(drop, outline_of(drop, true), 0.06), 0.0);
 }
 
-TEST(Ribbon, EndsAsItIsAsked) {
+TEST(Ribbon, EndsWithTheRequestedCaps) {
     const std::vector<PagePoint> line{{0, 0, 2}, {20, 0, 2}};
     EXPECT_TRUE(outline_of(line).covers({21.9, 0.0}));
     EXPECT_FALSE(outline_of(line).covers({21.9, 1.9}));

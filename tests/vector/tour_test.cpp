@@ -81,7 +81,7 @@ double least_travel(const std::vector<Stop>& stops, const PagePoint& from) {
     return best;
 }
 
-TEST(Tour, IsNearTheBestOfFewLines) {
+TEST(Tour, IsNearlyOptimalForFewLines) {
     double worst = 1.0, sum = 0.0;
     constexpr int trials = 200;
     for (int seed = 0; seed < trials; ++seed) {
@@ -98,7 +98,7 @@ TEST(Tour, IsNearTheBestOfFewLines) {
     EXPECT_LE(sum / trials, 1.001);
 }
 
-TEST(Tour, EndsAnywhereAndHasOneStopOrNone) {
+TEST(Tour, AcceptsOneStopOrNoStops) {
     EXPECT_EQ(tour_of({}).legs.size(), 0U);
     const Line line{{10.0, 100.0, 0.1}, {30.0, 100.0, 0.1}};
     Result result = tour_of({{line, false}});
@@ -112,7 +112,7 @@ TEST(Tour, EndsAnywhereAndHasOneStopOrNone) {
 
 // The best tour through n random places in a square of side a has a length of about 0.7124 a sqrt(n) [Beardwood, Halton
 // and Hammersley 1959]. 2-opt and Or-opt alone end 5 % above it, greedy tours 25 %.
-TEST(Tour, OfDotsIsNearTheBestOnesLength) {
+TEST(Tour, IsNearlyOptimalForManyDots) {
     constexpr int count = 5000;
     Random random(3);
     std::vector<PagePoint> dots;
@@ -128,7 +128,7 @@ TEST(Tour, OfDotsIsNearTheBestOnesLength) {
 }
 
 // Many distances are equal, and most stops would share one cell of a grid.
-TEST(Tour, IsFastWhereStopsLieUponEachOther) {
+TEST(Tour, IsFastForCoincidentStops) {
     Line places;
     for (int i = 0; i < 20000; ++i) places.push_back({i % 2 == 0 ? 50.0 : 50.0 + 1e-7 * (i % 100), 50.0, 0.1});
     places.push_back({1e6, 1e6, 0.1});
@@ -137,7 +137,7 @@ TEST(Tour, IsFastWhereStopsLieUponEachOther) {
     expect_each_once(tour_of(stops), places.size());
 }
 
-TEST(Tour, OfClosedLinesBeginsAtTheirBestPoints) {
+TEST(Tour, StartsClosedLinesAtTheirBestPoints) {
     // Two squares of many points are beside each other. The way between them is straight.
     const auto square = [](double x) {
         Line line;

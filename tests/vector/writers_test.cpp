@@ -45,7 +45,7 @@ TEST(TextOut, WritesNumbersShortAndTheSameInEveryLocale) {
     std::setlocale(LC_ALL, "C");
 }
 
-TEST(TextOut, EscapesAndBuffers) {
+TEST(TextOut, EscapesAndBuffersText) {
     Text text;
     TextOut out(text);
     out.escaped("a<b>&\"'\x01");
@@ -92,7 +92,7 @@ std::string page_by(output::PageFormat format, PageCounts& counts, const output:
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-TEST(Svg, HasLayersSizesAndWords) {
+TEST(Svg, HasLayersSizesAndTexts) {
     PageCounts counts;
     const std::string svg = page_by(output::PageFormat::svg, counts);
     EXPECT_TRUE(has(svg, R"(width="100mm" height="50mm" viewBox="0 0 100 50")"));
@@ -110,7 +110,7 @@ TEST(Svg, HasLayersSizesAndWords) {
     EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
 }
 
-TEST(Svg, HasClassesOfWidthsAndOtherDots) {
+TEST(Svg, CanUseWidthClassesAndLineDots) {
     PageCounts counts;
     output::ShapeSettings settings;
     settings.widths = output::Widths::classes;
@@ -124,7 +124,7 @@ TEST(Svg, HasClassesOfWidthsAndOtherDots) {
     EXPECT_TRUE(has(svg, R"(stroke-width="1.4" stroke-opacity=".5" d="M50 40l0 0")"));
 }
 
-TEST(Pdf, HasItsObjectsWhereItSays) {
+TEST(Pdf, HasCorrectObjectOffsets) {
     PageCounts counts;
     const std::string pdf = page_by(output::PageFormat::pdf, counts);
     EXPECT_EQ(pdf.substr(0, 9), "%PDF-1.5\n");

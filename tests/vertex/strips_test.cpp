@@ -189,7 +189,7 @@ TEST_F(Strips, TrianglesAtSharpTurnsAreAtMostTwiceAsWide) {
     }
 }
 
-TEST_F(Strips, PointsThatCoincideDoNoHarm) {
+TEST_F(Strips, CoincidentPointsAreAccepted) {
     add_stroke(0, {{5, 5}, {5, 5}, {15, 5}, {15, 5}});
     add_stroke(0, {{5, 5}, {5, 5}});
     write(Primitive::triangle_strips);
@@ -225,7 +225,7 @@ TEST_F(Strips, PointedEndsHaveATip) {
     EXPECT_EQ(vertices.size(), 6U);
 }
 
-TEST_F(Strips, OnesThatGoRoundHaveNoSeam) {
+TEST_F(Strips, ClosedStripsHaveNoSeam) {
     add_stroke(0, {{10, 10}, {20, 10}, {20, 20}, {10, 20}, {10, 10}});
     drawing.points[4].radius = drawing.points[0].radius;
     drawing.strokes[0].closed = true;
@@ -239,7 +239,7 @@ TEST_F(Strips, OnesThatGoRoundHaveNoSeam) {
     }
 }
 
-TEST_F(Strips, OfNoStrokesAreEmpty) {
+TEST_F(Strips, AreEmptyWithoutStrokes) {
     for (const Primitive primitive : {Primitive::line_strips, Primitive::triangle_strips}) {
         write(primitive);
         EXPECT_TRUE(vertices.empty());
@@ -247,7 +247,7 @@ TEST_F(Strips, OfNoStrokesAreEmpty) {
     }
 }
 
-TEST_F(Strips, ManyStrokesStandInTheirOrder) {
+TEST_F(Strips, ManyStrokesKeepTheirOrder) {
     set.layers[0].rank.resize(3000);
     for (int i = 0; i < 1000; ++i) {
         const auto y = static_cast<float>(i);
@@ -266,7 +266,7 @@ TEST_F(Strips, ManyStrokesStandInTheirOrder) {
 }
 
 // The primitive `points` writes the dots, numbered in the order of painting.
-TEST_F(Strips, DotsAreNumberedToo) {
+TEST_F(Strips, DotsAreNumberedInPaintingOrder) {
     for (const float depth : {3.0F, 5.0F, 4.0F, 6.0F}) {
         drawing::Dot dot{};
         dot.x = depth;

@@ -74,12 +74,12 @@ TEST(VertexFieldSize, KnowsWhichTypesAnAttributeCanHave) {
     EXPECT_EQ(bytes(static_cast<VertexAttribute>(11), Scalar::float32), 0);
 }
 
-class Both : public Vertices, public ::testing::WithParamInterface<bool> {
+class WrittenVertices : public Vertices, public ::testing::WithParamInterface<bool> {
 protected:
-    Both() { layers = GetParam(); }
+    WrittenVertices() { layers = GetParam(); }
 };
 
-TEST_P(Both, HoldEveryAttributeAtItsOffset) {
+TEST_P(WrittenVertices, HoldEveryAttributeAtItsOffset) {
     transform[3] = {0.25, 0.0, -1.0, 1.0};
     transform[0][0] = -0.5;
     set.origin = {0.0, 0.5, 0.0};
@@ -133,7 +133,7 @@ TEST_P(Both, HoldEveryAttributeAtItsOffset) {
     }
 }
 
-TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
+TEST_P(WrittenVertices, DrawnFarToNearGiveTheRasterPicture) {
     Style style;
     style.kind[0].radius = 1.7F;
     style.silhouette_radius = 0.4F;
@@ -171,7 +171,7 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Visibility, Both, ::testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Visibility, WrittenVertices, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "layers" : "published"; });
 
 } // namespace

@@ -112,12 +112,12 @@ void look_at(const SharpShape& shape, double side, double distance, int places, 
     EXPECT_GT(compared, least);
 }
 
-TEST(CreasesSeen, Cube) { look_at(*sharp_cube(), 0.2, 5.0, 40, 1500); }
-TEST(CreasesSeen, BoredCube) { look_at(*bored_cube(), 0.12, 5.0, 60, 2000); }
-TEST(CreasesSeen, SteppedShaft) { look_at(*stepped_shaft(), 0.08, 5.0, 60, 2000); }
-TEST(CreasesSeen, JoinedBalls) { look_at(*two_balls(true), 0.1, 5.0, 40, 1500); }
-TEST(CreasesSeen, BallsInCommon) { look_at(*two_balls(false), 0.1, 5.0, 40, 1500); }
-TEST(CreasesSeen, CappedCone) { look_at(*capped_cone(), 0.1, 5.0, 40, 1500); }
+TEST(CreasesSeen, AreRightOnACube) { look_at(*sharp_cube(), 0.2, 5.0, 40, 1500); }
+TEST(CreasesSeen, AreRightOnABoredCube) { look_at(*bored_cube(), 0.12, 5.0, 60, 2000); }
+TEST(CreasesSeen, AreRightOnASteppedShaft) { look_at(*stepped_shaft(), 0.08, 5.0, 60, 2000); }
+TEST(CreasesSeen, AreRightOnJoinedBalls) { look_at(*two_balls(true), 0.1, 5.0, 40, 1500); }
+TEST(CreasesSeen, AreRightOnTheCommonPartOfBalls) { look_at(*two_balls(false), 0.1, 5.0, 40, 1500); }
+TEST(CreasesSeen, AreRightOnACappedCone) { look_at(*capped_cone(), 0.1, 5.0, 40, 1500); }
 
 // A random ball, cylinder or half-space. random_tree() unites, intersects and subtracts them.
 FieldFunction random_leaf(std::uint64_t number) {
@@ -140,7 +140,7 @@ Sharp random_tree(std::uint64_t number, int depth) {
     return u < 0.75 ? min_of(std::move(both)) : max_of(std::move(both));
 }
 
-TEST(CreasesSeen, RandomTrees) {
+TEST(CreasesSeen, AreRightOnRandomTrees) {
     int compared = 0;
     int wrong = 0;
     int unsaid = 0; // wrong ones on meshes that report no fault
@@ -192,7 +192,7 @@ TEST(CreasesSeen, RandomTrees) {
 }
 
 // A cube that is seen from a corner has nine edges around its three visible faces. Six of them are its outline.
-TEST(CreasesSeen, CubeFromACorner) {
+TEST(CreasesSeen, ACubeFromACornerHasSixOutlineEdges) {
     const auto shape = sharp_cube(glm::dmat3(1.0));
     const auto set = line_set(*shape, 0.23);
     const SharpScene sharp(*set, Eye::at({1.0, 0.9, 1.1}, 6.0, true));

@@ -84,7 +84,7 @@ protected:
     std::int64_t all = 0;
 };
 
-TEST_F(Crossings, OfATorus) {
+TEST_F(Crossings, AreFoundOnATorus) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
     add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
@@ -92,7 +92,7 @@ TEST_F(Crossings, OfATorus) {
     EXPECT_GT(all, 5);
 }
 
-TEST_F(Crossings, OfAKnot) {
+TEST_F(Crossings, AreFoundOnAKnot) {
     const test::Knot knot;
     Stage stage;
     add(runtime(), stage, knot, {1.0 + test::Knot::tube, 0.0, 0.0}, 0.05);
@@ -100,7 +100,7 @@ TEST_F(Crossings, OfAKnot) {
     EXPECT_GT(all, 300);
 }
 
-TEST_F(Crossings, OfTwoItems) {
+TEST_F(Crossings, AreFoundBetweenTwoItems) {
     const test::Torus torus(1.0, 0.3);
     Stage stage;
     add(runtime(), stage, torus, {1.3, 0.0, 0.0}, 0.1);
@@ -114,7 +114,7 @@ TEST_F(Crossings, OfTwoItems) {
 
 // A line that reaches the plane of the eye has image points that are nearly infinite. The crossings of other lines are
 // found all the same.
-TEST_F(Crossings, BesideALineFarOutside) {
+TEST_F(Crossings, AreFoundDespiteALineFarOutside) {
     const Eye eye = Eye::at({0.0, 0.0, 1.0}, 4.0, true);
     const test::SquareSphere sphere;
     Stage stage;
@@ -144,7 +144,7 @@ TEST_F(Crossings, BesideALineFarOutside) {
 }
 
 // Crossings are sorted by the farther piece and its share, without duplicates.
-TEST_F(Crossings, AreSorted) {
+TEST_F(Crossings, AreSortedByPieceAndShare) {
     const test::Knot knot;
     Stage stage;
     add(runtime(), stage, knot, {1.0 + test::Knot::tube, 0.0, 0.0}, 0.05);
@@ -161,7 +161,7 @@ TEST_F(Crossings, AreSorted) {
 }
 
 // Two circles overlap less and less. Newton's steps from one of their two crossings may end at the other.
-TEST(TouchingLines, AddUp) {
+TEST(TouchingLines, HaveBalancedCrossings) {
     const test::SquareSphere large(1.0, 1.2);
     const test::SquareSphere small(0.7, 1.2);
     int crossed = 0;

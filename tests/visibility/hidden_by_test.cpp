@@ -42,7 +42,7 @@ glm::dvec3 middle_of(const Picture& picture, const Interval& part) {
     return {subject.to_world * glm::dvec4(cubic(picture.subjects, picture.found->lines.pieces[piece]).at(share), 1.0)};
 }
 
-TEST(HiddenBy, IsTheNearestSurfaceBefore) {
+TEST(HiddenBy, IsTheNearestSurfaceInFront) {
     const base::Runtime runtime = test::with_threads(2);
     const test::SquareSphere sphere;
     Stage stage;

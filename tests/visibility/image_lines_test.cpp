@@ -44,7 +44,7 @@ double farthest_off(const Picture& picture, const ImageLines& lines) {
 }
 
 // A line with NaN or huge coordinates does not change the lengths of others.
-TEST(Lengths, OfALineDoNotDependOnOthers) {
+TEST(Lengths, DoNotDependOnOtherLines) {
     ImageLines lines(runtime().memory);
     const double odd[] = {1.0, 1e300, std::numeric_limits<double>::quiet_NaN()};
     for (std::int32_t l = 0; l < 3; ++l) {
@@ -66,7 +66,7 @@ TEST(Lengths, OfALineDoNotDependOnOthers) {
     }
 }
 
-TEST(ImageLines, AreAsNearAsAsked) {
+TEST(ImageLines, StayWithinTheTolerance) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
     add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
@@ -82,7 +82,7 @@ TEST(ImageLines, AreAsNearAsAsked) {
     }
 }
 
-TEST(ImageLines, AreInTheOrderOfTheirCurves) {
+TEST(ImageLines, FollowTheOrderOfTheirCurves) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
     add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
@@ -106,7 +106,7 @@ TEST(ImageLines, AreInTheOrderOfTheirCurves) {
     }
 }
 
-TEST(ImageLines, LengthOfACircle) {
+TEST(ImageLines, HaveTheLengthOfACircle) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);

@@ -39,7 +39,7 @@ TEST(Invisibility, NothingHidesASphere) {
 }
 
 // Each sphere is smaller than the one in front of it, so each has two more sheets in front.
-TEST(Invisibility, SpheresInARow) {
+TEST(Invisibility, IsRightForSpheresInARow) {
     const test::SquareSphere sphere;
     for (const Eye& eye : test::eyes(cube_directions(), 6.0)) {
         Stage stage;
@@ -55,7 +55,7 @@ TEST(Invisibility, SpheresInARow) {
 }
 
 // Two circles overlap in the image. The length of the farther one inside the nearer one is known.
-TEST(Invisibility, CirclesThatOverlap) {
+TEST(Invisibility, IsRightForOverlappingCircles) {
     const test::SquareSphere sphere;
     for (const glm::dvec3& towards : cube_directions()) {
         const Eye eye = Eye::at(towards, 6.0, false, 200.0);
@@ -97,7 +97,7 @@ void expect_right_from_everywhere(Stage& stage, const std::vector<glm::dvec3>& d
     EXPECT_GT(compared, 2000);
 }
 
-TEST(Invisibility, TorusFromEverywhere) {
+TEST(Invisibility, IsRightForATorusFromEverywhere) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
     add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
@@ -119,7 +119,7 @@ TEST(Invisibility, TorusFromEverywhere) {
     EXPECT_GT(hidden, 50);
 }
 
-TEST(Invisibility, KnotFromEverywhere) {
+TEST(Invisibility, IsRightForAKnotFromEverywhere) {
     const test::Knot knot;
     Stage stage;
     add(runtime(), stage, knot, {1.0 + test::Knot::tube, 0.0, 0.0}, 0.05);
@@ -134,7 +134,7 @@ TEST(Invisibility, KnotFromEverywhere) {
     EXPECT_GT(compared, 2000);
 }
 
-TEST(Invisibility, TwoHolesFromEverywhere) {
+TEST(Invisibility, IsRightForTwoHolesFromEverywhere) {
     const test::TwoHoles surface;
     Stage stage;
     add(runtime(), stage, surface, {1.05, 0.1, 0.0}, 0.04);
@@ -142,7 +142,7 @@ TEST(Invisibility, TwoHolesFromEverywhere) {
 }
 
 // The items are turned, stretched and mirrored. Each is partly in front of the others and partly behind them.
-TEST(Invisibility, ItemsWithTransforms) {
+TEST(Invisibility, IsRightForTransformedItems) {
     const test::Torus torus(1.0, 0.4);
     const test::Ellipsoid ellipsoid({1.0, 0.6, 0.4});
     Stage stage;
@@ -161,7 +161,7 @@ TEST(Invisibility, ItemsWithTransforms) {
 }
 
 // Each torus is partly in front of the other and partly behind it.
-TEST(Invisibility, LinkedItems) {
+TEST(Invisibility, IsRightForLinkedItems) {
     const test::Torus torus(1.0, 0.3);
     Stage stage;
     add(runtime(), stage, torus, {1.3, 0.0, 0.0}, 0.1);
@@ -172,7 +172,7 @@ TEST(Invisibility, LinkedItems) {
 
 // Swallowtails of a torus, from just born ones to visible ones: four cusps appear at once. Lines hidden only by a
 // swallowtail too small to be seen may be shown.
-TEST(Invisibility, YoungSwallowtails) {
+TEST(Invisibility, IsRightForNewSwallowtails) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
     add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
@@ -214,7 +214,7 @@ TEST(Invisibility, YoungSwallowtails) {
 }
 
 // The surface around the eye has no contour. It is one sheet in front of all that is outside it.
-TEST(Invisibility, EyeInsideASphere) {
+TEST(Invisibility, IsRightWithTheEyeInsideASphere) {
     const test::SquareSphere sphere;
     for (const glm::dvec3& towards : cube_directions(0.1)) {
         const Eye eye = Eye::at(towards, 1.0, true);
@@ -234,7 +234,7 @@ TEST(Invisibility, EyeInsideASphere) {
 }
 
 // The eye is in the hole of a ring. Lines come from behind the eye, so only those completely in front of it are closed.
-TEST(Invisibility, LinesThatPassBehindTheEye) {
+TEST(Invisibility, IsRightForLinesThatPassBehindTheEye) {
     const test::Torus torus(1.0, 0.4);
     const test::SquareSphere sphere;
     int compared = 0;
@@ -257,7 +257,7 @@ TEST(Invisibility, LinesThatPassBehindTheEye) {
     EXPECT_GT(compared, 1000);
 }
 
-TEST(Invisibility, Fitted) {
+TEST(Invisibility, IsRightForAFit) {
     const test::Samples samples = test::bumpy(700, 0.3);
     const fit_test::Cloud cloud(samples);
     const implicit::Hrbf hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud)).data);
@@ -274,7 +274,7 @@ TEST(Invisibility, Fitted) {
 }
 
 // A straight line that belongs to no surface is behind a sphere.
-TEST(Invisibility, OtherLines) {
+TEST(Invisibility, IsRightForLinesOfNoSurface) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -310,7 +310,7 @@ TEST(Invisibility, OtherLines) {
     EXPECT_NEAR(parts[1].end_at, 150.0 * (2.0 + 0.8), 0.01);
 }
 
-TEST(Invisibility, OfNothingIsNothing) {
+TEST(Invisibility, IsEmptyWithoutItems) {
     Picture picture(runtime(), {}, Eye::at({1.0, 0.0, 0.0}, 3.0, true));
     picture.find();
     EXPECT_EQ(picture.found->intervals.size(), 0);

@@ -111,7 +111,7 @@ void expect_right_from_everywhere(const Stage& stage, double turned, double dist
     EXPECT_LT(all.outline, all.places);
 }
 
-TEST(Outline, ASphereIsAllOfIt) {
+TEST(Outline, IsTheWholeContourOfASphere) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -127,7 +127,7 @@ TEST(Outline, ASphereIsAllOfIt) {
 
 // If a smaller sphere is in front of a larger one, the outline is only that of the larger one. Side by side, both
 // count.
-TEST(Outline, OfTwoSpheres) {
+TEST(Outline, IsRightForTwoSpheres) {
     const test::SquareSphere sphere;
     const Eye eye = Eye::at({0.3, 0.2, 1.0}, 9.0, false, 100.0);
     const auto length = [&](const glm::dvec3& place) {
@@ -148,21 +148,21 @@ TEST(Outline, OfTwoSpheres) {
         EXPECT_NEAR(length(eye.right + before * eye.back), 300.0 * pi - 100.0 * large - 50.0 * small, 0.2);
 }
 
-TEST(Outline, TorusFromEverywhere) {
+TEST(Outline, IsRightForATorusFromEverywhere) {
     const test::Torus torus(1.0, 0.4);
     Stage stage;
     add(runtime(), stage, torus, {1.4, 0.0, 0.0}, 0.08);
     expect_right_from_everywhere(stage, 0.1, 4.0, 30);
 }
 
-TEST(Outline, KnotFromEverywhere) {
+TEST(Outline, IsRightForAKnotFromEverywhere) {
     const test::Knot knot;
     Stage stage;
     add(runtime(), stage, knot, {1.0 + test::Knot::tube, 0.0, 0.0}, 0.05);
     expect_right_from_everywhere(stage, 0.05, 4.0, 30);
 }
 
-TEST(Outline, LinkedAndMirroredItems) {
+TEST(Outline, IsRightForLinkedAndMirroredItems) {
     const test::Torus torus(1.0, 0.3);
     Stage stage;
     add(runtime(), stage, torus, {1.3, 0.0, 0.0}, 0.1);
@@ -171,7 +171,7 @@ TEST(Outline, LinkedAndMirroredItems) {
     expect_right_from_everywhere(stage, 0.2, 5.0, 30);
 }
 
-TEST(Outline, OnlyOfWhatIsWanted) {
+TEST(Outline, IsFoundOnlyForWantedItems) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);

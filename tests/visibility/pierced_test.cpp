@@ -52,7 +52,7 @@ std::int64_t expect_exact(const Stage& stage, const std::vector<Eye>& eyes, int 
     return pierced;
 }
 
-TEST(Pierced, SpheresThatOverlap) {
+TEST(Pierced, PlacesAreExactForOverlappingSpheres) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -61,7 +61,7 @@ TEST(Pierced, SpheresThatOverlap) {
 }
 
 // The contour of one sphere, a circle, meets the other sphere in two known points.
-TEST(Pierced, PlacesThatAreKnown) {
+TEST(Pierced, PlacesMatchKnownPoints) {
     const test::SquareSphere sphere;
     const Eye eye = Eye::at({0.0, 0.0, 1.0}, 6.0, false, 200.0);
     Stage stage;
@@ -81,7 +81,7 @@ TEST(Pierced, PlacesThatAreKnown) {
     expect_right(picture, 40);
 }
 
-TEST(Pierced, TorusThroughASphere) {
+TEST(Pierced, PlacesAreExactForATorusThroughASphere) {
     const test::SquareSphere sphere;
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -91,7 +91,7 @@ TEST(Pierced, TorusThroughASphere) {
 }
 
 // A flat, wide ellipsoid cuts a bumpy fit. It is placed obliquely and mirrored.
-TEST(Pierced, SlabThroughAFit) {
+TEST(Pierced, PlacesAreFoundForASlabThroughAFit) {
     const auto cloud = hrbfnpr::test::bumpy(400, 0.3);
     base::Runtime& with = runtime();
     const implicit::Hrbf fitted{with.instruction_set, fit::fit(with, fit_test::input(cloud)).data};
@@ -107,7 +107,7 @@ TEST(Pierced, SlabThroughAFit) {
     EXPECT_GT(expect_exact(stage, test::eyes(cube_directions(0.13), 6.0), 20), 100);
 }
 
-TEST(Pierced, ThreeItems) {
+TEST(Pierced, PlacesAreExactForThreeItems) {
     const test::SquareSphere sphere;
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -118,7 +118,7 @@ TEST(Pierced, ThreeItems) {
 }
 
 // The small ball is smaller than the cells of the large one.
-TEST(Pierced, SmallThroughLarge) {
+TEST(Pierced, PlacesAreFoundForASmallItemInALargeItem) {
     const test::SquareSphere sphere;
     for (const Eye& eye : test::eyes({{0.3, 0.2, 1.0}, {-1.0, 0.4, 0.3}}, 6.0)) {
         Stage stage;
@@ -132,7 +132,7 @@ TEST(Pierced, SmallThroughLarge) {
 }
 
 // Lines of each item are in the surface of the other, like a picture on a wall. Halving such lines had no end.
-TEST(Pierced, TwoAtTheSamePlace) {
+TEST(Pierced, PlacesStayFewForCoincidentItems) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);

@@ -23,7 +23,7 @@ void add_wrong_ones(const ImageLines& lines, base::Array<Crossing>& crossings) {
     }
 }
 
-TEST(VerifyCrossings, OnlyThoseStayThatTheCurvesHave) {
+TEST(VerifyCrossings, KeepsOnlyRealCrossings) {
     const base::Runtime runtime = test::with_threads(2);
     const test::Torus torus(1.0, 0.4);
     Stage stage;
@@ -50,7 +50,7 @@ TEST(VerifyCrossings, OnlyThoseStayThatTheCurvesHave) {
 }
 
 // If pieces are long, both places may move to the end that the pieces share.
-TEST(VerifyCrossings, NoCurveMeetsItself) {
+TEST(VerifyCrossings, RejectsFalseSelfCrossings) {
     const base::Runtime runtime = test::with_threads(2);
     const test::Torus torus(1.0, 0.4);
     Stage stage;

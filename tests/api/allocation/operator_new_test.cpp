@@ -56,7 +56,7 @@ protected:
 };
 
 // Stages that only use the caller's memory make no request here.
-TEST(OperatorNew, EveryRefusalOfASmallRun) {
+TEST(OperatorNew, EveryRefusalInASmallRunCanBeRetried) {
     Allocator allocator;
     std::int64_t refused = 0;
     {
@@ -81,7 +81,7 @@ TEST(OperatorNew, EveryRefusalOfASmallRun) {
 }
 
 // Tests a context that starts threads, and then the build info.
-TEST(OperatorNew, AContextIsMadeOrNot) {
+TEST(OperatorNew, AFailedContextCreationGivesNoContext) {
     NewRefusal refusal;
     std::int64_t calls = 1;
     for (std::int64_t k = 1; k <= calls; ++k) {

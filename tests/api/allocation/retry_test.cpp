@@ -78,11 +78,11 @@ INSTANTIATE_TEST_SUITE_P(Stages, Retry, testing::ValuesIn(groups));
 
 // Each stage of marks has hundreds of similar refusals, each with a run of its own, so only about 120 of each are
 // tested.
-TEST_P(Retry, EveryRefusalOfASmallRun) {
+TEST_P(Retry, EveryRefusalInASmallRunCanBeRetried) {
     refuse_in_every_stage(GetParam(), {}, 1, std::string(GetParam()) == "marks" ? 120 : 100000);
 }
 
-TEST_P(Retry, SomeRefusalsOfALargerRun) {
+TEST_P(Retry, SomeRefusalsInALargerRunCanBeRetried) {
     StageSizes sizes;
     sizes.samples = 500;
     sizes.dense_samples = 3000;
@@ -96,7 +96,7 @@ TEST_P(Retry, SomeRefusalsOfALargerRun) {
 }
 
 // The context and the operation are made before all stages.
-TEST(Allocation, AContextAndAnOperationAreMadeOrNot) {
+TEST(Allocation, FailedCreationsGiveNoHandles) {
     for (std::int64_t k = 1;; ++k) {
         Error error;
         Allocator allocator;

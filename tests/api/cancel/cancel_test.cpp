@@ -42,7 +42,7 @@ void renew(const Stage& stage) {
     if (stage.renew) stage.renew();
 }
 
-TEST(Cancel, ByTheCallbackAtEveryStage) {
+TEST(Cancel, WorksFromTheCallbackAtEveryStage) {
     const Context context = make_context(1);
     Stages stages(context, scene());
     int with_operation = 0;
@@ -114,7 +114,7 @@ TEST(Cancel, HoldsForEveryLaterCall) {
 }
 
 // The cancels come at moments spread over the call's time.
-TEST(Cancel, FromAnotherThreadAtAnyTime) {
+TEST(Cancel, WorksFromAnotherThreadAtAnyTime) {
     const Context context = make_context(3);
     Stages stages(context, scene());
     int cancelled = 0;
@@ -147,7 +147,7 @@ TEST(Cancel, FromAnotherThreadAtAnyTime) {
 
 // The callback makes a call of its own, as a preview does: that call is not part of the outer call, and the outer
 // call's cancel does not end it.
-TEST(Cancel, CallsFromWithinACallbackAreOnTheirOwn) {
+TEST(Cancel, DoesNotEndACallMadeInsideACallback) {
     struct Preview {
         const Context& context;
         const Model& model;

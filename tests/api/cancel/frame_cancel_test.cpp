@@ -83,7 +83,7 @@ struct Scene {
     Renderer renderer;
 };
 
-TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
+TEST(FrameCancel, LeavesNoTraceInTheRenderer) {
     constexpr double little = 0.005; // small, so contours start from those of the last frame
     Scene scene(1);
     Error error;
@@ -110,7 +110,7 @@ TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
 }
 
 // An operation of an earlier call does not watch a later call without an operation.
-TEST(FrameCancel, AnOperationServesItsOwnCallAlone) {
+TEST(FrameCancel, DoesNotAffectLaterCallsWithoutTheOperation) {
     Scene scene(2);
     Error error;
     Drawing drawing;

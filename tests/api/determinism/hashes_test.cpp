@@ -198,7 +198,7 @@ std::map<std::string, std::string> recorded() {
     return hashes;
 }
 
-TEST(Hashes, OfAFixedSceneAreThoseOfTheRepository) {
+TEST(Hashes, MatchTheRecordedHashesOfAFixedScene) {
     const auto hashes = Scene(1).hashes();
     EXPECT_EQ(Scene(3).hashes(), hashes);
     if (const char* path = std::getenv("HRBFNPR_WRITE_HASHES"); path != nullptr) {

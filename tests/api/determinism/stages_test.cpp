@@ -65,12 +65,12 @@ void run_backwards(void* user, hrbfnpr_task_fn task, void* task_context, std::in
 
 class DeterminismOfStages : public testing::TestWithParam<std::int32_t> {};
 
-TEST_P(DeterminismOfStages, TheSameBitsByThisManyThreads) {
+TEST_P(DeterminismOfStages, AnyThreadCountGivesTheSameBits) {
     expect_same(serial(), results_of(make_context(GetParam()), scene()), std::to_string(GetParam()) + " threads");
 }
 INSTANTIATE_TEST_SUITE_P(Threads, DeterminismOfStages, testing::Values(1, 2, 3, 7, 16));
 
-TEST(DeterminismOfBackends, TheSameBitsByOpenMp) {
+TEST(DeterminismOfBackends, OpenMpGivesTheSameBits) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = 3;
     desc.thread_backend = HRBFNPR_THREAD_BACKEND_OPENMP;
@@ -80,7 +80,7 @@ TEST(DeterminismOfBackends, TheSameBitsByOpenMp) {
     expect_same(serial(), results_of(make_context(desc), scene()), "by OpenMP");
 }
 
-TEST(DeterminismOfBackends, TheSameBitsByAHostsJobs) {
+TEST(DeterminismOfBackends, AHostsJobsGiveTheSameBits) {
     std::atomic<std::int64_t> tasks{0};
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = 5;
@@ -110,7 +110,7 @@ double farthest(const Bytes& one, const Bytes& other) {
 
 // The model is 2.6 across. Curvatures and Hessians are second derivatives, and hits of grazing rays are the most
 // sensitive results.
-TEST(DeterminismOfInstructionSets, NearlyTheSameNumbers) {
+TEST(DeterminismOfInstructionSets, NumbersAgreeClosely) {
     const std::map<std::string, double> tolerances{{"evaluate", 1e-9},   {"project", 1e-10},      {"curvature", 1e-8},
                                                    {"contains", 0.0},    {"cast_rays", 1e-9},     {"lipschitz", 1e-10},
                                                    {"mesh.create", 0.0}, {"farthest_points", 0.0}};
@@ -135,7 +135,7 @@ TEST(DeterminismOfInstructionSets, NearlyTheSameNumbers) {
 }
 
 // Pictures are the same to the bit if their marks are, with one colour and with several.
-TEST(DeterminismOfInstructionSets, TheSamePicturesOfTheSameMarks) {
+TEST(DeterminismOfInstructionSets, EqualMarksGiveEqualPictures) {
     constexpr std::int32_t side = 300;
     Error error;
     Bytes file;

@@ -10,7 +10,7 @@ namespace api_test::threads_test {
 namespace {
 
 // The results of the missing tasks do not exist, so the call fails and says how many tasks ran.
-TEST(RunTasks, ThatLeaveTasksOutFailTheCall) {
+TEST(RunTasks, SkippedTasksFailTheCall) {
     Error error;
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = 3;
@@ -46,7 +46,7 @@ private:
     unsigned before_ = 0, strange_ = 0;
 };
 
-TEST(FloatingPoint, TheCallersStateChangesNothingAndIsPreserved) {
+TEST(FloatingPoint, TheCallersStateHasNoEffectAndIsPreserved) {
     const Context context = make_context(2);
     Stages stages(context);
     for (const Stage& stage : stages.all()) {
@@ -63,7 +63,7 @@ TEST(FloatingPoint, TheCallersStateChangesNothingAndIsPreserved) {
     }
 }
 
-TEST(FloatingPoint, TrapsOfTheCallerAreNotSprung) {
+TEST(FloatingPoint, DoesNotTriggerTheCallersTraps) {
     const unsigned before = _mm_getcsr();
     _mm_setcsr(before & ~0x0E80U & ~0x3FU); // division by zero, overflow, underflow and invalid would trap
     const Context context = make_context(2);

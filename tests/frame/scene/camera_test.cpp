@@ -29,7 +29,7 @@ double clip_near(DepthConvention depth) {
 }
 double clip_far(DepthConvention depth) { return depth == DepthConvention::reversed ? 0.0 : 1.0; }
 
-TEST(LookAt, PutsTheTargetOnTheNegativeZAxisAndUpUpward) {
+TEST(LookAt, PutsTheTargetOnNegativeZAndKeepsUpUpward) {
     const glm::dvec3 eye(1.0, 2.0, 3.0);
     const glm::dvec3 target(4.0, -2.0, 3.0);
     const glm::dmat4 view = frame::look_at(eye, target, {0.1, 0.0, 2.0});
@@ -90,7 +90,7 @@ glm::dvec2 image_reach(const Camera& camera, const geometry::Bounds& box) {
     return most;
 }
 
-TEST(FitBounds, FillsThePictureButForTheMargin) {
+TEST(FitBounds, FillsThePictureExceptTheMargin) {
     const geometry::Bounds box{{-1.0, 2.0, 5.0}, {3.0, 3.0, 7.0}};
     for (const DepthConvention depth : conventions) {
         for (const double angle : {0.0, 0.3, 1.5}) {

@@ -12,7 +12,7 @@
 namespace hrbfnpr::frame::laws_test {
 namespace {
 
-TEST(FrontAlpha, IsTheSquare) {
+TEST(FrontAlpha, IsTheSquareOfTheCosine) {
     EXPECT_FLOAT_EQ(front_alpha(-0.2F, 1.0F), 0.04F);
     EXPECT_FLOAT_EQ(front_alpha(-0.5F, 1.0F), 0.25F);
     EXPECT_FLOAT_EQ(front_alpha(-0.5F, 2.0F), 0.5F);
@@ -21,7 +21,7 @@ TEST(FrontAlpha, IsTheSquare) {
     EXPECT_FLOAT_EQ(front_alpha(-0.7F, 0.0F), 0.0F);
 }
 
-TEST(BackAlpha, IsTheLogarithm) {
+TEST(BackAlpha, IsLogarithmicInTheCosine) {
     // 0.2 (ln(nu - 0.05) + 5), computed by hand.
     EXPECT_NEAR(back_alpha(1.0F, 1.0F), 0.98974134F, 1e-6);
     EXPECT_NEAR(back_alpha(0.5F, 1.0F), 0.84029846F, 1e-6);
@@ -33,7 +33,7 @@ TEST(BackAlpha, IsTheLogarithm) {
     EXPECT_EQ(back_alpha(1.0F, 4.0F), 1.0F);
 }
 
-TEST(DiscOpacity, MakesALayerAsOpaqueAsAsked) {
+TEST(DiscOpacity, GivesALayerTheRequestedOpacity) {
     EXPECT_EQ(disc_opacity(0.3F, 0.0F, 7.0F), 0.3F); // the published law
     EXPECT_EQ(disc_opacity(1.0F, 8.0F, 7.0F), 1.0F);
     EXPECT_EQ(disc_opacity(0.0F, 8.0F, 7.0F), 0.0F);
@@ -85,7 +85,7 @@ TEST(LightTone, IsThePowerOfTheCosine) {
     EXPECT_EQ(light_tone(1.0000001F, 1.0F), 1.0F);
 }
 
-TEST(LightTone, BoundsHoldForAllThatIsLitBetter) {
+TEST(LightTone, BoundsHoldForAllBetterLitPlaces) {
     Style style;
     for (const double exponent : {0.5, 1.0, 3.0})
         for (float least = -1.0F; least <= 1.0F; least += 0.05F) {
@@ -98,7 +98,7 @@ TEST(LightTone, BoundsHoldForAllThatIsLitBetter) {
         }
 }
 
-TEST(LightTone, OfTheFillLightIsTheSquareOfTheCosineWhereTheSurfaceIsTurnedAway) {
+TEST(LightTone, FillLightIsTheSquaredCosineOnTheDarkSide) {
     for (const float fill : {0.0F, 0.25F, 1.0F}) {
         EXPECT_FLOAT_EQ(light_tone(-0.5F, 1.0F, fill), 0.25F * fill);
         EXPECT_EQ(light_tone(-1.0000001F, 1.0F, fill), fill);
@@ -108,7 +108,7 @@ TEST(LightTone, OfTheFillLightIsTheSquareOfTheCosineWhereTheSurfaceIsTurnedAway)
     }
 }
 
-TEST(LightTone, OfAStyleHasNoFillLightAsPublished) {
+TEST(LightTone, PublishedStylesHaveNoFillLight) {
     Style style;
     style.fill_light = 0.4F;
     EXPECT_FLOAT_EQ(LightTone(style)(-1.0F), 0.4F);
@@ -137,7 +137,7 @@ TEST(ZoomScale, IsThePowerOfTheZoomBelowTheReference) {
     EXPECT_EQ(zoom_scale(0.0F, 2.0F), 0.0F);
 }
 
-TEST(ShareRule, ThinsOneOrderOfMarks) {
+TEST(ShareRule, ThinsMarksByOneCombinedThreshold) {
     const ToneTerms terms{0.25F, 0.5F, 0.5F, 0.8F};
     // u >= 1 - (1 - tau) tau_d scale share = 1 - 0.15.
     EXPECT_EQ(front_verdict(0.8501F, terms, ToneRule::share), Verdict::shown);
@@ -151,7 +151,7 @@ TEST(ShareRule, ThinsOneOrderOfMarks) {
     EXPECT_FALSE(silhouette_shown(0.9999999F, 0.0F, ToneRule::share));
 }
 
-TEST(PublishedRule, TestsOneByOne) {
+TEST(PublishedRule, TestsToneDepthAndZoomSeparately) {
     const ToneTerms terms{0.25F, 0.5F, 0.6F, 0.8F};
     EXPECT_EQ(front_verdict(0.25F, terms, ToneRule::published), Verdict::shown);
     EXPECT_EQ(front_verdict(0.24F, terms, ToneRule::published), Verdict::tone);
@@ -206,7 +206,7 @@ TEST(PaperPush, GrowsWithTheTilt) {
 }
 
 // The disc around each place of a sphere is behind every place within its radius in the picture.
-TEST(PaperPush, PutsADiscBehindAllOfItsSphere) {
+TEST(PaperPush, PutsADiscBehindTheWholeSphere) {
     for (const double radius : {0.003, 0.01, 0.05, 0.2, 0.5}) {
         for (double nu = 0.05; nu <= 1.0; nu += 0.01) {
             const double from_axis = std::sqrt(1.0 - nu * nu);

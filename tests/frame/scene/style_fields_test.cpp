@@ -55,7 +55,7 @@ void expect_same_style(const Style& style, const hrbfnpr_style& given, const cha
     }
 }
 
-TEST(StyleFields, OfNamedStylesReachTheFrame) {
+TEST(StyleFields, NamedStylesReachTheFrame) {
     for (std::uint32_t i = 0; i < preset_count; ++i) {
         const NamedStyle named(i);
         expect_same_style(named.style, named.given, named.name);
@@ -84,7 +84,7 @@ Given with_other_values(Given given, Fields fields) {
     return given;
 }
 
-TEST(StyleFields, OfAnyStyleReachTheFrame) {
+TEST(StyleFields, AllFieldsOfAnyStyleReachTheFrame) {
     constexpr double levels[] = {-0.5, 0.0, 0.5};
     hrbfnpr_layer_style layer = with_other_values(api::default_layer_style(), api::fields_of_hrbfnpr_layer_style);
     layer.name = "fur";

@@ -70,7 +70,7 @@ TEST(Compare, KnowsTheDistanceBothWays) {
     EXPECT_EQ(narrow.surface.beyond, 1.0);
 }
 
-TEST(Compare, FindsWhatIsInventedAndWhatIsMissed) {
+TEST(Compare, FindsInventedAndMissingParts) {
     // The second ball is only in the mesh, so that its place is inside the box and the surface is searched there.
     const Triangles both = icosphere(4).with(icosphere(4).moved(1.0, 2.6, 0.0, 0.0));
     const mesh::Comparison missed = compared(Sphere(1.0), both, 0.01, 0.05);
@@ -84,7 +84,7 @@ TEST(Compare, FindsWhatIsInventedAndWhatIsMissed) {
     EXPECT_LT(invented.mesh.beyond, 0.01);
 }
 
-TEST(Compare, LeavesOutWhatGoesOnBeyondABorder) {
+TEST(Compare, LeavesOutTheSurfaceBeyondABorder) {
     const auto half = [](double, double, double z) { return z > 0.0; };
     const mesh::Comparison found = compared(Sphere(1.0), icosphere(5).where(half), 0.01, 0.05);
     // This is a share of the region, which ends 0.05 diagonals below the border.
@@ -104,7 +104,7 @@ public:
     }
 };
 
-TEST(FindSurface, TakesSmallerCellsWhereNoneShowsAnything) {
+TEST(FindSurface, UsesSmallerCellsUntilItFindsASurface) {
     const hrbfnpr::base::Runtime runtime = with_threads(2);
     hrbfnpr::geometry::VecArray seeds(runtime.memory);
     seeds.push_back({0.1, 0.2, 0.142});
@@ -116,7 +116,7 @@ TEST(FindSurface, TakesSmallerCellsWhereNoneShowsAnything) {
     EXPECT_LT(found.side, 0.02);
 }
 
-TEST(Compare, LeavesOutWhatIsNotSupported) {
+TEST(Compare, LeavesOutUnsupportedParts) {
     const hrbfnpr::base::Runtime runtime = with_threads(2);
     hrbfnpr::geometry::VecArray position(runtime.memory), normal(runtime.memory);
     const Triangles ball = icosphere(4);
@@ -132,7 +132,7 @@ TEST(Compare, LeavesOutWhatIsNotSupported) {
     EXPECT_EQ(compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 0.0).left_out, 0.0);
 }
 
-TEST(Compare, LooksCloserWhereTheSurfaceIsThin) {
+TEST(Compare, UsesSmallerCellsForThinSurfaces) {
     // The ball is one cell across.
     const double radius = 0.4 / 128.0 * std::sqrt(12.0);
     const Triangles grains = icosphere(3).moved(radius, 0, 0, 0).with(icosphere(1).moved(0.01, 2, 2, 2));
@@ -142,7 +142,7 @@ TEST(Compare, LooksCloserWhereTheSurfaceIsThin) {
     EXPECT_GT(found.surface.share, 0.99);
 }
 
-TEST(Compare, DoesNotCountWhatOverlaps) {
+TEST(Compare, DoesNotCountMeshInsideAnotherPart) {
     // The balls overlap. The part of each ball inside the other does not count as mesh.
     const Triangles both = icosphere(5).with(icosphere(5).moved(1.0, 1.0, 0.0, 0.0));
     const mesh::Comparison found = compared(Two({1.0, 0.0, 0.0}), both, 0.01, 0.05);
@@ -150,7 +150,7 @@ TEST(Compare, DoesNotCountWhatOverlaps) {
     EXPECT_LT(found.mesh.points, 3600);
 }
 
-TEST(Compare, SpreadIsThatOfASortedList) {
+TEST(Compare, SpreadMatchesASortedList) {
     hrbfnpr::base::Memory memory;
     std::vector<double> plain;
     hrbfnpr::base::Array<double> numbers(memory);

@@ -52,7 +52,7 @@ void expect_asked(const Fitted& fitted, const mesh::Comparison& error) {
     EXPECT_LE(error.mesh.most, 0.01 * error.diagonal);
 }
 
-TEST(FitMesh, TakesFewSamplesOfWhatIsSmooth) {
+TEST(FitMesh, UsesFewSamplesOnSmoothMeshes) {
     const Fitted ring(torus(200, 80, 0.4));
     expect_asked(ring, ring.error());
     EXPECT_LE(ring.data().count(), 400);
@@ -61,7 +61,7 @@ TEST(FitMesh, TakesFewSamplesOfWhatIsSmooth) {
     EXPECT_EQ(ring.error().genus, 1);
 }
 
-TEST(FitMesh, TakesMoreWhereThereAreEdges) {
+TEST(FitMesh, UsesMoreSamplesOnMeshesWithEdges) {
     const Fitted cube(box(1.0, 0.8, 0.6, 8));
     const mesh::Comparison error = cube.error();
     expect_asked(cube, error);
@@ -77,7 +77,7 @@ TEST(FitMesh, KeepsASheetThatIsThin) {
     EXPECT_LT(error.normal_mean, 15.0);
 }
 
-TEST(FitMesh, HoldsTheSurfaceWhereItWouldGoElsewhere) {
+TEST(FitMesh, AddsCentresOffTheMeshToHoldTheSurface) {
     const Fitted ring(wound_ring(300, 40));
     expect_asked(ring, ring.error());
     ASSERT_GT(ring.report().off_surface, 0) << "it tells nothing";
@@ -107,7 +107,7 @@ TEST(FitMesh, HoldsTheSurfaceOfAMeshWithHoles) {
     expect_asked(ring, ring.error());
 }
 
-TEST(FitMesh, KnowsOnWhichSideAPlaceIs) {
+TEST(FitMesh, KnowsTheSideOfAPoint) {
     const hrbfnpr::base::Runtime runtime = with_threads(2);
     const auto most = [](double, double, double z) { return z < 0.9; };
     const auto half = [](double, double, double z) { return z < 0.0; };
@@ -147,7 +147,7 @@ TEST(FitMesh, RefusesASolidWithoutAnInside) {
     EXPECT_TRUE(sheet.report().supported); // one side of a box
 }
 
-TEST(FitMesh, DoesNotMindABorder) {
+TEST(FitMesh, AcceptsAMeshWithABorder) {
     const auto half = [](double, double, double z) { return z > 0.0; };
     const Fitted bowl(icosphere(5).where(half));
     EXPECT_TRUE(bowl.report().supported);
@@ -167,7 +167,7 @@ TEST(FitMesh, ReachesATighterToleranceWithMore) {
     EXPECT_LT(fine.error().mesh.mean, coarse.error().mesh.mean);
 }
 
-TEST(FitMesh, EndsAtTheMostCentres) {
+TEST(FitMesh, StopsAtTheMaximumNumberOfCentres) {
     mesh::FitMeshSettings few;
     few.maximum_centres = 60;
     const Fitted ring(wound_ring(100, 20), few);
@@ -193,7 +193,7 @@ TEST(FitMesh, ReportsResidualsOfItsConditions) {
     EXPECT_EQ(ring.result.fit.report.choice_rounds, ring.report().rounds);
 }
 
-TEST(FitMesh, IsAnotherForAnotherSeed) {
+TEST(FitMesh, DependsOnTheSeed) {
     mesh::FitMeshSettings other;
     other.seed = 2;
     EXPECT_FALSE(same_bits(Fitted(wound_ring(100, 20)).data().sample_position,

@@ -79,7 +79,7 @@ TEST(Touching, IsFoundWherePartsCrossOnEdgesAlone) {
 }
 
 // Samples beside the line where two parts cross are near the other part. They do not count as near.
-TEST(Touching, PartsThatCrossAreNotNear) {
+TEST(Touching, CrossingPartsDoNotCountAsNear) {
     const Triangles beside = cube.with(cube.moved(1.0, 1.009, 0.0, 0.0));
     const Triangles crossing = cube.with(cube.moved(1.0, 0.5, 0.4, 0.3));
     EXPECT_GE(find(beside, 0.01, 500, 2, false).one, 0);

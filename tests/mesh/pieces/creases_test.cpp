@@ -52,7 +52,7 @@ TEST(Creases, CutABoxIntoItsSides) {
     }
 }
 
-TEST(Creases, AreLookedForInEachPart) {
+TEST(Creases, AreDetectedPerPart) {
     const Found both(test::icosphere(1).with(test::box(1.0, 1.0, 1.0, 2).moved(1.0, 0.4, -0.5, -0.5)), 15.0);
     EXPECT_TRUE(both.evidence.creases);
     const mesh::CreaseEvidenceOfParts found = mesh::look_for_creases_of_parts(both.runtime, both.shape, 15.0);
@@ -66,7 +66,7 @@ TEST(Creases, AreLookedForInEachPart) {
     EXPECT_EQ(mesh::find_creases(both.runtime, both.shape, sharpness, found.sharp).patches, 7);
 }
 
-TEST(Creases, OfTurnedShapesAreTheirSteps) {
+TEST(Creases, MatchTheStepsOfTurnedShapes) {
     EXPECT_EQ(Found(test::stepped_shaft(96)).creases.patches, 11);
     EXPECT_EQ(Found(test::drilled_cube(0.5, 96)).creases.patches, 7);
     EXPECT_EQ(Found(test::gear(16, 2)).creases.patches, 16 * 4 + 3);
@@ -95,7 +95,7 @@ Triangles twelve_sides(double height, double turn) {
     return prism;
 }
 
-TEST(Creases, OfAllSidesOfAPrismOrOfNone) {
+TEST(Creases, TreatAllSidesOfAPrismAlike) {
     for (const double turn : {0.0, 0.1, 0.3, 0.7}) {
         EXPECT_EQ(Found(twelve_sides(8.0, turn)).creases.patches, 3) << turn;
         EXPECT_EQ(Found(twelve_sides(2.0, turn)).creases.patches, 14)
@@ -110,7 +110,7 @@ Triangles roughened(Triangles shape, double off) {
     return shape;
 }
 
-TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
+TEST(Creases, AreAbsentOnRoundOrRoughMeshes) {
     for (const Triangles& round : {test::icosphere(2), test::torus(60, 30, 0.4), test::wound_ring(200, 40)}) {
         const Found found(round);
         EXPECT_FALSE(found.evidence.creases);
@@ -124,7 +124,7 @@ TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
 }
 
 // A cage has no creases at any level of subdivision and for any choice of the quads' diagonals.
-TEST(Creases, AreNotThereOnSubdividedCages) {
+TEST(Creases, AreAbsentOnSubdividedCages) {
     const std::vector<verdict::Quads> cages{verdict::cage(verdict::solid_of(verdict::animal()), 15, 2, 0.08, 1),
                                             verdict::cage(verdict::solid_of(verdict::person()), 14, 2, 0.05, 4)};
     for (const verdict::Quads& cage : cages)
@@ -140,7 +140,7 @@ TEST(Creases, AreNotThereOnSubdividedCages) {
 }
 
 // The edges of folds bend by any angle, but the mesh turns beside them, too.
-TEST(Creases, AreNotThereInFolds) {
+TEST(Creases, AreAbsentInFolds) {
     for (const Triangles& folded : {verdict::folded(5, 0.25, 0.25, 7.0), verdict::folded(5, 0.15, 0.8, 4.0),
                                     verdict::folded(5, 0.25, 0.8, 3.0)}) {
         const Found found(folded);
@@ -151,7 +151,7 @@ TEST(Creases, AreNotThereInFolds) {
 }
 
 // Flat faces stand out beside narrow fillets, which stay round.
-TEST(Creases, StandOutBesideNarrowFillets) {
+TEST(Creases, StandOutNextToNarrowFillets) {
     for (const int segments : {2, 3, 5, 8})
         for (const int finer : {0, 2}) {
             const Triangles prism = verdict::prism(verdict::rounded(verdict::rectangle(1.0, 0.7), 0.12, segments), 0.6);
@@ -163,7 +163,7 @@ TEST(Creases, StandOutBesideNarrowFillets) {
 
 // Edges between narrow walls do not stand out, but are sharp where others do. They are round where the mesh goes on
 // turning the same way. Here: a groove of one row of bent quads, and a capsule of ten sides.
-TEST(Creases, AreSharpUnlessTheyAreRound) {
+TEST(Creases, AreSharpUnlessTheMeshIsRoundThere) {
     const auto groove = [](double x, double y) {
         return 1.4 * std::clamp(std::abs(x) - 0.1, 0.0, 0.1) + 0.1 * x * y + 0.01 * y * y;
     };
@@ -180,7 +180,7 @@ TEST(Creases, AreSharpUnlessTheyAreRound) {
 }
 
 // A box, and a pyramid. The creases of the pyramid do not count if its faces are too small to be seen.
-TEST(Creases, OfFacesThatNobodySeesAreNone) {
+TEST(Creases, AreIgnoredOnTinyFaces) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 4);
     for (const double size : {1e-3, 1e-1}) {
         Triangles pyramid;
@@ -197,7 +197,7 @@ TEST(Creases, OfFacesThatNobodySeesAreNone) {
 }
 
 // A box and a rough ball: the box has creases.
-TEST(Creases, AreThereWhereOnePartHasSome) {
+TEST(Creases, ExistIfOnePartHasEnoughOfThem) {
     const Triangles rough = roughened(test::icosphere(4), 0.025);
     const Found both(test::box(1.0, 1.0, 1.0, 12).with(rough.moved(0.2, 0.5, 0.5, 1.5)));
     EXPECT_LT(both.evidence.standing, 0.9);
@@ -207,7 +207,7 @@ TEST(Creases, AreThereWhereOnePartHasSome) {
 }
 
 // An octahedron, and the same with its edges halved: each flat face has four triangles.
-TEST(Creases, AreThoseOfAPolyhedron) {
+TEST(Creases, MatchThePolyhedronsEdges) {
     for (const bool halved : {false, true}) {
         Triangles shape;
         for (int axis = 0; axis < 3; ++axis)
@@ -238,7 +238,7 @@ TEST(Creases, AreThoseOfAPolyhedron) {
 }
 
 // A rock: 80 faces whose corners are 0.6 to 1.4 from its centre.
-TEST(Creases, AreThoseOfARock) {
+TEST(Creases, ExistOnARockOfFlatFaces) {
     Triangles rock = test::icosphere(1);
     for (std::size_t i = 0; i < rock.vertices.size(); ++i)
         rock.vertices[i] *= 1.0 + 0.4 * std::sin(1e4 * static_cast<double>(i / 3));
@@ -250,7 +250,7 @@ TEST(Creases, AreThoseOfARock) {
 
 // The outline of the plate is round except for one corner. The edge there has the same patch on both sides, and is one
 // mesh edge long.
-TEST(Creases, AtTheOnlyCornerOfAPlate) {
+TEST(Creases, ExistAtTheOnlyCornerOfAPlate) {
     for (const double thickness : {0.5, 0.02}) {
         Triangles plate;
         constexpr int around = 48;
@@ -281,7 +281,7 @@ TEST(Creases, AtTheOnlyCornerOfAPlate) {
 
 // The slopes of an eight-sided roof meet at 18 degrees, but its outline has corners of 45: they are facets, like those
 // of a lamp's ring. A roof of 32 sides is round. Beside a large box the roof is small enough for either.
-TEST(Creases, AreBetweenCornersOfOthers) {
+TEST(Creases, ConnectCornersOfOtherCreases) {
     const auto roof = [](int sides) {
         return test::ringed({{0.0, 0.0}, {1.0, 0.0}, {0.5, 0.22}, {0.5, 0.6}, {0.0, 0.6}}, sides, 10.0)
             .with(test::box(10.0, 10.0, 10.0, 1).moved(1.0, 5.0, 0.0, 0.0));
@@ -292,7 +292,7 @@ TEST(Creases, AreBetweenCornersOfOthers) {
 
 // A ridge that fades towards positive x. Its crease grows to the last edges that bend by 8 degrees. The patch is cut
 // further from there as a smooth border, which both sheets share.
-TEST(Creases, ThatFadeGoOnSmoothly) {
+TEST(Creases, ContinueAsASmoothBorderWhereTheyFade) {
     const auto ridge = [](double x, double y) { return x < 0.0 ? -x * x * std::abs(y) : 0.0; };
     const Found found(test::height_field(40, ridge));
     EXPECT_EQ(found.creases.patches, 2);
@@ -312,7 +312,7 @@ TEST(Creases, ThatFadeGoOnSmoothly) {
 
 // The wall of a fading step ends in a tip. The parts above and below it are two patches, and the cut between them goes
 // on from the tip.
-TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
+TEST(Creases, SeparateTheSidesBeyondATip) {
     const Found found(test::fading_step(40));
     EXPECT_EQ(found.creases.patches, 3);
     std::int64_t cut = 0;
@@ -337,7 +337,7 @@ TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
 }
 
 // A tube with one crease along it. There the patch meets only itself.
-TEST(Creases, AlongATubePartIt) {
+TEST(Creases, CutATubeAlongItsLength) {
     Triangles tube;
     constexpr int around = 48;
     constexpr int along = 20;
@@ -370,7 +370,7 @@ TEST(Creases, EndAtEdgesOfMoreThanTwoFaces) {
 }
 
 // Bends of 12 degrees make a cylinder, and bends of 28 degrees a prism.
-TEST(Creases, OfCoarseFacesStayFlat) {
+TEST(Creases, KeepCoarseFacesFlat) {
     const std::vector<test::Ring> rings{{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.5}, {0.0, 0.5}};
     EXPECT_EQ(Found(test::ringed(rings, 30, 0.5)).creases.patches, 3);
     EXPECT_EQ(Found(test::ringed(rings, 13, 0.5)).creases.patches, 2 + 13);

@@ -80,7 +80,7 @@ bool in_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) 
     return glm::all(glm::lessThan(low, p)) && glm::all(glm::lessThan(p, high));
 }
 
-TEST(FitPieces, OfACubeIsTheCube) {
+TEST(FitPieces, ReproduceACube) {
     const Fitted cube(test::box(1.0, 1.0, 1.0, 5));
     EXPECT_EQ(cube.result.pieces.sheets, 6);
     EXPECT_EQ(cube.result.pieces.poor_cells, 0);
@@ -100,7 +100,7 @@ TEST(FitPieces, OfACubeIsTheCube) {
 }
 
 // The cube has concave edges and round ones, and a sheet that closes around the hole.
-TEST(FitPieces, OfADrilledCubeIsSharpAroundTheHole) {
+TEST(FitPieces, KeepADrilledCubeSharpAroundTheHole) {
     const Fitted drilled(test::drilled_cube(0.5, 96));
     EXPECT_EQ(drilled.result.pieces.sheets, 7);
     EXPECT_EQ(drilled.result.pieces.poor_cells, 0);
@@ -115,7 +115,7 @@ TEST(FitPieces, OfADrilledCubeIsSharpAroundTheHole) {
               0);
 }
 
-TEST(FitPieces, OfASteppedShaftHasItsSteps) {
+TEST(FitPieces, KeepTheStepsOfAShaft) {
     const Fitted shaft(test::stepped_shaft(96));
     EXPECT_EQ(shaft.result.pieces.poor_cells, 0);
     EXPECT_TRUE(shaft.result.mesh.reached);
@@ -139,7 +139,7 @@ TEST(FitPieces, OfASteppedShaftHasItsSteps) {
               0);
 }
 
-TEST(FitPieces, OfAThinPlateHasBothSides) {
+TEST(FitPieces, KeepBothSidesOfAThinPlate) {
     const double thick = 0.0042; // 0.3 % of the diagonal
     const Fitted plate(test::box(1.0, 1.0, thick, 6));
     EXPECT_EQ(plate.result.pieces.sheets, 6);
@@ -161,7 +161,7 @@ TEST(FitPieces, KeepPartsApart) {
     EXPECT_GT(two.value({1.0075, 0.5, 0.5}), 0.0);
 }
 
-TEST(FitPieces, OfPartsThatOverlapAreTheirUnion) {
+TEST(FitPieces, UniteOverlappingParts) {
     const Fitted two(test::box(1.0, 1.0, 1.0, 4).with(test::box(1.0, 1.0, 1.0, 4).moved(0.9, 0.5, 0.5, 0.5)));
     EXPECT_LT(two.result.pieces.cells, 5000);
     EXPECT_EQ(two.wrong_signs([](const glm::dvec3& p) {
@@ -170,7 +170,7 @@ TEST(FitPieces, OfPartsThatOverlapAreTheirUnion) {
               0);
 }
 
-TEST(FitPieces, OfAShellInAShellHasACavity) {
+TEST(FitPieces, KeepTheCavityOfAShell) {
     const Fitted shell(
         test::box(1.0, 1.0, 1.0, 4).with(test::box(1.0, 1.0, 1.0, 4).moved(0.9, 0.05, 0.05, 0.05).turned()));
     EXPECT_EQ(shell.result.pieces.sheets, 12);
@@ -181,7 +181,7 @@ TEST(FitPieces, OfAShellInAShellHasACavity) {
 }
 
 // On a roof the sheets go on beyond its border.
-TEST(FitPieces, OfAnOpenSheetGoOnBeyondItsBorder) {
+TEST(FitPieces, ContinueBeyondTheBorderOfAnOpenSheet) {
     const Fitted roof(test::height_field(20, [](double, double y) { return -std::abs(y); }));
     EXPECT_EQ(roof.result.pieces.sheets, 2);
     for (const double x : {-1.2, -0.7, 0.0, 0.9, 1.2})
@@ -202,7 +202,7 @@ TEST(FitPieces, FollowACreaseThatFades) {
 }
 
 // The flat faces of the chamfer stay flat up to the tips of the cones between them.
-TEST(FitPieces, KeepChamfersFlatBesideTipsOfCones) {
+TEST(FitPieces, KeepChamfersFlatNextToConeTips) {
     const Fitted plate(test::chamfered_plate(20));
     EXPECT_TRUE(plate.result.mesh.reached);
     EXPECT_EQ(plate.result.mesh.mesh.share, 1.0);
@@ -216,7 +216,7 @@ TEST(FitPieces, KeepChamfersFlatBesideTipsOfCones) {
 }
 
 // A ball of few faces beside a box of many. Each part gets as many centres as it needs.
-TEST(FitPieces, AreNotStarvedForHavingFewFaces) {
+TEST(FitPieces, GiveEnoughCentresToPartsWithFewFaces) {
     const Triangles ball = test::icosphere(3).moved(1.0, 3.0, 0.0, 0.0);
     const Fitted both(test::box(1.0, 1.0, 1.0, 60).with(ball), 2, 400);
     EXPECT_EQ(both.result.pieces.sheets, 7);
@@ -235,7 +235,7 @@ TEST(FitPieces, FollowAStepThatFades) {
     }
 }
 
-TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
+TEST(FitPieces, AreRightWhereFourFacesShareAnEdge) {
     const Fitted two(test::box(1.0, 1.0, 1.0, 3).with(test::box(1.0, 1.0, 1.0, 3).moved(1.0, 1.0, 1.0, 0.0)));
     EXPECT_LE(two.wrong_signs([](const glm::dvec3& p) {
         return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)) ||
@@ -245,7 +245,7 @@ TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
 }
 
 // Boxes on each other that share one vertex become two parts, so no wall is needed where one stands on the other.
-TEST(FitPieces, StandOnEachOtherWhereTheyShareAVertex) {
+TEST(FitPieces, NeedNoWallWherePartsShareAVertex) {
     const Fitted two(test::box(1.0, 1.0, 1.0, 2).with(test::box(0.7, 0.6, 1.0, 3).moved(1.0, 0.0, 0.0, 1.0)));
     EXPECT_EQ(two.shape.report.components, 2);
     EXPECT_LE(two.wrong_signs([](const glm::dvec3& p) {
@@ -328,7 +328,7 @@ struct Asked {
 };
 
 // Zones know where one sheet is f, and leave out sheets that cannot be f. The results may differ by rounding only.
-TEST(PreparedPieces, AreTheSameFunction) {
+TEST(PreparedPieces, EqualTheUnpreparedFunction) {
     for (const Triangles& shape : {test::box(1.0, 1.0, 1.0, 8), test::gear(16, 3), test::drilled_cube(0.5, 48)}) {
         const Fitted fitted(shape);
         const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::zones);
@@ -346,7 +346,7 @@ TEST(PreparedPieces, AreTheSameFunction) {
 }
 
 // The result does not depend on the other points in the batch.
-TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
+TEST(PreparedPieces, APointsResultDoesNotDependOnOtherPoints) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
     const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::sheets);
     const Asked all(fitted, prepared);
@@ -360,7 +360,7 @@ TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
 }
 
 // Far from creases only one sheet is evaluated, so most places cost one evaluation.
-TEST(PreparedPieces, KnowTheOneSheetOfMostPlaces) {
+TEST(PreparedPieces, NeedOnlyOneSheetAtMostPlaces) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
     const implicit::PiecesZones zones(fitted.runtime, fitted.f.data());
     const Asked asked(fitted, fitted.f);

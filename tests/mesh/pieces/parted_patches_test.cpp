@@ -59,7 +59,7 @@ struct Plate {
 
 } // namespace
 
-TEST(PartedPatches, AreThoseThatAreNamed) {
+TEST(PartedPatches, IncludeOnlyTheNamedPatches) {
     const Plate plate;
     ASSERT_EQ(plate.creases.patches, sides + 2);
     const auto more = [&](const auto& within, double angle) {
@@ -76,7 +76,7 @@ TEST(PartedPatches, AreThoseThatAreNamed) {
     EXPECT_DOUBLE_EQ(same.length, plate.creases.length);
 }
 
-TEST(PartedPatches, MakeAFitThatIsFarOffANearOne) {
+TEST(PartedPatches, BringAPoorFitWithinTheTolerance) {
     const Plate plate;
     const mesh::PiecesFit found = plate.fit();
     EXPECT_TRUE(found.mesh.reached);
@@ -88,7 +88,7 @@ TEST(PartedPatches, MakeAFitThatIsFarOffANearOne) {
     EXPECT_GE(found.mesh.seconds_total, found.mesh.seconds_fit);
 }
 
-TEST(PartedPatches, AreNoneWhereItIsSaidWhatIsSharp) {
+TEST(PartedPatches, AreNotMadeIfTheCallerChoosesTheSharpEdges) {
     const Plate plate;
     const mesh::PiecesFit found = plate.fit(mesh::Edges::sharp);
     EXPECT_FALSE(found.mesh.reached);

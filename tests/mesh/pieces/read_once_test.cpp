@@ -36,7 +36,7 @@ bool run(std::span<const std::int32_t> program, unsigned inputs, std::size_t& op
 }
 
 // There are as many trees as series-parallel networks, and no two are the same function.
-TEST(ReadOnceTrees, AreAllThatThereAre) {
+TEST(ReadOnceTrees, IncludeEveryTreeOnce) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const mesh::ReadOnceTrees trees(runtime.memory);
     const std::int64_t expected[] = {1, 2, 8, 52, 472};

@@ -47,7 +47,7 @@ TEST(WindingPatches, AreCutIntoPartsOfATurn) {
 }
 
 // Rings meet themselves after one turn, and slivers make long paths of short steps. Neither is cut.
-TEST(WindingPatches, AreNoOthers) {
+TEST(WindingPatches, ExcludeRingsAndSlivers) {
     EXPECT_EQ(Cut(test::gear(16, 3)).creases.patches, 67);
     EXPECT_EQ(Cut(test::gear(16, 12)).creases.patches, 67);
     EXPECT_EQ(Cut(test::stepped_shaft(96)).creases.patches, 11);
@@ -95,12 +95,12 @@ void expect_close(const Triangles& from) {
     EXPECT_EQ(wrong, 0);
 }
 
-TEST(Screws, OfFiveTurnsAreMet) {
+TEST(Screws, WithFiveTurnsAreFittedClosely) {
     expect_close(test::screw(5, test::triangular, 72, 3));
     expect_close(test::screw(5, test::trapezoidal, 72, 3));
 }
 
-TEST(Screws, OfTenTurnsAreMet) {
+TEST(Screws, WithTenTurnsAreFittedClosely) {
     expect_close(test::screw(10, test::triangular, 72, 3));
     expect_close(test::screw(10, test::trapezoidal, 72, 3));
 }
