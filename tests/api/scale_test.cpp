@@ -173,7 +173,7 @@ TEST(Scale, ExactVisibilityDoesNotDependOnTheScale) {
 }
 
 // For a host that reads a frame, directions and normals are unit vectors, and positions are those of the marks.
-TEST(Scale, VerticesAreFiniteAtAnyScale) {
+TEST(Scale, VerticesAreFiniteWithUnitDirections) {
     const Context context = make_context();
     Error error;
     const double scale = std::ldexp(1.0, -90);

@@ -54,7 +54,7 @@ private:
     cpu_set_t before_{};
 };
 
-TEST(Processors, LeavingOneKeepsItAllowed) {
+TEST(Processors, LeavingOneMovesTheThreadAndKeepsItAllowed) {
     if (processor_count() < 2) GTEST_SKIP() << "one processor";
     const Affinity affinity;
     for (int time = 0; time < 20; ++time) {

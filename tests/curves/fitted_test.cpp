@@ -36,9 +36,9 @@ glm::dvec3 random(std::int64_t i, std::uint32_t draw) {
     return 2.0 * glm::dvec3(u[0], u[1], u[2]) - 1.0;
 }
 
-class Fitted : public testing::Test {
+class FittedSurface : public testing::Test {
 protected:
-    Fitted()
+    FittedSurface()
         : samples(bumpy(700, 0.3)), hrbf(fitted(runtime, samples)),
           mesh(triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.06))) {}
 
@@ -48,7 +48,7 @@ protected:
     SurfaceMesh mesh;
 };
 
-TEST_F(Fitted, MeshIsClosedAndOnTheSurface) {
+TEST_F(FittedSurface, MeshIsClosedAndOnTheSurface) {
     const test_checks::Measures found = test_checks::measure(mesh, hrbf);
     EXPECT_EQ(found.euler, 2);
     EXPECT_EQ(found.border + found.bad_edges + found.bad_across + found.turned + found.unused, 0);
@@ -56,7 +56,7 @@ TEST_F(Fitted, MeshIsClosedAndOnTheSurface) {
     EXPECT_LE(found.off, 1e-9 * hrbf.diagonal());
 }
 
-TEST_F(Fitted, MeshHardlyDependsOnTheCellSide) {
+TEST_F(FittedSurface, MeshHardlyDependsOnTheCellSide) {
     const SurfaceMesh fine = triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.03));
     const test_checks::Measures a = test_checks::measure(mesh, hrbf);
     const test_checks::Measures b = test_checks::measure(fine, hrbf);
@@ -66,7 +66,7 @@ TEST_F(Fitted, MeshHardlyDependsOnTheCellSide) {
 }
 
 // Half of the segments end at the surface and are tangent to it.
-TEST_F(Fitted, SheetCountsMatchTheReference) {
+TEST_F(FittedSurface, SheetCountsMatchTheReference) {
     constexpr std::int64_t count = 600;
     geometry::VecArray from(runtime.memory, count);
     geometry::VecArray to(runtime.memory, count);
@@ -97,7 +97,7 @@ TEST_F(Fitted, SheetCountsMatchTheReference) {
 }
 
 // The Hessian jumps at each sample, so a contour may turn sharply there.
-TEST_F(Fitted, ContoursAreClosedAndOnTheCurve) {
+TEST_F(FittedSurface, ContoursAreClosedAndOnTheCurve) {
     const test_traced::Meshed meshed(runtime, hrbf, points_of(runtime, samples), 0.06);
     std::int64_t cusps = 0;
     for (const Eye& eye : eyes(cube_directions(), 4.0)) {

@@ -113,9 +113,9 @@ double radial(const On& here, const glm::dvec4& eye) {
     return glm::dot(high - low, w) / (2.0 * h);
 }
 
-class Eyes : public testing::TestWithParam<glm::dvec4> {};
+class FeatureValues : public testing::TestWithParam<glm::dvec4> {};
 
-TEST_P(Eyes, SuggestiveValueIsRadialCurvature) {
+TEST_P(FeatureValues, SuggestiveValueIsRadialCurvature) {
     const glm::dvec4 eye = GetParam();
     for (const glm::dvec3& p : places()) {
         const On here = at(bent(), p);
@@ -138,7 +138,7 @@ double view_curvature(const On& here, const glm::dvec4& eye) {
     return largest;
 }
 
-TEST_P(Eyes, ApparentRidgeValueIsTheSlopeOfViewDependentCurvature) {
+TEST_P(FeatureValues, ApparentRidgeValueIsTheSlopeOfViewDependentCurvature) {
     const glm::dvec4 eye = GetParam();
     int checked = 0;
     for (const glm::dvec3& p : places()) {
@@ -158,7 +158,7 @@ TEST_P(Eyes, ApparentRidgeValueIsTheSlopeOfViewDependentCurvature) {
 }
 
 // Where radial curvature is 0, the strength is the slope of the radial curvature.
-TEST_P(Eyes, SuggestiveStrengthIsTheSlopeTowardsTheEye) {
+TEST_P(FeatureValues, SuggestiveStrengthIsTheSlopeTowardsTheEye) {
     const glm::dvec4 eye = GetParam();
     const test::Torus torus;
     int checked = 0;
@@ -201,8 +201,8 @@ TEST_P(Eyes, SuggestiveStrengthIsTheSlopeTowardsTheEye) {
     EXPECT_GT(checked, 40);
 }
 
-INSTANTIATE_TEST_SUITE_P(Near, Eyes, testing::Values(glm::dvec4(1.5, 2.0, 1.0, 1.0)));
-INSTANTIATE_TEST_SUITE_P(Far, Eyes, testing::Values(glm::dvec4(0.3, -0.9, 0.6, 0.0)));
+INSTANTIATE_TEST_SUITE_P(Near, FeatureValues, testing::Values(glm::dvec4(1.5, 2.0, 1.0, 1.0)));
+INSTANTIATE_TEST_SUITE_P(Far, FeatureValues, testing::Values(glm::dvec4(0.3, -0.9, 0.6, 0.0)));
 
 } // namespace
 } // namespace hrbfnpr::curves::shape_test

@@ -58,7 +58,7 @@ void try_init(const char* name, hrbfnpr_status (*init)(T*, std::uint32_t)) {
 
 void try_init(const char* /*name*/, std::nullptr_t /*none*/) {}
 
-TEST(Inits, WorkForOlderAndNewerCallers) {
+TEST(InitFunctions, WorkForOlderAndNewerCallers) {
 #define INITS_TEST_STRUCT(record) try_init(#record, record##_init);
     HRBFNPR_STRUCTS(INITS_TEST_STRUCT)
 #undef INITS_TEST_STRUCT

@@ -49,7 +49,7 @@ void expect_subset(const fit::FitResult& result, const Cloud& cloud) {
     }
 }
 
-TEST(Choose, FewSamplesBringADenseTorusWithinTheTolerance) {
+TEST(ChooseCentres, FewSamplesBringADenseTorusWithinTheTolerance) {
     const base::Runtime runtime;
     const Cloud cloud = torus(20000);
     const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-4));
@@ -72,7 +72,7 @@ TEST(Choose, FewSamplesBringADenseTorusWithinTheTolerance) {
     EXPECT_GT(result.report.seconds_choose, 0.0);
 }
 
-TEST(Choose, ALooserToleranceNeedsFewerCentres) {
+TEST(ChooseCentres, ALooserToleranceNeedsFewerCentres) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(8000);
     std::int64_t before = 8000;
@@ -84,7 +84,7 @@ TEST(Choose, ALooserToleranceNeedsFewerCentres) {
     }
 }
 
-TEST(Choose, BothSheetsOfAThinWallAreRepresented) {
+TEST(ChooseCentres, BothSheetsOfAThinWallAreRepresented) {
     Cloud wall;
     for (int i = 0; i < 6000; ++i) {
         const double u = (i / 2 + 0.5) / 3000.0;
@@ -101,7 +101,7 @@ TEST(Choose, BothSheetsOfAThinWallAreRepresented) {
         ASSERT_GT(glm::dot(at(result.data, wall.point(i)).gradient, wall.normal(i)), 0.0) << i;
 }
 
-TEST(Choose, MaximumCentresWithoutAToleranceIsReached) {
+TEST(ChooseCentres, MaximumCentresWithoutAToleranceIsReached) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(5000);
     double before = 2.0;
@@ -116,7 +116,7 @@ TEST(Choose, MaximumCentresWithoutAToleranceIsReached) {
     EXPECT_LT(before, 1e-3);
 }
 
-TEST(Choose, AddsTheWorstSamplesRatherThanTheFarthest) {
+TEST(ChooseCentres, AddsTheWorstSamplesRatherThanTheFarthest) {
     // The surface is a bump on a plane: samples of the plane need no centre.
     Cloud cloud;
     for (int i = 0; i < 6400; ++i) {
@@ -134,7 +134,7 @@ TEST(Choose, AddsTheWorstSamplesRatherThanTheFarthest) {
     EXPECT_GT(on_bump, 2 * 400 * 0.1257); // twice its share of the area
 }
 
-TEST(Choose, ReportsTheErrorReachedWithTooFewCentres) {
+TEST(ChooseCentres, ReportsTheErrorReachedWithTooFewCentres) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(5000);
     const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-5, 300));
@@ -145,7 +145,7 @@ TEST(Choose, ReportsTheErrorReachedWithTooFewCentres) {
     EXPECT_NEAR(result.report.input_share_within, static_cast<double>(within) / 5000.0, 1e-3);
 }
 
-TEST(Choose, UsesAllSamplesIfTheyAreFewOrNoLimitIsSet) {
+TEST(ChooseCentres, UsesAllSamplesIfTheyAreFewOrNoLimitIsSet) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(300);
     for (const fit::FitInput& call : {choosing(cloud, 0.0), choosing(cloud, 0.0, 300), choosing(cloud, 0.0, 301)}) {
@@ -173,7 +173,7 @@ Cloud scan(const Cloud& truth) {
     return cloud;
 }
 
-TEST(Choose, DoesNotChaseNoise) {
+TEST(ChooseCentres, DoesNotChaseNoise) {
     const Cloud truth = bumpy(20000);
     const Cloud cloud = scan(truth);
     const base::Runtime runtime;

@@ -69,7 +69,7 @@ std::int64_t planted_count(std::int64_t count) {
     return result;
 }
 
-TEST(Clean, FindsNothingOnCleanShapes) {
+TEST(CleanSamples, FindsNothingOnCleanShapes) {
     expect_nothing_found(sphere(40), "sphere of 40");
     expect_nothing_found(sphere(3000), "sphere");
     expect_nothing_found(torus(256), "torus of 256");
@@ -78,7 +78,7 @@ TEST(Clean, FindsNothingOnCleanShapes) {
     expect_nothing_found(torus(1000).moved(1e-6, {1e3, 0, 0}), "small and far away");
 }
 
-TEST(Clean, FindsAllOutliersAndNothingElse) {
+TEST(CleanSamples, FindsAllOutliersAndNothingElse) {
     const Cloud cloud = torus_with_outliers(2000);
     const Cleaned kept(cloud);
     EXPECT_EQ(kept.report.outliers_found, planted_count(2000));
@@ -96,7 +96,7 @@ TEST(Clean, FindsAllOutliersAndNothingElse) {
     }
 }
 
-TEST(Clean, MeasuresAgainAfterDroppingOutliers) {
+TEST(CleanSamples, MeasuresAgainAfterDroppingOutliers) {
     Cloud cloud = torus(1000);
     const Cleaned without(cloud);
     cloud.add({9.0, 0.0, 0.0}, {0.0, 0.0, 1.0});
@@ -107,7 +107,7 @@ TEST(Clean, MeasuresAgainAfterDroppingOutliers) {
     EXPECT_EQ(dropped.samples.spacing, without.samples.spacing);
 }
 
-TEST(Clean, FindsAllFlippedNormalsAndNothingElse) {
+TEST(CleanSamples, FindsAllFlippedNormalsAndNothingElse) {
     const Cloud cloud = torus_with_flips(2000);
     const Cloud even = torus(2000);
     const Cleaned kept(cloud);
@@ -124,7 +124,7 @@ TEST(Clean, FindsAllFlippedNormalsAndNothingElse) {
     EXPECT_EQ(dropped.samples.position.size(), 2000 - planted_count(2000));
 }
 
-TEST(Clean, FindsFlippedNormalsInGroups) {
+TEST(CleanSamples, FindsFlippedNormalsInGroups) {
     Cloud cloud = sphere(1500);
     Cloud flipped;
     std::int64_t count = 0;
@@ -152,7 +152,7 @@ Cloud sheets(double gap, double outward, std::int64_t upper_share) {
     return cloud;
 }
 
-TEST(Clean, LeavesCloseOppositeSheetsAlone) {
+TEST(CleanSamples, LeavesCloseOppositeSheetsAlone) {
     for (const double gap : {0.003, 0.01, 0.03, 0.1})
         for (const double outward : {1.0, -1.0}) {
             expect_nothing_found(sheets(gap, outward, 2), "as dense as each other");
@@ -160,7 +160,7 @@ TEST(Clean, LeavesCloseOppositeSheetsAlone) {
         }
 }
 
-TEST(Clean, MergesNearDuplicatesThatAgree) {
+TEST(CleanSamples, MergesNearDuplicatesThatAgree) {
     const Cloud even = torus(1000);
     const double spacing = Cleaned(even).samples.spacing;
     Cloud cloud = even;
@@ -178,7 +178,7 @@ TEST(Clean, MergesNearDuplicatesThatAgree) {
     }
 }
 
-TEST(Clean, TreatsADisagreeingNearDuplicateAsAnOutlier) {
+TEST(CleanSamples, TreatsADisagreeingNearDuplicateAsAnOutlier) {
     const Cloud even = torus(1000);
     const double spacing = Cleaned(even).samples.spacing;
     Cloud cloud = even;
@@ -193,7 +193,7 @@ TEST(Clean, TreatsADisagreeingNearDuplicateAsAnOutlier) {
     for (int i = 0; i < 1000; ++i) ASSERT_EQ(dropped.samples.position[i], even.point(i)) << i;
 }
 
-TEST(Clean, LeavesSetsThatAreTooSmallAlone) {
+TEST(CleanSamples, LeavesSetsThatAreTooSmallAlone) {
     Cloud cloud = sphere(31);
     cloud.add(100.0 * cloud.point(3), -cloud.normal(3));
     EXPECT_EQ(Cleaned(cloud, Repair::drop, Repair::drop).samples.position.size(), 32);

@@ -73,7 +73,7 @@ Eigen::VectorXd right_hand_side(Eigen::Index size) {
     return rhs;
 }
 
-TEST(System, BlocksAndProductsMatchThePlainMatrix) {
+TEST(HermiteSystem, BlocksAndProductsMatchThePlainMatrix) {
     const Runtime runtime;
     const VecArray x = positions(runtime.memory, bumpy(37));
     for (const Kind kind : kinds) {

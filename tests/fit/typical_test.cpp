@@ -30,7 +30,7 @@ fit::Samples torus_with_odd_ones(const base::Runtime& runtime) {
     return fit::read_samples(runtime, view(cloud.points), view(cloud.normals));
 }
 
-TEST(Typical, IsANearbySampleWithoutDefects) {
+TEST(TypicalSample, IsANearbySampleWithoutDefects) {
     const base::Runtime runtime;
     const fit::Samples samples = torus_with_odd_ones(runtime);
     const geometry::Neighbours neighbours(runtime.parallel, samples.position, 16, {});

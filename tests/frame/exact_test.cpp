@@ -17,7 +17,7 @@ constexpr int size = 500;
 constexpr double half = 1.6;
 constexpr double pixel = 2.0 * half / size;
 
-class Exact : public ::testing::Test {
+class ExactVisibility : public ::testing::Test {
 protected:
     std::vector<float> shares(const Style& style, const frame::Camera& camera, const glm::dmat4& transform,
                               bool exact = true) {
@@ -34,7 +34,7 @@ protected:
     DrawnFrame frame{runtime};
 };
 
-TEST_F(Exact, FrontMarksAreHiddenWhereTheLineOfSightIsBlocked) {
+TEST_F(ExactVisibility, FrontMarksAreHiddenWhereTheLineOfSightIsBlocked) {
     Style style = all_front(HiddenLines::hide);
     style.halo_width = 0.0F;
     for (const double tilt : {0.9, 1.2, 1.4}) {
@@ -58,7 +58,7 @@ TEST_F(Exact, FrontMarksAreHiddenWhereTheLineOfSightIsBlocked) {
     }
 }
 
-TEST_F(Exact, FollowsTheTransformAndThePerspective) {
+TEST_F(ExactVisibility, FollowsTheTransformAndThePerspective) {
     Style style = all_front(HiddenLines::hide);
     style.halo_width = 0.0F;
     const double tilt = 1.25;
@@ -89,7 +89,7 @@ TEST_F(Exact, FollowsTheTransformAndThePerspective) {
     EXPECT_GT(selected, 3000);
 }
 
-TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
+TEST_F(ExactVisibility, DimsByTheLawsOfTheLayersThatALineCrosses) {
     Style style = all_front(HiddenLines::attenuate);
     style.halo_width = 0.0F;
     style.attenuation_front = 0.4;
@@ -124,7 +124,7 @@ TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
     EXPECT_GT(dimmed, 300);
 }
 
-TEST_F(Exact, ShowLeavesHiddenMarksUndimmed) {
+TEST_F(ExactVisibility, ShowLeavesHiddenMarksUndimmed) {
     const double tilt = 1.25;
     const frame::Camera camera = camera_from({0.0, -std::sin(tilt), std::cos(tilt)}, size, half);
     const std::vector<float> share = shares(all_front(HiddenLines::show), camera, glm::dmat4(1.0));

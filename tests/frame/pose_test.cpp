@@ -45,7 +45,7 @@ struct Places {
     [[nodiscard]] Pose pose(std::int64_t layer) const { return {layer, view(position), view(normal), view(direction)}; }
 };
 
-class Posed : public ::testing::Test {
+class PosedLayers : public ::testing::Test {
 protected:
     void draw(const Item& item, Visibility visibility, const frame::Camera& camera) {
         std::array items{item};
@@ -74,7 +74,7 @@ constexpr Visibility both[] = {Visibility::depth_layers, Visibility::published};
 frame::Camera oblique() { return camera_from({0.2, -0.9, 0.6}, size, 1.7); }
 
 // Normals along an axis are already unit vectors, so nothing is rounded.
-TEST_F(Posed, MarksAtTheirOwnPlacesGiveTheSameDots) {
+TEST_F(PosedLayers, MarksAtTheirOwnPlacesGiveTheSameDots) {
     for (const glm::dvec3 origin : {glm::dvec3(0.0), glm::dvec3(0.25, -0.5, 1.0)}) {
         marks::PointSet flat = plane(runtime.memory, 120);
         flat.origin = origin;
@@ -116,7 +116,7 @@ glm::dmat4 turned(double angle, const glm::dvec3& by) {
     return m;
 }
 
-TEST_F(Posed, ARigidMotionEqualsAnItemTransform) {
+TEST_F(PosedLayers, ARigidMotionEqualsAnItemTransform) {
     const marks::PointSet set = ring();
     for (const glm::dmat4& motion : {turned(0.7, {0.3, -0.2, 0.4}), turned(2.5, {-0.2, 0.0, 0.1})}) {
         const Places stipples(set, 0, motion);
@@ -163,7 +163,7 @@ TEST_F(Posed, ARigidMotionEqualsAnItemTransform) {
     }
 }
 
-TEST_F(Posed, MissingDirectionsAreTakenFromTheSet) {
+TEST_F(PosedLayers, MissingDirectionsAreTakenFromTheSet) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 10));
     const Places places(set, 0, turned(0.4, {0.0, 0.0, 0.0}));
     std::array poses{places.pose(0)};
@@ -176,7 +176,7 @@ TEST_F(Posed, MissingDirectionsAreTakenFromTheSet) {
 }
 
 // A pose holds for one drawing; in the next the layer is at its old place.
-TEST_F(Posed, APoseLastsForOneDrawing) {
+TEST_F(PosedLayers, APoseLastsForOneDrawing) {
     const marks::PointSet set = ring();
     const Places stipples(set, 0, turned(0.7, {0.3, -0.2, 0.4}));
     const std::array poses{stipples.pose(0)};
@@ -194,7 +194,7 @@ TEST_F(Posed, APoseLastsForOneDrawing) {
 }
 
 // Marks that are far from their old places are still inside of the view.
-TEST_F(Posed, MarksMayBeFarFromTheirSet) {
+TEST_F(PosedLayers, MarksMayBeFarFromTheirSet) {
     const marks::PointSet set = clustered(runtime, plane(runtime.memory, 60));
     const glm::dmat4 away = turned(0.0, {500.0, 0.0, 0.0});
     const Places places(set, 0, away);
@@ -210,7 +210,7 @@ TEST_F(Posed, MarksMayBeFarFromTheirSet) {
     EXPECT_EQ(frame.info().shown, 0);
 }
 
-TEST_F(Posed, AllocatesNothingOnceWarm) {
+TEST_F(PosedLayers, AllocatesNothingOnceWarm) {
     test::Allocator counter;
     const base::Runtime counted = test::with_allocator(counter);
     marks::PointSet made = torus(counted.memory, 90);
@@ -233,7 +233,7 @@ TEST_F(Posed, AllocatesNothingOnceWarm) {
 }
 
 // Each of many items is drawn as it is alone: data that is kept for one item does not move when others follow.
-class ManyItems : public Posed {
+class ManyItems : public PosedLayers {
 protected:
     static constexpr int many = 11;
 
@@ -285,7 +285,7 @@ TEST_F(ManyItems, AreDrawnWithPoses) {
     for (const bool from_behind : {false, true}) expect_sum(items, wide(from_behind));
 }
 
-class BadPose : public Posed {
+class BadPose : public PosedLayers {
 protected:
     void expect_error(std::span<const Pose> poses, const char* text) {
         std::array items{layered_item(set, Style{}), layered_item(set, Style{})};

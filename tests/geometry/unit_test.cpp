@@ -30,7 +30,7 @@ TEST(Unit, IsAPowerOfTwoInWhichTheSizeIsTwoToFour) {
     EXPECT_EQ(unit_for(std::ldexp(3.5, -100)), std::ldexp(1.0, -100));
 }
 
-TEST(Whole, IsAlwaysWithinItsRange) {
+TEST(WholeNumber, IsAlwaysWithinItsRange) {
     EXPECT_EQ(whole(2.9, 7), 2);
     EXPECT_EQ(whole(7.0, 7), 7);
     EXPECT_EQ(whole(-0.5, 7), 0);

@@ -33,7 +33,7 @@ void expect_follows(const PointSet& set, Where where) {
     EXPECT_LT(sum / static_cast<double>(looked_at), 5.0);
 }
 
-TEST(Function, IsFollowedByTheLines) {
+TEST(DirectionFunction, IsFollowedByTheLines) {
     const Torus torus;
     const Sphere sphere;
     Caller caller{helix};
@@ -46,7 +46,7 @@ TEST(Function, IsFollowedByTheLines) {
     expect_follows(ball, [](const glm::dvec3& p) { return std::abs(p.z) < 0.8; }); // the poles are singular
 }
 
-TEST(Function, WithoutDirectionsLinesAreSmooth) {
+TEST(DirectionFunction, WithoutDirectionsLinesAreSmooth) {
     const Torus torus;
     Caller caller{[](const glm::dvec3& p, const glm::dvec3& n) { return p.x > 0.3 ? glm::dvec3(0.0) : helix(p, n); }};
     const PointSet set = make(torus, along(caller, 8000));
@@ -60,7 +60,7 @@ TEST(Function, WithoutDirectionsLinesAreSmooth) {
     expect_sound(make(torus, along(normal, 2000)), torus);
 }
 
-TEST(Function, IsCalledWithAbsolutePositions) {
+TEST(DirectionFunction, IsCalledWithAbsolutePositions) {
     for (const double scale : {1.0, 1e15}) {
         const AnyField large(cube(scale), [scale](const glm::dvec3& p) -> Field {
             const glm::dvec3 q = p / scale;

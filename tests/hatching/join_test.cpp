@@ -24,7 +24,7 @@ Polyline line(double x0, double y0, double x1, double y1) {
     return points;
 }
 
-class Join : public ::testing::Test {
+class JoinLines : public ::testing::Test {
 protected:
     // Joins lines over gaps of up to 2.
     Lines join(const std::vector<Polyline>& lines) {
@@ -53,7 +53,7 @@ protected:
     base::Runtime runtime;
 };
 
-TEST_F(Join, ConnectsLinesAcrossASmallGap) {
+TEST_F(JoinLines, ConnectsLinesAcrossASmallGap) {
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 0.1, 3, 0.1)}).count(), 1);
     EXPECT_EQ(join({line(-3, 0, -0.8, 0), line(0.8, 1.0, 3, 1.0)}).count(), 2) << "aside";
     EXPECT_EQ(join({line(-3, 0, -1.2, 0), line(1.2, 0.0, 3, 0.0)}).count(), 2) << "too far";
@@ -61,7 +61,7 @@ TEST_F(Join, ConnectsLinesAcrossASmallGap) {
 }
 
 // If the ends touch, the way across the gap may have any direction.
-TEST_F(Join, ConnectsLinesWhoseEndsTouch) {
+TEST_F(JoinLines, ConnectsLinesWhoseEndsTouch) {
     for (int k = 0; k < 12; ++k) {
         const double x = 0.1 * std::cos(0.5236 * k);
         const double y = 0.1 * std::sin(0.5236 * k);
@@ -77,7 +77,7 @@ TEST_F(Join, ConnectsLinesWhoseEndsTouch) {
 }
 
 // The last points of a line may be ragged, so they do not tell its direction.
-TEST_F(Join, IgnoresRaggedEnds) {
+TEST_F(JoinLines, IgnoresRaggedEnds) {
     Polyline ragged = line(-3, 0, 0, 0);
     for (const double y : {0.03, 0.07, 0.12}) ragged.emplace_back(0.02, y, 0.0);
     EXPECT_EQ(join({ragged, line(0.05, 0.1, 3, 0)}).count(), 1);

@@ -35,7 +35,7 @@ struct Sheet {
     }
 };
 
-TEST(Means, AreFewerThanThePointsAndNearerToTheSheet) {
+TEST(LocalMeans, AreFewerThanThePointsAndNearerToTheSheet) {
     const Sheet sheet;
     EXPECT_LE(sheet.means.size(), 900);
     EXPECT_GE(sheet.means.size(), 850);
@@ -48,7 +48,7 @@ TEST(Means, AreFewerThanThePointsAndNearerToTheSheet) {
     EXPECT_LT(std::sqrt(off / static_cast<double>(sheet.means.size())), 0.97); // for the points: 1
 }
 
-TEST(Means, GiveNormalsToThePointsAroundThem) {
+TEST(LocalMeans, GiveNormalsToThePointsAroundThem) {
     const Sheet sheet;
     const geometry::VecArray found = orient::normals_by_means(sheet.runtime, sheet.cloud, sheet.means, sheet.normal);
     ASSERT_EQ(found.size(), sheet.cloud.size());

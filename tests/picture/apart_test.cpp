@@ -17,7 +17,7 @@ using namespace hrbfnpr::picture;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class Apart : public testing::Test {
+class PartGroups : public testing::Test {
 protected:
     PlannedCall planned;
 
@@ -32,7 +32,7 @@ protected:
     }
 };
 
-TEST_F(Apart, CrossingPartsBecomeGroups) {
+TEST_F(PartGroups, CrossingPartsBecomeGroups) {
     const std::int64_t faces = 528;
     const std::optional<FaceGroups> found = groups(pipe().with(pipe_across()));
     ASSERT_TRUE(found);
@@ -46,7 +46,7 @@ TEST_F(Apart, CrossingPartsBecomeGroups) {
     EXPECT_NE(found->groups[0].front(), found->groups[1].front());
 }
 
-TEST_F(Apart, DistantPartsShareAGroup) {
+TEST_F(PartGroups, DistantPartsShareAGroup) {
     const test::Triangles far = pipe().moved(1.0, 6.0, 0.0, 0.0);
     EXPECT_FALSE(groups(pipe().with(far)));
     const std::optional<FaceGroups> found = groups(pipe().with(pipe_across()).with(far));
@@ -57,7 +57,7 @@ TEST_F(Apart, DistantPartsShareAGroup) {
     EXPECT_EQ(found->groups[1].size(), 528U);
 }
 
-TEST_F(Apart, SolidsStayTogether) {
+TEST_F(PartGroups, SolidsStayTogether) {
     const test::Triangles solids = test::box(1, 1, 1, 4).with(test::box(1, 1, 1, 4).moved(1.0, 0.5, 0.5, 0.5));
     EXPECT_FALSE(groups(solids)); // Closed parts need no groups.
     const test::Triangles sheet = wall({-1, 0.4, -1}, {3, 0, 0}, {0, 0, 3});
@@ -69,7 +69,7 @@ TEST_F(Apart, SolidsStayTogether) {
     EXPECT_EQ(found->groups[1].front(), 2 * 6 * 32);
 }
 
-TEST_F(Apart, ACutThroughAPipeMakesNoGroups) {
+TEST_F(PartGroups, ACutThroughAPipeMakesNoGroups) {
     EXPECT_FALSE(groups(pipe().with(pipe().moved(1.0, 0.0, 3.002, 0.0)))); // The pipes continue each other.
     // A lid lies on the border of the pipe, but the border of the lid is elsewhere.
     const std::optional<FaceGroups> found = groups(pipe().with(wall({-1, 2.95, -1}, {0, 0, 2}, {2, 0, 0})));
@@ -77,7 +77,7 @@ TEST_F(Apart, ACutThroughAPipeMakesNoGroups) {
     EXPECT_EQ(found->groups.size(), 2U);
 }
 
-TEST_F(Apart, WallsThatMeetInOneEdgeBecomeGroups) {
+TEST_F(PartGroups, WallsThatMeetInOneEdgeBecomeGroups) {
     const std::optional<FaceGroups> found = groups(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0})
                                                        .with(wall({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}))
                                                        .with(wall({0, 0, 0}, {0, 0, 1}, {0, 1, 0})));
@@ -86,7 +86,7 @@ TEST_F(Apart, WallsThatMeetInOneEdgeBecomeGroups) {
     EXPECT_EQ(found->groups.size(), 3U);
 }
 
-TEST_F(Apart, TheNumberOfGroupsIsLimited) {
+TEST_F(PartGroups, TheNumberOfGroupsIsLimited) {
     test::Triangles many = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4);
     for (int i = 1; i < 10; ++i) many = many.with(wall({0, 0, 0.001 * i}, {1, 0, 0}, {0, 1, 0}, 4));
     // The walls are nearer to each other than a seam is wide, and all along their borders, so they count as one cut
@@ -98,12 +98,12 @@ TEST_F(Apart, TheNumberOfGroupsIsLimited) {
     EXPECT_LE(found->groups.size(), 8U);
 }
 
-TEST_F(Apart, AFewFacesMakeNoGroups) {
+TEST_F(PartGroups, AFewFacesMakeNoGroups) {
     EXPECT_FALSE(groups(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1)));
     EXPECT_FALSE(groups(test::tetrahedron()));
 }
 
-TEST_F(Apart, AFaceOnAnEdgeOfTwoOthersIsSetAside) {
+TEST_F(PartGroups, AFaceOnAnEdgeOfTwoOthersIsSetAside) {
     test::Triangles mesh = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
     const std::int32_t top = mesh.add(0.49, 0.5, 0.004);
     mesh.face(84, 85, top);
@@ -117,7 +117,7 @@ TEST_F(Apart, AFaceOnAnEdgeOfTwoOthersIsSetAside) {
     EXPECT_THAT(flaps(test::icosphere(1)), IsEmpty());
 }
 
-TEST_F(Apart, ATinyDistantPartCountsAsLost) {
+TEST_F(PartGroups, ATinyDistantPartCountsAsLost) {
     test::Triangles mesh = pipe();
     const std::int32_t a = mesh.add(60, 0, 0), b = mesh.add(60, 0.1, 0), c = mesh.add(60, 0, 0.1);
     mesh.face(a, b, c);

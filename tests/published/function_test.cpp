@@ -16,7 +16,7 @@ generate::Settings along(Caller& caller) {
     return settings;
 }
 
-TEST(Function, IsFollowedByTheStrokes) {
+TEST(DirectionFunction, IsFollowedByTheStrokes) {
     const Sphere sphere;
     Caller caller{helix};
     generate::Settings settings = along(caller);
@@ -40,7 +40,7 @@ TEST(Function, IsFollowedByTheStrokes) {
     }
 }
 
-TEST(Function, WithoutDirectionsStrokesAreStillMade) {
+TEST(DirectionFunction, WithoutDirectionsStrokesAreStillMade) {
     const Sphere sphere;
     Caller nowhere{no_direction};
     generate::Settings settings = along(nowhere);

@@ -157,7 +157,7 @@ TEST(Strokes, KeepTheirDirectionAtUmbilics) {
 
 // Published strokes keep the places where they grew. Their step is not a distance between neighbours, so frames do not
 // use it as a gap.
-TEST(Strokes, HaveNoGapsBetweenNeighbours) {
+TEST(Strokes, StoreNoGapToTheirNeighbours) {
     generate::Settings settings = recursion({principal}, 2);
     settings.seeds.initial_step = 0.05;
     EXPECT_TRUE(of(make(Torus(), settings), principal).clusters.gap.empty());

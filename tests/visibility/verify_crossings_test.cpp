@@ -50,7 +50,7 @@ TEST(VerifyCrossings, KeepsOnlyRealCrossings) {
 }
 
 // If pieces are long, both places may move to the end that the pieces share.
-TEST(VerifyCrossings, RejectsFalseSelfCrossings) {
+TEST(VerifyCrossings, RejectsFalseCrossingsOfLongPieces) {
     const base::Runtime runtime = test::with_threads(2);
     const test::Torus torus(1.0, 0.4);
     Stage stage;

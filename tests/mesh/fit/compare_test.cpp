@@ -51,7 +51,7 @@ private:
     Sphere a_, b_;
 };
 
-TEST(Compare, KnowsTheDistanceBothWays) {
+TEST(CompareMesh, KnowsTheDistanceBothWays) {
     const mesh::Comparison found = compared(Sphere(1.02), icosphere(5), 0.03, 0.05);
     EXPECT_EQ(found.surface.points, 4000);
     EXPECT_EQ(found.mesh.points, 4000);
@@ -70,7 +70,7 @@ TEST(Compare, KnowsTheDistanceBothWays) {
     EXPECT_EQ(narrow.surface.beyond, 1.0);
 }
 
-TEST(Compare, FindsInventedAndMissingParts) {
+TEST(CompareMesh, FindsInventedAndMissingParts) {
     // The second ball is only in the mesh, so that its place is inside the box and the surface is searched there.
     const Triangles both = icosphere(4).with(icosphere(4).moved(1.0, 2.6, 0.0, 0.0));
     const mesh::Comparison missed = compared(Sphere(1.0), both, 0.01, 0.05);
@@ -84,7 +84,7 @@ TEST(Compare, FindsInventedAndMissingParts) {
     EXPECT_LT(invented.mesh.beyond, 0.01);
 }
 
-TEST(Compare, LeavesOutTheSurfaceBeyondABorder) {
+TEST(CompareMesh, LeavesOutTheSurfaceBeyondABorder) {
     const auto half = [](double, double, double z) { return z > 0.0; };
     const mesh::Comparison found = compared(Sphere(1.0), icosphere(5).where(half), 0.01, 0.05);
     // This is a share of the region, which ends 0.05 diagonals below the border.
@@ -116,7 +116,7 @@ TEST(FindSurface, UsesSmallerCellsUntilItFindsASurface) {
     EXPECT_LT(found.side, 0.02);
 }
 
-TEST(Compare, LeavesOutUnsupportedParts) {
+TEST(CompareMesh, LeavesOutUnsupportedParts) {
     const hrbfnpr::base::Runtime runtime = with_threads(2);
     hrbfnpr::geometry::VecArray position(runtime.memory), normal(runtime.memory);
     const Triangles ball = icosphere(4);
@@ -132,7 +132,7 @@ TEST(Compare, LeavesOutUnsupportedParts) {
     EXPECT_EQ(compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 0.0).left_out, 0.0);
 }
 
-TEST(Compare, UsesSmallerCellsForThinSurfaces) {
+TEST(CompareMesh, UsesSmallerCellsForThinSurfaces) {
     // The ball is one cell across.
     const double radius = 0.4 / 128.0 * std::sqrt(12.0);
     const Triangles grains = icosphere(3).moved(radius, 0, 0, 0).with(icosphere(1).moved(0.01, 2, 2, 2));
@@ -142,7 +142,7 @@ TEST(Compare, UsesSmallerCellsForThinSurfaces) {
     EXPECT_GT(found.surface.share, 0.99);
 }
 
-TEST(Compare, DoesNotCountMeshInsideAnotherPart) {
+TEST(CompareMesh, DoesNotCountMeshInsideAnotherPart) {
     // The balls overlap. The part of each ball inside the other does not count as mesh.
     const Triangles both = icosphere(5).with(icosphere(5).moved(1.0, 1.0, 0.0, 0.0));
     const mesh::Comparison found = compared(Two({1.0, 0.0, 0.0}), both, 0.01, 0.05);
@@ -150,7 +150,7 @@ TEST(Compare, DoesNotCountMeshInsideAnotherPart) {
     EXPECT_LT(found.mesh.points, 3600);
 }
 
-TEST(Compare, SpreadMatchesASortedList) {
+TEST(CompareMesh, SpreadMatchesASortedList) {
     hrbfnpr::base::Memory memory;
     std::vector<double> plain;
     hrbfnpr::base::Array<double> numbers(memory);
