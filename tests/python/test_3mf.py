@@ -29,7 +29,7 @@ def test_a_cube(tmp_path):
     assert shape.format == "3MF" and shape.up == (0, 0, 1) and not shape.notes
 
 
-def test_it_is_known_by_its_contents(tmp_path):
+def test_3mf_is_recognized_by_its_contents(tmp_path):
     other = shapes.read(write(tmp_path, "a.zip", mf3(name="other.model", target="other.model")))
     assert len(other.triangles) == 12
     assert "the file holds 3MF" in shapes.read(write(tmp_path, "a.stl", mf3())).notes[0]
@@ -59,7 +59,7 @@ def test_other_parts_of_the_file(tmp_path):
     np.testing.assert_array_equal(shape.points, np.concatenate([CUBE, CUBE + (5, 6, 7)]))
 
 
-def test_what_supports_the_print_is_left_out(tmp_path):
+def test_print_supports_are_left_out(tmp_path):
     support = mf3_model('<item objectid="1"/><item objectid="3"/>').replace("</resources>", "{}</resources>")
     mesh = support[support.index("<mesh>") : support.index("</mesh>") + 7]
     model = support.replace("{}", f'<object id="3" type="support">{mesh}</object>')

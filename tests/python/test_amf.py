@@ -48,7 +48,7 @@ def test_all_volumes_of_an_object_are_read(tmp_path):
     assert shapes.read(write(tmp_path, "box.xml", amf())).format == "AMF"  # by what it holds
 
 
-def test_objects_stand_where_constellations_have_them(tmp_path):
+def test_constellations_place_objects(tmp_path):
     one = instance(1, deltax=5, rx=90, rz=90) + instance(1, deltaz=-3)
     outer = f"<constellation id='2'>{one}</constellation><constellation id='3'>{instance(2, deltay=10)}</constellation>"
     alone = f"<object id='4'>{mesh()}</object>"
@@ -61,14 +61,14 @@ def test_objects_stand_where_constellations_have_them(tmp_path):
     np.testing.assert_array_equal(third, CUBE)
 
 
-def test_what_slicers_have_zipped(tmp_path, capsys):
+def test_zipped_files_are_read(tmp_path, capsys):
     path = write(tmp_path, "box.amf", zipped(("readme.txt", "none"), ("Box.AMF", amf())))
     assert len(shapes.read(path).triangles) == 12
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     assert "AMF: " in capsys.readouterr().out
 
 
-def test_what_cannot_be_read_is_said(tmp_path):
+def test_unreadable_files_are_named(tmp_path):
     circle = f"<constellation id='2'>{instance(3)}</constellation><constellation id='3'>{instance(2)}</constellation>"
     within = f"<constellation id='5'>{instance(2)}</constellation>"
     cases = {

@@ -34,7 +34,7 @@ def images(path):
     return result
 
 
-def test_a_turn_is_what_azimuths_are(turn):
+def test_a_turn_equals_drawings_by_azimuth(turn):
     assert len(turn) == 5 and turn[0].size == turn[3].size
     centre = np.mean(turn[0].model.bounds, axis=0)
     for number, camera in enumerate(turn.cameras):
@@ -47,7 +47,7 @@ def test_a_turn_is_what_azimuths_are(turn):
         assert away == pytest.approx(first)
 
 
-def test_all_of_it_is_in_every_frame(turn):
+def test_every_frame_shows_the_whole_model(turn):
     for image in turn.images():
         edge = np.concatenate([image[0], image[-1], image[:, 0], image[:, -1]])
         assert (edge[:, :3] > 200).all() and (image[..., :3].min(axis=-1) < 128).mean() > 0.01
@@ -101,7 +101,7 @@ def test_transparent_frames_are_laid_on_white(tmp_path):
     assert images(tmp_path / "a.png")[1][0, 0, 3] == 0
 
 
-def test_a_film(turn, tmp_path):
+def test_a_film_has_the_frames(turn, tmp_path):
     if shutil.which("ffmpeg") is None:
         pytest.skip("the program ffmpeg is not installed (Debian: ffmpeg)")
     turn.save(tmp_path / "a.mp4")
@@ -139,12 +139,12 @@ def test_a_film_without_the_program_is_an_error(turn, tmp_path, monkeypatch):
         ({"eye": (0, 0, 90), "target": (0, 0, 99)}, "would be blank"),
     ],
 )
-def test_what_cannot_be_is_said(options, words):
+def test_invalid_options_are_named(options, words):
     with pytest.raises(ValueError, match=words):
         hrbfnpr.animate((POINTS, NORMALS), size=60, marks=200, **options)
 
 
-def test_progress(tmp_path):
+def test_progress_is_reported_per_frame(tmp_path):
     told = []
     hrbfnpr.animate((POINTS, NORMALS), tmp_path / "a.gif", frames=4, size=60, marks=200,
                     progress=lambda stage, fraction: told.append((stage, fraction)))  # fmt: skip
@@ -152,7 +152,7 @@ def test_progress(tmp_path):
     assert of_frames == pytest.approx([0, 0.25, 0.5, 0.75, 1.0]) and ("fitting", 1) in [(s, round(f)) for s, f in told]
 
 
-def test_a_failure_leaves_what_was_there(turn, tmp_path):
+def test_a_failure_keeps_the_old_file(turn, tmp_path):
     (tmp_path / "a.gif").write_bytes(b"before")
 
     def stop(stage, fraction):
@@ -164,7 +164,7 @@ def test_a_failure_leaves_what_was_there(turn, tmp_path):
     assert (tmp_path / "a.gif").read_bytes() == b"before" and len(list(tmp_path.iterdir())) == 1
 
 
-def test_loops(tmp_path):
+def test_loops_are_written(tmp_path):
     frames = [np.full((4, 4, 4), value, dtype=np.uint8) for value in (0, 255)]
     for loops, repeated in ((0, 0), (1, None), (3, 2)):
         _movies.write(tmp_path / "a.gif", frames, 10, loops, (1, 1, 1, 1))

@@ -100,7 +100,7 @@ def surface_of_rings(radius, height):
     return np.vstack(rings), faces
 
 
-def test_what_lies_beyond_a_border_is_no_error():
+def test_surface_beyond_a_border_is_no_error():
     """Two pipes, one above the other, and a flange between: sheets go on from one to the other."""
     along = np.linspace(0, 1, 15)
     pipes = [surface_of_rings(np.ones(15), along), surface_of_rings(np.ones(15), 1.2 + along)]
@@ -131,7 +131,7 @@ def columns(path):
     return mean[int(0.2 * width) : int(0.8 * width)]
 
 
-def test_where_parts_touch_is_no_gap(tmp_path):
+def test_touching_parts_have_no_gap(tmp_path):
     floor, side = wall((0, 0, 0), (1, 0, 0), (0, 1, 0), 5), wall((1, -0.1, 0), (0, 1.2, 0), (0.3, 0, -1), 7)
     points, faces = merged(floor, (side[0], [face[::-1] for face in side[1]]))
     picture = tmp_path / "seam.png"
@@ -141,7 +141,7 @@ def test_where_parts_touch_is_no_gap(tmp_path):
     assert ink.min() > 0.8 * ink[: len(ink) // 3].mean()
 
 
-def test_where_parts_cross_none_shines_through(tmp_path):
+def test_crossing_parts_do_not_shine_through(tmp_path):
     one, other = wall((0, 0, 0), (1, 0, 0.6), (0, 1, 0), 6), wall((0, 0.1, 0.6), (1, 0, -0.6), (0, 1, 0), 6)
     picture = tmp_path / "cross.png"
     file = write(tmp_path, "cross.obj", obj(*merged(one, other)))

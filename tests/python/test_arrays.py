@@ -87,7 +87,7 @@ def test_no_points_are_no_results(sphere):
         (None, TypeError),
     ],
 )
-def test_what_is_not_points_is_refused(sphere, points, kind):
+def test_invalid_points_are_refused(sphere, points, kind):
     with pytest.raises(kind, match="points|inhomogeneous|sequence"):
         sphere.evaluate(points)
 
@@ -99,7 +99,7 @@ def test_nan_is_refused_with_its_index(sphere):
         sphere.evaluate(bad)
 
 
-def test_results_go_where_the_caller_says(sphere):
+def test_results_go_into_the_callers_arrays(sphere):
     wanted = sphere.evaluate(POINTS, gradient=True)
     table = np.full((50, 5), -9.0)
     out = hrbfnpr.Evaluation(table[:, 0], table[:, 1:4], None)
@@ -137,7 +137,7 @@ def test_views_are_the_librarys_memory(marks):
         first[0] = 0
 
 
-def test_views_outlive_what_they_came_from(ring):
+def test_views_outlive_their_objects(ring):
     model = hrbfnpr.Model.fit(ring.points, ring.normals)
     points = model.points
     wanted = points.copy()

@@ -47,30 +47,30 @@ def test_collada(assimp, tmp_path, up, high):
 
 
 @pytest.mark.parametrize("name", ["box.dae.gz", "box.dae"])
-def test_what_is_packed(assimp, tmp_path, name):
+def test_compressed_files_are_read(assimp, tmp_path, name):
     shape = shapes.read(write(tmp_path, name, gzip.compress(collada().encode())))
     assert shape.format == "Collada" and len(shape.triangles) == 12
 
 
-def test_it_is_drawn(assimp, tmp_path, capsys):
+def test_collada_is_drawn(assimp, tmp_path, capsys):
     path = write(tmp_path, "box.dae", collada())
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     assert "Collada: " in capsys.readouterr().out
 
 
-def test_what_cannot_be_read_is_said(assimp, tmp_path):
+def test_unreadable_files_are_named(assimp, tmp_path):
     for name, data in (("a.fbx", b"Kaydara FBX Binary  \0"), ("a.dae", b"<COLLADA>"), ("a.3ds", b"no such thing")):
         with pytest.raises(shapes.ShapeError, match="assimp cannot read it.*; Blender exports it as glTF or PLY"):
             shapes.read(write(tmp_path, name, data))
 
 
-def test_what_is_needed_is_said(tmp_path, monkeypatch):
+def test_a_missing_program_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     with pytest.raises(shapes.ShapeError, match="reading Collada files needs assimp .assimp-utils.; or without it"):
         shapes.read(write(tmp_path, "box.dae", collada()))
 
 
-def test_what_does_not_end_is_said(monkeypatch):
+def test_a_program_that_hangs_is_named(monkeypatch):
     monkeypatch.setattr(_optional, "_LONGEST", 0.2)
     with pytest.raises(shapes.ShapeError, match="sleep does not come to an end with it; wake it"):
         _optional.run("sleep", ["sleep", "20"], "wake it")

@@ -40,7 +40,7 @@ def here():
     return list(hrbfnpr.animate((POINTS, NORMALS), frames=8, **QUICK).images())
 
 
-def test_frames_are_those_that_one_process_draws(client, here):
+def test_frames_match_a_single_process(client, here):
     found = dict(batch.frames_of((POINTS, NORMALS), frames=8, scheduler=client, **QUICK))
     assert sorted(found) == list(range(8))
     assert all(np.array_equal(found[i], here[i]) for i in range(8))
@@ -120,7 +120,7 @@ def test_a_turntable_is_written_in_order(client, tmp_path):
     assert told[-1] == ("drawing frames", pytest.approx(1))
 
 
-def test_saved_marks_and_a_style_of_ones_own(client):
+def test_given_marks_and_a_given_style(client):
     style = hrbfnpr.Style("stipple", stipples={"radius": 2.0})
     marks = hrbfnpr.draw((POINTS, NORMALS), **QUICK).marks
     found = dict(batch.frames_of(marks, style, frames=2, size=90, scheduler=client))
@@ -145,7 +145,7 @@ def test_many_sources(client, tmp_path):
         dict(batch.draw(paths, scheduler=client, azimut=3))
 
 
-def test_whoever_stops_early_leaves_nothing_running(client, tmp_path):
+def test_stopping_early_leaves_nothing_running(client, tmp_path):
     drawn = batch.frames_of((POINTS, NORMALS), frames=8, scheduler=client, **QUICK)
     next(drawn)
     drawn.close()
@@ -156,7 +156,7 @@ def test_whoever_stops_early_leaves_nothing_running(client, tmp_path):
     assert not any(client.processing().values()) and client.status == "running"
 
 
-def test_a_cluster_of_its_own_and_an_address(here):
+def test_a_local_cluster_and_an_address(here):
     distributed = pytest.importorskip("distributed", reason="dask.distributed is not installed (Debian: python3-distributed)")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -169,7 +169,7 @@ def test_a_cluster_of_its_own_and_an_address(here):
         dict(batch.frames_of((POINTS, NORMALS), frames=1, workers=0, **QUICK))
 
 
-def test_without_dask_it_is_said_what_is_missing(monkeypatch, tmp_path):
+def test_a_missing_dask_is_named(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(ImportError, match=r"needs dask.distributed \(Debian: python3-distributed\)"):
         batch.turntable((POINTS, NORMALS), tmp_path / "a.gif", frames=2)

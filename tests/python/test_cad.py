@@ -86,7 +86,7 @@ def made_by_draw(tmp_path, commands):
 
 
 @pytest.mark.parametrize("ending, saves", [("brep", "save c"), ("igs", "brepiges c"), ("step", "stepwrite a c")])
-def test_what_is_round_stays_so(draw, tmp_path, ending, saves):
+def test_round_faces_stay_round(draw, tmp_path, ending, saves):
     made_by_draw(tmp_path, f"pcylinder c 10 30\n{saves} round.{ending}\n")
     shape = shapes.read(tmp_path / f"round.{ending}")
     radius = np.linalg.norm(shape.points[:, :2], axis=1)
@@ -100,14 +100,14 @@ def test_what_is_round_stays_so(draw, tmp_path, ending, saves):
     assert off.max() <= 0.01 * max(float(one[1]) for one in said if one) * across * 1.05 < 1e-3 * across
 
 
-def test_it_is_drawn(draw, tmp_path, capsys):
+def test_step_is_drawn(draw, tmp_path, capsys):
     path = write(tmp_path, "box.step", step())
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     captured = capsys.readouterr()
     assert "STEP: " in captured.out and "up is z: it is so in STEP files" in captured.err
 
 
-def test_what_cannot_be_read_is_said(draw, tmp_path):
+def test_unreadable_files_are_named(draw, tmp_path):
     for name, data, reason in (
         ("a.step", step()[:2000], "ERR StepFile"),
         ("a.igs", "x", "Cannot read any relevant data from the IGES file"),
@@ -120,13 +120,13 @@ def test_what_cannot_be_read_is_said(draw, tmp_path):
         shapes.read(tmp_path / "curve.brep")
 
 
-def test_a_missing_program_is_said(tmp_path, monkeypatch):
+def test_a_missing_program_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(_cad, "_program", lambda: None)
     with pytest.raises(shapes.ShapeError, match="needs DRAW of Open CASCADE .occt-draw.; or without it: FreeCAD"):
         shapes.read(write(tmp_path, "box.step", step()))
 
 
-def test_buildings_begin_as_step_does(tmp_path, monkeypatch):
+def test_ifc_buildings_are_not_taken_for_step(tmp_path, monkeypatch):
     monkeypatch.setattr(_cad, "_program", lambda: None)
     with pytest.raises(shapes.ShapeError) as raised:
         shapes.read(write(tmp_path, "house.ifc", step("IFC2X3")))

@@ -45,7 +45,7 @@ def test_operators_are_minima_and_maxima():
     assert repr(a | b) == "<hrbfnpr.Model csg, 3 nodes>"
 
 
-def test_primitives_are_where_they_are_put():
+def test_primitives_lie_at_their_given_places():
     check(csg.box((1, 2, 3), (0.1, 0.2, 0.3)),
           lambda p: max(abs(p[0] - 0.1) - 0.5, abs(p[1] - 0.2) - 1, abs(p[2] - 0.3) - 1.5))  # fmt: skip
     check(csg.cylinder(0.4, 1, (0, 0.1, 0), (-3, 0, 0)),
@@ -124,7 +124,7 @@ def test_a_failure_of_either_function_is_the_cause():
         both.to_bytes()
 
 
-def test_what_makes_no_sense_is_refused():
+def test_invalid_solids_are_refused():
     a = csg.sphere(1)
     with pytest.raises(TypeError):
         a | 3

@@ -28,7 +28,7 @@ def value(model, *point):
     return float(model.evaluate(point).value)
 
 
-def test_a_script_is_what_the_operators_make():
+def test_a_script_equals_the_operators():
     part = run(PART)
     hole = hrbfnpr.csg.cylinder(0.2, 2)
     plate = hrbfnpr.csg.box((4, 3, 0.5)).blend(hrbfnpr.csg.cylinder(0.6, 2, (0, 0, 0.5)), 0.2)
@@ -75,7 +75,7 @@ def test_a_script_is_what_the_operators_make():
         ("(" * 3000 + "1" + ")" * 3000, "line "),
     ],
 )
-def test_what_is_no_script_is_refused(text, message):
+def test_invalid_scripts_are_refused(text, message):
     def load(name):
         raise OSError("no such file")
 

@@ -19,7 +19,7 @@ def drawn(tmp_path, capsys, table, *options):
     return capsys.readouterr()
 
 
-def test_what_wires_bound_is_drawn(tmp_path, capsys):
+def test_the_surface_between_wires_is_drawn(tmp_path, capsys):
     out, err = drawn(tmp_path, capsys, wires()[0])
     assert "the surface is closed" in out and "the surface is whole" in out
     assert "the points lie along curves" in err and "left out" not in out + err
@@ -28,7 +28,7 @@ def test_what_wires_bound_is_drawn(tmp_path, capsys):
     assert (ink ^ (np.asarray(Image.open(tmp_path / "a.png").convert("L")) < 250)).mean() < 0.1
 
 
-def test_normals_that_lie_in_the_surface_are_made_anew(tmp_path, capsys):
+def test_normals_in_the_surface_are_replaced(tmp_path, capsys):
     points, normals = wires()
     wrong = normals.copy()
     wrong[::3] = np.cross(normals[::3], [0.6, 0.0, 0.8])
@@ -42,7 +42,7 @@ def checked(tmp_path, capsys, table):
     return status, json.loads(capsys.readouterr().out)
 
 
-def test_check_says_what_they_are(tmp_path, capsys):
+def test_check_reports_points_along_curves(tmp_path, capsys):
     points, normals = wires()
     status, facts = checked(tmp_path, capsys, np.hstack([points, normals]))
     assert status == 0 and facts["along_curves"] is True and facts["normals_look"] == "outward"

@@ -55,7 +55,7 @@ def slope(value, p):
 
 
 @pytest.mark.parametrize("name", ["sphere", "torus", "heart"])
-def test_normals_are_those_of_the_formula(name):
+def test_normals_match_the_formula(name):
     shape = MADE[name](200)
     gradient = slope(OF[name][0], shape.points)
     steep = np.linalg.norm(gradient, axis=1) > 0.01  # that of the heart vanishes on a curve
@@ -65,7 +65,7 @@ def test_normals_are_those_of_the_formula(name):
 
 
 @pytest.mark.parametrize("name", MADE)
-def test_points_are_as_many_as_asked_for_even_and_seeded(name):
+def test_points_are_even_and_seeded(name):
     shape = MADE[name](250)
     assert shape.points.shape == shape.normals.shape == (250, 3) and not shape.is_mesh
     assert np.allclose(np.linalg.norm(shape.normals, axis=1), 1)
@@ -86,7 +86,7 @@ def test_meshes_are_closed_and_look_outward(name):
     assert (info.components, info.genus) == (parts, genus)
 
 
-def test_terrain_is_an_open_sheet_of_the_height_asked_for():
+def test_terrain_is_an_open_sheet_of_the_given_height():
     shape = datasets.terrain(mesh=True, height=0.2, seed=3)
     assert not hrbfnpr.Mesh(shape.points, shape.triangles).info.closed
     assert (datasets.terrain(300).normals[:, 2] > 0).all()
@@ -109,12 +109,12 @@ def test_terrain_is_an_open_sheet_of_the_height_asked_for():
         (lambda: datasets.sphere(0), "count must be at least 1, not 0"),
     ],
 )
-def test_what_cannot_be_is_said(call, words):
+def test_invalid_arguments_are_named(call, words):
     with pytest.raises(ValueError, match=words):
         call()
 
 
-def test_the_bunny_is_found_or_it_is_said_how_to_get_it(tmp_path, monkeypatch):
+def test_a_missing_bunny_names_the_script_that_fetches_it(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(datasets, "__file__", str(tmp_path / "package" / "datasets.py"))
     with pytest.raises(FileNotFoundError, match="run scripts/fetch_bunny of a checkout"):

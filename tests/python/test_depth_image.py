@@ -58,7 +58,7 @@ def test_points_and_normals():
     assert given.info.noise == pytest.approx(0.01)
 
 
-def test_what_is_no_image():
+def test_arrays_that_are_no_image_are_refused():
     points, _ = kinect(40, 30)
     with pytest.raises(ValueError, match=r"points must have the shape \(rows, columns, 3\), not \(1200, 3\)"):
         hrbfnpr.smooth_depth_image(points.reshape(-1, 3))
@@ -70,7 +70,7 @@ def test_what_is_no_image():
         hrbfnpr.smooth_depth_image(points, smoothing=0)
 
 
-def test_files_tell_their_rows(tmp_path):
+def test_files_keep_their_rows_and_columns(tmp_path):
     points, _ = kinect(40, 30)
     shape = shapes.read(write(tmp_path, "a.pcd", pcd(points)))
     assert shape.is_picture and shape.image_shape == (30, 40)
@@ -91,7 +91,7 @@ def off_the_wall(path, z):
     return np.std(found.value), np.degrees(np.arccos((slope @ true).clip(-1, 1))).mean()
 
 
-def test_a_wall_is_a_wall(tmp_path, capsys):
+def test_a_noisy_wall_becomes_smooth(tmp_path, capsys):
     """Depth steps of 46 mm at 4 m, which the surface went through: islands with outlines."""
     points, z = kinect()
     file = write(tmp_path, "a.pcd", pcd(points))
@@ -117,7 +117,7 @@ def test_a_wall_is_a_wall(tmp_path, capsys):
     assert rough > 2 * distance and steep > 3 * angle
 
 
-def test_what_is_behind_is_no_hole(tmp_path):
+def test_gaps_in_depth_are_not_closed_as_holes(tmp_path):
     """The gap between the ball and the wall is not closed by a surface, as a hole of a scan is."""
     points, z = kinect(240, 180, far=2.2)
     saved = tmp_path / "a.hrbf"
@@ -131,7 +131,7 @@ def test_what_is_behind_is_no_hole(tmp_path):
     assert between.mean() < 0.01
 
 
-def test_a_check_says_what_is_done(tmp_path, capsys):
+def test_a_check_reports_the_smoothing(tmp_path, capsys):
     points, _ = kinect(80, 60)
     points[:20] = np.nan
     file = write(tmp_path, "a.pcd", pcd(points))

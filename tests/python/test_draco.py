@@ -60,7 +60,7 @@ def test_damaged_data_is_refused(packed, tmp_path):
         shapes.read(path)
 
 
-def test_what_is_needed_is_said(tmp_path, monkeypatch):
+def test_a_missing_program_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     path = tmp_path / "a.glb"
     path.write_bytes(glb(document_of(b"DRACO"), b"DRACO"))

@@ -35,7 +35,7 @@ def test_the_picture_of_the_command_line(tmp_path):
     assert np.array_equal(picture.image, np.asarray(Image.open(tmp_path / "again.png")))
 
 
-def test_a_picture_has_what_it_was_made_of(tmp_path):
+def test_a_picture_holds_its_parts(tmp_path):
     picture = hrbfnpr.draw((POINTS, NORMALS), **QUICK)
     assert picture.image.dtype == np.uint8 and picture.image.shape == (*picture.size[::-1], 4)
     assert max(picture.size) == 120 and 0.01 < ink(picture) < 0.9
@@ -53,7 +53,7 @@ def test_a_picture_has_what_it_was_made_of(tmp_path):
     assert "Picture contour-and-stipple, " in repr(picture)
 
 
-def test_another_side_of_the_same():
+def test_the_same_model_can_be_seen_from_another_side():
     picture = hrbfnpr.draw((POINTS, NORMALS), **QUICK, azimuth=10)
     other = picture.seen(azimuth=70, elevation=60)
     assert other.marks is picture.marks and other.camera != picture.camera
@@ -90,7 +90,7 @@ def test_a_plate_is_larger_than_its_drawing(tmp_path):
         ({"depth_range": None}, []),
     ],
 )
-def test_options_are_those_of_the_command_line(option, words):
+def test_options_match_the_command_line(option, words):
     wanted = _grammar.options_of(_grammar.build().parse_args(["draw", "x", *words]))
     assert _request.options_of(option) == wanted
 
@@ -119,12 +119,12 @@ def test_notes_have_codes_and_figures():
         ({"progress": 3}, TypeError, "progress must be a function"),
     ],
 )
-def test_wrong_options_are_said(option, error, words):
+def test_wrong_options_are_named(option, error, words):
     with pytest.raises(error, match=words):
         hrbfnpr.draw((POINTS, NORMALS), **option)
 
 
-def test_a_style_and_a_camera_of_ones_own():
+def test_a_given_style_and_camera_are_used():
     style = hrbfnpr.Style("stipple", stipples={"radius": 3.0})
     camera = hrbfnpr.Camera.fit(((-1.4, -1.4, -1.4), (1.4, 1.4, 1.4)), size=(90, 80))
     picture = hrbfnpr.draw((POINTS, NORMALS), style, camera=camera, marks=200)
@@ -245,7 +245,7 @@ PACKED = np.column_stack([np.full(4, 3), FACES]).reshape(-1)
         (datasets.sphere(30), 0, True),
     ],
 )
-def test_what_has_points_becomes_a_shape(thing, faces, has_normals):
+def test_objects_with_points_become_shapes(thing, faces, has_normals):
     from hrbfnpr._foreign import shape_of
 
     shape = shape_of(thing)
@@ -256,7 +256,7 @@ def test_what_has_points_becomes_a_shape(thing, faces, has_normals):
         assert np.array_equal(shape.normals, NORMALS)
 
 
-def test_what_has_no_points_is_said():
+def test_objects_without_points_are_refused():
     for thing in (3, None, object()):
         with pytest.raises(TypeError, match="PyVista, trimesh or Open3D, not of "):
             hrbfnpr.draw(thing)
@@ -278,7 +278,7 @@ def test_a_mesh_of_another_package_is_drawn():
     assert np.array_equal(drawn.image, hrbfnpr.draw(shape, size=100, marks=800, samples=80).image)
 
 
-def test_models_and_marks_are_drawn_as_they_are(ring, tmp_path):
+def test_models_and_marks_are_drawn_unchanged(ring, tmp_path):
     picture = hrbfnpr.draw(ring, size=100, marks=800)
     assert picture.model is ring
     marks = hrbfnpr.draw(picture.marks, size=100)
@@ -302,7 +302,7 @@ def test_warnings_and_notes_are_pythons(tmp_path):
         hrbfnpr.draw(write(tmp_path, "bad.xyz", "a b\n"))
 
 
-def test_a_blank_picture_is_an_error_unless_it_is_allowed():
+def test_a_blank_picture_is_an_error_unless_allowed():
     away = {"eye": (0, 0, 9), "target": (0, 0, 20), "marks": 300, "size": 80}
     with pytest.raises(ValueError, match="would be blank: .*leave out eye and direction, or let target be in the model"):
         hrbfnpr.draw((POINTS, NORMALS), **away)

@@ -93,7 +93,7 @@ def test_line_and_triangle_strips(renderer):
     assert len(drawing.vertices().vertices) == 1
 
 
-def test_mark_indices_are_those_that_are_shown(renderer, drawing, lines, marks, camera, style):
+def test_mark_indices_are_the_shown_marks(renderer, drawing, lines, marks, camera, style):
     published = renderer.draw((marks, style.copy(visibility="published")), camera)
     assert published.info.silhouette > 100 and drawing.info.silhouette == 0
     for one in (drawing, lines, published):
@@ -181,7 +181,7 @@ def test_bad_poses(renderer, marks, camera, pose, kind, words):
         renderer.draw(hrbfnpr.Item(marks, poses=pose), camera)
 
 
-def test_a_drawing_is_a_value(renderer, marks, camera, style):
+def test_a_drawing_does_not_change_later(renderer, marks, camera, style):
     first = renderer.draw((marks, style), camera)
     image = first.image()
     others = [renderer.draw((marks, style.copy(ink="#ff0000")), camera) for _ in range(4)]
@@ -195,7 +195,7 @@ def test_a_drawing_is_a_value(renderer, marks, camera, style):
             use()
 
 
-def test_a_drawing_outlives_what_it_came_from(ring, camera):
+def test_a_drawing_outlives_its_sources(ring, camera):
     context = hrbfnpr.Context(1)
     own = hrbfnpr.Renderer(context=context)
     marks = ring.generate(budget=500, context=context)

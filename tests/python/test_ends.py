@@ -35,12 +35,12 @@ def test_a_terrain_ends_where_its_points_do(scan, capsys):
     assert "is beyond the points" in capsys.readouterr().out
 
 
-def test_it_is_closed_on_request(scan, capsys):
+def test_an_open_scan_is_closed_on_request(scan, capsys):
     assert not fitted(scan, "--close").trim_info.is_trimmed
     assert "beyond" not in capsys.readouterr().out
 
 
-def test_a_saved_model_ends_as_it_was_saved(scan, tmp_path, capsys):
+def test_a_saved_model_keeps_its_end(scan, tmp_path, capsys):
     for options, ended in (((), True), (("--close",), False)):
         saved, copy = scan.with_suffix(".hrb"), tmp_path / "copy.hrb"
         assert fitted(scan, *options).trim_info.is_trimmed == ended
@@ -60,7 +60,7 @@ def test_the_sides_of_a_mesh_are_turned_on_request(tmp_path):
     assert inside < 0 < fitted(path, "--samples", "100", "--flip").evaluate(middle).value[0]
 
 
-def test_a_mesh_tells_where_it_ends(tmp_path, capsys):
+def test_a_mesh_fit_ends_with_the_mesh(tmp_path, capsys):
     points, _ = terrain()
     path = tmp_path / "mesh.obj"
     corner = np.arange(SIDE**2).reshape(SIDE, SIDE)
@@ -71,7 +71,7 @@ def test_a_mesh_tells_where_it_ends(tmp_path, capsys):
     assert "is beyond the mesh" in capsys.readouterr().out
 
 
-def test_what_a_mesh_that_crosses_itself_does_not_have_is_left_out(tmp_path, capsys):
+def test_a_fit_ends_near_a_self_crossing_mesh(tmp_path, capsys):
     # A box, the top of which has a corner far below its bottom.
     corner, faces = {}, []
     for axis, side, i, j in np.ndindex(3, 2, 5, 5):

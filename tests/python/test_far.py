@@ -10,13 +10,13 @@ from hrbfnpr.cli import main
 
 
 @pytest.mark.parametrize("option", [[], ["--parts", "all"]])
-def test_the_picture_is_of_what_is_left(tmp_path, capsys, option):
+def test_distant_parts_are_left_out_by_default(tmp_path, capsys, option):
     path = write(tmp_path, "a.obj", lost())
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600", *option]) in (0, 3)
     assert ("far from all others" in capsys.readouterr().err) == (not option)
 
 
-def test_outliers_are_kept_where_they_are_asked_for(tmp_path, capsys):
+def test_outliers_are_kept_on_request(tmp_path, capsys):
     points = fibonacci_sphere(1000)
     path = write(tmp_path, "a.xyz", table(np.vstack([points, [[40, 0, 0]]]), np.vstack([points, [[1, 0, 0]]])))
     for option in ([], ["--outliers", "keep"]):
@@ -24,7 +24,7 @@ def test_outliers_are_kept_where_they_are_asked_for(tmp_path, capsys):
         assert ("far from all others" in capsys.readouterr().err) == (not option)
 
 
-def test_the_check_says_so(tmp_path, capsys):
+def test_the_check_reports_points_left_out(tmp_path, capsys):
     points = fibonacci_sphere(1000)
     path = write(tmp_path, "a.xyz", table(np.vstack([points, [[40, 0, 0]]]), np.vstack([points, [[1, 0, 0]]])))
     assert main(["check", str(path)]) == 0

@@ -91,7 +91,7 @@ def test_colours_are_no_normals(tmp_path, text, columns):
     assert ("red" in shape.columns) == (columns == "rgb")
 
 
-def test_what_columns_are_taken_for_is_said(tmp_path):
+def test_the_meaning_of_columns_is_reported(tmp_path):
     assert "columns 4 to 6 are colours" in shapes.read(write(tmp_path, "a.xyz", lines(POINTS, COLOURS))).notes[0]
     scaled = write(tmp_path, "b.xyz", TABLES["scaled.xyz"])
     assert "columns 4 to 6 are not of unit length" in shapes.read(scaled).notes[0]
@@ -100,7 +100,7 @@ def test_what_columns_are_taken_for_is_said(tmp_path):
     assert "commas are decimal marks" in shapes.read(write(tmp_path, "c.txt", TABLES["decimal_commas.txt"])).notes[0]
 
 
-def test_missing_values(tmp_path):
+def test_missing_values_become_nan(tmp_path):
     text = "x,y,z,nx,ny,nz\n1,2,3,0,0,1\n4,,6,0,0,1\n7,8,9,,,\n"
     shape = shapes.read(write(tmp_path, "a.csv", text))
     assert np.isnan(shape.points[1, 1]) and np.isnan(shape.normals[2]).all() and shape.points[2, 2] == 9
@@ -166,7 +166,7 @@ CUBE_OFF += "".join("4 " + " ".join(map(str, quad)) + "\n" for quad in QUADS)
         ("", ply_header("ascii", ("vertex", 1, ["float x", "float y", "float z"])) + b"1 2 3\n", "PLY, ascii"),
     ],
 )
-def test_contents_count_for_more_than_the_ending(tmp_path, ending, data, kind):
+def test_contents_override_the_ending(tmp_path, ending, data, kind):
     path = write(tmp_path, f"a.{ending}" if ending else "a", data)
     shape = shapes.read(path)
     assert shape.format == kind
@@ -195,7 +195,7 @@ def test_contents_count_for_more_than_the_ending(tmp_path, ending, data, kind):
         ("a.png", b"\x89PNG\r\n\x1a\n" + bytes(40), "it is a picture"),
     ],
 )
-def test_what_is_not_read(tmp_path, name, data, words):
+def test_unreadable_files_are_named(tmp_path, name, data, words):
     with pytest.raises(shapes.ShapeError, match=words) as caught:
         shapes.read(write(tmp_path, name, data))
     assert "\n" not in str(caught.value)
@@ -210,7 +210,7 @@ def test_what_is_not_read(tmp_path, name, data, words):
     ("vtk", "a.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n", "python3-vtk9"),
     ("meshio", "a.vtu", b'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">', "python3-meshio"),
 ])  # fmt: skip
-def test_a_package_that_is_missing_is_named(tmp_path, monkeypatch, module, name, data, package):
+def test_a_missing_package_is_named(tmp_path, monkeypatch, module, name, data, package):
     for missing in {module, "vtk"}:
         monkeypatch.setitem(sys.modules, missing, None)
     data = las(form=0x80) if data is None else data

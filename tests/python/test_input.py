@@ -331,7 +331,7 @@ def test_each_row_has_a_case():
 
 
 @pytest.mark.parametrize("name", ROWS)
-def test_what_is_said(tmp_path, monkeypatch, capsys, name):
+def test_messages_match_the_documentation(tmp_path, monkeypatch, capsys, name):
     monkeypatch.chdir(tmp_path)
     file, make, options, code = ROWS[name]
     write(tmp_path, file, make())
@@ -448,7 +448,7 @@ def test_several_normals_at_one_place(tmp_path, capsys):
     assert "all points are in pairs with opposite normals" in capsys.readouterr().err
 
 
-def test_check_of_what_cannot_be_used(tmp_path, capsys):
+def test_check_of_unusable_files(tmp_path, capsys):
     for name, data, words in (
         ("b.xyz", "Dear\n", "^line 1, column 1"),
         ("c.xyz", "", "empty"),
@@ -485,7 +485,7 @@ def test_the_usual_side_is_kept(tmp_path, capsys, way, options):
     assert "usual side" not in capsys.readouterr().err
 
 
-def test_dust_makes_no_sheets(tmp_path):
+def test_dust_does_not_become_sheets(tmp_path):
     path = write(tmp_path, "a.xyz", table(dusty()))
     far = {}
     for options in ((), ("--outliers", "keep")):

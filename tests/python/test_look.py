@@ -33,7 +33,7 @@ def test_look_at_and_perspective():
     assert camera.view.shape == (4, 4) and "200x100" in repr(camera)
 
 
-def test_cameras_are_values(ring):
+def test_cameras_compare_by_value(ring):
     bare = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0))
     camera = bare.perspective(1.0, (20, 10), 0.1, 10)
     assert bare != camera and bare.size == (0, 0)
@@ -119,7 +119,7 @@ def test_layers_of_a_style():
     assert hrbfnpr.Style("hatch").layers[0].radius != 9
 
 
-def test_what_a_layer_takes():
+def test_a_layer_takes_the_first_matching_style():
     style = hrbfnpr.Style()
     assert style.layers == [] and style.style_of("hatch") == hrbfnpr.LayerStyle("hatch")
     style.layers = [hrbfnpr.LayerStyle(name="fur", radius=2), hrbfnpr.LayerStyle(shape="strokes", radius=3)]

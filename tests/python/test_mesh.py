@@ -48,7 +48,7 @@ def test_types_of_indices(kind):
     assert hrbfnpr.Mesh(vertices.astype(np.float32), triangles).info.faces == 144
 
 
-def test_parts():
+def test_parts_can_be_chosen():
     vertices, triangles = torus()
     both = np.concatenate([vertices, vertices * [1, 1, 0.1] * [0.98, 0.98, 1]])
     inner = np.concatenate([vertices, 0.1 * vertices + [1, 0, 0]])
@@ -84,7 +84,7 @@ def test_samples_are_even_and_deterministic(ring):
     assert not np.array_equal(points, ring.sample(200, random_seed=2).points)
 
 
-def test_farthest_points_are_the_plain_ones():
+def test_farthest_points_match_a_plain_search():
     points = np.random.default_rng(1).random((400, 3))
     indices, distances = hrbfnpr.farthest_points(points, 60)
     assert indices.dtype == np.int64 and distances[0] == np.inf
@@ -144,7 +144,7 @@ def test_closing():
     assert repr(mesh) == "<hrbfnpr.Mesh closed>"
 
 
-def test_flats_beside_soft_bevels_stay_flat():
+def test_flat_faces_next_to_soft_bevels_stay_flat():
     """A slab of round corners, whose upper edge has a bevel that bends less than a crease does."""
     steps, radius, inset, drop = 4, 1.2, 0.6, 0.3
     vertices = []
@@ -162,7 +162,7 @@ def test_flats_beside_soft_bevels_stay_flat():
     assert max(row[2] + marks.origin[2] for row in marks.layers[0].positions.tolist()) < 1.005
 
 
-def test_edges_of_a_box_part_its_faces():
+def test_edges_of_a_box_separate_its_faces():
     corners = np.array([(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
     sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     mesh = hrbfnpr.Mesh(corners, [t for a, b, c, d in sides for t in ((a, b, c), (a, c, d))])

@@ -80,7 +80,7 @@ def test_broken_stl(tmp_path, data, words):
 
 
 @pytest.mark.parametrize("binary", [True, False])
-def test_stl_stands_along_z(tmp_path, binary):
+def test_stl_has_z_up(tmp_path, binary):
     shape = shapes.read(write(tmp_path, "a.stl", stl(binary)))
     assert shape.up == (0, 0, 1) and len(shape.triangles) == 4
     np.testing.assert_allclose(shape.points[shape.triangles[0]], VERTICES[FACES[0]])

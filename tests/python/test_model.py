@@ -60,7 +60,7 @@ def test_bad_samples(points, normals, options, kind, words):
         hrbfnpr.Model.fit(points, normals, **options)
 
 
-def test_errors_are_pythons_too():
+def test_errors_are_also_python_errors():
     with pytest.raises(ValueError) as caught:
         hrbfnpr.Model.fit(GOOD, GOOD[:19])
     assert isinstance(caught.value, hrbfnpr.Error)
@@ -171,7 +171,7 @@ def test_a_wrong_result_of_a_function(value, words):
         model.evaluate(WHERE)
 
 
-def test_keyboard_interrupt_in_a_function_stays_one():
+def test_keyboard_interrupt_in_a_function_is_kept():
     def interrupted(p):
         raise KeyboardInterrupt
 
@@ -179,7 +179,7 @@ def test_keyboard_interrupt_in_a_function_stays_one():
         hrbfnpr.Model.from_function(interrupted, bounds=BOUNDS).evaluate(WHERE)
 
 
-def test_a_function_is_let_go_with_its_model():
+def test_a_function_is_released_with_its_model():
     class Function:
         def __call__(self, p):
             return sphere_value(p)

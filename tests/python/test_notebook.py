@@ -21,14 +21,14 @@ def shown(viewer):
     return np.asarray(Image.open(io.BytesIO(viewer.image.value)))
 
 
-def test_the_package_imports_neither():
+def test_the_package_imports_no_notebook_packages():
     code = "import sys, hrbfnpr; hrbfnpr.draw, hrbfnpr.matplotlib_show, hrbfnpr.widget, hrbfnpr.batch, hrbfnpr.animate"
     code += "; print([name for name in ('matplotlib', 'ipywidgets', 'IPython', 'distributed') if name in sys.modules])"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert run.stdout == "[]\n", run.stderr
 
 
-def test_what_is_missing_is_said(monkeypatch):
+def test_missing_packages_are_named(monkeypatch):
     for name, call, words in (
         ("matplotlib", lambda: hrbfnpr.matplotlib_show(np.zeros((2, 2, 4), dtype=np.uint8)), "python3-matplotlib"),
         ("ipywidgets", lambda: hrbfnpr.widget(SOURCE, **QUICK), "python3-ipywidgets"),
@@ -56,7 +56,7 @@ def test_axes_show_the_pixels():
     pyplot.close(figure)
 
 
-def test_another_style_of_the_same():
+def test_the_same_model_can_be_drawn_in_another_style():
     picture = hrbfnpr.draw(SOURCE, "stipple", **QUICK).seen(azimuth=80)
     other = picture.restyled("silhouette")
     assert other.camera == picture.camera and other.model is picture.model and other.style.preset == "silhouette"
@@ -84,7 +84,7 @@ def test_a_viewer_follows_its_widgets(monkeypatch):
     assert put == [viewer.box]
 
 
-def test_a_viewer_keeps_a_style_of_ones_own():
+def test_a_viewer_keeps_the_given_style():
     pytest.importorskip("ipywidgets", reason="ipywidgets is not installed (Debian: python3-ipywidgets)")
     viewer = hrbfnpr.widget(SOURCE, hrbfnpr.Style("stipple", stipples={"radius": 3.0}), **QUICK)
     first = shown(viewer)
@@ -94,7 +94,7 @@ def test_a_viewer_keeps_a_style_of_ones_own():
     assert np.array_equal(shown(viewer), first)
 
 
-def test_a_viewer_says_what_fails(monkeypatch):
+def test_a_viewer_shows_errors(monkeypatch):
     pytest.importorskip("ipywidgets", reason="ipywidgets is not installed (Debian: python3-ipywidgets)")
     viewer = hrbfnpr.widget(SOURCE, **QUICK)
     before = shown(viewer)

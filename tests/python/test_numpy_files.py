@@ -89,12 +89,12 @@ def test_arrays_are_read_by_name(tmp_path, faces):
         ("a.npz", b"PK\3\4 and so on", "not a usable"),
     ],
 )
-def test_what_is_wrong_is_said(tmp_path, name, data, words):
+def test_faults_are_named(tmp_path, name, data, words):
     with pytest.raises(shapes.ShapeError, match=words):
         shapes.read(write(tmp_path, name, data))
 
 
-def test_it_is_drawn(tmp_path, capsys):
+def test_arrays_are_drawn(tmp_path, capsys):
     path = write(tmp_path, "ball.npz", npz(points=POINTS))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     assert "NPZ: 300 points" in capsys.readouterr().out

@@ -89,7 +89,7 @@ def test_an_operation_does_not_serve_two_calls_at_a_time(sphere):
         sphere.evaluate([0, 0, 0], operation=operation, progress=print)
 
 
-def test_what_progress_raises_cancels():
+def test_an_error_in_progress_cancels():
     class Enough(Exception):
         pass
 
@@ -108,7 +108,7 @@ def test_what_progress_raises_cancels():
         hrbfnpr.Model.fit(MANY, MANY, solver="direct", progress=cancel)
 
 
-def test_what_progress_returns_is_ignored():
+def test_the_result_of_progress_is_ignored():
     hrbfnpr.Model.fit(MANY[:50], MANY[:50], progress=lambda fraction: True)
 
 
@@ -162,7 +162,7 @@ except KeyboardInterrupt:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_ctrl_c_in_a_process_of_its_own():
+def test_ctrl_c_interrupts_a_process():
     result = subprocess.run([sys.executable, "-c", CTRL_C], capture_output=True, text=True, timeout=120)
     assert result.stdout == "interrupted\n" and result.stderr == ""
 
@@ -195,7 +195,7 @@ def test_log_and_run_tasks(ring):
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
-def test_a_task_runner_that_fails_is_made_good(ring):
+def test_tasks_left_by_a_failed_runner_are_done(ring):
     failures = []
 
     def run_tasks(task, count):

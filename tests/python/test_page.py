@@ -116,7 +116,7 @@ def test_a_page_of_several(model):
         write_page(file, items, pens=[Pen(line_type="zigzag")])
 
 
-def test_a_notebook_shows_vectors_if_they_are_few(model, monkeypatch):
+def test_a_notebook_shows_vectors_of_few_lines(model, monkeypatch):
     drawing = drawn(model, "silhouette", 200)
     assert drawing._repr_svg_().startswith("<svg")
     monkeypatch.setattr("hrbfnpr._drawing._MOST_IN_NOTEBOOK", drawing.info.strokes - 1)

@@ -37,7 +37,7 @@ def test_a_plate_of_finds(ball, tmp_path):
     assert rows.max() == pytest.approx(5 * 216 / 20, abs=6)
 
 
-def test_plates_are_asked_for(ball, tmp_path):
+def test_options_turn_plates_on_and_off(ball, tmp_path):
     output = tmp_path / "plain.png"
     for options, more in ((["--profile", "no", "--scale-bar", "none"], (0, 0)), (["--profile", "no"], (0, 44))):
         assert main(["draw", str(ball), str(output), "--style", "archaeological", *options, *QUICK]) == 0

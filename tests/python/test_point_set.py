@@ -77,7 +77,7 @@ def test_layers_outlive_their_set(ring):
             use()
 
 
-def test_what_layers_can_be_given(ring):
+def test_layers_can_be_given_in_many_forms(ring):
     def kinds(*given, **options):
         return [(layer.kind, layer.name) for layer in ring.generate(*given, budget=200, **options).layers]
 
@@ -166,7 +166,7 @@ def test_densities(ring):
         hrbfnpr.PointSet.generate(ring, budget=500, density=fails)
 
 
-def test_options_arrive(ring):
+def test_options_reach_the_library(ring):
     marks = hrbfnpr.PointSet.generate(ring, budget=200, with_curvature=True, initial_step=0.1, random_seed=7)
     assert len(marks) <= 200
     assert marks.layers[0].curvatures.shape == (len(marks), 3)
@@ -236,7 +236,7 @@ def test_own_layers():
     np.testing.assert_array_equal(again.widths, strokes.widths)
 
 
-def test_own_layers_beside_those_of_another_set(marks, ring):
+def test_own_layers_are_added_to_another_set(marks, ring):
     points = fibonacci_sphere(40)
     both = hrbfnpr.PointSet.create(hrbfnpr.OwnLayer(points, points, name="spikes"), base=marks)
     assert [layer.name for layer in both.layers] == [*(name for _, name in LAYERS), "spikes"] and len(both) == len(marks) + 40

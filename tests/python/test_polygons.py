@@ -35,7 +35,7 @@ def rotation():
 
 @pytest.mark.parametrize("points", [letter_c(), letter_c()[::-1], letter_c(rotation()), star(), np.roll(star(), 1, axis=0)])
 @pytest.mark.parametrize("shift", range(4))
-def test_triangles_cover_it_once(points, shift):
+def test_triangles_cover_the_polygon_once(points, shift):
     points = np.roll(points, shift, axis=0)
     found = fans_of_block([range(len(points))], points)
     assert found.shape == (1, len(points) - 2, 3)
@@ -44,7 +44,7 @@ def test_triangles_cover_it_once(points, shift):
     assert np.allclose(area.sum(axis=0), whole(points))
 
 
-def test_convex_ones_are_fans():
+def test_convex_polygons_become_fans():
     square = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.1)], dtype=float)
     assert fans_of_block([[0, 1, 2, 3]], square).tolist() == [[[0, 1, 2], [0, 2, 3]]]
     assert fans([[0, 1, 2, 3], [0, 1], [2, 1, 0]], square).tolist() == [[0, 1, 2], [0, 2, 3], [2, 1, 0]]
@@ -68,7 +68,7 @@ def test_a_hole_with_a_slit_that_leads_to_it():
     assert (area >= 0).all() and np.isclose(area.sum(), 12)
 
 
-def test_what_cannot_be_cut_keeps_its_fan():
+def test_polygons_that_cannot_be_cut_keep_their_fan():
     bow = np.array([(0, 0, 0), (1, 1, 0), (1, 0, 0), (0, 1, 0.0)])
     assert fans_of_block([[0, 1, 2, 3]], bow).tolist() == [[[0, 1, 2], [0, 2, 3]]]
     broken = bow.copy()
@@ -80,7 +80,7 @@ def test_what_cannot_be_cut_keeps_its_fan():
 
 
 @pytest.mark.parametrize("form", ["obj", "off", "ply"])
-def test_readers_cut_them(tmp_path, form):
+def test_readers_cut_polygons(tmp_path, form):
     points = np.vstack([letter_c(), letter_c() + (0, 0, 1)])
     faces = [list(range(8)), [8, 9, 10], list(range(15, 7, -1))]
     lines = [f"{x:g} {y:g} {z:g}" for x, y, z in points]
@@ -102,7 +102,7 @@ def test_readers_cut_them(tmp_path, form):
 
 
 @pytest.mark.parametrize("apart", [False, True])
-def test_cells_of_a_solid_cut_the_faces_between_them_alike(tmp_path, apart):
+def test_neighbouring_cells_cut_shared_faces_alike(tmp_path, apart):
     faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
     corners = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)])
     chance = np.random.default_rng(5)

@@ -126,7 +126,7 @@ def test_worker_processes(method, tmp_path):
     assert result.stdout == "same\n", result.stderr
 
 
-def test_a_library_that_is_not_there():
+def test_a_missing_library_is_named():
     result = run("import hrbfnpr", HRBFNPR_LIBRARY="/nowhere/libhrbfnpr.so")
     assert result.returncode == 1
     assert "ImportError: cannot load HRBFNPR_LIBRARY" in result.stderr and "/nowhere/libhrbfnpr.so" in result.stderr
@@ -139,7 +139,7 @@ def test_a_library_that_is_not_there():
         ("int something_else(void) { return 0; }", "is not a hrbfnpr library"),
     ],
 )
-def test_a_wrong_library(tmp_path, source, words):
+def test_a_wrong_library_is_named(tmp_path, source, words):
     compiler = shutil.which("cc")
     if compiler is None:
         pytest.skip("no C compiler")

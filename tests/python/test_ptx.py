@@ -30,7 +30,7 @@ def test_a_scan_is_placed(tmp_path):
     assert shape.viewpoint == (100, 200, 3)
 
 
-def test_it_is_known_by_its_contents(tmp_path):
+def test_ptx_is_recognized_by_its_contents(tmp_path):
     text = ptx(wall(), 30)
     assert "the file holds PTX" in shapes.read(write(tmp_path, "a.txt", text)).notes[0]
     assert len(shapes.read(write(tmp_path, "b.ptx", text.replace(b"\n", b"\r\n"))).points) == 600
@@ -38,7 +38,7 @@ def test_it_is_known_by_its_contents(tmp_path):
     np.testing.assert_allclose(shapes.read(write(tmp_path, "c.ptx", coloured)).points, wall(), atol=1e-5)
 
 
-def test_places_without_an_echo_are_no_points(tmp_path):
+def test_rays_without_an_echo_give_no_points(tmp_path):
     points = wall()
     points[::3] = 0
     shape = shapes.read(write(tmp_path, "a.ptx", ptx(points, 30, np.eye(3), (0, 0, 1))))
@@ -70,7 +70,7 @@ LINES = ptx(wall(3, 2), 3).decode().splitlines()
     ([*LINES[:12], "1 x 2", *LINES[13:]], "line 13, column 2"),
     ([*LINES, "5"], "ends in the middle of a header"),
 ])  # fmt: skip
-def test_what_is_wrong_is_said(tmp_path, lines, says):
+def test_faults_are_named(tmp_path, lines, says):
     with pytest.raises(shapes.ShapeError, match=says):
         shapes.read(write(tmp_path, "a.ptx", "\n".join(lines).encode()))
 
@@ -81,7 +81,7 @@ def looks_to(model, points, place):
 
 
 @pytest.mark.parametrize("kind", ["ptx", "pcd"])
-def test_walls_look_to_the_scanner(tmp_path, capsys, kind):
+def test_walls_face_the_scanner(tmp_path, capsys, kind):
     pytest.importorskip("PIL.Image")
     stood = np.array([100.0, 200.0, 3.0])
     points = wall() @ TURN + stood
@@ -105,7 +105,7 @@ def test_walls_look_to_the_scanner(tmp_path, capsys, kind):
 # What a file does not tell, the user may; the other side, too.
 @pytest.mark.parametrize("normals", [[], ["--normals", "none"], ["--normals", "unoriented"]])
 @pytest.mark.parametrize("side", [1, -1])
-def test_walls_look_to_a_given_viewpoint(tmp_path, capsys, normals, side):
+def test_walls_face_a_given_viewpoint(tmp_path, capsys, normals, side):
     points = wall() + [10, 20, 30]
     stood = np.array([10, 20, 30]) + (0 if side == 1 else 1000 * wall().mean(axis=0))
     columns = [points] if not normals else [points, np.tile([0.6, 0, 0.8], (len(points), 1))]
@@ -118,7 +118,7 @@ def test_walls_look_to_a_given_viewpoint(tmp_path, capsys, normals, side):
         assert looks_to(model, points, stood) == 1
 
 
-def test_a_viewpoint_that_tells_nothing_is_said(tmp_path, capsys):
+def test_an_unused_viewpoint_gives_a_warning(tmp_path, capsys):
     points = wall()
     normals = -points / np.linalg.norm(points, axis=1, keepdims=True)
     rows = "".join(" ".join(f"{x:.6f}" for x in row) + "\n" for row in np.hstack([points, normals]))
@@ -129,7 +129,7 @@ def test_a_viewpoint_that_tells_nothing_is_said(tmp_path, capsys):
     assert "--viewpoint" in capsys.readouterr().err
 
 
-def test_a_pcd_whose_viewpoint_is_the_origin_tells_nothing(tmp_path):
+def test_a_pcd_viewpoint_at_the_origin_is_ignored(tmp_path):
     head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n"
     for line in ("VIEWPOINT 0 0 0 1 0 0 0\n", "VIEWPOINT\n", "VIEWPOINT 1 x 3\n", "VIEWPOINT 1 nan 3\n", ""):
         text = head + line + "POINTS 1\nDATA ascii\n1 2 3\n"

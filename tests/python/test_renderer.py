@@ -28,7 +28,7 @@ def test_a_picture(renderer, marks, camera):
     np.testing.assert_array_equal(renderer.draw((marks, STYLE), camera).image(), image)
 
 
-def test_what_can_be_drawn(renderer, marks, camera):
+def test_items_can_be_given_in_many_forms(renderer, marks, camera):
     wanted = renderer.draw([(marks, STYLE)], camera).image()
     item = hrbfnpr.Item(marks, STYLE, np.eye(4))
     for items in (item, [item], [(marks, STYLE)], ((marks, STYLE),)):
@@ -264,7 +264,7 @@ def test_drawings_save_themselves(renderer, marks, camera, tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.png", "b", "c.jpg"]
 
 
-def test_frames_are_cancelled_and_tell_their_progress(marks, camera):
+def test_frames_can_be_cancelled_and_report_progress(marks, camera):
     renderer = hrbfnpr.Renderer()
     wanted = renderer.draw(marks, camera).image()
     seen = []

@@ -28,7 +28,7 @@ def draw(path, output, *options):
 # --- parts -------------------------------------------------------------------------------------
 
 
-def test_what_coarse_faces_are_taken_for(tmp_path, capsys):
+def test_coarse_faces_are_round_unless_the_option_says_flat(tmp_path, capsys):
     angle = 2 * np.pi * np.arange(16) / 16  # a prism, or a cylinder
     rings = [np.column_stack([np.cos(angle), 0 * angle + y, np.sin(angle)]) for y in (0, 1)]
     sides = [[i, 16 + i, 16 + (i + 1) % 16, (i + 1) % 16] for i in range(16)]
@@ -79,7 +79,7 @@ def test_up_by_the_format(tmp_path, capsys):
         (["--depth-range", "0.01,0.02", "--lines", "none"], "leave out --depth-range"),
     ],
 )
-def test_why_it_is_blank(tmp_path, capsys, options, words):
+def test_the_reason_for_a_blank_picture_is_named(tmp_path, capsys, options, words):
     points, normals = ball()
     sign = -1 if "keep" in options else 1
     path, output = write(tmp_path, "a.xyz", table(points, sign * normals)), tmp_path / "out.png"
@@ -115,7 +115,7 @@ def test_a_sheet_warns_of_blank_drawings(tmp_path, capsys):
 # --- outputs -----------------------------------------------------------------------------------
 
 
-def test_outputs_are_looked_at_before_the_work(tmp_path, monkeypatch, capsys):
+def test_outputs_are_checked_before_the_work(tmp_path, monkeypatch, capsys):
     path = write(tmp_path, "a.xyz", table(*ball()))
     monkeypatch.setattr("hrbfnpr._sources.read", lambda *arguments: pytest.fail("it was read"))
     nowhere = str(tmp_path / "no" / "out")
@@ -153,7 +153,7 @@ def run(code, *arguments):
     return subprocess.run(command, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
 
 
-def test_the_total_is_that_of_the_process(tmp_path):
+def test_the_total_is_the_time_of_the_process(tmp_path):
     few = fibonacci_sphere(8)
     path = write(tmp_path, "a.xyz", table(few, few))
     result = run("import time; time.sleep(0.8)", "draw", str(path), str(tmp_path / "a.png"), *QUICK, "--lines", "none")
@@ -185,7 +185,7 @@ def test_bars_show_percent():
         assert bar.n == 50 and bar.bar_format is None
 
 
-def test_how_near_the_surface_is(tmp_path, capsys):
+def test_the_distance_of_the_surface_is_reported(tmp_path, capsys):
     vertices, faces = tube()
     path = write(tmp_path, "a.obj", obj(vertices, faces))
     found = []

@@ -341,7 +341,7 @@ def test_cells_with_nodes_on_their_edges(tmp_path, monkeypatch, with_vtk, faces)
     assert len(shapes.read(tmp_path / "b.vtu").triangles) in (1, 4)
 
 
-def test_what_meshio_may_have_misread_is_said(tmp_path, monkeypatch):
+def test_possible_errors_of_meshio_are_reported(tmp_path, monkeypatch):
     meshio = pytest.importorskip("meshio")
     monkeypatch.setitem(sys.modules, "vtk", None)
     apart = np.vstack([VERTICES, VERTICES + 5.0])
@@ -391,7 +391,7 @@ def test_mni_objects(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("ended, words", [("exit 1", "cannot read it, and ended"), ("kill -SEGV $$", "and ended"),
                                           ("exit 0", "VTK finds no points in it")])  # fmt: skip
-def test_a_file_that_ends_vtk_ends_nothing_else(tmp_path, monkeypatch, ended, words):
+def test_a_crash_of_vtk_is_an_error_only(tmp_path, monkeypatch, ended, words):
     interpreter = tmp_path / "python"
     interpreter.write_text(f"#!/bin/sh\n{ended}\n")
     interpreter.chmod(0o755)

@@ -39,14 +39,14 @@ def put(folder, **settings):
     ("--style", "combing", "--layers", "hatch", "--guide", "combing", "--fov", "0", "--set", "hatch.hatch_pen=1.5"),
     ("--kernel", "wendland-c2", "--kernel-radius", "3", "--tone", "none", "--transparent"),
 ])  # fmt: skip
-def test_what_is_saved_draws_the_same_picture(folder, options):
+def test_saved_settings_draw_the_same_picture(folder, options):
     first = draw("a.png", *FEW, *options, "--save-settings", "saved.json")
     assert np.array_equal(draw("b.png", "--settings", "saved.json", "-q"), first)
     draw("c.png", "--settings", "saved.json", "--save-settings", "again.json", "-q")
     assert np.array_equal(draw("d.png", "--settings", "again.json", "-q"), first)
 
 
-def test_options_win_over_the_file(folder):
+def test_options_override_the_file(folder):
     draw("a.png", *FEW, "--save-settings", "saved.json")
     assert draw("b.png", "--settings", "saved.json", "--size", "80x60", "-q").shape == (60, 80, 4)
     turned = draw("c.png", "--settings", "saved.json", "--azimuth", "120", "-q")
@@ -71,13 +71,13 @@ WRONG = [
 
 
 @pytest.mark.parametrize("settings, message", WRONG)
-def test_what_is_wrong_is_named(folder, capsys, settings, message):
+def test_faults_are_named(folder, capsys, settings, message):
     assert main(["draw", str(SAMPLES), "a.png", *put(folder, **settings)]) == 1
     said = capsys.readouterr().err
     assert message in said and "s.json" in said and said.count("\n") == 1
 
 
-def test_what_is_not_held_is_said(folder, capsys):
+def test_options_that_settings_do_not_hold_are_named(folder, capsys):
     assert main(["draw", str(SAMPLES), "a.png", "--samples", "100", "--size", "80", "--marks", "2000", "--save-settings",
                  "s.json"]) == 0  # fmt: skip
     assert "settings do not hold --samples" in " ".join(capsys.readouterr().err.split())

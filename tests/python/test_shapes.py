@@ -79,14 +79,14 @@ def test_ply_with_elements_before_and_lists_of_any_length(tmp_path):
 
 
 @pytest.mark.parametrize("form, data", [("ascii", b"\n\n1 2 3\n"), ("binary_little_endian", struct.pack("<3f", 1, 2, 3))])
-def test_ply_with_elements_of_nothing(tmp_path, form, data):
+def test_ply_with_empty_elements(tmp_path, form, data):
     for count in (3, 2**64):
         head = f"ply\nformat {form} 1.0\nelement nothing {count}\nelement vertex 1\n"
         head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
         np.testing.assert_array_equal(shapes.read(write(tmp_path, "a.ply", head.encode() + data)).points, [[1, 2, 3]])
 
 
-def test_ply_of_a_range_image_tells_where_the_scanner_stood(tmp_path):
+def test_ply_of_a_range_image_has_a_viewpoint(tmp_path):
     rows = "".join(f"{x} {y} 5\n" for x in range(4) for y in range(3))
     grid = "".join(f"1 {i}\n" if i < 12 else "0\n" for i in range(16))
     head = "ply\nformat ascii 1.0\nobj_info num_cols 4\nobj_info num_rows 4\nelement vertex 12\n"
@@ -320,7 +320,7 @@ def test_stl_with_comments(tmp_path):
 
 
 @pytest.mark.parametrize("name, data", [("a.stl", b"solid"), ("a.stl", b""), ("a.vtk", b"x"), ("a.nothing", b""), ("a", b"")])
-def test_what_meshio_cannot_read(tmp_path, name, data, capfd):
+def test_files_that_meshio_cannot_read(tmp_path, name, data, capfd):
     pytest.importorskip("meshio")
     with pytest.raises(shapes.ShapeError):
         shapes.read(write(tmp_path, name, data))

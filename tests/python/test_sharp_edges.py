@@ -71,14 +71,14 @@ def rims_of_prism():
         ("e.ply", ply(*split(*prism()))),
     ],
 )
-def test_files_tell_which_edges_are_sharp(tmp_path, name, data):
+def test_normals_of_files_mark_sharp_edges(tmp_path, name, data):
     shape = shapes.read(write(tmp_path, name, data))
     assert len(shape.triangles) == len(prism()[1])
     assert rims(shape) == rims_of_prism()
 
 
 @pytest.mark.parametrize("corner", ["{}", "{}/1", "{}//{}7", "{}//x"])
-def test_corners_without_normals_that_are_some_tell_nothing(tmp_path, corner):
+def test_missing_normals_mark_no_edges(tmp_path, corner):
     shape = shapes.read(write(tmp_path, "a.obj", obj(*prism(), corner=corner)))
     assert shape.sharp_edges is None and len(shape.triangles) == len(prism()[1])
 
@@ -89,7 +89,7 @@ def drawn(tmp_path, capsys, text, *options):
     return capsys.readouterr().err
 
 
-def test_the_command_goes_by_them(tmp_path, capsys):
+def test_the_command_uses_sharp_edges_of_files(tmp_path, capsys):
     said = drawn(tmp_path, capsys, obj(*prism()))
     assert "some edges are sharp and others round, by the normals of its file" in said and "divided" in said
     assert 0 < float(re.search(r"what lies between them by ([0-9.]+)%", said)[1]) < 3
@@ -100,7 +100,7 @@ def test_the_command_goes_by_them(tmp_path, capsys):
 
 
 # What is left out takes numbers of vertices with it.
-def test_they_stay_where_vertices_are_left_out(tmp_path, capsys):
+def test_sharp_edges_stay_if_vertices_are_left_out(tmp_path, capsys):
     points, faces, normals, own = prism()
     points, own = np.vstack([[[-9999.0] * 3] * 2, points]), np.vstack([own, own[:1]])
     said = drawn(tmp_path, capsys, obj(points, np.vstack([faces + 2, [[0, 1, 2]]]), normals, own))
@@ -118,7 +118,7 @@ def test_damaged_normals_are_no_error(tmp_path):
         assert shape.sharp_edges is None and len(shape.triangles) == len(faces)
 
 
-def test_a_ball_is_flat_if_its_file_says_so(tmp_path, capsys):
+def test_a_ball_is_flat_if_its_normals_are(tmp_path, capsys):
     flat = flat_ball()
     said = drawn(tmp_path, capsys, flat)
     assert "all faces are flat" in said and "divided" not in said
@@ -127,7 +127,7 @@ def test_a_ball_is_flat_if_its_file_says_so(tmp_path, capsys):
     assert "divided" in drawn(tmp_path, capsys, obj(points, faces, points, faces))
 
 
-def test_what_tells_nothing_of_edges():
+def test_zero_normals_and_fine_meshes_mark_no_edges():
     points, faces = ball()
     assert sharp_edges(points, faces, np.zeros((len(faces), 3, 3))) is None
     assert sharp_edges(points, np.tile(faces, (700, 1)), np.zeros((700 * len(faces), 3, 3))) is None  # too fine

@@ -53,7 +53,7 @@ def test_every_style_has_a_cell_that_is_not_blank(ring_file, tmp_path):
     assert abs(picture.shape[0] / rows_of_cells - inner[0].shape[0]) < 24
 
 
-def test_a_cell_is_what_draw_draws(ring_file, tmp_path):
+def test_a_cell_equals_the_output_of_draw(ring_file, tmp_path):
     options = ["--up", "z", "--azimuth", "70", "--light", "1,0,0", "--size", "180", "--samples", "60", "--quiet"]
     inner = frames(sheet([ring_file, *options, "--styles", "stipple,engraving"], tmp_path / "out.png"))
     for style, cell in zip(("stipple", "engraving"), inner):
@@ -75,7 +75,7 @@ def test_labels_grow_with_the_drawings_and_are_never_too_small(ring_file, tmp_pa
     assert below.any(axis=1).sum() >= high - 4 and columns[-1] - columns[0] > wide / 2
 
 
-def test_views_are_beside_each_other(ring_file, tmp_path):
+def test_views_are_next_to_each_other(ring_file, tmp_path):
     options = [ring_file, *QUICK, "--up", "z", "--styles", "silhouette,stipple", "--views", "front,top,left"]
     picture = sheet(options, tmp_path / "out.png")
     inner = frames(picture)
@@ -137,13 +137,13 @@ def test_failures_are_one_line_and_leave_nothing(ring_file, marks, tmp_path, mon
     assert sorted(tmp_path.iterdir()) == before
 
 
-def test_what_cannot_be_written_is_said_before_the_work(ring_file, tmp_path, monkeypatch, capsys):
+def test_unwritable_outputs_fail_before_the_work(ring_file, tmp_path, monkeypatch, capsys):
     monkeypatch.setattr("hrbfnpr._sources.read", lambda *arguments: pytest.fail("it was drawn"))
     assert main(["sheet", ring_file, str(tmp_path / "no" / "out.png"), *QUICK]) == 1
     capsys.readouterr()
 
 
-def test_a_write_that_fails_leaves_what_was_there(ring_file, tmp_path, monkeypatch):
+def test_a_failed_write_keeps_the_old_file(ring_file, tmp_path, monkeypatch):
     output = tmp_path / "out.png"
     output.write_bytes(b"the sheet of before")
 

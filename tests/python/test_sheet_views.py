@@ -101,7 +101,7 @@ def drawn(model, tmp_path, *options, name="sheet.svg"):
 
 
 @pytest.mark.parametrize("scale, factor", [("1:2", 0.5), ("2:1", 2.0), ("1:1", 1.0)])
-def test_sizes_are_those_of_the_scale(egg, tmp_path, scale, factor):
+def test_sizes_follow_the_scale(egg, tmp_path, scale, factor):
     paths = drawn(egg, tmp_path, "--scale", scale, "--views", "front,left,top")
     for name, size in (("front", (40, 24)), ("left", (16, 24)), ("top", (40, 16))):
         low, high = box_of(paths, f"outlines {name}")
@@ -125,7 +125,7 @@ def test_hidden_edges_are_dashed_and_thin(ring, tmp_path):
     assert widths == [0.25, 0.5]
 
 
-def test_lines_behind_each_other_are_drawn_once(ring, tmp_path):
+def test_coincident_lines_are_drawn_once(ring, tmp_path):
     """From the side, the back of the torus is behind its front everywhere."""
     paths = drawn(ring, tmp_path, "--up", "z", "--views", "front", "--scale", "2:1")
     length = sum(np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in paths["outlines front"])
@@ -175,7 +175,7 @@ def test_holes_stay_empty(bush, tmp_path):
         assert (np.abs(hidden[:, 0] - x) < 0.3).sum() > 8
 
 
-def test_centre_lines_are_of_symmetric_models(egg, tmp_path):
+def test_centre_lines_are_drawn_on_request(egg, tmp_path):
     paths = drawn(egg, tmp_path, "--views", "front", "--centre-lines", "--scale", "1:1")
     low, high = box_of(paths, "centre lines front")
     assert high - low == pytest.approx((46, 30), abs=0.5)
@@ -187,7 +187,7 @@ def test_pdf(egg, tmp_path):
     assert (tmp_path / "egg.pdf").read_bytes()[:5] == b"%PDF-"
 
 
-def test_says_what_it_did(egg, tmp_path, capsys):
+def test_the_output_reports_scale_and_page(egg, tmp_path, capsys):
     assert main(["sheet-views", str(egg), str(tmp_path / "egg.svg"), "--scale", "1:2"]) == 0
     said = capsys.readouterr().out
     assert "4 views at 1:2 on a4, 297 x 210 mm, first angle" in said
@@ -205,7 +205,7 @@ def test_says_what_it_did(egg, tmp_path, capsys):
     (["--unit-mm", "0"], 2, ["--unit-mm", "above 0"]),
     (["--page", "a99"], 2, ["--page", "a4"]),
 ])  # fmt: skip
-def test_what_cannot_be_drawn_is_said(egg, tmp_path, capsys, options, status, words):
+def test_impossible_views_are_refused(egg, tmp_path, capsys, options, status, words):
     assert main(["sheet-views", str(egg), str(tmp_path / "egg.svg"), "--quiet", *options]) == status
     said = capsys.readouterr().err
     assert all(word in said for word in words), said

@@ -40,7 +40,7 @@ def ball():
 @pytest.mark.parametrize(
     "options, divided", [([], 2), (["--subdivide", "1"], 1), (["--subdivide", "0"], 0), (["--edges", "10"], 0)]
 )
-def test_the_command_divides_what_is_coarse_and_round(tmp_path, capsys, options, divided):
+def test_the_command_divides_coarse_round_meshes(tmp_path, capsys, options, divided):
     path = write(tmp_path, "ball.obj", obj(*ball()))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600", *options]) == 0
     said = capsys.readouterr().err
@@ -69,7 +69,7 @@ def bevelled_cube():
 
 
 # Edges as long as its faces are no coarse ones: what is round there is narrow.
-def test_a_bevelled_cube_is_left(tmp_path, capsys):
+def test_a_bevelled_cube_is_not_divided(tmp_path, capsys):
     points, faces = bevelled_cube()
     path = write(tmp_path, "cube.obj", obj(points, faces))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
@@ -88,14 +88,14 @@ def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
     assert ("nothing round goes through them" in said) == (hull is rounded_box)
 
 
-def test_what_the_look_for_edges_finds_is_not_told(tmp_path, capsys):
+def test_notes_of_the_search_for_edges_are_not_repeated(tmp_path, capsys):
     points, faces = ball()
     path = write(tmp_path, "two.obj", obj(np.vstack([points, points + [2.003, 0, 0]]), np.vstack([faces, faces + 42])))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     assert capsys.readouterr().err.count("nearer to each other than the tolerance") == 1
 
 
-def test_a_call_divides_them_too():
+def test_a_python_call_divides_meshes_too():
     points, faces = ball()
     picture = hrbfnpr.draw((points, faces), size=60)
     assert any("the faces are coarse" in note for note in picture.notes)

@@ -57,7 +57,7 @@ def test_a_smooth_open_mesh_ends_straight_along_its_border():
     assert 0.996 < min(farthest[2:48]) and max(farthest) < 1.001
 
 
-def test_given_samples_tell_where_it_ends():
+def test_given_samples_decide_where_a_model_ends():
     ball = zone(-1.0)
     model = hrbfnpr.Model.fit(ball, ball)
     assert not model.trim().trim_info.is_trimmed
@@ -147,7 +147,7 @@ def test_a_tray_with_small_faces_at_its_corners_stays_open():
     assert len(within) > 2000 and max(within) < 0.02
 
 
-def test_lines_of_a_flat_drawing_are_as_wide_as_they_are():
+def test_lines_of_a_flat_drawing_keep_their_width():
     """A frame of a hundredth of what it is across, as the lines of a field or of letters."""
     outer, inner = [(0, 0), (10, 0), (10, 6), (0, 6)], [(0.12, 0.12), (9.88, 0.12), (9.88, 5.88), (0.12, 5.88)]
     vertices = [(x, y, 0) for x, y in outer + inner]
