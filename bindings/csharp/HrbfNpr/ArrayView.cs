@@ -7,10 +7,10 @@ using System.Text;
 namespace HrbfNpr
 {
     /// <summary>
-    /// Memory of the program that a call reads or writes in place: nothing is copied, and it is used during the call
-    /// only.  Arrays of numbers convert by themselves: a <c>double[]</c> of 3 n numbers is n points.  The default
-    /// value means "not given".
+    /// A view of the program's memory that a call reads or writes in place, without a copy.  Arrays of numbers convert
+    /// implicitly: a <c>double[]</c> of 3 n numbers is n points.  The default value means "not given".
     /// </summary>
+    /// <remarks>The memory is used during the call only.</remarks>
     /// <example>
     /// <code>
     /// Model.Fit(points, normals);                                             // double[] or float[]
@@ -22,10 +22,10 @@ namespace HrbfNpr
     {
         private readonly Array array;
         private readonly IntPtr data;
-        private readonly long count; // elements; of an array that converted by itself: scalars
+        private readonly long count; // number of elements; number of scalars for an array that was converted implicitly
         private readonly long stride;
         private readonly ScalarType scalar;
-        private readonly int components; // 0: as the call wants
+        private readonly int components; // numbers in an element; 0 = as many as the call expects
 
         private ArrayView(Array array, IntPtr data, long count, ScalarType scalar, int components, long stride)
         {
@@ -37,53 +37,55 @@ namespace HrbfNpr
             this.stride = stride;
         }
 
-        /// <summary>Whether there is anything.</summary>
+        /// <summary>Whether the view is of some memory: false for the default value.</summary>
         public bool IsGiven
         {
             get { return array != null || data != IntPtr.Zero; }
         }
 
-        /// <summary>All numbers of an array; null is "not given".</summary>
+        /// <summary>Views all numbers of an array; null is "not given".</summary>
         public static implicit operator ArrayView(double[] array)
         {
             return Packed(array, ScalarType.Float64);
         }
 
-        /// <summary>All numbers of an array; null is "not given".</summary>
+        /// <summary>Views all numbers of an array; null is "not given".</summary>
         public static implicit operator ArrayView(float[] array)
         {
             return Packed(array, ScalarType.Float32);
         }
 
-        /// <summary>All numbers of an array; null is "not given".</summary>
+        /// <summary>Views all numbers of an array; null is "not given".</summary>
         public static implicit operator ArrayView(byte[] array)
         {
             return Packed(array, ScalarType.Uint8);
         }
 
-        /// <summary>All numbers of an array; null is "not given".</summary>
+        /// <summary>Views all numbers of an array; null is "not given".</summary>
         public static implicit operator ArrayView(uint[] array)
         {
             return Packed(array, ScalarType.Uint32);
         }
 
-        /// <summary>All numbers of an array; null is "not given".</summary>
+        /// <summary>Views all numbers of an array; null is "not given".</summary>
         public static implicit operator ArrayView(int[] array)
         {
             return Packed(array, ScalarType.Int32);
         }
 
-        /// <summary>All numbers of an array; null is "not given".</summary>
+        /// <summary>Views all numbers of an array; null is "not given".</summary>
         public static implicit operator ArrayView(long[] array)
         {
             return Packed(array, ScalarType.Int64);
         }
 
-        /// <summary>An array of structs, each of which begins with <paramref name="components"/> numbers.</summary>
-        /// <param name="array">Such as one of vectors of three <c>float</c>.</param>
-        /// <param name="scalar">Type of the numbers.</param>
-        /// <param name="components">Numbers in an element, side by side.</param>
-        /// <typeparam name="T">A type without references, laid out in order.</typeparam>
+        /// <summary>
+        /// Views an array of structs, each of which begins with <paramref name="components"/> numbers.
+        /// </summary>
+        /// <param name="array">The array, such as one of vectors of three <c>float</c>.</param>
+        /// <param name="scalar">The type of the numbers.</param>
+        /// <param name="components">The number of scalars at the start of a struct, side by side.</param>
+        /// <typeparam name="T">A struct without references and with sequential layout.</typeparam>
         public static ArrayView Of<T>(T[] array, ScalarType scalar, int components)
             where T : struct
         {
@@ -94,18 +96,18 @@ namespace HrbfNpr
             return new ArrayView(array, IntPtr.Zero, array.LongLength, scalar, components, Marshal.SizeOf<T>());
         }
 
-        /// <summary>Native memory, such as a pinned span's or a NativeArray's.</summary>
-        /// <param name="data">The first element.</param>
-        /// <param name="count">Elements.</param>
-        /// <param name="scalar">Type of the numbers.</param>
-        /// <param name="components">Numbers in an element, side by side.</param>
-        /// <param name="stride">Bytes from an element to the next; 0 = packed; may be negative.</param>
+        /// <summary>Views native memory, such as that of a pinned span or a NativeArray.</summary>
+        /// <param name="data">The address of the first element.</param>
+        /// <param name="count">The number of elements.</param>
+        /// <param name="scalar">The type of the numbers.</param>
+        /// <param name="components">The number of scalars in an element, side by side.</param>
+        /// <param name="stride">The bytes from one element to the next; may be negative; 0 = packed.</param>
         public static ArrayView At(IntPtr data, long count, ScalarType scalar, int components, long stride = 0)
         {
             return new ArrayView(null, data, count, scalar, components, stride);
         }
 
-        /// <summary>An array of an enum of bytes.</summary>
+        /// <summary>Views an array of an enum whose underlying type is byte.</summary>
         internal static ArrayView OfBytes(Array array)
         {
             return Packed(array, ScalarType.Uint8);
@@ -117,7 +119,7 @@ namespace HrbfNpr
                 : new ArrayView(array, IntPtr.Zero, array.LongLength, scalar, 0, 0);
         }
 
-        /// <summary>Elements of <paramref name="wanted"/> numbers each.</summary>
+        /// <summary>The number of elements if each has <paramref name="wanted"/> numbers.</summary>
         internal long CountOf(int wanted, string argument)
         {
             if (components != 0 || array == null)
@@ -148,7 +150,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Keeps arrays where they are during a call.</summary>
+    /// <summary>Pins arrays during a call.</summary>
     internal sealed class Pins : IDisposable
     {
         private readonly List<GCHandle> handles = new List<GCHandle>();
@@ -160,7 +162,7 @@ namespace HrbfNpr
             return handle.AddrOfPinnedObject();
         }
 
-        /// <summary>UTF-8 with a zero behind it; null for null.</summary>
+        /// <summary>Pins a text as UTF-8 with a terminating zero; zero for null.</summary>
         internal IntPtr Text(string text)
         {
             return text == null ? IntPtr.Zero : Pin(Encoding.UTF8.GetBytes(text + "\0"));

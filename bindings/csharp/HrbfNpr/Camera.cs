@@ -3,16 +3,19 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>Where a picture is seen from.  Plain data: no method changes a camera; a camera is not thread-bound.</summary>
+    /// <summary>
+    /// A camera: a view matrix, a projection matrix and a viewport.  No method changes a camera; each returns a new
+    /// one.
+    /// </summary>
     /// <remarks>
-    /// Frames are right-handed and the eye looks along -z.  Matrices are 16 numbers, column-major, and act on column
-    /// vectors (OpenGL's layout).  Pixels count from the top-left corner.
+    /// Any thread may use a camera.  Coordinate systems are right-handed, and the eye looks along -z.  A matrix has 16
+    /// numbers in column-major order and acts on column vectors, as in OpenGL.  Pixels count from the top-left corner.
     /// </remarks>
     public sealed unsafe class Camera
     {
         private hrbfnpr_camera native;
 
-        /// <summary>A camera of identity matrices and no viewport.</summary>
+        /// <summary>Creates a camera with identity matrices and a viewport of 0 x 0, which drawing refuses.</summary>
         public Camera()
         {
             fixed (hrbfnpr_camera* camera = &native)
@@ -21,14 +24,14 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A camera from a host's matrices.</summary>
-        /// <param name="view">World to eye, 16 numbers.</param>
-        /// <param name="projection">Eye to clip, 16 numbers.</param>
-        /// <param name="x">Left of the viewport, pixels.</param>
-        /// <param name="y">Top of the viewport, pixels.</param>
-        /// <param name="width">Of the viewport, pixels.</param>
-        /// <param name="height">Of the viewport, pixels.</param>
-        /// <param name="depthConvention">Range of clip-space depth of the projection.</param>
+        /// <summary>Creates a camera from the matrices of a host.</summary>
+        /// <param name="view">World to eye: 16 numbers, invertible.</param>
+        /// <param name="projection">Eye to clip: 16 numbers, invertible.</param>
+        /// <param name="x">The left edge of the viewport, in pixels.</param>
+        /// <param name="y">The top edge of the viewport, in pixels.</param>
+        /// <param name="width">The width of the viewport, in pixels.</param>
+        /// <param name="height">The height of the viewport, in pixels.</param>
+        /// <param name="depthConvention">How depth runs in the projection and in depth buffers.</param>
         public Camera(
             double[] view, double[] projection, double x, double y, double width, double height,
             DepthConvention depthConvention = DepthConvention.NegativeOneToOne)
@@ -56,7 +59,7 @@ namespace HrbfNpr
             this.native = native;
         }
 
-        /// <summary>World to eye; a copy.</summary>
+        /// <summary>The matrix from world to eye, column-major: a copy of 16 numbers.</summary>
         public double[] View
         {
             get
@@ -68,7 +71,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Eye to clip; a copy.</summary>
+        /// <summary>The matrix from eye to clip space, column-major: a copy of 16 numbers.</summary>
         public double[] Projection
         {
             get
@@ -80,7 +83,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>x, y of the top-left corner, width, height, in pixels; a copy.</summary>
+        /// <summary>x and y of the viewport's top-left corner, its width and its height, in pixels; a copy.</summary>
         public double[] Viewport
         {
             get
@@ -92,7 +95,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Width of an image that holds the viewport.</summary>
+        /// <summary>The width of an image that holds the viewport, in pixels.</summary>
         public int Width
         {
             get
@@ -104,7 +107,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Height of an image that holds the viewport.</summary>
+        /// <summary>The height of an image that holds the viewport, in pixels.</summary>
         public int Height
         {
             get
@@ -116,7 +119,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Range of clip-space depth, and of depth buffers.</summary>
+        /// <summary>How depth runs in the projection and in depth buffers.</summary>
         public DepthConvention DepthConvention
         {
             get { return (DepthConvention)native.depth_convention; }
@@ -127,12 +130,16 @@ namespace HrbfNpr
             get { return native; }
         }
 
-        /// <summary>From an eye towards a target; choose the lens of the result.</summary>
-        /// <param name="eye">Where the eye is.</param>
-        /// <param name="target">What it looks at.</param>
-        /// <param name="up">Roughly up.</param>
-        /// <param name="depthConvention">For the projection to come.</param>
-        /// <exception cref="InvalidArgumentException">Eye and target are the same, or up is parallel to the view.</exception>
+        /// <summary>
+        /// Creates a camera that looks from an eye towards a target.  Choose its lens with <c>Perspective</c> or
+        /// <c>Orthographic</c>.
+        /// </summary>
+        /// <param name="eye">The place of the eye.</param>
+        /// <param name="target">The place that the eye looks at.</param>
+        /// <param name="up">A direction roughly upward in the picture.</param>
+        /// <param name="depthConvention">How depth runs in the projection and in depth buffers.</param>
+        /// <exception cref="InvalidArgumentException">Eye and target are the same, or <c>up</c> is zero or parallel to
+        /// the line of sight.</exception>
         public static Camera LookAt(
             Vector3d eye, Vector3d target, Vector3d up,
             DepthConvention depthConvention = DepthConvention.NegativeOneToOne)
@@ -146,12 +153,12 @@ namespace HrbfNpr
             return new Camera(camera);
         }
 
-        /// <summary>This camera with a perspective projection.</summary>
-        /// <param name="verticalAngle">Radians, in (0, pi).</param>
-        /// <param name="width">Pixels.</param>
-        /// <param name="height">Pixels.</param>
-        /// <param name="near">Distance of the near plane, above 0.</param>
-        /// <param name="far">Distance of the far plane, above near.</param>
+        /// <summary>Returns this camera with a perspective projection.</summary>
+        /// <param name="verticalAngle">The vertical angle of view in radians, in (0, pi).</param>
+        /// <param name="width">The width in pixels.</param>
+        /// <param name="height">The height in pixels.</param>
+        /// <param name="near">The distance of the near plane from the eye; above 0.</param>
+        /// <param name="far">The distance of the far plane from the eye; above <c>near</c>.</param>
         /// <exception cref="InvalidArgumentException">A number is out of its range.</exception>
         public Camera Perspective(double verticalAngle, double width, double height, double near, double far)
         {
@@ -163,12 +170,12 @@ namespace HrbfNpr
             return new Camera(camera);
         }
 
-        /// <summary>This camera with a parallel projection.</summary>
-        /// <param name="viewHeight">Visible height in world units.</param>
-        /// <param name="width">Pixels.</param>
-        /// <param name="height">Pixels.</param>
-        /// <param name="near">Near plane, of either sign.</param>
-        /// <param name="far">Far plane, above near.</param>
+        /// <summary>Returns this camera with an orthographic projection.</summary>
+        /// <param name="viewHeight">The height of what is seen, in world units; above 0.</param>
+        /// <param name="width">The width in pixels.</param>
+        /// <param name="height">The height in pixels.</param>
+        /// <param name="near">The distance of the near plane from the eye; may be negative.</param>
+        /// <param name="far">The distance of the far plane from the eye; above <c>near</c>.</param>
         /// <exception cref="InvalidArgumentException">A number is out of its range.</exception>
         public Camera Orthographic(double viewHeight, double width, double height, double near, double far)
         {
@@ -180,17 +187,19 @@ namespace HrbfNpr
             return new Camera(camera);
         }
 
-        /// <summary>A camera that sees a box so that it fills the picture.</summary>
-        /// <param name="boundsMin">Corner of the box.</param>
-        /// <param name="boundsMax">The opposite corner.</param>
-        /// <param name="direction">From the eye into the scene.</param>
-        /// <param name="up">Roughly up.</param>
-        /// <param name="width">Pixels.</param>
-        /// <param name="height">Pixels.</param>
-        /// <param name="verticalAngle">Radians; 0 = orthographic.</param>
-        /// <param name="margin">Share of the picture left free on each side, 0 to 0.45.</param>
-        /// <param name="depthConvention">Of the projection.</param>
-        /// <exception cref="InvalidArgumentException">A number is out of its range.</exception>
+        /// <summary>Creates a camera in whose picture a box fills the viewport.</summary>
+        /// <param name="boundsMin">The lower corner of the box.</param>
+        /// <param name="boundsMax">The upper corner of the box.</param>
+        /// <param name="direction">The direction from the eye into the scene.</param>
+        /// <param name="up">A direction roughly upward in the picture.</param>
+        /// <param name="width">The width in pixels.</param>
+        /// <param name="height">The height in pixels.</param>
+        /// <param name="verticalAngle">The vertical angle of view in radians, from 0 to below pi; 0 =
+        /// orthographic.</param>
+        /// <param name="margin">The share of the picture that stays free on each side; 0 to 0.45.</param>
+        /// <param name="depthConvention">How depth runs in the projection and in depth buffers.</param>
+        /// <exception cref="InvalidArgumentException">A number is out of its range, or <c>up</c> is parallel to the
+        /// direction.</exception>
         public static Camera FitBounds(
             Vector3d boundsMin, Vector3d boundsMax, Vector3d direction, Vector3d up, double width, double height,
             double verticalAngle = 0, double margin = 0.05,
@@ -206,17 +215,22 @@ namespace HrbfNpr
             return new Camera(camera);
         }
 
-        /// <summary>As <see cref="FitBounds"/>, but n points themselves fill the picture, not a box.</summary>
-        /// <param name="points">n points, such as a point set's positions.</param>
-        /// <param name="origin">Added to each point: <see cref="PointSetInfo.Origin"/>.</param>
-        /// <param name="direction">From the eye into the scene.</param>
-        /// <param name="up">Roughly up.</param>
-        /// <param name="width">Pixels.</param>
-        /// <param name="height">Pixels.</param>
-        /// <param name="verticalAngle">Radians; 0 = orthographic.</param>
-        /// <param name="margin">Share of the picture left free on each side, 0 to 0.45.</param>
-        /// <param name="depthConvention">Of the projection.</param>
-        /// <exception cref="InvalidArgumentException">A number is out of its range.</exception>
+        /// <summary>
+        /// Creates a camera in whose picture n points fill the viewport.  It fits the points themselves, not their box.
+        /// </summary>
+        /// <param name="points">The n points, such as the positions of a point set.</param>
+        /// <param name="origin">Added to each point: <see cref="PointSetInfo.Origin"/> for positions of a point
+        /// set.</param>
+        /// <param name="direction">The direction from the eye into the scene.</param>
+        /// <param name="up">A direction roughly upward in the picture.</param>
+        /// <param name="width">The width in pixels.</param>
+        /// <param name="height">The height in pixels.</param>
+        /// <param name="verticalAngle">The vertical angle of view in radians, from 0 to below pi; 0 =
+        /// orthographic.</param>
+        /// <param name="margin">The share of the picture that stays free on each side; 0 to 0.45.</param>
+        /// <param name="depthConvention">How depth runs in the projection and in depth buffers.</param>
+        /// <exception cref="InvalidArgumentException">There are no points, a number is out of its range, or <c>up</c>
+        /// is parallel to the direction.</exception>
         public static Camera FitPoints(
             ArrayView points, Vector3d origin, Vector3d direction, Vector3d up, double width, double height,
             double verticalAngle = 0, double margin = 0.05,

@@ -5,68 +5,83 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>Gets lines of the library's log.</summary>
+    /// <summary>Receives messages of the library's log.</summary>
     public delegate void LogFunction(LogLevel level, string message);
 
     /// <summary>
-    /// Runs the library's work in place of its own threads: it must call <paramref name="task"/> once for each number
-    /// from 0 to <paramref name="count"/> - 1, on any threads and in any order, and return when all have ended.
+    /// Runs the library's tasks on threads of the program.  It calls <paramref name="task"/> once for each number from
+    /// 0 to <paramref name="count"/> - 1, on any threads and in any order, and returns when all calls have ended.
     /// </summary>
     public delegate void TaskRunner(Action<long> task, long count);
 
-    /// <summary>How a <see cref="Context"/> is to be.</summary>
+    /// <summary>How a <see cref="Context"/> works; a new one holds all defaults.</summary>
     public sealed class ContextOptions
     {
-        /// <summary>0 = all processors (default), 1 = serial; at most 256 are used.  Results are the same bits.</summary>
+        /// <summary>
+        /// Number of threads; 0 or more; default 0 = one for each processor; 1 = serial.  At most 256 are used, and
+        /// results do not depend on their number.
+        /// </summary>
         public int ThreadCount { get; set; }
 
-        /// <summary>Who runs the library's tasks; by default <see cref="RunTasks"/>, or a pool without it.</summary>
+        /// <summary>
+        /// Which threads run the library's tasks; default Auto: <see cref="RunTasks"/> if it is given, else a pool.
+        /// </summary>
         public ThreadBackend ThreadBackend { get; set; }
 
-        /// <summary>The highest instruction set to use; the best by default.</summary>
+        /// <summary>
+        /// The best instruction set that may be used; default Auto = the best that the build and the processor have.
+        /// </summary>
         public InstructionSet HighestInstructionSet { get; set; }
 
-        /// <summary>Called on the thread that made a call; what it throws is ignored.</summary>
+        /// <summary>
+        /// Receives messages of the log, on the thread that called the library; default null = no log.  Exceptions that
+        /// it throws are ignored.
+        /// </summary>
         public LogFunction Log { get; set; }
 
-        /// <summary>Lines of a lower level than this are not reported; all are by default.</summary>
+        /// <summary>Messages below this level are not reported; default Debug = all are reported.</summary>
         public LogLevel LogLevel { get; set; }
 
-        /// <summary>Replaces the library's own threads, for instance by <c>Parallel.For</c>.</summary>
+        /// <summary>
+        /// Runs the library's tasks in place of its own threads, for instance by <c>Parallel.For</c>; default null.
+        /// </summary>
         public TaskRunner RunTasks { get; set; }
 
         /// <summary>
-        /// Address of a native <c>void* allocate(void* user, uint64_t size, uint64_t alignment)</c>; zero for the
-        /// library's own.  Both functions or none.
+        /// Address of a native function <c>void* allocate(void* user, uint64_t size, uint64_t alignment)</c>; default
+        /// zero = the library's allocator.  Give both functions or neither.
         /// </summary>
         public IntPtr Allocate { get; set; }
 
-        /// <summary>Address of <c>void deallocate(void* user, void* memory, uint64_t size, uint64_t alignment)</c>.</summary>
+        /// <summary>
+        /// Address of a native function <c>void deallocate(void* user, void* memory, uint64_t size, uint64_t
+        /// alignment)</c>; default zero.
+        /// </summary>
         public IntPtr Deallocate { get; set; }
 
-        /// <summary>First argument of the two.</summary>
+        /// <summary>The <c>user</c> argument of both allocator functions; default zero.</summary>
         public IntPtr AllocatorUser { get; set; }
     }
 
-    /// <summary>What a context really uses.</summary>
+    /// <summary>The settings that a context uses, and its memory.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_context_info")]
     public struct ContextInfo
     {
         internal uint StructSize;
 
-        /// <summary>Threads that a large call will use.</summary>
+        /// <summary>Number of threads that a large call uses.</summary>
         public readonly int ThreadCount;
 
         private readonly uint instructionSet;
         private readonly uint threadBackend;
 
-        /// <summary>Bytes allocated through the context at present.</summary>
+        /// <summary>Bytes that are allocated through this context now.</summary>
         public readonly long BytesNow;
 
-        /// <summary>The most bytes there ever were.</summary>
+        /// <summary>The largest number of bytes that were allocated at the same time.</summary>
         public readonly long BytesPeak;
 
-        /// <summary>Who runs the tasks of a large call; never <see cref="HrbfNpr.ThreadBackend.Auto"/>.</summary>
+        /// <summary>The thread backend in use; never <see cref="HrbfNpr.ThreadBackend.Auto"/>.</summary>
         public ThreadBackend ThreadBackend
         {
             get { return (ThreadBackend)threadBackend; }
@@ -80,12 +95,12 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// Allocator, threads and log of everything that is made with it.  Most programs need none: where a context can
-    /// be given, the default is <see cref="Default"/>.
+    /// Holds the allocator, the threads and the log of everything that is made with it.  Most programs need none: calls
+    /// without a context use <see cref="Default"/>.
     /// </summary>
     /// <remarks>
-    /// Any number of threads may use a context at a time.  What was made with it goes on working after
-    /// <see cref="Dispose"/>, and objects may be disposed of, or finalised, in any order.
+    /// Several threads may use a context at the same time.  Objects that were made with a context keep working after
+    /// <see cref="Dispose"/>.  Objects may be disposed of or finalised in any order.
     /// </remarks>
     public sealed unsafe class Context : IDisposable
     {
@@ -95,20 +110,19 @@ namespace HrbfNpr
         private static Context defaultContext;
         private readonly ContextHandle handle = new ContextHandle();
 
-        /// <summary>Makes a context.</summary>
-        /// <param name="options">All defaults if null.</param>
-        /// <exception cref="InvalidArgumentException">
-        /// A negative thread count, a backend that contradicts the task runner or that the build lacks, or one
-        /// allocator function of two.
-        /// </exception>
-        /// <exception cref="VersionMismatchException">The library has another ABI version than this assembly.</exception>
+        /// <summary>Creates a context.</summary>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <exception cref="InvalidArgumentException">The thread count is negative; the backend contradicts
+        /// <c>RunTasks</c> or is not in this build; or only one of the two allocator functions is given.</exception>
+        /// <exception cref="VersionMismatchException">The library has another ABI version than this
+        /// assembly.</exception>
         /// <exception cref="DllNotFoundException">The library was not found.</exception>
         public Context(ContextOptions options = null)
         {
             options = options ?? new ContextOptions();
             hrbfnpr_context_desc desc;
             Errors.Check(NativeMethods.hrbfnpr_context_desc_init(&desc, (uint)sizeof(hrbfnpr_context_desc)));
-            desc.abi_version = NativeMethods.AbiVersion; // not the library's own
+            desc.abi_version = NativeMethods.AbiVersion; // the version of this assembly, not the library's
             desc.thread_count = options.ThreadCount;
             desc.thread_backend = (uint)options.ThreadBackend;
             desc.highest_instruction_set = (uint)options.HighestInstructionSet;
@@ -117,7 +131,7 @@ namespace HrbfNpr
             desc.deallocate = options.Deallocate;
             desc.allocator_user = options.AllocatorUser;
             var anchor = new ContextAnchor(new ContextState(options.Log, options.RunTasks));
-            anchor.AddReference(); // this constructor's
+            anchor.AddReference(); // the reference of this constructor
             try
             {
                 if (options.Log != null)
@@ -142,7 +156,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The context of all calls that are given none: all processors, made on first use.</summary>
+        /// <summary>
+        /// The context of all calls that get none: one thread for each processor.  It is created when it is first used.
+        /// </summary>
         public static Context Default
         {
             get
@@ -166,7 +182,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Threads, backend and instruction set really used, memory now and at peak.</summary>
+        /// <summary>The threads, backend and instruction set in use, and the memory now and at its peak.</summary>
         /// <exception cref="ObjectDisposedException">The context was disposed of.</exception>
         public ContextInfo Info
         {
@@ -180,7 +196,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The first exception that the log or the task runner threw, or null.</summary>
+        /// <summary>The first exception that the log or the task runner threw; null if they threw none.</summary>
         public Exception CallbackException
         {
             get { return handle.Anchor == null ? null : handle.Anchor.State.LastException; }
@@ -196,7 +212,7 @@ namespace HrbfNpr
             get { return handle.Anchor; }
         }
 
-        /// <summary>Lets go of the context; what was made with it keeps it alive.</summary>
+        /// <summary>Releases the context.  Objects that were made with it keep it alive.</summary>
         public void Dispose()
         {
             handle.Dispose();
@@ -250,8 +266,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// The library cannot go on unless each task has run once and has ended: a runner that fails, or forgets one,
-        /// is made good.
+        /// Runs each task that a task runner failed to run, and waits until all tasks have ended: the library cannot go
+        /// on before.
         /// </summary>
         private sealed class Tasks
         {

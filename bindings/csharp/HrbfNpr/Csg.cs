@@ -3,7 +3,7 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>Kinds of nodes, as the library has them.</summary>
+    /// <summary>The kinds of nodes, with the numbers of the library.</summary>
     [NativeConstants("HRBFNPR_CSG_")]
     internal enum CsgKind : uint
     {
@@ -22,18 +22,20 @@ namespace HrbfNpr
         Torus = 12,
     }
 
-    /// <summary>Primitive solids, to put others together from.</summary>
+    /// <summary>Makes primitive solids, from which other solids are made.</summary>
     /// <remarks>
-    /// <para>Each is a <see cref="Model"/>: it can be drawn and asked as any other, and combined with any other, fits
-    /// and functions too: <c>a | b</c>, <c>a &amp; b</c>, <c>a - b</c>, <c>~a</c>, <see cref="Model.Blend"/>,
-    /// <see cref="Model.Offset"/>, <see cref="Model.Shell"/>, <see cref="Model.Transformed"/>.</para>
-    /// <para>Of half-space, sphere and torus f is exactly how far it is to the surface; of box, cylinder and cone
-    /// inside, and outside where a side is nearest: beside edges and corners f is less.</para>
+    /// <para>Each result is a <see cref="Model"/>.  It can be drawn and queried like any other model, and combined with
+    /// any model, fits and functions included: <c>a | b</c>, <c>a &amp; b</c>, <c>a - b</c>, <c>~a</c>,
+    /// <see cref="Model.Blend"/>, <see cref="Model.Offset"/>, <see cref="Model.Shell"/>,
+    /// <see cref="Model.Transformed"/>.</para>
+    /// <para>For a half-space, a sphere and a torus, f is the signed distance to the surface.  For a box, a cylinder
+    /// and a cone, f is the distance inside, and outside where one side is nearest; it is less beside edges and
+    /// corners.</para>
     /// </remarks>
     /// <exception cref="InvalidArgumentException">A size is not above 0, or an axis has no length.</exception>
     public static unsafe class Csg
     {
-        /// <summary>A box with these lengths of its sides, along the axes.</summary>
+        /// <summary>A box with sides of these lengths along the axes, centred at <c>center</c>.</summary>
         public static Model Box(Vector3d size, Vector3d center = default(Vector3d), Context context = null)
         {
             hrbfnpr_csg_node node = Place(CsgKind.Box, center, (0, 0, 1));
@@ -41,7 +43,7 @@ namespace HrbfNpr
             return Model.FromNode(node, context);
         }
 
-        /// <summary>A ball.</summary>
+        /// <summary>A ball around <c>center</c>.</summary>
         public static Model Sphere(double radius, Vector3d center = default(Vector3d), Context context = null)
         {
             hrbfnpr_csg_node node = Place(CsgKind.Sphere, center, (0, 0, 1));
@@ -49,7 +51,9 @@ namespace HrbfNpr
             return Model.FromNode(node, context);
         }
 
-        /// <summary>A cylinder with flat ends about an axis, by default along z.</summary>
+        /// <summary>
+        /// A cylinder with flat ends around an axis, which is z by default; <c>center</c> is the middle of the axis.
+        /// </summary>
         public static Model Cylinder(
             double radius, double height, Vector3d center = default(Vector3d), Vector3d? axis = null,
             Context context = null)
@@ -60,7 +64,10 @@ namespace HrbfNpr
             return Model.FromNode(node, context);
         }
 
-        /// <summary>A cone with flat ends, or a point where a radius is 0; `center` is the middle of its axis.</summary>
+        /// <summary>
+        /// A cone with flat ends, or with a tip where a radius is 0, around an axis, which is z by default;
+        /// <c>center</c> is the middle of the axis.
+        /// </summary>
         public static Model Cone(
             double radius, double topRadius, double height, Vector3d center = default(Vector3d),
             Vector3d? axis = null, Context context = null)
@@ -72,7 +79,7 @@ namespace HrbfNpr
             return Model.FromNode(node, context);
         }
 
-        /// <summary>A tube around a circle about the axis.</summary>
+        /// <summary>A tube around a circle, which lies around an axis, by default z.</summary>
         public static Model Torus(
             double radius, double tubeRadius, Vector3d center = default(Vector3d), Vector3d? axis = null,
             Context context = null)
@@ -84,8 +91,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// All that is behind the plane through a point; the normal points out of it.  It has no end, and is what
-        /// others are cut by; drawn itself it ends at a cube from -1 to 1 about the point.
+        /// The half-space behind the plane through a point; the normal points out of it.  It has no end and serves to
+        /// cut other solids.  Drawn alone, it ends at a cube from -1 to 1 around the point.
         /// </summary>
         public static Model HalfSpace(Vector3d point, Vector3d normal, Context context = null)
         {
@@ -103,7 +110,9 @@ namespace HrbfNpr
             return node;
         }
 
-        /// <summary>Puts the origin at the centre, and turns the z axis to the axis.</summary>
+        /// <summary>
+        /// Makes a node whose transform moves the origin to the centre and turns the z axis to the axis.
+        /// </summary>
         private static hrbfnpr_csg_node Place(CsgKind kind, Vector3d center, Vector3d axis)
         {
             hrbfnpr_csg_node node = New(kind);
@@ -113,7 +122,7 @@ namespace HrbfNpr
                 throw new InvalidArgumentException("axis must have a length");
             }
             double x = axis.X / length, y = axis.Y / length, z = axis.Z / length;
-            double s = z < 0 ? -1 : 1; // below, by way of a half turn about the x axis
+            double s = z < 0 ? -1 : 1; // for a downward axis, the map first makes half a turn about the x axis
             double k = 1 / (1 + s * z);
             double* m = node.transform;
             m[0] = 1 - k * x * x;

@@ -3,26 +3,26 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What a solid is made of; all 0 of a model that is not put together from others.</summary>
+    /// <summary>What a solid is made of.  All fields are 0 for a model that is not a solid.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_csg_info")]
     public struct CsgInfo
     {
         internal uint StructSize;
         private readonly uint reserved;
 
-        /// <summary>Nodes of its tree, with those of trees that became part of it.</summary>
+        /// <summary>Number of nodes, with those of solids that became part of it.</summary>
         public readonly long Nodes;
 
-        /// <summary>Nodes from the root to the deepest leaf.</summary>
+        /// <summary>Number of nodes from the root to the deepest leaf, both included.</summary>
         public readonly long Depth;
 
-        /// <summary>Leaves that are models, each once.</summary>
+        /// <summary>Number of different models among the leaves.</summary>
         public readonly long Models;
 
-        /// <summary>Smooth functions that it is made of.</summary>
+        /// <summary>Number of smooth functions that the solid consists of.</summary>
         public readonly long Sheets;
 
-        /// <summary>A bound on the length of grad f that holds everywhere; 0: none is known.</summary>
+        /// <summary>A bound on |grad f| that holds everywhere; 0 if none is known, because leaves are models.</summary>
         public readonly double Lipschitz;
     }
 }

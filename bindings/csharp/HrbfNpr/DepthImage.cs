@@ -5,45 +5,50 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>What smoothing the image of a depth camera found and did.</summary>
+    /// <summary>What <see cref="DepthImage.Smooth"/> found and did.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_depth_image_info")]
     public struct DepthImageInfo
     {
         internal uint StructSize;
         private readonly uint reserved;
 
-        /// <summary>Pixels that have a point.</summary>
+        /// <summary>Number of pixels with a point.</summary>
         public readonly long Seen;
 
-        /// <summary>Of these, points with hardly any others on their plane.</summary>
+        /// <summary>Number of these that are left out, because too few other pixels lie on their plane.</summary>
         public readonly long LeftOut;
 
         /// <summary>Standard deviation of 1 / z, as given or measured.</summary>
         public readonly double Noise;
 
-        /// <summary>In pixels.</summary>
+        /// <summary>Mean of the focal lengths in both directions, in pixels.</summary>
         public readonly double FocalLength;
 
-        /// <summary>Median distance |z| of the points.</summary>
+        /// <summary>Median of |z| over the points.</summary>
         public readonly double Depth;
 
-        /// <summary>Smoothed over at that distance, in pixels.</summary>
+        /// <summary>Radius of the smoothing at this depth, in pixels.</summary>
         public readonly double Radius;
 
-        /// <summary>Time it took.</summary>
+        /// <summary>Time of the call, in seconds.</summary>
         public readonly double Seconds;
     }
 
-    /// <summary>How the image of a depth camera is smoothed.</summary>
+    /// <summary>How the image of a depth camera is smoothed; a new one holds all defaults.</summary>
     public sealed class DepthImageOptions
     {
-        /// <summary>Points stay where they are, and get normals; false by default.</summary>
+        /// <summary>Whether the points stay where they are and only get normals; default false.</summary>
         public bool KeepPoints { get; set; }
 
-        /// <summary>Standard deviation of 1 / z; 0, by default, measures it.</summary>
+        /// <summary>
+        /// Standard deviation of 1 / z, in 1 / (unit of the points); 0 or more; default 0 = measured.
+        /// </summary>
         public double Noise { get; set; }
 
-        /// <summary>Factor of the radius, above 0 and up to 100; 1 by default.</summary>
+        /// <summary>
+        /// Factor of the radius over which pixels are averaged; above 0, at most 100; default 1.  Larger values remove
+        /// more noise and more small shapes.
+        /// </summary>
         public double Smoothing { get; set; } = 1;
 
         internal unsafe void Write(hrbfnpr_depth_image_desc* desc)
@@ -54,25 +59,31 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Images of depth cameras (Kinect, RealSense, time of flight, stereo).</summary>
+    /// <summary>Smooths images of depth cameras (Kinect, RealSense, time of flight, stereo).</summary>
     public static unsafe class DepthImage
     {
-        /// <summary>Takes the sensor's noise off the image of a depth camera, and finds normals.</summary>
-        /// <remarks>The camera is in the origin and looks along z, or against it.  Of an image of depths with focal
-        /// lengths f and a centre c, in pixels, the points are x = (column - c_x) z / f_x, y = (row - c_y) z / f_y.
-        /// Errors are as large everywhere in 1 / z, and planes are linear in it: one is fitted to the pixels around
-        /// each, but for those beyond an edge; the point moves along its ray onto the plane.</remarks>
-        /// <param name="points">rows * columns points, row by row; NaN, infinity or z = 0 where nothing was seen.</param>
-        /// <param name="columns">8 to 65535.</param>
-        /// <param name="rows">8 to 65535.</param>
-        /// <param name="normals">Packed x, y, z, to the camera; 0 where there is no point.</param>
-        /// <param name="info">What was found.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Removes the sensor's noise from the image of a depth camera, and finds normals.</summary>
+        /// <remarks>
+        /// The camera is at the origin and looks along +z or -z.  For an image of depths z with the focal lengths f and
+        /// the centre c in pixels, the points are x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.  The noise of
+        /// such a camera is about the same everywhere in 1 / z, and planes are linear in 1 / z.  So a plane is fitted
+        /// to the pixels around each pixel, except those beyond an edge, and the point moves along its ray onto the
+        /// plane.
+        /// </remarks>
+        /// <param name="points">rows * columns points, row by row; NaN, infinity or z = 0: nothing was seen at the
+        /// pixel.</param>
+        /// <param name="columns">The number of pixels in a row; 8 to 65535.</param>
+        /// <param name="rows">The number of rows; 8 to 65535.</param>
+        /// <param name="normals">Receives x, y, z of a unit normal for each point, which points to the camera; 0 where
+        /// there is no point.</param>
+        /// <param name="info">Receives what was found.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <returns>Packed x, y, z of as many points; NaN where nothing was seen, or the point is left out.</returns>
-        /// <exception cref="InvalidArgumentException">The points are no image of such a camera.</exception>
+        /// <returns>x, y, z of as many points; NaN where nothing was seen, and for points that are left out.</returns>
+        /// <exception cref="InvalidArgumentException">The points are not such an image, or an option is out of its
+        /// range.</exception>
         public static double[] Smooth(
             ArrayView points, int columns, int rows, out double[] normals, out DepthImageInfo info,
             DepthImageOptions options = null, Context context = null, IProgress<double> progress = null,
