@@ -194,8 +194,7 @@ namespace HrbfNpr
         /// <param name="up">A direction roughly upward in the picture.</param>
         /// <param name="width">The width in pixels.</param>
         /// <param name="height">The height in pixels.</param>
-        /// <param name="verticalAngle">The vertical angle of view in radians, from 0 to below pi; 0 =
-        /// orthographic.</param>
+        /// <param name="verticalAngle">The vertical angle of view in radians; 0 = orthographic.</param>
         /// <param name="margin">The share of the picture that stays free on each side; 0 to 0.45.</param>
         /// <param name="depthConvention">How depth runs in the projection and in depth buffers.</param>
         /// <exception cref="InvalidArgumentException">A number is out of its range, or <c>up</c> is parallel to the
@@ -225,8 +224,7 @@ namespace HrbfNpr
         /// <param name="up">A direction roughly upward in the picture.</param>
         /// <param name="width">The width in pixels.</param>
         /// <param name="height">The height in pixels.</param>
-        /// <param name="verticalAngle">The vertical angle of view in radians, from 0 to below pi; 0 =
-        /// orthographic.</param>
+        /// <param name="verticalAngle">The vertical angle of view in radians; 0 = orthographic.</param>
         /// <param name="margin">The share of the picture that stays free on each side; 0 to 0.45.</param>
         /// <param name="depthConvention">How depth runs in the projection and in depth buffers.</param>
         /// <exception cref="InvalidArgumentException">There are no points, a number is out of its range, or <c>up</c>

@@ -5,9 +5,9 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Drawing
     {
-        /// <summary>As an image of the camera's size.</summary>
-        /// <param name="format">Of the pixels; floats are given as their bytes.</param>
-        /// <returns>Width * Height pixels.</returns>
+        /// <summary>Draws an image of the size of the camera's viewport.</summary>
+        /// <param name="format">The format of the pixels.  Formats of floats are returned as bytes, too.</param>
+        /// <returns>The pixels of an image of <see cref="Width"/> x <see cref="Height"/>, packed.</returns>
         public byte[] Rasterize(PixelFormat format = PixelFormat.Rgba8)
         {
             var pixels = new byte[(long)PixelBytes(format) * Width * Height];
@@ -15,13 +15,17 @@ namespace HrbfNpr
             return pixels;
         }
 
-        /// <summary>Draws into an image: the viewport is filled, pixels outside it are not touched.</summary>
+        /// <summary>
+        /// Draws into an image.  It fills the viewport, clipped to the image, with paper and ink, and leaves other
+        /// pixels as they are.
+        /// </summary>
         /// <param name="pixels">The image.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="format">Of the pixels.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <exception cref="InvalidArgumentException">The array is too short, or an option does not fit.</exception>
+        /// <param name="width">The width in pixels; 1 to 32768.</param>
+        /// <param name="height">The height in pixels; 1 to 32768.</param>
+        /// <param name="format">The format of the pixels.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <exception cref="InvalidArgumentException">The array is too short, or an option is out of its
+        /// range.</exception>
         public void Rasterize(
             byte[] pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, RasterOptions options = null)
         {
@@ -36,12 +40,12 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>As the other <c>Rasterize</c>, into an image of floats.</summary>
-        /// <param name="pixels">The image, 4 numbers a pixel.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="format">Rgba32f or Rgba32fPremultiplied.</param>
-        /// <param name="options">All defaults if null.</param>
+        /// <summary>Draws into an image of floats, like the other <c>Rasterize</c>.</summary>
+        /// <param name="pixels">The image, with 4 numbers for each pixel.</param>
+        /// <param name="width">The width in pixels; 1 to 32768.</param>
+        /// <param name="height">The height in pixels; 1 to 32768.</param>
+        /// <param name="format">The format of the pixels: Rgba32f or Rgba32fPremultiplied.</param>
+        /// <param name="options">The options; null = all defaults.</param>
         public void Rasterize(
             float[] pixels, int width, int height, PixelFormat format = PixelFormat.Rgba32f,
             RasterOptions options = null)
@@ -58,12 +62,12 @@ namespace HrbfNpr
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>As the other <c>Rasterize</c>, into a span.</summary>
+        /// <summary>Draws into a span, like the other <c>Rasterize</c>.</summary>
         /// <param name="pixels">The image.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="format">Of the pixels.</param>
-        /// <param name="options">All defaults if null.</param>
+        /// <param name="width">The width in pixels; 1 to 32768.</param>
+        /// <param name="height">The height in pixels; 1 to 32768.</param>
+        /// <param name="format">The format of the pixels.</param>
+        /// <param name="options">The options; null = all defaults.</param>
         public void Rasterize(
             Span<byte> pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8,
             RasterOptions options = null)
@@ -75,12 +79,12 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>As the other <c>Rasterize</c>, into a span of floats.</summary>
-        /// <param name="pixels">The image, 4 numbers a pixel.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="format">Rgba32f or Rgba32fPremultiplied.</param>
-        /// <param name="options">All defaults if null.</param>
+        /// <summary>Draws into a span of floats, like the other <c>Rasterize</c>.</summary>
+        /// <param name="pixels">The image, with 4 numbers for each pixel.</param>
+        /// <param name="width">The width in pixels; 1 to 32768.</param>
+        /// <param name="height">The height in pixels; 1 to 32768.</param>
+        /// <param name="format">The format of the pixels: Rgba32f or Rgba32fPremultiplied.</param>
+        /// <param name="options">The options; null = all defaults.</param>
         public void Rasterize(
             Span<float> pixels, int width, int height, PixelFormat format = PixelFormat.Rgba32f,
             RasterOptions options = null)
@@ -93,12 +97,14 @@ namespace HrbfNpr
         }
 #endif
 
-        /// <summary>As the other <c>Rasterize</c>, into native memory, such as a texture's or a NativeArray's.</summary>
-        /// <param name="pixels">The top-left pixel, whatever the sign of the row stride.</param>
-        /// <param name="width">Pixels, 1 to 32768.</param>
-        /// <param name="height">Pixels, 1 to 32768.</param>
-        /// <param name="format">Of the pixels.</param>
-        /// <param name="options">All defaults if null.</param>
+        /// <summary>
+        /// Draws into native memory, such as that of a texture or a NativeArray, like the other <c>Rasterize</c>.
+        /// </summary>
+        /// <param name="pixels">The address of the top-left pixel, for either sign of the row stride.</param>
+        /// <param name="width">The width in pixels; 1 to 32768.</param>
+        /// <param name="height">The height in pixels; 1 to 32768.</param>
+        /// <param name="format">The format of the pixels.</param>
+        /// <param name="options">The options; null = all defaults.</param>
         public void Rasterize(
             IntPtr pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, RasterOptions options = null)
         {
@@ -138,14 +144,14 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Where the top-left pixel lies among so many bytes.</summary>
+        /// <summary>The offset of the top-left pixel in an image of <paramref name="length"/> bytes.</summary>
         internal static long Start(long length, int width, int height, PixelFormat format, RasterOptions options)
         {
             int pixel = PixelBytes(format);
             long stride = options == null || options.RowStride == 0 ? (long)pixel * width : options.RowStride;
             if (width > 0 && height > 0 && width <= 32768 && height <= 32768)
             {
-                // The bytes from the first one in memory to the last one.
+                // The number of bytes from the first byte of the image in memory to its last one.
                 bool tooLong = Math.Abs(stride / 16) > int.MaxValue;
                 if (tooLong || Math.Abs(stride) * (height - 1) + (long)pixel * width > length)
                 {
@@ -154,7 +160,7 @@ namespace HrbfNpr
                 }
                 return stride < 0 ? -stride * (height - 1) : 0;
             }
-            return 0; // sizes out of range are refused by the library before it writes
+            return 0; // the library refuses sizes out of range before it writes
         }
     }
 }

@@ -5,7 +5,7 @@ using System.Collections.ObjectModel;
 
 namespace HrbfNpr
 {
-    /// <summary>How each mark of a layer is drawn, in the set's own order.</summary>
+    /// <summary>How each mark of a layer is drawn, in the order of the point set.</summary>
     public sealed class MarkResults
     {
         internal MarkResults(long count)
@@ -15,20 +15,25 @@ namespace HrbfNpr
             Opacity = new float[count];
         }
 
-        /// <summary>The class that it is drawn as, Front or Silhouette; None = it is not drawn.</summary>
+        /// <summary>The class as which each mark is drawn: Front or Silhouette; None if it is not drawn.</summary>
         public MarkClass[] Shown { get; }
 
-        /// <summary>Pixels; 0 = not drawn.</summary>
+        /// <summary>The radius of each mark, in pixels; 0 if it is not drawn.</summary>
         public float[] Radius { get; }
 
-        /// <summary>The ink's alpha times what is let through; 0 = not drawn.</summary>
+        /// <summary>
+        /// The alpha of each mark's ink times the transmittance of what lies in front; 0 if it is not drawn.
+        /// </summary>
         public float[] Opacity { get; }
     }
 
-    /// <summary>A picture as a value: dots and strokes in layers, to be had as an image, as vertices, or as numbers.</summary>
+    /// <summary>
+    /// A picture as a value: dots and strokes in layers.  It can be drawn into an image, or written as vertices or as a
+    /// page.
+    /// </summary>
     /// <remarks>
-    /// Immutable: any number of threads may read a drawing at a time.  It keeps its point sets alive.  Dispose of it
-    /// as soon as it is used: then its memory serves the renderer again.
+    /// It never changes, so several threads may read a drawing at the same time.  It keeps its point sets alive.
+    /// Dispose of it when it is not needed any more: the renderer then uses its memory for another drawing.
     /// </remarks>
     public sealed unsafe partial class Drawing : IDisposable
     {
@@ -40,22 +45,22 @@ namespace HrbfNpr
             Camera = camera;
         }
 
-        /// <summary>The camera that it was drawn for.</summary>
+        /// <summary>The camera with which the drawing was made.</summary>
         public Camera Camera { get; }
 
-        /// <summary>Width of an image that holds the camera's viewport.</summary>
+        /// <summary>The width of an image that holds the camera's viewport, in pixels.</summary>
         public int Width
         {
             get { return Camera.Width; }
         }
 
-        /// <summary>Height of an image that holds the camera's viewport.</summary>
+        /// <summary>The height of an image that holds the camera's viewport, in pixels.</summary>
         public int Height
         {
             get { return Camera.Height; }
         }
 
-        /// <summary>Counts, times and bytes.</summary>
+        /// <summary>What the drawing holds, and what making it took.</summary>
         public DrawingInfo Info
         {
             get
@@ -68,7 +73,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Its layers of ink; a new list each time.</summary>
+        /// <summary>The layers of ink, as a new list.</summary>
         public IReadOnlyList<DrawingLayerInfo> Layers
         {
             get
@@ -87,8 +92,8 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What an id stands for: of <see cref="RasterOptions.Id"/>, or of a vertex.</summary>
-        /// <exception cref="InvalidArgumentException">It is no mark's; 0 is none.</exception>
+        /// <summary>Finds the mark that has an id, as <see cref="RasterOptions.Id"/> or a vertex gives it.</summary>
+        /// <exception cref="InvalidArgumentException">No mark has the id, as with 0.</exception>
         public MarkIdentity Identify(uint id)
         {
             MarkIdentity identity;
@@ -98,10 +103,13 @@ namespace HrbfNpr
             return identity;
         }
 
-        /// <summary>How each mark of a layer is drawn, in the set's own order; also of a layer that is not drawn.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">A layer of that item's point set.</param>
-        /// <exception cref="InvalidArgumentException">There is no such item, or the layer is not of its set.</exception>
+        /// <summary>
+        /// Computes how each mark of a layer is drawn, in the order of the point set.  The layer need not be drawn.
+        /// </summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">A layer of the item's point set.</param>
+        /// <exception cref="InvalidArgumentException">There is no such item, or the layer is not of its point
+        /// set.</exception>
         public MarkResults MarkResults(int item, MarkLayer layer)
         {
             if (layer == null)
@@ -113,13 +121,15 @@ namespace HrbfNpr
             return results;
         }
 
-        /// <summary>As <c>MarkResults</c>, into the caller's memory.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="shown">A byte for each mark of the layer (<see cref="MarkClass"/>), or not given.</param>
-        /// <param name="radius">A float for each mark, pixels, or not given.</param>
-        /// <param name="opacity">A float for each mark, or not given.</param>
-        /// <exception cref="InvalidArgumentException">There is no such item or layer, or an array does not fit.</exception>
+        /// <summary>Writes the results of <c>MarkResults</c> into the caller's memory.</summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">The number of the layer in the item's point set.</param>
+        /// <param name="shown">Receives the class of each mark (<see cref="MarkClass"/>), a byte each; may be not
+        /// given.</param>
+        /// <param name="radius">Receives the radius of each mark in pixels, a float each; may be not given.</param>
+        /// <param name="opacity">Receives the opacity of each mark, a float each; may be not given.</param>
+        /// <exception cref="InvalidArgumentException">There is no such item or layer, or an array has another size or
+        /// type.</exception>
         public void MarkResultsInto(
             int item, int layer, ArrayView shown, ArrayView radius = default(ArrayView),
             ArrayView opacity = default(ArrayView))
@@ -137,12 +147,16 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Which marks of a layer are drawn: numbers of marks, far to near or along strokes.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="markClass">Front or Silhouette.</param>
-        /// <param name="primitive">Points: far to near.  LineStrips: along strokes, runs of shown marks, each ended
-        /// by <see cref="HrbfNpr.Vertices.Restart"/>.  TriangleStrips: the same, with 2 number and 2 number + 1.</param>
+        /// <summary>
+        /// Lists the marks of a layer that are drawn as one class, by their numbers: from far to near, or along
+        /// strokes.
+        /// </summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">The number of the layer in the item's point set.</param>
+        /// <param name="markClass">The class of the marks: Front or Silhouette.</param>
+        /// <param name="primitive">Points: the marks from far to near.  LineStrips: runs of shown marks along strokes,
+        /// each ended by <see cref="HrbfNpr.Vertices.Restart"/>.  TriangleStrips: the same runs, with 2 * number and 2
+        /// * number + 1 for each mark.</param>
         /// <exception cref="InvalidArgumentException">There is no such item, layer or class.</exception>
         public uint[] MarkIndices(
             int item, int layer, MarkClass markClass = MarkClass.Front, Primitive primitive = Primitive.Points)
@@ -156,11 +170,11 @@ namespace HrbfNpr
             return indices;
         }
 
-        /// <summary>How many indices <c>MarkIndices</c> gives.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="markClass">Front or Silhouette.</param>
-        /// <param name="primitive">As for <c>MarkIndices</c>.</param>
+        /// <summary>Counts the indices that <c>MarkIndices</c> returns.</summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">The number of the layer in the item's point set.</param>
+        /// <param name="markClass">The class of the marks: Front or Silhouette.</param>
+        /// <param name="primitive">The primitive, as for <c>MarkIndices</c>.</param>
         public long MarkIndexCount(int item, int layer, MarkClass markClass, Primitive primitive)
         {
             long count;
@@ -174,14 +188,15 @@ namespace HrbfNpr
             return count;
         }
 
-        /// <summary>As <c>MarkIndices</c>, into native memory.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="markClass">Front or Silhouette.</param>
-        /// <param name="primitive">As for <c>MarkIndices</c>.</param>
-        /// <param name="indices">Memory for <paramref name="capacity"/> uints.</param>
-        /// <param name="capacity">In indices; <see cref="MarkIndexCount"/> is enough.</param>
-        /// <returns>How many were written.</returns>
+        /// <summary>Writes the result of <c>MarkIndices</c> into native memory.</summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">The number of the layer in the item's point set.</param>
+        /// <param name="markClass">The class of the marks: Front or Silhouette.</param>
+        /// <param name="primitive">The primitive, as for <c>MarkIndices</c>.</param>
+        /// <param name="indices">The address of memory for <paramref name="capacity"/> uints.</param>
+        /// <param name="capacity">The number of indices that the memory has room for; <see cref="MarkIndexCount"/> is
+        /// enough.</param>
+        /// <returns>The number of indices that were written.</returns>
         /// <exception cref="BufferTooSmallException">The capacity is too small; nothing was written.</exception>
         public long WriteMarkIndices(
             int item, int layer, MarkClass markClass, Primitive primitive, IntPtr indices, long capacity)
@@ -195,7 +210,7 @@ namespace HrbfNpr
             return count;
         }
 
-        /// <summary>How many vertices and indices a primitive has.</summary>
+        /// <summary>Computes the numbers of vertices and indices of a primitive.</summary>
         public VertexCount VertexBound(Primitive primitive = Primitive.Points)
         {
             long vertices, indices;
@@ -207,17 +222,20 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Writes dots or strokes, far to near.  Points are discs of paper and of ink: painted in this order as round
-        /// points with "source over" blending they give the dots of <c>Rasterize</c>.
+        /// Writes the vertices of dots or strokes, from far to near.  Painted in this order as round points with
+        /// "source over" blending, points give the dots of <c>Rasterize</c>.
         /// </summary>
-        /// <param name="layout">What a vertex holds.</param>
-        /// <param name="vertices">Memory for <paramref name="vertexCapacity"/> vertices.</param>
-        /// <param name="vertexCapacity">In vertices; <see cref="VertexBound"/> is always enough.</param>
-        /// <param name="indices">Memory for <paramref name="indexCapacity"/> uints; zero = not wanted.</param>
-        /// <param name="indexCapacity">In indices.</param>
-        /// <returns>How many were written.</returns>
+        /// <remarks>Points are discs of paper and of ink.</remarks>
+        /// <param name="layout">What a vertex holds, and where.</param>
+        /// <param name="vertices">The address of memory for <paramref name="vertexCapacity"/> vertices.</param>
+        /// <param name="vertexCapacity">The number of vertices that the memory has room for; <see cref="VertexBound"/>
+        /// is always enough.</param>
+        /// <param name="indices">The address of memory for <paramref name="indexCapacity"/> uints; zero = not
+        /// wanted.</param>
+        /// <param name="indexCapacity">The number of indices that the memory has room for.</param>
+        /// <returns>The numbers of vertices and indices that were written.</returns>
         /// <exception cref="BufferTooSmallException">A capacity is too small; nothing was written.</exception>
-        /// <exception cref="InvalidArgumentException">An attribute cannot have its type.</exception>
+        /// <exception cref="InvalidArgumentException">An attribute has a type that it cannot have.</exception>
         public VertexCount WriteVertices(
             VertexLayout layout, IntPtr vertices, long vertexCapacity, IntPtr indices = default(IntPtr),
             long indexCapacity = 0)
@@ -245,8 +263,8 @@ namespace HrbfNpr
             return new VertexCount(vertexCount, indices == IntPtr.Zero ? 0 : indexCount);
         }
 
-        /// <summary>Dots or strokes as vertices and indices, in new arrays.</summary>
-        /// <param name="layout">What a vertex holds.</param>
+        /// <summary>Returns dots or strokes as vertices and indices, in new arrays.</summary>
+        /// <param name="layout">What a vertex holds, and where.</param>
         public Vertices Vertices(VertexLayout layout)
         {
             if (layout == null)
@@ -265,12 +283,13 @@ namespace HrbfNpr
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>As the other <c>WriteVertices</c>, into spans.</summary>
-        /// <param name="layout">What a vertex holds.</param>
-        /// <param name="vertices">Memory for whole vertices: structs of <see cref="VertexLayout.Stride"/> bytes, or bytes.</param>
+        /// <summary>Writes vertices into spans, like the other <c>WriteVertices</c>.</summary>
+        /// <param name="layout">What a vertex holds, and where.</param>
+        /// <param name="vertices">Memory for whole vertices: structs of <see cref="VertexLayout.Stride"/> bytes, or
+        /// bytes.</param>
         /// <param name="indices">Memory for indices; empty = not wanted.</param>
         /// <typeparam name="T">A struct, or byte.</typeparam>
-        /// <returns>How many were written.</returns>
+        /// <returns>The numbers of vertices and indices that were written.</returns>
         public VertexCount WriteVertices<T>(VertexLayout layout, Span<T> vertices, Span<uint> indices = default)
             where T : unmanaged
         {
@@ -286,13 +305,13 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>As <c>MarkIndices</c>, into a span.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="markClass">Front or Silhouette.</param>
-        /// <param name="primitive">As for <c>MarkIndices</c>.</param>
+        /// <summary>Writes the result of <c>MarkIndices</c> into a span.</summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">The number of the layer in the item's point set.</param>
+        /// <param name="markClass">The class of the marks: Front or Silhouette.</param>
+        /// <param name="primitive">The primitive, as for <c>MarkIndices</c>.</param>
         /// <param name="indices">Memory for <see cref="MarkIndexCount"/> indices.</param>
-        /// <returns>How many were written.</returns>
+        /// <returns>The number of indices that were written.</returns>
         public long WriteMarkIndices(
             int item, int layer, MarkClass markClass, Primitive primitive, Span<uint> indices)
         {
@@ -302,12 +321,12 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>How each mark of a layer is drawn, into spans.</summary>
-        /// <param name="item">Number of the item.</param>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="shown">An element for each mark, or empty.</param>
-        /// <param name="radius">An element for each mark, or empty.</param>
-        /// <param name="opacity">An element for each mark, or empty.</param>
+        /// <summary>Writes how each mark of a layer is drawn into spans.</summary>
+        /// <param name="item">The number of the item.</param>
+        /// <param name="layer">The number of the layer in the item's point set.</param>
+        /// <param name="shown">Receives the class of each mark; may be empty.</param>
+        /// <param name="radius">Receives the radius of each mark in pixels; may be empty.</param>
+        /// <param name="opacity">Receives the opacity of each mark; may be empty.</param>
         public void MarkResults(
             int item, int layer, Span<MarkClass> shown, Span<float> radius = default, Span<float> opacity = default)
         {
@@ -334,7 +353,7 @@ namespace HrbfNpr
         }
 #endif
 
-        /// <summary>Lets go of the drawing: its renderer may use its memory again.</summary>
+        /// <summary>Releases the drawing.  Its renderer may then use the memory again.</summary>
         public void Dispose()
         {
             handle.Dispose();

@@ -10,108 +10,115 @@ namespace HrbfNpr
         internal uint StructSize;
         private readonly uint reserved;
 
-        /// <summary>Items that were drawn.</summary>
+        /// <summary>Number of items that were drawn.</summary>
         public readonly long Items;
 
-        /// <summary>Layers of ink.</summary>
+        /// <summary>Number of layers of ink.</summary>
         public readonly long Layers;
 
-        /// <summary>Dots of ink.</summary>
+        /// <summary>Number of dots of ink.</summary>
         public readonly long Dots;
 
-        /// <summary>Strokes.</summary>
+        /// <summary>Number of strokes of marks and of lines.</summary>
         public readonly long Strokes;
 
-        /// <summary>Points of all strokes.</summary>
+        /// <summary>Number of points of all strokes.</summary>
         public readonly long StrokePoints;
 
-        /// <summary>Marks of the layers that the styles use: the sum of those outside, front, back, silhouette, culled.</summary>
+        /// <summary>
+        /// Number of marks of the layers that the styles use: those outside, front, back, silhouette and culled.
+        /// </summary>
         public readonly long Marks;
 
-        /// <summary>Outside the frustum.</summary>
+        /// <summary>Number of marks outside the view frustum.</summary>
         public readonly long Outside;
 
-        /// <summary>Of those inside: facing the eye.</summary>
+        /// <summary>Number of marks inside the frustum that face the eye.</summary>
         public readonly long Front;
 
-        /// <summary>Facing away.</summary>
+        /// <summary>Number of marks inside the frustum that face away from the eye.</summary>
         public readonly long Back;
 
-        /// <summary>Of the contour.</summary>
+        /// <summary>Number of marks inside the frustum near a contour; 0 without Visibility.Published.</summary>
         public readonly long Silhouette;
 
-        /// <summary>Of no class, since no tone or contour could show them.</summary>
+        /// <summary>
+        /// Number of marks without a class, because no tone could show them and they were skipped; 0 with
+        /// Visibility.Published.
+        /// </summary>
         public readonly long Culled;
 
-        /// <summary>Drawn as ink.</summary>
+        /// <summary>Number of marks drawn as ink.</summary>
         public readonly long Shown;
 
-        /// <summary>Front marks not shown because of light or share, and contour marks that a line does not need.</summary>
+        /// <summary>Number of front marks not shown because of light or share.</summary>
         public readonly long DroppedTone;
 
-        /// <summary>Not shown because of depth attenuation.</summary>
+        /// <summary>Number of front and silhouette marks not shown because of their distance.</summary>
         public readonly long DroppedDepth;
 
-        /// <summary>Front marks not shown because of tone scaling.</summary>
+        /// <summary>Number of front marks not shown because of the zoom.</summary>
         public readonly long DroppedZoom;
 
-        /// <summary>Not drawn because nothing of them is seen through what is in front.</summary>
+        /// <summary>
+        /// Number of marks not drawn because the surface in front of them lets nothing of them through.
+        /// </summary>
         public readonly long DroppedHidden;
 
-        /// <summary>Discs of paper, or marks that depth layers were found from.</summary>
+        /// <summary>
+        /// Number of marks from which depth layers were found; with Visibility.Published, number of discs of paper.
+        /// </summary>
         public readonly long Splats;
 
-        /// <summary>Nanoseconds to transform, classify and shade.</summary>
+        /// <summary>Time for transforms, classes and tones, in nanoseconds.</summary>
         public readonly long NanosecondsClassify;
 
-        /// <summary>Nanoseconds to find what hides what.</summary>
+        /// <summary>Time for finding what hides marks, in nanoseconds.</summary>
         public readonly long NanosecondsVisibility;
 
-        /// <summary>Nanoseconds to order.</summary>
+        /// <summary>Time for ordering ink, in nanoseconds.</summary>
         public readonly long NanosecondsSort;
 
-        /// <summary>Bytes kept by the drawing.</summary>
+        /// <summary>Bytes that the drawing keeps.</summary>
         public readonly long Bytes;
 
-        /// <summary>Bytes kept by its renderer, drawings left out.</summary>
+        /// <summary>Bytes that its renderer keeps, without drawings.</summary>
         public readonly long ScratchBytes;
 
-        /// <summary>Curves that lines were drawn from.</summary>
+        /// <summary>Number of curves that lines were drawn from.</summary>
         public readonly long LineCurves;
 
-        /// <summary>Cusps of these.</summary>
+        /// <summary>Number of cusps of these curves.</summary>
         public readonly long LineCusps;
 
-        /// <summary>Crossings of their images, where the farther one changes its visibility.</summary>
+        /// <summary>Number of crossings of their images at which the farther curve changes its visibility.</summary>
         public readonly long LineCrossings;
 
-        /// <summary>Curves that end inside the surface, and places where one was missed.</summary>
+        /// <summary>Number of curves that end inside the surface, and of places where a curve was missed.</summary>
         public readonly long LineBroken;
 
-        /// <summary>Curves whose visibility did not add up: each part is as a ray of its own says.</summary>
+        /// <summary>Number of curves whose visibility did not add up.  A ray decided for each of their parts.</summary>
         public readonly long LineSettled;
 
-        /// <summary>Of these, curves with a part whose ray was not certain.</summary>
+        /// <summary>Number of these curves that have a part whose ray was not certain.</summary>
         public readonly long LineContradictions;
 
-        /// <summary>Nanoseconds to trace lines, and to find what hides them.</summary>
+        /// <summary>Time for lines, in nanoseconds.</summary>
         public readonly long NanosecondsLines;
 
         /// <summary>
-        /// Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
+        /// Number of curves whose visibility did not add up at first.  They, and those that cross them, were refined.
         /// </summary>
         public readonly long LineRefined;
 
         /// <summary>
-        /// Cells of the image, four pixels wide or more, with so many crossings that none was taken: lines run to and
-        /// fro over one another there, as on a flat face seen edge-on.
+        /// Number of cells of the image, four pixels wide or more, with so many crossings that none was used.  Lines
+        /// run to and fro over each other there, as on a flat face seen edge-on.
         /// </summary>
         public readonly long LineTangles;
     }
 
-    /// <summary>
-    /// A layer of a drawing: ink of one layer of marks, of the front or of contours, or of an item's lines.
-    /// </summary>
+    /// <summary>A layer of a drawing: the ink of one layer of marks, or of lines of an item.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_drawing_layer_info")]
     public unsafe struct DrawingLayerInfo
     {
@@ -121,7 +128,7 @@ namespace HrbfNpr
         /// <summary>Number of the item.</summary>
         public readonly long Item;
 
-        /// <summary>Number of the layer in the item's point set; -1: of lines.</summary>
+        /// <summary>Number of the layer in the item's point set; -1 = lines.</summary>
         public readonly long Layer;
 
         private readonly uint kind;
@@ -129,37 +136,37 @@ namespace HrbfNpr
         private fixed byte name[64];
         private fixed float ink[4];
 
-        /// <summary>Dots in the layer.</summary>
+        /// <summary>Number of dots in the layer.</summary>
         public readonly long Dots;
 
-        /// <summary>Strokes in the layer.</summary>
+        /// <summary>Number of strokes in the layer.</summary>
         public readonly long Strokes;
 
-        /// <summary>Front or Silhouette.</summary>
+        /// <summary>Class of the marks: Front or Silhouette.</summary>
         public MarkClass MarkClass
         {
             get { return (MarkClass)markClass; }
         }
 
-        /// <summary>What the marks are; Any of lines.</summary>
+        /// <summary>Kind of the layer of marks; Any for lines.</summary>
         public LayerKind Kind
         {
             get { return Layer < 0 ? LayerKind.Any : (LayerKind)kind; }
         }
 
-        /// <summary>What the lines are; null of marks.</summary>
+        /// <summary>Kind of the lines; null for marks.</summary>
         public LineKind? LineKind
         {
             get { return Layer < 0 ? (LineKind?)kind : null; }
         }
 
-        /// <summary>How they are drawn.</summary>
+        /// <summary>Shape of the ink.</summary>
         public Shape Shape
         {
             get { return (Shape)shape; }
         }
 
-        /// <summary>What the layer of marks is called; empty of lines.</summary>
+        /// <summary>Name of the layer of marks; for lines that of their style, or empty.</summary>
         public string Name
         {
             get
@@ -171,7 +178,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Its colour.</summary>
+        /// <summary>Colour of the ink.</summary>
         public Color Ink
         {
             get
@@ -184,13 +191,13 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>What an id in a drawing stands for.</summary>
+    /// <summary>The mark that an id belongs to.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mark_identity")]
     public struct MarkIdentity
     {
         internal uint StructSize;
 
-        /// <summary>1 + running number of the mark, over items and layers in order.</summary>
+        /// <summary>The id: 1 + the number of the mark over all items and layers in order.</summary>
         public readonly uint Id;
 
         /// <summary>Number of the item.</summary>
@@ -202,10 +209,10 @@ namespace HrbfNpr
         /// <summary>Number of the mark in the layer.</summary>
         public readonly long Mark;
 
-        /// <summary>Number of its stroke in the layer; -1 = of none.</summary>
+        /// <summary>Number of its stroke in the layer; -1 = it is in no stroke.</summary>
         public readonly long Stroke;
 
-        /// <summary>Its place along the stroke.</summary>
+        /// <summary>Its place along the stroke, from 0.</summary>
         public readonly long Place;
     }
 }
