@@ -3,39 +3,41 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>What a call of the library ended with; the numbers are fixed for ever.</summary>
+    /// <summary>The status with which a call of the library ends.  The numbers never change.</summary>
     [NativeConstants("HRBFNPR_STATUS_")]
     public enum Status
     {
         /// <summary>Success.</summary>
         Ok = 0,
-        /// <summary>An argument was wrong.</summary>
+        /// <summary>An argument is wrong: the message names it and says what to do.</summary>
         InvalidArgument = -1,
-        /// <summary>The allocator said no.</summary>
+        /// <summary>The allocator returned no memory.</summary>
         OutOfMemory = -2,
-        /// <summary>A destination was too small.</summary>
+        /// <summary>A destination is too small; only the needed size was written.</summary>
         BufferTooSmall = -3,
         /// <summary>The library is older than this assembly and does not know a field that was set.</summary>
         UnsupportedStruct = -4,
-        /// <summary>The fit has no (numerically) unique solution.</summary>
+        /// <summary>The linear system of the fit has no numerically unique solution.</summary>
         SingularSystem = -5,
-        /// <summary>An iteration ended short of its goal.</summary>
+        /// <summary>An iteration ended before it reached its goal.</summary>
         NotConverged = -6,
         /// <summary>The call was cancelled.</summary>
         Cancelled = -7,
         /// <summary>A stream failed.</summary>
         Io = -8,
-        /// <summary>The data is not ours, truncated or damaged.</summary>
+        /// <summary>The data is of another format, truncated or damaged.</summary>
         CorruptData = -9,
-        /// <summary>The data, or this assembly, is too new for the library.</summary>
+        /// <summary>
+        /// A newer library wrote the data, or the library has another ABI version than this assembly.
+        /// </summary>
         VersionMismatch = -10,
-        /// <summary>A function of the program failed.</summary>
+        /// <summary>A function of the program failed or gave invalid results.</summary>
         Callback = -11,
-        /// <summary>A bug in the library.</summary>
+        /// <summary>A bug in the library: please report it.</summary>
         Internal = -99,
     }
 
-    /// <summary>Type of the numbers in an array.</summary>
+    /// <summary>The type of the numbers in an array.</summary>
     [NativeConstants("HRBFNPR_SCALAR_")]
     public enum ScalarType
     {
@@ -53,67 +55,71 @@ namespace HrbfNpr
         Int64 = 6,
     }
 
-    /// <summary>Channels of pixels in the order of memory, sRGB-encoded.</summary>
+    /// <summary>
+    /// The format of an image's pixels.  The name gives the order of the channels in memory; colours are sRGB-encoded.
+    /// </summary>
     [NativeConstants("HRBFNPR_FORMAT_")]
     public enum PixelFormat
     {
-        /// <summary>Straight RGBA (default).</summary>
+        /// <summary>Straight RGBA, 4 bytes (default).</summary>
         Rgba8 = 1,
-        /// <summary>Straight BGRA.</summary>
+        /// <summary>Straight BGRA, 4 bytes.</summary>
         Bgra8 = 2,
-        /// <summary>RGBA, colour times alpha.</summary>
+        /// <summary>RGBA with colours multiplied by alpha, 4 bytes.</summary>
         Rgba8Premultiplied = 3,
-        /// <summary>BGRA, colour times alpha.</summary>
+        /// <summary>BGRA with colours multiplied by alpha, 4 bytes.</summary>
         Bgra8Premultiplied = 4,
-        /// <summary>Straight RGBA, 4 float in [0, 1], aligned to 4 bytes.</summary>
+        /// <summary>Straight RGBA, 4 floats from 0 to 1, aligned to 4 bytes.</summary>
         Rgba32f = 5,
-        /// <summary>The same, colour times alpha.</summary>
+        /// <summary>RGBA with colours multiplied by alpha, 4 floats from 0 to 1, aligned to 4 bytes.</summary>
         Rgba32fPremultiplied = 6,
-        /// <summary>1 byte: how much of the pixel ink covers, whatever its colour.</summary>
+        /// <summary>One byte: the share of the pixel that ink covers, of any colour.</summary>
         Coverage8 = 7,
     }
 
-    /// <summary>How important a line of the log is.</summary>
+    /// <summary>The level of a message in the log.</summary>
     [NativeConstants("HRBFNPR_LOG_")]
     public enum LogLevel
     {
-        /// <summary>For who works on the library.</summary>
+        /// <summary>Details for developers of the library.</summary>
         Debug = 0,
-        /// <summary>What was done.</summary>
+        /// <summary>What a call did, with counts and times.</summary>
         Info = 1,
-        /// <summary>What may be wrong.</summary>
+        /// <summary>The result may not be what the caller expects.</summary>
         Warning = 2,
     }
 
-    /// <summary>Who runs the library's tasks; the results are the same bits from all.</summary>
+    /// <summary>Which threads run the library's tasks.  The choice does not change the bits of any result.</summary>
     [NativeConstants("HRBFNPR_THREAD_BACKEND_")]
     public enum ThreadBackend
     {
-        /// <summary><see cref="ContextOptions.RunTasks"/> where that is given, else the pool.</summary>
+        /// <summary><see cref="ContextOptions.RunTasks"/> if it is given, else the pool (default).</summary>
         Auto = 0,
-        /// <summary>Threads of the context's own, which a processor that is busy elsewhere hardly hurts.</summary>
+        /// <summary>
+        /// Threads that the context owns.  A processor that is busy with other work costs little time.
+        /// </summary>
         Pool = 1,
-        /// <summary>The OpenMP runtime's, for processors that nobody else wants.</summary>
+        /// <summary>The threads of the OpenMP runtime.  Use them only if no other work needs the processors.</summary>
         Openmp = 2,
-        /// <summary>The program's own task runner.</summary>
+        /// <summary>The program's task runner, <see cref="ContextOptions.RunTasks"/>.</summary>
         RunTasks = 3,
         /// <summary>The calling thread alone.</summary>
         Serial = 4,
     }
 
-    /// <summary>Vector instructions of the processor.</summary>
+    /// <summary>Instruction sets of processors.</summary>
     [NativeConstants("HRBFNPR_INSTRUCTION_SET_")]
     public enum InstructionSet
     {
-        /// <summary>The best that build and processor have.</summary>
+        /// <summary>The best one that both the build and the processor have (default).</summary>
         Auto = 0,
-        /// <summary>What the library was compiled for.</summary>
+        /// <summary>The one that the library was compiled for.</summary>
         Baseline = 1,
-        /// <summary>AVX2 with FMA.</summary>
+        /// <summary>AVX2 with FMA: x86, 256 bits.</summary>
         Avx2 = 2,
-        /// <summary>AVX-512.</summary>
+        /// <summary>AVX-512: x86, 512 bits.</summary>
         Avx512 = 3,
-        /// <summary>NEON.</summary>
+        /// <summary>NEON: Arm, 128 bits.</summary>
         Neon = 4,
     }
 
@@ -121,15 +127,15 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_KERNEL_")]
     public enum Kernel
     {
-        /// <summary>r^3 (default); no radius.</summary>
+        /// <summary>r^3, without a radius (default).</summary>
         Triharmonic = 0,
-        /// <summary>exp(-r^2 / 2 radius^2).</summary>
+        /// <summary>exp(-r^2 / (2 radius^2)).</summary>
         Gaussian = 1,
-        /// <summary>(1 - r/radius)^4 (4 r/radius + 1) within the radius.</summary>
+        /// <summary>(1 - r/radius)^4 (4 r/radius + 1) for r &lt; radius, else 0.</summary>
         WendlandC2 = 2,
-        /// <summary>Reported for a model made from a function.</summary>
+        /// <summary>Not for fits: reported for a model made from a function.</summary>
         Custom = 3,
-        /// <summary>Reported for a solid put together from others.</summary>
+        /// <summary>Not for fits: reported for a solid.</summary>
         Csg = 4,
     }
 
@@ -137,91 +143,91 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_SOLVER_")]
     public enum Solver
     {
-        /// <summary>The library chooses (default).</summary>
+        /// <summary>Direct for few samples, Iterative for many (default).</summary>
         Auto = 0,
-        /// <summary>Dense factorisation: memory about 64 N^2 bytes, time N^3.</summary>
+        /// <summary>Dense factorization: memory grows with N^2, time with N^3.</summary>
         Direct = 1,
-        /// <summary>Preconditioned conjugate gradients: memory about 2 to 6 kB a sample.</summary>
+        /// <summary>Preconditioned conjugate gradients: memory grows with N.</summary>
         Iterative = 2,
     }
 
-    /// <summary>Why the solver that was used is the one.</summary>
+    /// <summary>Why a fit used the solver that it used.</summary>
     [NativeConstants("HRBFNPR_SOLVER_REASON_")]
     public enum SolverReason
     {
         /// <summary>The caller named it.</summary>
         Requested = 0,
-        /// <summary>The direct one is the faster one.</summary>
+        /// <summary>Auto took Direct, which is faster for few samples.</summary>
         Small = 1,
-        /// <summary>The direct one would take too much memory or time.</summary>
+        /// <summary>Auto took Iterative: Direct would need too much memory or time.</summary>
         Large = 2,
-        /// <summary>The iterative one did not reach its tolerance.</summary>
+        /// <summary>Auto took Direct, because Iterative did not reach its tolerance.</summary>
         NotConverged = 3,
-        /// <summary>The iterative one needs a definite system.</summary>
+        /// <summary>Auto took Direct, because Iterative needs a definite system.</summary>
         NotDefinite = 4,
     }
 
-    /// <summary>What becomes of samples that look wrong; they are counted in any case.</summary>
+    /// <summary>What a fit does with samples that look wrong.  It counts them in any case.</summary>
     [NativeConstants("HRBFNPR_REPAIR_")]
     public enum Repair
     {
-        /// <summary>Nothing (default).</summary>
+        /// <summary>Uses them as they are (default).</summary>
         Keep = 0,
-        /// <summary>They are left out.</summary>
+        /// <summary>Leaves them out.</summary>
         Drop = 1,
-        /// <summary>Of flipped normals only: turned round.</summary>
+        /// <summary>Turns their normals round; for flipped normals only.</summary>
         Reorient = 2,
     }
 
-    /// <summary>What is known of given normals.</summary>
+    /// <summary>How far given normals can be trusted.</summary>
     [NativeConstants("HRBFNPR_NORMALS_")]
     public enum Normals
     {
-        /// <summary>They are right, and point outward.</summary>
+        /// <summary>They are correct and point outward.</summary>
         Given = 0,
-        /// <summary>There are none, or none to go by.</summary>
+        /// <summary>There are none, or they are useless: all are made.</summary>
         None = 1,
-        /// <summary>Directions are right, signs are not.</summary>
+        /// <summary>The directions are correct, the signs are not.</summary>
         Unoriented = 2,
-        /// <summary>Most signs are right, too; some patches are turned.</summary>
+        /// <summary>The directions and most signs are correct; some patches are turned.</summary>
         Mixed = 3,
-        /// <summary>Right, but for all pointing inward.</summary>
+        /// <summary>They are consistent, but all point inward.</summary>
         Inward = 4,
-        /// <summary>Find out which of these it is, and do what that calls for.</summary>
+        /// <summary>Find out which of these holds, and repair accordingly.</summary>
         Auto = 5,
     }
 
-    /// <summary>Whether a fitted surface ends where its samples do.</summary>
+    /// <summary>Whether a fitted surface ends where its samples end.</summary>
     [NativeConstants("HRBFNPR_TRIM_")]
     public enum TrimMode
     {
-        /// <summary>It goes on, to the end of the search box.</summary>
+        /// <summary>The surface goes on to the end of the search box.</summary>
         Never = 0,
-        /// <summary>That of an open surface does (default); a closed one stays as it is.</summary>
+        /// <summary>An open surface ends where its samples end; a closed surface stays whole (default).</summary>
         Auto = 1,
     }
 
-    /// <summary>Which sides of a surface its marks are drawn on.</summary>
+    /// <summary>The sides of an item's surface on which its marks are drawn.</summary>
     [NativeConstants("HRBFNPR_SIDES_")]
     public enum Sides
     {
-        /// <summary>That which the normals look to (default): a solid's inside is never seen.</summary>
+        /// <summary>The side that the normals point to (default).  The inside of a solid is never seen.</summary>
         Front = 0,
-        /// <summary>Of a surface that ends, the other one, too, where it looks to the camera.</summary>
+        /// <summary>Both sides, for a surface that ends, such as a bowl or a leaf.</summary>
         Both = 1,
     }
 
-    /// <summary>How it was decided which side is outward.</summary>
+    /// <summary>How it was decided which side of a surface is outward.</summary>
     [NativeConstants("HRBFNPR_OUTWARD_")]
     public enum OutwardBy
     {
-        /// <summary>The other side is inside.</summary>
+        /// <summary>The surface encloses the other side.</summary>
         Inside = 0,
-        /// <summary>The side that up points to.</summary>
+        /// <summary><see cref="OrientationOptions.Up"/> points to this side.</summary>
         Up = 1,
-        /// <summary>The side that is seen.</summary>
+        /// <summary>The viewpoint is on this side.</summary>
         Viewpoint = 2,
-        /// <summary>Most given normals say so.</summary>
+        /// <summary>Most given normals point to this side.</summary>
         AsGiven = 3,
     }
 
@@ -231,21 +237,21 @@ namespace HrbfNpr
     {
         /// <summary><see cref="FitOptions.Regularization"/> (default).</summary>
         Given = 0,
-        /// <summary>From the noise of the samples.</summary>
+        /// <summary>The measured noise of the samples; 0 for samples without noise.</summary>
         Auto = 1,
     }
 
-    /// <summary>What became of a point that was to be projected.</summary>
+    /// <summary>What became of a projected point.</summary>
     [NativeConstants("HRBFNPR_PROJECTION_")]
     public enum ProjectionStatus : byte
     {
-        /// <summary>It lies on the surface.</summary>
+        /// <summary>The point is on the surface, within the tolerance.</summary>
         Converged = 0,
-        /// <summary>Evaluation limit, or no step lowers f^2.</summary>
+        /// <summary>The evaluation limit was reached, or no step lowers f^2.</summary>
         NotConverged = 1,
-        /// <summary>Stuck at a critical point off the surface.</summary>
+        /// <summary>The point is stuck off the surface, where the gradient vanishes.</summary>
         ZeroGradient = 2,
-        /// <summary>f or its gradient was not finite.</summary>
+        /// <summary>f or its gradient is not finite.</summary>
         NotFinite = 3,
     }
 
@@ -253,192 +259,236 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_RAY_")]
     public enum RayStatus : byte
     {
-        /// <summary>One hit or more.</summary>
+        /// <summary>The ray has one or several hits.</summary>
         Hit = 0,
-        /// <summary>None.</summary>
+        /// <summary>The ray has no hit.</summary>
         Miss = 1,
-        /// <summary>There are more hits than were asked for (two or more).</summary>
+        /// <summary>
+        /// The ray has more hits than <see cref="CastOptions.MaximumHits"/>; reported only if that is 2 or more.
+        /// </summary>
         Truncated = 2,
-        /// <summary>Given up on; what was found before is kept.</summary>
+        /// <summary>The search ended at the evaluation limit; earlier hits are kept.</summary>
         EvaluationLimit = 3,
-        /// <summary>f or its gradient was not finite; what was found before is kept.</summary>
+        /// <summary>f or its gradient is not finite; earlier hits are kept.</summary>
         NotFinite = 4,
     }
 
-    /// <summary>What the marks of a layer are.  More kinds may come: treat an unknown one like Own.</summary>
+    /// <summary>The kind of a layer's marks.  Later versions may add kinds: treat an unknown one like Own.</summary>
     [NativeConstants("HRBFNPR_LAYER_KIND_")]
     public enum LayerKind
     {
-        /// <summary>In styles only: layers of every kind.</summary>
+        /// <summary>Layers of every kind; for styles only.</summary>
         Any = 0,
         /// <summary>Scattered marks.</summary>
         Stipples = 1,
         /// <summary>
-        /// Lines along a field of directions: evenly spaced and nested with <see cref="Distribution.BlueNoise"/>, level 0
-        /// the coarsest, those of each further level midway between all before [Knoeppel et al. 2015]; strokes along the
-        /// directions and across them with <see cref="Distribution.Published"/> [NPAR 5].
+        /// Lines along a field of directions.  With <see cref="Distribution.BlueNoise"/> they are evenly spaced and
+        /// nested; with <see cref="Distribution.Published"/> they are strokes along the directions and across them
+        /// [NPAR 5].
         /// </summary>
+        /// <remarks>
+        /// Lines of level 0 are the coarsest.  Lines of each further level lie midway between all before [Knoeppel et
+        /// al. 2015].
+        /// </remarks>
         Hatch = 2,
-        /// <summary>Marks or strokes of the program's own.</summary>
+        /// <summary>Marks or strokes of the program.</summary>
         Own = 3,
     }
 
     /// <summary>
-    /// Kinds of lines.  Those marked "once" are found when a line set is made, for each of its
-    /// <see cref="LineSetOptions.Lines"/>; the others with every drawing.  Strengths have no unit: lengths are in
-    /// diagonals of the model.
+    /// Kinds of lines.  Kinds marked "once" are found when a line set is made, for each of its
+    /// <see cref="LineSetOptions.Lines"/>; borders and creases then, too, without an element of that list.  Others are
+    /// found for every drawing.
     /// </summary>
+    /// <remarks>
+    /// The strength says how marked a line is at a place.  It has no unit, because lengths are measured in diagonals of
+    /// the model.
+    /// </remarks>
     [NativeConstants("HRBFNPR_LINE_KIND_")]
     public enum LineKind
     {
-        /// <summary>Occluding contours: the line of sight is tangent to the surface.</summary>
+        /// <summary>Occluding contours: the line of sight is tangent to the surface there.</summary>
         Contour = 1,
         /// <summary>
-        /// Where a contour would appear soon; strength: the derivative of the radial curvature towards the eye; needs
-        /// <see cref="LineSetOptions.WithCurvature"/> [DeCarlo 2003].
+        /// Curves that become contours in a nearby view.  Strength: the derivative of the radial curvature towards the
+        /// eye [DeCarlo et al. 2003].  Needs <see cref="LineSetOptions.WithCurvature"/>.
         /// </summary>
         SuggestiveContour = 2,
         /// <summary>
-        /// Once; strength: curvature across the ridge less that along it [Ohtake, Belyaev and Seidel 2004].
+        /// Convex ridges; once.  Strength: the curvature across the ridge minus the absolute value of the one along it
+        /// [Ohtake, Belyaev and Seidel 2004].
         /// </summary>
         Ridge = 3,
-        /// <summary>Once; the same.</summary>
+        /// <summary>Concave valleys; once.  The strength is that of ridges.</summary>
         Valley = 4,
         /// <summary>
-        /// Strength: view-dependent curvature; needs <see cref="LineSetOptions.WithCurvature"/> [Judd 2007].
-        /// </summary>
-        ApparentRidge = 5,
-        /// <summary>Once; Gaussian curvature 0.</summary>
-        Parabolic = 6,
-        /// <summary>
-        /// n . l = <see cref="LineStyle.Levels"/>, l the style's light; needs
+        /// Extrema of the view-dependent curvature, which is also the strength [Judd, Durand and Adelson 2007].  Needs
         /// <see cref="LineSetOptions.WithCurvature"/>.
         /// </summary>
+        ApparentRidge = 5,
+        /// <summary>Curves of Gaussian curvature 0; once.</summary>
+        Parabolic = 6,
+        /// <summary>
+        /// Curves on which n . l is one of <see cref="LineStyle.Levels"/>, where n is the normal and l the direction to
+        /// the style's light.  Needs <see cref="LineSetOptions.WithCurvature"/>.
+        /// </summary>
         Isophote = 7,
-        /// <summary>Once; parallel planes.</summary>
+        /// <summary>Cuts of the surface by parallel planes; once.</summary>
         Section = 8,
-        /// <summary>Where the surface ends: at the search box.</summary>
+        /// <summary>
+        /// Curves where the surface ends: at the search box, or beyond the last samples
+        /// (<see cref="LineSetOptions.Support"/>).
+        /// </summary>
         Border = 9,
-        /// <summary>Once; polylines of the program's own, such as creases of a mesh.</summary>
+        /// <summary>Polylines of the program, such as creases of a mesh; once.</summary>
         Own = 10,
         /// <summary>
-        /// Where smooth sheets of the surface meet, of models that have such edges; strength: the angle between their
-        /// normals, degrees.  Where one sheet faces the eye and the other does not, a crease is part of the contour.
+        /// Edges and grooves in which smooth sheets of the surface meet, in models that have them.  Strength: the angle
+        /// between the normals of both sheets, in degrees.
         /// </summary>
+        /// <remarks>
+        /// Where one sheet faces the eye and the other faces away, the crease is part of the contour and is drawn as
+        /// Contour.
+        /// </remarks>
         Crease = 11,
     }
 
-    /// <summary>Creases by the way that the surface bends there.</summary>
+    /// <summary>Which creases are drawn.</summary>
     [NativeConstants("HRBFNPR_CREASES_")]
     public enum Creases
     {
-        /// <summary>All of them (default).</summary>
+        /// <summary>All creases (default).</summary>
         All = 0,
-        /// <summary>Edges.</summary>
+        /// <summary>Convex creases: edges.</summary>
         Convex = 1,
-        /// <summary>Grooves, and where something stands on a face.</summary>
+        /// <summary>Concave creases: grooves, and where something stands on a face.</summary>
         Concave = 2,
     }
 
-    /// <summary>How marks are spread.</summary>
+    /// <summary>How marks are distributed over a surface.</summary>
     [NativeConstants("HRBFNPR_DISTRIBUTION_")]
     public enum Distribution
     {
-        /// <summary>Evenly, in a progressive order each prefix of which is even (default).</summary>
+        /// <summary>Evenly, in a progressive order every prefix of which is evenly spread (default).</summary>
         BlueNoise = 0,
-        /// <summary>The published recursion, with random ranks [NPAR 5, 6.2].</summary>
+        /// <summary>By the published recursion, with random ranks [NPAR 5, 6.2].</summary>
         Published = 1,
     }
 
-    /// <summary>What the lines of <see cref="LayerKind.Hatch"/> follow.</summary>
+    /// <summary>The directions that lines of <see cref="LayerKind.Hatch"/> follow.</summary>
     [NativeConstants("HRBFNPR_HATCH_GUIDE_")]
     public enum HatchGuide
     {
-        /// <summary>The direction in which the surface bends most (default); published strokes: both principal directions.</summary>
+        /// <summary>
+        /// The direction in which the surface bends most (default); with Published, strokes along both principal
+        /// directions.
+        /// </summary>
         Curvature = 0,
-        /// <summary>Stark's combing direction; published strokes: both of his directions [NPAR 5.3].</summary>
+        /// <summary>
+        /// Stark's combing direction; with Published, strokes along both of his directions [NPAR 5.3].
+        /// </summary>
         Combing = 1,
-        /// <summary>Sections by planes across <see cref="Layer.Axis"/>.</summary>
+        /// <summary>
+        /// Sections of the surface by planes perpendicular to <see cref="Layer.Axis"/>; not with Published.
+        /// </summary>
         Sections = 2,
-        /// <summary>Away from the light of <see cref="Layer.GuideDirection"/>.</summary>
+        /// <summary>
+        /// The tangent part of <see cref="Layer.GuideDirection"/>, which points to the light; not with Published.
+        /// </summary>
         Light = 3,
-        /// <summary>As the silhouette runs that is seen from <see cref="Layer.GuideDirection"/>.</summary>
+        /// <summary>
+        /// The direction conjugate to <see cref="Layer.GuideDirection"/>, which points to the eye: near the silhouette,
+        /// lines run along it; not with Published.
+        /// </summary>
         Silhouette = 4,
     }
 
-    /// <summary>Where marks start from.</summary>
+    /// <summary>The seeds from which marks start.</summary>
     [NativeConstants("HRBFNPR_SEED_")]
     public enum SeedSource
     {
-        /// <summary>The model's samples if they are well spread, else the box (default).</summary>
+        /// <summary>The model's samples if it has them, else the box (default).</summary>
         Auto = 0,
-        /// <summary>The model's samples; not of a model from a function.</summary>
+        /// <summary>The model's samples; not for a model without samples.</summary>
         Samples = 1,
-        /// <summary>A jittered grid in the bounds, projected.</summary>
+        /// <summary>A jittered grid in the bounds, projected onto the surface.</summary>
         Box = 2,
-        /// <summary><see cref="GenerateOptions.SeedPoints"/>, projected.</summary>
+        /// <summary><see cref="GenerateOptions.SeedPoints"/>, projected onto the surface.</summary>
         Points = 3,
     }
 
-    /// <summary>What the strokes of <see cref="Distribution.Published"/> start from.</summary>
+    /// <summary>Where the strokes of <see cref="Distribution.Published"/> start.</summary>
     [NativeConstants("HRBFNPR_STROKE_START_")]
     public enum StrokeStart
     {
-        /// <summary>The seeds (default).</summary>
+        /// <summary>At the seeds (default).</summary>
         Seeds = 0,
-        /// <summary>The stipples up to a level.</summary>
+        /// <summary>At the stipples up to <see cref="Layer.StartLevel"/>.</summary>
         Stipples = 1,
     }
 
-    /// <summary>How dense stipples are over the surface.</summary>
+    /// <summary>How densely the stipples of <see cref="Distribution.BlueNoise"/> lie.</summary>
     [NativeConstants("HRBFNPR_DENSITY_")]
     public enum Density
     {
-        /// <summary>As many per area everywhere (default).</summary>
+        /// <summary>The same number of stipples per area everywhere (default).</summary>
         Uniform = 0,
-        /// <summary>More where the surface bends.</summary>
+        /// <summary>More stipples where the surface bends.</summary>
         Curvature = 1,
-        /// <summary>As <see cref="Layer.DensityFunction"/> says.</summary>
+        /// <summary>The density of <see cref="Layer.DensityFunction"/>.</summary>
         Callback = 2,
     }
 
-    /// <summary>Which tones the ranks of each layer cover.</summary>
+    /// <summary>The tones in which layers appear, if they have no tone range of their own.</summary>
     [NativeConstants("HRBFNPR_TONE_RANGES_")]
     public enum ToneRanges
     {
-        /// <summary>Each layer's ranks cover all tones (default).</summary>
+        /// <summary>Each layer covers all tones (default).</summary>
         Full = 0,
-        /// <summary>One layer, or direction of strokes, after the other: hatching builds up from light to dark.</summary>
+        /// <summary>
+        /// The layers follow each other, each over an equal part of the tones: hatching builds up from light to dark.
+        /// </summary>
         InTurn = 1,
     }
 
-    /// <summary>What is known of each mark of a layer, and of each of its S strokes.</summary>
+    /// <summary>The arrays of a layer, with one element for each mark or for each of its S strokes.</summary>
     [NativeConstants("HRBFNPR_MARK_ATTRIBUTE_")]
     public enum MarkAttribute
     {
-        /// <summary>3 float, relative to <see cref="PointSetInfo.Origin"/>.</summary>
+        /// <summary>Place relative to <see cref="PointSetInfo.Origin"/>; 3 float.</summary>
         Position = 0,
-        /// <summary>3 float, unit, outward.</summary>
+        /// <summary>Normal, unit and outward; 3 float.</summary>
         Normal = 1,
-        /// <summary>3 float, unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2].</summary>
+        /// <summary>
+        /// Direction along the stroke, unit and tangent; for a mark without a stroke the u of its basis [NPAR 5.2]; 3
+        /// float.
+        /// </summary>
         Direction = 2,
-        /// <summary>3 float: k1, k2, confidence; absent where not generated.</summary>
+        /// <summary>k1, k2 and confidence; 3 float; absent if they were not generated.</summary>
         Curvature = 3,
-        /// <summary>1 float in [0, 1): the u of [NPAR 6.2]; a mark is shown where u >= tau.</summary>
+        /// <summary>Rank u in [0, 1) [NPAR 6.2]: the mark is shown where u >= tau; 1 float.</summary>
         Rank = 4,
-        /// <summary>1 byte: the refinement step, or the pass of strokes, that placed the mark.</summary>
+        /// <summary>
+        /// Refinement step that placed the mark; for blue-noise Hatch the level of its line there; 1 byte.
+        /// </summary>
         Level = 5,
-        /// <summary>2 uint: stroke (2 number + direction, 0 or 1) and the mark's place along it.</summary>
+        /// <summary>2 * number + direction (0 or 1) of the stroke, and the mark's place along it; 2 uint.</summary>
         Stroke = 6,
-        /// <summary>1 float in (0, 1]: relative width; absent where all are 1.</summary>
+        /// <summary>Width as a factor of the style's radius, in (0, 1]; 1 float; absent if all are 1.</summary>
         Width = 7,
         /// <summary>
-        /// S + 1 uint: stroke s has the marks order[first[s]] to order[first[s + 1] - 1]; absent without strokes.
+        /// S + 1 uint: stroke s has the marks order[first[s]] to order[first[s + 1] - 1], where order is
+        /// <see cref="StrokeOrder"/>; absent for a layer without strokes.
         /// </summary>
         StrokeFirst = 8,
-        /// <summary>1 uint: that order; absent where marks stand stroke by stroke already.</summary>
+        /// <summary>
+        /// Numbers of marks, stroke by stroke; 1 uint; absent if the marks themselves are in this order.
+        /// </summary>
         StrokeOrder = 9,
-        /// <summary>3 float, unit: the normal that tone goes by; absent: Normal.</summary>
+        /// <summary>
+        /// Unit normal that sets the tone, averaged over <see cref="Layer.ToneSmoothing"/>; 3 float; absent if it is
+        /// Normal.
+        /// </summary>
         ToneNormal = 10,
     }
 }

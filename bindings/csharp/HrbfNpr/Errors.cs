@@ -5,44 +5,46 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>A call of the library failed; there is a subclass for each status.</summary>
+    /// <summary>A call of the library failed.  Each status has its own subclass.</summary>
     public class HrbfNprException : Exception
     {
-        /// <summary>Makes one; the library's are made by its calls.</summary>
+        /// <summary>Creates an exception.</summary>
         public HrbfNprException(Status status, string message, Exception innerException = null)
             : base(message, innerException)
         {
             Status = status;
         }
 
-        /// <summary>The library's status; a number that is in no list is to be treated like Internal.</summary>
+        /// <summary>
+        /// The status that the library returned.  Treat a number that is not in the list like Internal.
+        /// </summary>
         public Status Status { get; }
     }
 
-    /// <summary>An argument was wrong; the message names it and says what would be right.</summary>
+    /// <summary>An argument is wrong.  The message names it and says what to do.</summary>
     public sealed class InvalidArgumentException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public InvalidArgumentException(string message)
             : base(Status.InvalidArgument, message)
         {
         }
     }
 
-    /// <summary>There was not enough native memory.</summary>
+    /// <summary>The native allocator returned no memory.</summary>
     public sealed class NativeOutOfMemoryException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public NativeOutOfMemoryException(string message)
             : base(Status.OutOfMemory, message)
         {
         }
     }
 
-    /// <summary>A destination was too small; nothing was written to it.</summary>
+    /// <summary>A destination is too small; nothing was written to it.</summary>
     public sealed class BufferTooSmallException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public BufferTooSmallException(string message)
             : base(Status.BufferTooSmall, message)
         {
@@ -52,27 +54,27 @@ namespace HrbfNpr
     /// <summary>The library is older than this assembly and does not know a field that was set.</summary>
     public sealed class UnsupportedStructException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public UnsupportedStructException(string message)
             : base(Status.UnsupportedStruct, message)
         {
         }
     }
 
-    /// <summary>The fit has no (numerically) unique solution.</summary>
+    /// <summary>The linear system of the fit has no numerically unique solution.</summary>
     public sealed class SingularSystemException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public SingularSystemException(string message)
             : base(Status.SingularSystem, message)
         {
         }
     }
 
-    /// <summary>An iteration ended short of its goal.</summary>
+    /// <summary>An iteration ended before it reached its goal.</summary>
     public sealed class NotConvergedException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public NotConvergedException(string message)
             : base(Status.NotConverged, message)
         {
@@ -80,58 +82,62 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// The call was cancelled through its token.  It is .NET's own kind, so that a task that runs the call ends as
-    /// cancelled and not as failed; it is the one status that is not a <see cref="HrbfNprException"/>.
+    /// The call was cancelled through its token.  It is an <c>OperationCanceledException</c> and no
+    /// <see cref="HrbfNprException"/>, so that a task that runs the call ends as cancelled and not as failed.
     /// </summary>
     public sealed class CancelledException : OperationCanceledException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public CancelledException(string message, CancellationToken token)
             : base(message, token)
         {
         }
 
-        /// <summary>Always <see cref="Status.Cancelled"/>.</summary>
+        /// <summary>Always <see cref="HrbfNpr.Status.Cancelled"/>.</summary>
         public Status Status
         {
             get { return Status.Cancelled; }
         }
     }
 
-    /// <summary>A stream failed while something was saved or loaded; its own exception is inside.</summary>
+    /// <summary>
+    /// A stream failed while something was saved or loaded.  The InnerException is what the stream threw.
+    /// </summary>
     public sealed class StreamException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public StreamException(string message, Exception innerException = null)
             : base(Status.Io, message, innerException)
         {
         }
     }
 
-    /// <summary>The data is not a saved model or point set, or is cut short or damaged.</summary>
+    /// <summary>The data is no saved model or point set, truncated or damaged.</summary>
     public sealed class CorruptDataException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public CorruptDataException(string message)
             : base(Status.CorruptData, message)
         {
         }
     }
 
-    /// <summary>The data was written by a newer library, or the library is not the one this assembly needs.</summary>
+    /// <summary>A newer library wrote the data, or the library has another ABI version than this assembly.</summary>
     public sealed class VersionMismatchException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public VersionMismatchException(string message)
             : base(Status.VersionMismatch, message)
         {
         }
     }
 
-    /// <summary>A function of the program failed; what it threw is the InnerException.</summary>
+    /// <summary>
+    /// A function of the program threw an exception, which is the InnerException, or gave invalid results.
+    /// </summary>
     public sealed class CallbackException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public CallbackException(string message, Exception innerException = null)
             : base(Status.Callback, message, innerException)
         {
@@ -141,7 +147,7 @@ namespace HrbfNpr
     /// <summary>A bug in the library: please report it.</summary>
     public sealed class InternalErrorException : HrbfNprException
     {
-        /// <summary>Makes one.</summary>
+        /// <summary>Creates an exception.</summary>
         public InternalErrorException(Status status, string message)
             : base(status, message)
         {
@@ -151,7 +157,7 @@ namespace HrbfNpr
     /// <summary>Turns statuses into exceptions.</summary>
     internal static unsafe class Errors
     {
-        /// <summary>An error record to pass to a call.</summary>
+        /// <summary>Sets up an error struct to pass to a call.</summary>
         internal static hrbfnpr_error New()
         {
             hrbfnpr_error error;
@@ -176,7 +182,7 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// As above, for a call that calls functions of the program: what one of them threw comes out.  A state that
+        /// Does the same for a call that runs functions of the program: it throws what one of them threw.  A state that
         /// several calls share is asked only if this call failed.
         /// </summary>
         internal static void Check(
@@ -221,7 +227,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A string of the library's; empty for NULL.</summary>
+        /// <summary>Copies a text of the library; empty for NULL.</summary>
         internal static string Utf8(byte* text)
         {
             if (text == null)

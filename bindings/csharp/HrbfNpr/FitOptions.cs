@@ -1,60 +1,92 @@
 // SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
-    /// <summary>How <see cref="Model.Fit(ArrayView, ArrayView, FitOptions, Context, System.IProgress{double}, System.Threading.CancellationToken)"/> fits.</summary>
+    /// <summary>How <c>Model.Fit</c> fits; a new one holds all defaults.</summary>
     public sealed class FitOptions
     {
-        /// <summary>Radial function; r^3 by default.</summary>
+        /// <summary>The radial function: Triharmonic, Gaussian or WendlandC2; default Triharmonic.</summary>
         public Kernel Kernel { get; set; }
 
-        /// <summary>Radius of the other kernels, in the unit of the points; 0 = from the sample spacing (default).</summary>
+        /// <summary>
+        /// Radius of Gaussian and WendlandC2, in the unit of the points; 0 or more; default 0 = from the sample
+        /// spacing.  A larger radius fills larger gaps, but makes the system worse conditioned.
+        /// </summary>
         public double KernelRadius { get; set; }
 
-        /// <summary>-1 (none) to 3; 1.  The r^3 kernel is well-posed from 1 on.</summary>
+        /// <summary>
+        /// Degree of the polynomial that is added to the kernels; -1 (none) to 3; default 1.  Triharmonic is well-posed
+        /// from 1 on.
+        /// </summary>
         public int PolynomialDegree { get; set; } = 1;
 
-        /// <summary>0 interpolates (default); more is smoother.  Not below 0.</summary>
+        /// <summary>
+        /// Smoothing of the fit; 0 or more; default 0 = pass through every sample.  Larger values give a smoother
+        /// surface that keeps a distance from noisy samples.
+        /// </summary>
         public double Regularization { get; set; }
 
-        /// <summary>Auto takes the regularization from the noise of the samples; Given by default.</summary>
+        /// <summary>
+        /// Where the regularization comes from; default Given.  Auto needs a <see cref="Regularization"/> of 0.
+        /// </summary>
         public RegularizationMode RegularizationMode { get; set; }
 
-        /// <summary>What becomes of samples far from all others: kept (default) or dropped.</summary>
+        /// <summary>What to do with samples far from all others: Keep or Drop; default Keep.</summary>
         public Repair Outliers { get; set; }
 
-        /// <summary>What becomes of samples whose normal is against those around them; kept by default.</summary>
+        /// <summary>
+        /// What to do with samples whose normals are opposite to those of their neighbours; default Keep.
+        /// </summary>
         public Repair FlippedNormals { get; set; }
 
         /// <summary>
-        /// Above 0: samples are chosen as centres until all lie this near to the surface, in the unit of the points;
-        /// 0 = no such end (default).
+        /// Largest distance of a sample from the surface at which no more centres are chosen, in the unit of the
+        /// points; 0 or more; default 0 = none.  Smaller values give more centres.
         /// </summary>
         public double Tolerance { get; set; }
 
-        /// <summary>Above 0: no more samples than this are chosen as centres; 0 = no limit (default).</summary>
+        /// <summary>
+        /// Largest number of samples that are chosen as centres; 0 or more; default 0 = no limit.  If
+        /// <see cref="Tolerance"/> is 0, too, every sample is a centre.
+        /// </summary>
         public long MaximumCentres { get; set; }
 
-        /// <summary>Auto by default.</summary>
+        /// <summary>How the linear system is solved; default Auto.</summary>
         public Solver Solver { get; set; }
 
-        /// <summary>Steps of iterative refinement after a direct solve, 0 to 20; 2.</summary>
+        /// <summary>
+        /// Steps of iterative refinement after a Direct solve; 0 to 20; default 2.  More steps give smaller residuals.
+        /// </summary>
         public int RefinementSteps { get; set; } = 2;
 
-        /// <summary>Relative residual at which the iterative solver ends; 0 = automatic (default).</summary>
+        /// <summary>
+        /// Relative residual at which Iterative ends; 0 to 0.1; default 0 = 1e-10 up to 2048 centres, 1e-8 beyond.
+        /// </summary>
+        /// <remarks>If rounding allows no more, the default may be up to 1e-6; the log then warns.</remarks>
         public double SolverTolerance { get; set; }
 
-        /// <summary>Most iterations of the iterative solver; 200.</summary>
+        /// <summary>Largest number of iterations of Iterative; 1 to 1000000; default 200.</summary>
         public int IterationLimit { get; set; } = 200;
 
-        /// <summary>Of the iterative solver, 1 to 48; 0 = automatic (default).</summary>
+        /// <summary>
+        /// Neighbours of each sample in the preconditioner of Iterative; 1 to 48; default 0 = by the kernel and the
+        /// number of samples.  More neighbours give fewer iterations and a longer setup.
+        /// </summary>
         public int PreconditionerNeighbours { get; set; }
 
-        /// <summary>What is known of the normals; Given by default.  With all others they are first made by
-        /// <see cref="Orientation.Find"/>; None, and Auto, need no normals: pass default(ArrayView).</summary>
+        /// <summary>
+        /// How far the normals can be trusted; default Given.  None and Auto work without normals: pass
+        /// <c>default(ArrayView)</c>.
+        /// </summary>
+        /// <remarks>
+        /// With a mode other than Given, the fit first makes or repairs the normals, as <see cref="Orientation.Find"/>
+        /// does.
+        /// </remarks>
         public Normals NormalMode { get; set; }
 
-        /// <summary>Whether the surface ends where the samples of an open one do; Auto by default.  See
-        /// <see cref="Model.TrimInfo"/>.</summary>
+        /// <summary>
+        /// Whether the surface ends where its samples end; default Auto.  <see cref="Model.TrimInfo"/> says what was
+        /// done.
+        /// </summary>
         public TrimMode Trim { get; set; } = TrimMode.Auto;
 
         internal void Write(ref hrbfnpr_fit_desc desc)
@@ -78,19 +110,27 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>How points are projected on a surface.</summary>
+    /// <summary>How points are projected onto a surface; a new one holds all defaults.</summary>
     public sealed class ProjectOptions
     {
-        /// <summary>Evaluations of f at each point, 1 to 1000; 50.</summary>
+        /// <summary>Largest number of evaluations of f for each point; 1 to 1000; default 50.</summary>
         public int EvaluationLimit { get; set; } = 50;
 
-        /// <summary>A point has converged when |f| / |grad f| is at most this share of the diagonal; 1e-9.</summary>
+        /// <summary>
+        /// Largest distance |f| / |grad f| from the surface at which the projection ends, in diagonals; above 0;
+        /// default 1e-9.
+        /// </summary>
         public double Tolerance { get; set; } = 1e-9;
 
-        /// <summary>sigma of Armijo's rule, in (0, 0.5); 1e-4.</summary>
+        /// <summary>
+        /// sigma of Armijo's rule: the share of the expected decrease that a step must reach; between 0 and 0.5;
+        /// default 1e-4.
+        /// </summary>
         public double ArmijoSlope { get; set; } = 1e-4;
 
-        /// <summary>beta of Armijo's rule, in (0, 1); 0.5.</summary>
+        /// <summary>
+        /// beta of Armijo's rule: the factor by which a step is shortened; between 0 and 1; default 0.5.
+        /// </summary>
         public double ArmijoFactor { get; set; } = 0.5;
 
         internal void Write(ref hrbfnpr_project_desc desc)
@@ -102,28 +142,36 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>How rays are cast.</summary>
+    /// <summary>How rays are cast; a new one holds all defaults.</summary>
     public sealed class CastOptions
     {
-        /// <summary>Hits to find on a ray, 1 to 256; 1 is the first.</summary>
+        /// <summary>Largest number of hits to find on a ray; 1 to 256; default 1 = only the first one.</summary>
         public int MaximumHits { get; set; } = 1;
 
-        /// <summary>Evaluations of f on each ray, 1 to 1000000; 20000.</summary>
+        /// <summary>Largest number of evaluations of f for each ray; 1 to 1000000; default 20000.</summary>
         public int EvaluationLimit { get; set; } = 20000;
 
-        /// <summary>Where rays begin, in lengths of their direction; 0.</summary>
+        /// <summary>Where rays begin, in lengths of their direction; finite; default 0.</summary>
         public double TMin { get; set; }
 
-        /// <summary>Where rays end, not below <see cref="TMin"/>; infinity.</summary>
+        /// <summary>
+        /// Where rays end, in lengths of their direction; <see cref="TMin"/> or more; default infinity.
+        /// </summary>
         public double TMax { get; set; } = double.PositiveInfinity;
 
-        /// <summary>Bound on |grad f| near the bounds; 0 = <see cref="Model.Lipschitz"/> at each call (default).</summary>
+        /// <summary>
+        /// A bound on |grad f| in the search box; 0 or more; default 0 = that of <see cref="Model.Lipschitz"/>,
+        /// computed in each call.  A bound that is too small may miss hits; one that is too large only takes time.
+        /// </summary>
         public double Lipschitz { get; set; }
 
-        /// <summary>In diagonals, above 0, at most 0.1; 1e-4.  What is met for a shorter length may be missed.</summary>
+        /// <summary>
+        /// Smallest step along a ray, in diagonals; above 0, at most 0.1; default 1e-4.  Smaller steps find thinner
+        /// sheets and take more time.
+        /// </summary>
         public double SmallestStep { get; set; } = 1e-4;
 
-        /// <summary>On the place of a hit along the ray, in diagonals, above 0; 1e-9.</summary>
+        /// <summary>Accuracy of the place of a hit along its ray, in diagonals; above 0; default 1e-9.</summary>
         public double Tolerance { get; set; } = 1e-9;
 
         internal void Write(ref hrbfnpr_cast_desc desc)

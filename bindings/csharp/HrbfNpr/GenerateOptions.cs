@@ -14,44 +14,59 @@ namespace HrbfNpr
     /// </example>
     public sealed class GenerateOptions
     {
-        /// <summary>The layers to make, in this order; without any, one of stipples.</summary>
+        /// <summary>The layers to make, in this order; default empty = one layer of stipples.</summary>
         public IList<Layer> Layers { get; } = new List<Layer>();
 
-        /// <summary>How marks are spread.</summary>
+        /// <summary>How marks are distributed; default BlueNoise.</summary>
         public Distribution Distribution { get; set; }
 
-        /// <summary>The most marks of all layers together; 0 = each has its own budget (default).</summary>
+        /// <summary>
+        /// Largest number of marks of all layers together, which they share in proportion to their tone ranges; 0 or
+        /// more; default 0 = each layer has its own budget.
+        /// </summary>
         public long SharedBudget { get; set; }
 
-        /// <summary>Which tones the ranks of each layer cover.</summary>
+        /// <summary>The tones in which layers appear; default Full.</summary>
         public ToneRanges ToneRanges { get; set; }
 
-        /// <summary>Where marks start from.</summary>
+        /// <summary>The seeds from which marks start; default Auto.</summary>
         public SeedSource SeedSource { get; set; }
 
-        /// <summary>For <see cref="HrbfNpr.SeedSource.Points"/>: n points, float or double.</summary>
+        /// <summary>
+        /// The seeds of <see cref="HrbfNpr.SeedSource.Points"/>: n points, float or double, within 1e4 diagonals of the
+        /// bounds.
+        /// </summary>
         public ArrayView SeedPoints { get; set; }
 
-        /// <summary>Cells along the box's longest side, 1 to 256; 8 [NPAR 4.2].</summary>
+        /// <summary>
+        /// Number of cells of the box along the longest side of the bounds; 1 to 256; default 8 [NPAR 4.2].  More cells
+        /// give more seeds and miss fewer sheets.
+        /// </summary>
         public int BoxResolution { get; set; } = 8;
 
-        /// <summary>Jitter of the box's seeds in cell sides, 0 to 0.5; 0.25.</summary>
+        /// <summary>
+        /// Largest random shift of the grid points of the box, in cell sides; 0 to 0.5; default 0.25.
+        /// </summary>
         public double BoxJitter { get; set; } = 0.25;
 
         /// <summary>
-        /// rho_0 of <see cref="Distribution.Published"/>, in the unit of the model; 0 = estimated [NPAR 5.1].
+        /// rho_0: first step of <see cref="Distribution.Published"/>, in the unit of the samples; 1e-12 to 1e9
+        /// diagonals; default 0 = estimated from the seeds [NPAR 5.1].
         /// </summary>
         public double InitialStep { get; set; }
 
-        /// <summary>As <see cref="ProjectOptions.Tolerance"/>; 1e-7.</summary>
+        /// <summary>
+        /// Largest distance of a mark from the surface, as <see cref="ProjectOptions.Tolerance"/>, in diagonals; above
+        /// 0; default 1e-7.
+        /// </summary>
         public double ProjectionTolerance { get; set; } = 1e-7;
 
-        /// <summary>Any number; 1.</summary>
+        /// <summary>Start of the random numbers; any number; default 1.  Another number gives other marks.</summary>
         public ulong RandomSeed { get; set; } = 1;
 
-        /// <summary>The layers that a preset draws.</summary>
-        /// <param name="preset">As for <see cref="Style.Preset"/>.</param>
-        /// <param name="budget">The most marks of each layer.</param>
+        /// <summary>Makes the options for the layers that a preset draws.</summary>
+        /// <param name="preset">The preset, as for <see cref="Style.Preset"/>.</param>
+        /// <param name="budget">The largest number of marks of each layer.</param>
         /// <exception cref="InvalidArgumentException">There is no such preset.</exception>
         public static unsafe GenerateOptions ForPreset(Preset preset, long budget = Layer.DefaultBudget)
         {
@@ -71,7 +86,7 @@ namespace HrbfNpr
             return options;
         }
 
-        /// <param name="desc">A struct of a picture's.</param>
+        /// <param name="desc">A descriptor that belongs to a picture.</param>
         /// <param name="owner">The picture.</param>
         internal static unsafe GenerateOptions Read(hrbfnpr_generate_desc* desc, SafeHandle owner)
         {
@@ -104,7 +119,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>The descriptor of one call, and all that it points to.</summary>
+    /// <summary>The descriptor of one call, and everything that it points to.</summary>
     internal sealed unsafe class GenerateCall : IDisposable
     {
         internal hrbfnpr_generate_desc Desc;
@@ -137,7 +152,7 @@ namespace HrbfNpr
             users.Clear();
         }
 
-        /// <summary>Throws what a function threw, or what the call says.</summary>
+        /// <summary>Throws what a function of the program threw, or the failure of the call.</summary>
         internal void Check(LongCall call, int status, hrbfnpr_error* error, Model model)
         {
             foreach (PlaceState state in states)
