@@ -182,8 +182,9 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Does the same for a call that runs functions of the program: it throws what one of them threw.  A state that
-        /// several calls share is asked only if this call failed.
+        /// Throws what a function of the program threw, or else the failure of the call.  <paramref name="own"/>
+        /// belongs to this call; <paramref name="shared"/> belongs to several calls, and is asked only if this call
+        /// failed.
         /// </summary>
         internal static void Check(
             int status, hrbfnpr_error* error, CancellationToken token, CallbackState own, CallbackState shared = null)

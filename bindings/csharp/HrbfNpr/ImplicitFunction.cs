@@ -4,33 +4,40 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>An implicit function of the program's, for n points at a time.</summary>
-    /// <param name="points">3 n numbers.</param>
-    /// <param name="value">To be filled: n numbers, negative inside, finite within twice the bounds.</param>
-    /// <param name="gradient">To be filled: 3 n numbers, near 1 in length at the surface; null if not wanted.</param>
-    /// <param name="hessian">To be filled: 6 n numbers, xx xy xz yy yz zz; null if not wanted.</param>
-    /// <remarks>What it throws comes out of the call that evaluates it, in a <see cref="CallbackException"/>.</remarks>
+    /// <summary>Evaluates an implicit function of the program at n points.</summary>
+    /// <param name="points">3 n numbers: x, y, z of each point.</param>
+    /// <param name="value">Receives n values of f, negative inside and finite in a box twice as wide as the
+    /// bounds.</param>
+    /// <param name="gradient">Receives 3 n derivatives, of a length near 1 at the surface; null = not wanted.</param>
+    /// <param name="hessian">Receives 6 n derivatives, xx xy xz yy yz zz; null = not wanted.</param>
+    /// <remarks>If it throws, the call that evaluates it throws a <see cref="CallbackException"/>.</remarks>
     public delegate void ImplicitFunction(double[] points, double[] value, double[] gradient, double[] hessian);
 
 #if NET7_0_OR_GREATER
-    /// <summary>As <see cref="ImplicitFunction"/>, in place; what is not wanted is empty.</summary>
+    /// <summary>
+    /// Evaluates an implicit function like <see cref="ImplicitFunction"/>, in place.  A span of results that are not
+    /// wanted is empty.
+    /// </summary>
     public delegate void ImplicitSpanFunction(
         ReadOnlySpan<double> points, Span<double> value, Span<double> gradient, Span<double> hessian);
 #endif
 
-    /// <summary>What a function computes, and how it may be called.</summary>
+    /// <summary>What a function can do, and how it may be called.</summary>
     public sealed class FunctionOptions
     {
-        /// <summary>Whether it fills gradients; else they are differenced (default).</summary>
+        /// <summary>Whether the function fills gradients; default false = they are computed by differences.</summary>
         public bool HasGradient { get; set; }
 
-        /// <summary>Whether it fills Hessians; else they are differenced (default).</summary>
+        /// <summary>Whether the function fills Hessians; default false = they are computed by differences.</summary>
         public bool HasHessian { get; set; }
 
-        /// <summary>Whether several threads may call it at once; false.</summary>
+        /// <summary>Whether the function may run on several threads at the same time; default false.</summary>
         public bool ThreadSafe { get; set; }
 
-        /// <summary>For differences; 0 = 1e-4 of the box's diagonal, 1e-3 for the Hessian (default).</summary>
+        /// <summary>
+        /// Step of the differences, in the unit of the points; 0 or more; default 0 = 1e-4 diagonals for gradients,
+        /// 1e-3 for Hessians.
+        /// </summary>
         public double DifferenceStep { get; set; }
 
         internal uint Flags
@@ -39,7 +46,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>The function of one model, and what it threw last.</summary>
+    /// <summary>The function of one model, and what it threw.</summary>
     internal sealed unsafe class FunctionState : CallbackState
     {
         internal static readonly IntPtr Evaluate;
@@ -59,7 +66,7 @@ namespace HrbfNpr
             this.function = function ?? throw new ArgumentNullException(nameof(function));
         }
 
-        private readonly FunctionState first, second; // of a solid of several models
+        private readonly FunctionState first, second; // the states of two models of a solid
 
         private FunctionState(FunctionState first, FunctionState second)
         {
@@ -67,7 +74,7 @@ namespace HrbfNpr
             this.second = second;
         }
 
-        /// <summary>What two models' functions threw; null for none.</summary>
+        /// <summary>Makes one state of two models' functions; null if neither has one.</summary>
         internal static FunctionState Both(FunctionState one, FunctionState other)
         {
             return one == null || one == other ? other : other == null ? one : new FunctionState(one, other);
@@ -139,7 +146,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>With the last reference of the model, on any thread.</summary>
+        /// <summary>
+        /// Frees the handle of a state.  It runs with the last reference to the model, on any thread.
+        /// </summary>
         [MonoPInvokeCallback(typeof(NativeCallbacks.Release))]
         private static void OnRelease(IntPtr user)
         {

@@ -4,14 +4,15 @@ using System.Collections.Generic;
 
 namespace HrbfNpr
 {
-    /// <summary>Where the marks of one layer are in a drawing: of an animated surface.</summary>
+    /// <summary>The marks of one layer as they are in a drawing, for an animated surface.</summary>
     public sealed class LayerPose
     {
-        /// <summary>A pose of a layer.</summary>
-        /// <param name="layer">Number of the layer in the item's point set.</param>
-        /// <param name="position">n points, absolute, in the order of the layer's n marks; float or double.</param>
-        /// <param name="normal">n unit normals, outward.</param>
-        /// <param name="direction">n unit directions; those of the set if not given.</param>
+        /// <summary>Creates a pose of a layer.</summary>
+        /// <param name="layer">The number of the layer in the item's point set; each layer has one pose at
+        /// most.</param>
+        /// <param name="position">n absolute positions, in the order of the layer's n marks; float or double.</param>
+        /// <param name="normal">n outward unit normals; float or double.</param>
+        /// <param name="direction">n unit directions, float or double; not given = the directions of the set.</param>
         public LayerPose(
             long layer, ArrayView position, ArrayView normal, ArrayView direction = default(ArrayView))
         {
@@ -21,16 +22,16 @@ namespace HrbfNpr
             Direction = direction;
         }
 
-        /// <summary>Number of the layer in the item's point set.</summary>
+        /// <summary>Number of the layer in the item's point set; each layer has one pose at most.</summary>
         public long Layer { get; set; }
 
-        /// <summary>n points, absolute; float or double.</summary>
+        /// <summary>n absolute positions, in the order of the layer's n marks; float or double.</summary>
         public ArrayView Position { get; set; }
 
-        /// <summary>n unit normals, outward; float or double.</summary>
+        /// <summary>n outward unit normals; float or double.</summary>
         public ArrayView Normal { get; set; }
 
-        /// <summary>n unit directions, float or double; those of the set if not given.</summary>
+        /// <summary>n unit directions, float or double; default not given = the directions of the set.</summary>
         public ArrayView Direction { get; set; }
 
         internal unsafe void Write(hrbfnpr_layer_pose* pose, Pins pins)
@@ -48,40 +49,48 @@ namespace HrbfNpr
     {
         private double[] transform;
 
-        /// <summary>Marks, and how they are drawn.</summary>
+        /// <summary>Creates an item of marks and how they are drawn.</summary>
         /// <param name="pointSet">The marks.</param>
-        /// <param name="style">The library's default style if null.</param>
+        /// <param name="style">How they are drawn; null = the default style.</param>
         public Item(PointSet pointSet, Style style = null)
         {
             PointSet = pointSet ?? throw new ArgumentNullException(nameof(pointSet));
             Style = style;
         }
 
-        /// <summary>The marks.</summary>
+        /// <summary>The marks to draw.</summary>
         public PointSet PointSet { get; }
 
-        /// <summary>How they are drawn; the library's default style if null.</summary>
+        /// <summary>How they are drawn; default null = the default style.</summary>
         public Style Style { get; set; }
 
         /// <summary>
-        /// The surface that the marks lie on, or null: with <see cref="Visibility.DepthLayers"/>, what hides a mark is
-        /// then found by casting a ray from it to the eye, exact but slow.
+        /// The surface that the marks lie on; default null.  With it, a ray from each mark to the eye finds what hides
+        /// the mark: exact, but slow.
         /// </summary>
+        /// <remarks>
+        /// It is used with <see cref="Visibility.DepthLayers"/> only, and must be null if there are poses.
+        /// </remarks>
         public Model Model { get; set; }
 
         /// <summary>
-        /// What the style's <see cref="HrbfNpr.Style.Lines"/> are drawn from, or null.  All items of a drawing that
-        /// have one hide each other's lines; others hide none.
+        /// What the lines of the style are drawn from; default null = no lines.  All items of a drawing that have one
+        /// hide each other's lines.
         /// </summary>
+        /// <remarks>Items without a line set hide no lines.  It must be null if there are poses.</remarks>
         public LineSet LineSet { get; set; }
 
-        /// <summary>
-        /// Which sides of the surface marks are drawn on: of one that ends, such as a bowl or a leaf, the inside is
-        /// seen, too.  There marks have opposite normals for tone, the same ids, and layers behind all others.
-        /// </summary>
+        /// <summary>The sides on which marks are drawn; default Front.</summary>
+        /// <remarks>
+        /// Both sides are for a surface that ends, such as a bowl or a leaf.  Where the other side faces the camera,
+        /// marks are drawn with opposite normals.  They keep their ids, and are in separate layers after those of all
+        /// items.
+        /// </remarks>
         public Sides Sides { get; set; }
 
-        /// <summary>Object to world, 16 numbers, column-major, affine, invertible; the identity if null.</summary>
+        /// <summary>
+        /// Object to world: 16 numbers, column-major, affine and invertible; default null = the identity.
+        /// </summary>
         public double[] Transform
         {
             get
@@ -99,10 +108,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Layers whose marks have moved.</summary>
+        /// <summary>Poses of layers whose marks have moved; default empty.</summary>
         public IList<LayerPose> Poses { get; } = new List<LayerPose>();
 
-        /// <summary>The marks in the default style.</summary>
+        /// <summary>Makes an item of marks in the default style.</summary>
         public static implicit operator Item(PointSet pointSet)
         {
             return new Item(pointSet);

@@ -4,54 +4,53 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>A density on the surface.</summary>
-    /// <param name="positions">3 n numbers, absolute.</param>
-    /// <param name="normals">3 n numbers, unit.</param>
-    /// <param name="density">To be filled: n numbers, 1 where marks are to be densest, 0 where none are wanted.</param>
+    /// <summary>Gives a density on the surface.</summary>
+    /// <param name="positions">3 n numbers: absolute positions.</param>
+    /// <param name="normals">3 n numbers: unit normals.</param>
+    /// <param name="density">Receives n numbers: 1 where marks lie closest, 0 where there are none.</param>
     public delegate void DensityFunction(double[] positions, double[] normals, double[] density);
 
-    /// <summary>A field of directions on the surface.</summary>
-    /// <param name="positions">3 n numbers, absolute.</param>
-    /// <param name="normals">3 n numbers, unit.</param>
-    /// <param name="directions">
-    /// To be filled: 3 n numbers.  A direction is taken into the tangent plane; its sign and length count nothing, and
-    /// 0, 0, 0 means that there is none.
-    /// </param>
+    /// <summary>Gives a field of directions on the surface.</summary>
+    /// <param name="positions">3 n numbers: absolute positions.</param>
+    /// <param name="normals">3 n numbers: unit normals.</param>
+    /// <param name="directions">Receives 3 n numbers.  Only the tangent part of a direction counts; its sign and length
+    /// do not.  (0, 0, 0) means no direction: lines follow the smoothest field between the others.</param>
     public delegate void DirectionFunction(double[] positions, double[] normals, double[] directions);
 
-    /// <summary>How one layer of marks is made.</summary>
+    /// <summary>How one layer of marks is made; a new one holds all defaults.</summary>
     /// <remarks>
-    /// The functions are called on the thread that generates, with some thousand places at a time; what they throw
-    /// comes out in a <see cref="CallbackException"/>.
+    /// The functions run on the thread that generates, with some thousand places at a time.  If one of them throws, the
+    /// call throws a <see cref="CallbackException"/>.
     /// </remarks>
     public sealed class Layer
     {
-        /// <summary>The most marks where a layer names no number of its own.</summary>
+        /// <summary>The budget of a layer whose budget is not set.</summary>
         public const long DefaultBudget = 40000;
 
-        /// <summary>A layer with all defaults of its kind.</summary>
-        /// <param name="kind">Stipples or Hatch.</param>
+        /// <summary>Creates a layer with all defaults.</summary>
+        /// <param name="kind">The kind of the layer: Stipples or Hatch.</param>
         public Layer(LayerKind kind = LayerKind.Stipples)
         {
             Kind = kind;
         }
 
-        /// <summary>A layer of scattered marks.</summary>
-        /// <param name="budget">The most marks.</param>
-        /// <param name="name">"stipples" if null.</param>
+        /// <summary>Creates a layer of stipples.</summary>
+        /// <param name="budget">The largest number of marks.</param>
+        /// <param name="name">The name for styles; null = "stipples".</param>
         public static Layer Stipples(long budget = DefaultBudget, string name = null)
         {
             return new Layer(LayerKind.Stipples) { Budget = budget, Name = name };
         }
 
         /// <summary>
-        /// A layer of evenly spaced, nested lines along one smooth field of directions; with
-        /// <see cref="Distribution.Published"/> of strokes in both directions.
+        /// Creates a layer of evenly spaced, nested lines; with <see cref="Distribution.Published"/>, of strokes in
+        /// both directions.
         /// </summary>
-        /// <param name="separation">Of all lines together, in the unit of the model; 0 = by the budget.</param>
-        /// <param name="angle">By which lines are turned in the tangent plane; degrees.</param>
-        /// <param name="name">"hatch" if null.</param>
-        /// <param name="budget">The most marks; null: 40000, or no limit with a separation.</param>
+        /// <param name="separation">The mean distance of neighbouring lines, in the unit of the samples; 0 = by the
+        /// budget.</param>
+        /// <param name="angle">The angle by which lines are turned in the tangent plane, in degrees.</param>
+        /// <param name="name">The name for styles; null = "hatch".</param>
+        /// <param name="budget">The largest number of marks; null = 40000, or no limit with a separation.</param>
         public static Layer Hatch(double separation = 0, double angle = 0, string name = null, long? budget = null)
         {
             return new Layer(LayerKind.Hatch)
@@ -63,109 +62,140 @@ namespace HrbfNpr
             };
         }
 
-        /// <summary>What its marks are.</summary>
+        /// <summary>The kind of the layer's marks: Stipples or Hatch; default Stipples.</summary>
         public LayerKind Kind { get; set; }
 
-        /// <summary>1 to 63 bytes of UTF-8; the kind's name if null.</summary>
+        /// <summary>Name for styles, 1 to 63 bytes of UTF-8; default null = "stipples" or "hatch".</summary>
         public string Name { get; set; }
 
         /// <summary>
-        /// The most marks; 40000.  0 = no limit, with <see cref="Distribution.Published"/> and for lines with a
-        /// separation.
+        /// Largest number of marks; 0 or more; default 40000. 0 = no limit, for <see cref="Distribution.Published"/>
+        /// and for lines with a separation.
         /// </summary>
         public long Budget { get; set; } = DefaultBudget;
 
         /// <summary>
-        /// The darkness 1 - tau at which the first mark is shown (of published strokes: of the first direction), 0 to 1.  Both 0
-        /// (default): as <see cref="GenerateOptions.ToneRanges"/> says.
+        /// Darkness, 1 - tau, at which the first mark is shown; 0 to 1; default 0.  If <see cref="ToneEnd"/> is 0, too,
+        /// <see cref="GenerateOptions.ToneRanges"/> decides.
         /// </summary>
+        /// <remarks>For published strokes, it applies to the first direction.</remarks>
         public float ToneBegin { get; set; }
 
-        /// <summary>... and that at which all are shown.</summary>
+        /// <summary>
+        /// Darkness, 1 - tau, at which all marks are shown; above <see cref="ToneBegin"/>, at most 1; default 0.
+        /// </summary>
         public float ToneEnd { get; set; }
 
-        /// <summary>As <see cref="ToneBegin"/>, for published strokes of the second direction.</summary>
+        /// <summary>
+        /// The same as <see cref="ToneBegin"/>, for published strokes of the second direction; default 0.
+        /// </summary>
         public float SecondToneBegin { get; set; }
 
-        /// <summary>As <see cref="ToneEnd"/>, for published strokes of the second direction.</summary>
+        /// <summary>
+        /// The same as <see cref="ToneEnd"/>, for published strokes of the second direction; default 0.
+        /// </summary>
         public float SecondToneEnd { get; set; }
 
-        /// <summary>Whether marks get curvatures; published strokes along curvature always do.</summary>
+        /// <summary>
+        /// Whether marks get curvatures; default false.  Published strokes along curvature always have them.
+        /// </summary>
         public bool WithCurvature { get; set; }
 
-        /// <summary>How dense blue-noise stipples are over the surface.</summary>
+        /// <summary>How densely blue-noise stipples lie; default Uniform.</summary>
         public Density Density { get; set; }
 
-        /// <summary>Of <see cref="HrbfNpr.Density.Curvature"/>, 0 to 1; 0.5.</summary>
+        /// <summary>
+        /// Strength of <see cref="HrbfNpr.Density.Curvature"/>; 0 to 1; default 0.5. 0 = uniform; larger values put
+        /// more stipples where the surface bends.
+        /// </summary>
         public double DensityStrength { get; set; } = 0.5;
 
-        /// <summary>For <see cref="HrbfNpr.Density.Callback"/>.</summary>
+        /// <summary>The function of <see cref="HrbfNpr.Density.Callback"/>; default null.</summary>
         public DensityFunction DensityFunction { get; set; }
 
         /// <summary>
-        /// Of Hatch: mean distance of neighbouring lines, in the unit of the model; 0 = as many lines as make about the
-        /// budget's marks.
+        /// Hatch: mean distance of neighbouring lines, in the unit of the samples; 1e-12 to 1e9 diagonals; default 0 =
+        /// by the budget.  Smaller values give more lines.
         /// </summary>
         public double Separation { get; set; }
 
-        /// <summary>Distance of the marks of a line; 0 = 0.4 of the separation.</summary>
+        /// <summary>
+        /// Hatch: distance between the marks of a line, in the unit of the samples; default 0 = 0.4 of the separation.
+        /// </summary>
         public double Step { get; set; }
 
-        /// <summary>Of Hatch: what lines follow, in place of <see cref="Guide"/>.</summary>
+        /// <summary>Hatch: the directions that lines follow; default null = those of <see cref="Guide"/>.</summary>
         public DirectionFunction DirectionFunction { get; set; }
 
-        /// <summary>What strokes of <see cref="Distribution.Published"/> start from.</summary>
+        /// <summary>Where the strokes of <see cref="Distribution.Published"/> start; default Seeds.</summary>
         public StrokeStart Start { get; set; }
 
-        /// <summary>With Stipples, the last stippling level used; 0.</summary>
+        /// <summary>
+        /// Last level of stipples at which strokes start, with <see cref="StrokeStart.Stipples"/>; 0 to 12; default 0.
+        /// </summary>
         public int StartLevel { get; set; }
 
         /// <summary>
-        /// Refinement steps of <see cref="Distribution.Published"/>, 0 to 12; -1 = 4 for stipples, 3 for strokes.
+        /// Number of refinement steps of <see cref="Distribution.Published"/>; 0 to 12; default -1 = 4 for stipples, 3
+        /// for strokes.  Each step makes five times as many stipples, or three times as many marks in each stroke.
         /// </summary>
         public int Levels { get; set; } = -1;
 
         /// <summary>
-        /// Of Hatch: by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees.
+        /// Hatch: angle by which lines are turned in the tangent plane, counter-clockwise as seen from outside, in
+        /// degrees; -360 to 360; default 0.
         /// </summary>
         public double Angle { get; set; }
 
-        /// <summary>Of Hatch: over so long a way directions are smoothed; diagonals, 1 at most; 0.04.</summary>
+        /// <summary>
+        /// Hatch: length over which directions are smoothed, in diagonals; 1e-6 to 1; default 0.04.  Larger values give
+        /// calmer lines that follow the form less.
+        /// </summary>
         public double Smoothing { get; set; } = 0.04;
 
-        /// <summary>Of Hatch: where curvature says little lines run around this; (0, 1, 0).</summary>
+        /// <summary>
+        /// Hatch: axis around which lines run where curvature has a low confidence; not 0; default (0, 1, 0).
+        /// </summary>
         public Vector3d Axis { get; set; } = (0, 1, 0);
 
-        /// <summary>Of Hatch: how much the axis counts against curvature; 0.06.</summary>
+        /// <summary>
+        /// Hatch: weight of the axis against curvature; 0 to 1000; default 0.06.  Larger values make more lines run
+        /// around the axis.
+        /// </summary>
         public double AxisWeight { get; set; } = 0.06;
 
         /// <summary>
-        /// Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one
-        /// makes no islands of light; diagonals, 0.1 at most, 0 = not; -1 = 0.006 for blue-noise Hatch, 0 for others.
+        /// Length over which the normals that set the tone are averaged, in diagonals; 0 to 0.1; 0 = none; default -1 =
+        /// 0.006 for blue-noise Hatch, 0 for others.  Larger values keep the grain of a rough surface out of the tone.
         /// </summary>
         public double ToneSmoothing { get; set; } = -1;
 
-        /// <summary>Of Hatch: what lines follow where there is no <see cref="DirectionFunction"/>.</summary>
+        /// <summary>
+        /// Hatch: the directions that lines follow without a <see cref="DirectionFunction"/>; default Curvature.
+        /// </summary>
         public HatchGuide Guide { get; set; }
 
-        /// <summary>Of Hatch: towards the light, or the eye, of a guide that asks for it; (0, 0, 1).</summary>
+        /// <summary>
+        /// Hatch: direction to the light (Light) or to the eye (Silhouette), in the model's coordinates; not 0; default
+        /// (0, 0, 1).
+        /// </summary>
         public Vector3d GuideDirection { get; set; } = (0, 0, 1);
 
-        /// <summary>Of Hatch: of a guide other than Curvature; what is left of 1 is curvature's; 1.</summary>
+        /// <summary>Hatch: weight of a guide other than Curvature; curvature has the rest; 0 to 1; default 1.</summary>
         public double GuideWeight { get; set; } = 1;
 
         /// <summary>
-        /// The library's own function in place of <see cref="DensityFunction"/>, where a picture is painted; else null.
+        /// The library's function in place of <see cref="DensityFunction"/>, if a picture is painted; else null.
         /// </summary>
         internal NativeFunction NativeDensity { get; private set; }
 
         /// <summary>
-        /// The library's own function in place of <see cref="DirectionFunction"/>, where a picture is painted; else null.
+        /// The library's function in place of <see cref="DirectionFunction"/>, if a picture is painted; else null.
         /// </summary>
         internal NativeFunction NativeDirection { get; private set; }
 
-        /// <param name="desc">A struct of the library's.</param>
-        /// <param name="owner">The picture that it belongs to; null of a preset.</param>
+        /// <param name="desc">A descriptor of the library.</param>
+        /// <param name="owner">The picture that it belongs to; null for a preset.</param>
         internal static unsafe Layer Read(hrbfnpr_layer_desc* desc, SafeHandle owner = null)
         {
             return new Layer((LayerKind)desc->kind)
@@ -197,7 +227,7 @@ namespace HrbfNpr
             };
         }
 
-        /// <summary>Everything but the functions.</summary>
+        /// <summary>Writes everything except the functions.</summary>
         internal unsafe void Write(hrbfnpr_layer_desc* desc, Pins pins)
         {
             Errors.Check(NativeMethods.hrbfnpr_layer_desc_init(desc, (uint)sizeof(hrbfnpr_layer_desc)));
@@ -227,7 +257,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>A function of one call that fills an array from places and normals.</summary>
+    /// <summary>A function of one call that fills an array from positions and normals.</summary>
     internal sealed unsafe class PlaceState : CallbackState
     {
         internal static readonly IntPtr Density;

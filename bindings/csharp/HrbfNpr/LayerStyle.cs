@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
-    /// <summary>How layers of marks are drawn.</summary>
+    /// <summary>How layers of marks are drawn.  Lengths in pixels are those of the picture.</summary>
     public sealed unsafe class LayerStyle : NamedStyle
     {
-        /// <summary>With all defaults: for layers of one kind, or of every kind.</summary>
+        /// <summary>Creates a style with all defaults, for layers of one kind or of every kind.</summary>
         public LayerStyle(LayerKind kind = LayerKind.Any)
         {
             hrbfnpr_layer_style native;
@@ -18,84 +18,117 @@ namespace HrbfNpr
             Read(native);
         }
 
-        /// <summary>The layers that this is for.</summary>
+        /// <summary>Kind of the layers that this style is for; default Any.</summary>
         public LayerKind Kind { get; set; }
 
-        /// <summary>Whether front marks are drawn.</summary>
+        /// <summary>Whether front marks are drawn; default true.</summary>
         public bool Shown { get; set; }
 
-        /// <summary>Whether marks near a contour draw it.</summary>
+        /// <summary>With Visibility.Published, whether marks near a contour draw it; default true.</summary>
         public bool Contours { get; set; }
 
-        /// <summary>The directions of strokes that are drawn.</summary>
+        /// <summary>The strokes that are drawn, by their direction; default Both.</summary>
         public StrokeDirections Directions { get; set; }
 
-        /// <summary>Whether strokes are drawn as dots or as lines.</summary>
+        /// <summary>Shape of front marks; default Dots.</summary>
         public Shape Shape { get; set; }
 
-        /// <summary>Share of the layer's marks that is used at all, 0 to 1.</summary>
+        /// <summary>
+        /// Share of the layer's marks that is used at all; 0 to 1; default 1.  Less makes the layer paler.
+        /// </summary>
         public float Share { get; set; }
 
-        /// <summary>Of a mark, half the width of a stroke; pixels, above 0.</summary>
+        /// <summary>
+        /// Radius of a mark, and half the width of a stroke, in pixels; above 0, up to 16384; default 1.
+        /// </summary>
         public float Radius { get; set; }
 
-        /// <summary>0: the radius is in pixels at any zoom; 1: it grows with the zoom; or between.</summary>
+        /// <summary>
+        /// How the radius follows the zoom; 0 to 1; default 0 = it stays the same in pixels; 1 = it grows with the
+        /// zoom.
+        /// </summary>
         public float RadiusZoom { get; set; }
 
-        /// <summary>Colour of the marks.</summary>
+        /// <summary>Colour of the ink; default black.</summary>
         public Color Ink { get; set; }
 
-        /// <summary>Of <see cref="Shape.Hatch"/>: darkness from which on there are lines, 0 to 1; 0.15.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: darkness, 1 - tau, at which lines begin; 0 to 1; default 0.15.  Larger:
+        /// lights are emptier.
+        /// </summary>
         public float HatchToneBegin { get; set; }
 
         /// <summary>
-        /// Darkness from which on they get no wider, above <see cref="HatchToneBegin"/>, to 1; 0.95.
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: darkness, 1 - tau, from which on lines get no wider; above
+        /// <see cref="HatchToneBegin"/>, up to 1; default 0.95.
         /// </summary>
         public float HatchToneEnd { get; set; }
 
-        /// <summary>Share of the paper covered at <see cref="HatchToneBegin"/>, above 0, to 1; 0.1.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: share of the paper that lines cover at <see cref="HatchToneBegin"/>,
+        /// times <see cref="Share"/>; above 0, up to 1; default 0.1.
+        /// </summary>
         public float HatchCoverageBegin { get; set; }
 
-        /// <summary>Share of the paper covered at <see cref="HatchToneEnd"/>, above 0, to 1; 0.82.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: share of the paper that lines cover at <see cref="HatchToneEnd"/>, times
+        /// <see cref="Share"/>; above 0, up to 1; default 0.82.
+        /// </summary>
         public float HatchCoverageEnd { get; set; }
 
-        /// <summary>Least from line to line; pixels, above 0; 4.6.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: least distance from line to line, in pixels; above 0, up to 16384;
+        /// default 4.6.  Larger: fewer, wider lines.
+        /// </summary>
         public float HatchSpacing { get; set; }
 
-        /// <summary>Least width of a line; pixels, above 0; 0.6.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: least width of a line, in pixels; above 0, up to 16384; default 0.6.
+        /// </summary>
         public float HatchPen { get; set; }
 
-        /// <summary>Left between lines at least; pixels, 0 or more; 1.2.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: least width of the paper between lines, in pixels; 0 to 16384; default
+        /// 1.2.
+        /// </summary>
         public float HatchWhite { get; set; }
 
-        /// <summary>Over which a line narrows where it ends by its tone; pixels, 0 or more; 20.</summary>
+        /// <summary>
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: length over which a line narrows where its tone ends, in pixels; 0 to
+        /// 16384; default 20.
+        /// </summary>
         public float HatchTaper { get; set; }
 
         /// <summary>
-        /// Shorter pieces are not drawn, those up to twice as long are thinner; pixels, 0 or more; 10.
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: length below which a piece of a line is not drawn, in pixels; 0 to 16384;
+        /// default 10.  Pieces up to twice as long are thinner.
         /// </summary>
         public float HatchShortest { get; set; }
 
         /// <summary>
-        /// How far a line may stray to either side, as of an unsteady hand, in <see cref="HatchPen"/>s, 0 to 16; 0.
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: how far a line strays to either side, as if drawn by an unsteady hand, in
+        /// multiples of <see cref="HatchPen"/>; 0 to 16; default 0.
         /// </summary>
         public float HatchWobble { get; set; }
 
         /// <summary>
-        /// Lines run on past the tone that they end at by up to this, each by another length; pixels; 0.
+        /// <see cref="HrbfNpr.Shape.Hatch"/>: greatest length by which a line runs on past the end of its tone, in
+        /// pixels; 0 to 16384; default 0.  Each end has another length.
         /// </summary>
         public float HatchOvershoot { get; set; }
 
-        /// <summary>Of these two: any number; 0.</summary>
+        /// <summary>
+        /// Seed of <see cref="HatchWobble"/> and <see cref="HatchOvershoot"/>; any number; default 0.
+        /// </summary>
         public uint HatchSeed { get; set; }
 
-        /// <summary>Another one like this.</summary>
+        /// <summary>Copies the style.</summary>
         public LayerStyle Clone()
         {
             return (LayerStyle)MemberwiseClone();
         }
 
-        /// <summary>Everything but the name.</summary>
+        /// <summary>Writes everything except the name.</summary>
         internal void Write(hrbfnpr_layer_style* native)
         {
             Errors.Check(NativeMethods.hrbfnpr_layer_style_init(native, (uint)sizeof(hrbfnpr_layer_style)));

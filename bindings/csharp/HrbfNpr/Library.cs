@@ -5,11 +5,11 @@ using System.Text;
 
 namespace HrbfNpr
 {
-    /// <summary>The native library that this assembly has loaded.</summary>
+    /// <summary>The native library that this assembly has loaded.  Any thread may use this class.</summary>
     /// <remarks>
-    /// With .NET 7 and later it is looked for in the environment variable HRBFNPR_LIBRARY (then nowhere else), in
-    /// <c>runtimes/RID/native</c> and in the folder of the program and of this assembly, and where the system's
-    /// loader looks; elsewhere where the runtime looks.  Any thread may use this class.
+    /// With .NET 7 and later, the library is looked for at the path in the environment variable HRBFNPR_LIBRARY.  If
+    /// that is set, no other place is tried.  Else it is looked for in <c>runtimes/RID/native</c>, in the folder of the
+    /// program and of this assembly, and where the system's loader looks.  Older runtimes look in their own places.
     /// </remarks>
     public static unsafe class Library
     {
@@ -26,7 +26,9 @@ namespace HrbfNpr
             get { return (int)NativeMethods.hrbfnpr_version(); }
         }
 
-        /// <summary>The library's ABI version; a context of another one than this assembly's cannot be made.</summary>
+        /// <summary>
+        /// The library's ABI version.  No context can be made if it differs from that of this assembly.
+        /// </summary>
         public static int AbiVersion
         {
             get { return (int)NativeMethods.hrbfnpr_abi_version(); }

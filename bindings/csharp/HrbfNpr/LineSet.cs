@@ -3,14 +3,12 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>
-    /// What the lines of a surface are drawn from: contours as curves, traced on the surface itself for every camera,
-    /// with a visibility that is counted and checked.
-    /// </summary>
+    /// <summary>Holds what the lines of one model are drawn from, for every camera.</summary>
     /// <remarks>
-    /// Made once for a model, by <see cref="Model.LineSet"/>; an <see cref="Item"/> that has one, and a style with
-    /// lines, is drawn with curves in the place of contour marks.  Immutable: any number of threads may use a set at a
-    /// time.  It keeps what it needs of the model alive.
+    /// Contours are traced as curves on the surface itself, and their visibility is counted and checked.
+    /// <see cref="Model.LineSet"/> makes a line set once for a model.  An <see cref="Item"/> that has one, and a style
+    /// with lines, is drawn with curves.  A line set never changes, so several threads may use it at the same time.  It
+    /// keeps the model's data alive.
     /// </remarks>
     /// <example>
     /// <code>
@@ -32,7 +30,7 @@ namespace HrbfNpr
             this.function = function;
         }
 
-        /// <summary>Counts, the size of cells, seconds and bytes.</summary>
+        /// <summary>What making the line set found.</summary>
         public LineSetInfo Info
         {
             get
@@ -50,13 +48,13 @@ namespace HrbfNpr
             get { return handle; }
         }
 
-        /// <summary>Of its model; called with every drawing.</summary>
+        /// <summary>The function of its model; it runs in every drawing.</summary>
         internal FunctionState Function
         {
             get { return function; }
         }
 
-        /// <summary>Lets go of the set; a drawing needs it only while it is made.</summary>
+        /// <summary>Releases the line set.  A drawing needs it only while it is made.</summary>
         public void Dispose()
         {
             handle.Dispose();

@@ -7,58 +7,63 @@ namespace HrbfNpr
     /// <summary>Lines to find once, when a line set is made.</summary>
     public sealed class LineOptions
     {
-        /// <summary>With all defaults of a kind.</summary>
-        /// <param name="kind">Ridge, Valley, Parabolic, Section or Own.</param>
+        /// <summary>Creates options with all defaults.</summary>
+        /// <param name="kind">The kind of lines: Ridge, Valley, Parabolic, Section or Own.</param>
         public LineOptions(LineKind kind = LineKind.Ridge)
         {
             Kind = kind;
         }
 
-        /// <summary>Ridge, Valley, Parabolic, Section or Own: others are found with every drawing.</summary>
+        /// <summary>The kind of lines: Ridge, Valley, Parabolic, Section or Own; default Ridge.</summary>
         public LineKind Kind { get; set; }
 
-        /// <summary>Up to 63 bytes of UTF-8, for <see cref="NamedStyle.Name"/>; null = empty.</summary>
+        /// <summary>
+        /// Name by which <see cref="NamedStyle.Name"/> selects these lines, up to 63 bytes of UTF-8; default null = "".
+        /// </summary>
         public string Name { get; set; }
 
-        /// <summary>Lines go on while their strength, of no unit, is at least this, 0 or more ...</summary>
+        /// <summary>
+        /// Least strength at which a line goes on; 0 or more; default 0.  If it and <see cref="Upper"/> are 0, it is 6
+        /// for ridges and valleys, and 0 for other kinds.
+        /// </summary>
         public double Lower { get; set; }
 
         /// <summary>
-        /// ... and are kept if it is this somewhere; not below <see cref="Lower"/>.  0 and 0 = those of the kind: 6
-        /// and 15 of ridges and valleys, 0 and 0 else.
+        /// Strength that a line must reach somewhere, or it is dropped; not below <see cref="Lower"/>; default 0.  If
+        /// both are 0, it is 15 for ridges and valleys, and 0 for other kinds.
         /// </summary>
         public double Upper { get; set; }
 
-        /// <summary>Shorter ones are dropped, in diagonals of the model, 0 or more; 0.01.</summary>
+        /// <summary>Length below which a line is dropped, in diagonals; 0 or more; default 0.01.</summary>
         public double Shortest { get; set; } = 0.01;
 
-        /// <summary>Of Section: normal of the planes, of any length; (0, 0, 1).</summary>
+        /// <summary>Section: normal of the planes, of any length but 0; default (0, 0, 1).</summary>
         public Vector3d Plane { get; set; } = (0, 0, 1);
 
-        /// <summary>Of Section, and needed there: where the planes are along the unit normal, units of the model.</summary>
+        /// <summary>Section: places of the planes along the unit normal, in units of the model; at least one.</summary>
         public double[] Levels { get; set; }
 
-        /// <summary>Of Own: n points, absolute, on the surface or near it; float or double.</summary>
+        /// <summary>Own: points of all lines, absolute, on the surface or near it; float or double.</summary>
         public ArrayView Positions { get; set; }
 
         /// <summary>
-        /// Of Own: L + 1 uint, rising: line i has the positions first[i] to first[i + 1] - 1.  One whose last position
-        /// is its first is closed.
+        /// Own: number of the first position of each line, ascending, then the end of the last line; uint.  A line
+        /// whose last position equals its first is closed.
         /// </summary>
         public ArrayView LineFirst { get; set; }
 
-        /// <summary>Where parallel planes cut the surface.</summary>
-        /// <param name="plane">Normal of the planes, of any length.</param>
-        /// <param name="levels">Where they are along the unit normal, units of the model.</param>
+        /// <summary>Creates options for cuts of the surface by parallel planes.</summary>
+        /// <param name="plane">The normal of the planes, of any length but 0.</param>
+        /// <param name="levels">The places of the planes along the unit normal, in units of the model.</param>
         public static LineOptions Section(Vector3d plane, params double[] levels)
         {
             return new LineOptions(LineKind.Section) { Plane = plane, Levels = levels };
         }
 
-        /// <summary>Polylines of the program's own, which are copied.</summary>
-        /// <param name="positions">As <see cref="Positions"/>.</param>
-        /// <param name="lineFirst">As <see cref="LineFirst"/>.</param>
-        /// <param name="name">As <see cref="Name"/>.</param>
+        /// <summary>Creates options for polylines of the program.</summary>
+        /// <param name="positions">The points of all lines, as in <see cref="Positions"/>.</param>
+        /// <param name="lineFirst">The first position of each line, as in <see cref="LineFirst"/>.</param>
+        /// <param name="name">The name for styles, as in <see cref="Name"/>.</param>
         public static LineOptions Own(ArrayView positions, ArrayView lineFirst, string name = null)
         {
             return new LineOptions(LineKind.Own) { Positions = positions, LineFirst = lineFirst, Name = name };
@@ -92,41 +97,47 @@ namespace HrbfNpr
     public sealed class LineSetOptions
     {
         /// <summary>
-        /// Of the mesh on which curves are looked for, units of the model; 0 = half the samples' spacing, and finer
-        /// where walls are thin (default).  Loops that are smaller, and walls that are thinner than 1.75 cells, may be
-        /// missed.
+        /// Side of the cells in which curves are searched, in units of the model; 0 or more; default 0 = half the
+        /// samples' spacing, and finer where walls are thin.  Loops smaller than a cell and walls thinner than 1.75
+        /// cells may be missed.
         /// </summary>
         public double CellSize { get; set; }
 
         /// <summary>
-        /// n points, float or double, near each part of the surface; if not given, the samples, or places found in
-        /// the bounds of a model from a function.
+        /// n points near each part of the surface, where the search begins; float or double; default not given = the
+        /// samples, or places found within the bounds of a model from a function.
         /// </summary>
         public ArrayView SeedPoints { get; set; }
 
         /// <summary>
-        /// Where the surface ends for want of samples, as an open scan or a terrain does, with a line of
-        /// <see cref="LineKind.Border"/>: 1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9; 0 = at
-        /// the search box only (default).
+        /// Limit of the support beyond which the surface ends because samples are missing, as in an open scan or a
+        /// terrain; 0 or more; default 0 = the surface ends where its model does.
         /// </summary>
+        /// <remarks>
+        /// 1.5 ends the surface about 0.7 sample spacings beyond the last samples. 3 ends it about 0.9 spacings beyond
+        /// them, and leaves larger holes closed.  The end is drawn as a <see cref="LineKind.Border"/>.
+        /// </remarks>
         public double Support { get; set; }
 
         /// <summary>
-        /// n points, float or double, that this is judged by; if not given, the model's centres.  All points of a
-        /// scan tell better where it ends.
+        /// n samples that <see cref="Support"/> is measured from; float or double; default not given = the model's
+        /// centres.  All points of a scan show where it ends better than the centres chosen from them.
         /// </summary>
         public ArrayView SupportPoints { get; set; }
 
-        /// <summary>Of <see cref="SupportPoints"/>, of any length; if not given, those of the surface there.</summary>
+        /// <summary>
+        /// Normals of <see cref="SupportPoints"/>, of any length but 0; float or double; default not given = normals of
+        /// the surface there.
+        /// </summary>
         public ArrayView SupportNormals { get; set; }
 
         /// <summary>
-        /// Whether curvatures and their derivatives are measured, for kinds that need them with every drawing: no by
-        /// default.
+        /// Whether to measure curvatures and their derivatives, which suggestive contours, apparent ridges and
+        /// isophotes need; default false.
         /// </summary>
         public bool WithCurvature { get; set; }
 
-        /// <summary>Lines to find once; none by default.  Contours and borders need none.</summary>
+        /// <summary>Lines to find once; default empty.  Contours and borders need no element.</summary>
         public IList<LineOptions> Lines { get; } = new List<LineOptions>();
 
         internal unsafe void Write(hrbfnpr_line_set_desc* desc, Pins pins)

@@ -4,11 +4,14 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>How the lines of one kind are drawn, of items that have a line set.  Lengths are in pixels.</summary>
-    /// <remarks>Numbers out of range are refused by <c>Renderer.Draw</c>.</remarks>
+    /// <summary>
+    /// How the lines of one kind are drawn, for items that have a line set.  Lengths are in pixels unless a property
+    /// says otherwise.
+    /// </summary>
+    /// <remarks><c>Renderer.Draw</c> refuses numbers out of range.</remarks>
     public sealed unsafe class LineStyle : NamedStyle
     {
-        /// <summary>With all defaults: for lines of one kind.</summary>
+        /// <summary>Creates a style with all defaults, for lines of one kind.</summary>
         public LineStyle(LineKind kind = LineKind.Contour)
         {
             hrbfnpr_line_style native;
@@ -22,102 +25,122 @@ namespace HrbfNpr
             Read(native);
         }
 
-        /// <summary>The lines that this is for.</summary>
+        /// <summary>Kind of lines that this style is for; default Contour.</summary>
         public LineKind Kind { get; set; }
 
-        /// <summary>What is drawn of parts that surface hides; None.</summary>
+        /// <summary>How hidden parts are drawn; default None.</summary>
         public HiddenParts Hidden { get; set; }
 
-        /// <summary>How free ends look; Round.</summary>
+        /// <summary>Shape of free ends; default Round.</summary>
         public Cap Cap { get; set; }
 
-        /// <summary>Pixels, above 0; 2.</summary>
+        /// <summary>Width of a line, in pixels; above 0, up to 16384; default 2.</summary>
         public float Width { get; set; }
 
         /// <summary>
-        /// Pixels, 0 or more, over which a line narrows to a free end, half an ellipse; 0 = not at all; 12. A part with a
-        /// free end that is shorter than two tapers is the thinner, the shorter it is.
+        /// Length over which a line narrows to a free end, as half an ellipse, in pixels; 0 to 16384; default 12; 0 =
+        /// it does not narrow.  A part with a free end that is shorter than two tapers is thinner the shorter it is.
         /// </summary>
         public float Taper { get; set; }
 
-        /// <summary>Of hidden parts that are Attenuated or Dashed: pixels, above 0; 1.2.</summary>
+        /// <summary>Width of Attenuated and Dashed parts, in pixels; above 0, up to 16384; default 1.2.</summary>
         public float HiddenWidth { get; set; }
 
-        /// <summary>Of hidden parts that are Attenuated: 0 to 1, for each layer of surface; 0.35.</summary>
+        /// <summary>
+        /// Factor of the opacity of Attenuated parts for each layer of surface in front; 0 to 1; default 0.35.
+        /// </summary>
         public float HiddenOpacity { get; set; }
 
-        /// <summary>Of hidden parts that are Dashed: length of a dash in hidden widths, above 0; 5.</summary>
+        /// <summary>Length of a dash of Dashed parts, in hidden widths; above 0, up to 16384; default 5.</summary>
         public float Dash { get; set; }
 
-        /// <summary>Between dashes, in hidden widths, above 0; 3.</summary>
+        /// <summary>Length of a gap between dashes, in hidden widths; above 0, up to 16384; default 3.</summary>
         public float Gap { get; set; }
 
-        /// <summary>Parts with a free end, and hidden ones, that are shorter are not drawn; pixels, 0 or more; 2.</summary>
+        /// <summary>
+        /// Length below which parts with a free end, and hidden parts, are not drawn, in pixels; 0 to 16384; default 2.
+        /// </summary>
         public float Shortest { get; set; }
 
         /// <summary>
-        /// 0 to 1: how much paler a line is where its strength is <see cref="Lower"/> than where it is
-        /// <see cref="Upper"/>; 1.
+        /// How much paler a line is where its strength is <see cref="Lower"/> than where it is <see cref="Upper"/>; 0
+        /// to 1; default 1; 0 = it does not fade.
         /// </summary>
         public float Fade { get; set; }
 
-        /// <summary>Lines go on while their strength, of no unit, is at least this, 0 or more ...</summary>
+        /// <summary>
+        /// Least strength at which a line goes on; 0 or more; default 0.  If it and <see cref="Upper"/> are 0, it is 10
+        /// for suggestive contours, 12 for apparent ridges, 15 degrees for creases, and 0 for other kinds.
+        /// </summary>
         public double Lower { get; set; }
 
         /// <summary>
-        /// ... and are drawn if it is this somewhere.  0 and 0 = those of the kind: 10 and 30 of suggestive contours,
-        /// 12 and 25 of apparent ridges, 15 and 30 (degrees) of creases; 0 and 0.
+        /// Strength that a line must reach somewhere to be drawn; 0 or more; default 0.  If it and <see cref="Lower"/>
+        /// are 0, it is 30 for suggestive contours, 25 for apparent ridges, 30 degrees for creases, and 0 for other
+        /// kinds.
         /// </summary>
         public double Upper { get; set; }
 
-        /// <summary>Of isophotes, and needed there: n . l, numbers from -1 to 1; null.</summary>
+        /// <summary>
+        /// Values of n . l at which an isophote lies; -1 to 1; default null.  Isophotes need at least one.
+        /// </summary>
         public double[] Levels { get; set; }
 
-        /// <summary>Colour of the lines; black.</summary>
+        /// <summary>Colour of the ink; default black.</summary>
         public Color Ink { get; set; }
 
         /// <summary>
-        /// Of the width of contours and borders where nothing lies beside them, the outline of the drawing: 0 to 16; 1.
+        /// Factor of the width of contours and borders where nothing lies beside the line on its outer side: on the
+        /// outline of all items that have lines; 0 to 16; default 1.
         /// </summary>
         public float OutlineFactor { get; set; }
 
         /// <summary>
-        /// Of the width at the farthest place of all lines in the viewport, 1 at the nearest: 0 to 16; 1.
+        /// Factor of the width at the farthest place of all lines in the viewport; 0 to 16; default 1.  It is 1 at the
+        /// nearest place, and changes evenly with depth.
         /// </summary>
         public float FarFactor { get; set; }
 
         /// <summary>
-        /// Of the width where the surface faces the style's light, 1 where it faces away: 0 to 16; 1.
+        /// Factor of the width where the surface faces the style's light; 0 to 16; default 1.  It is 1 where the
+        /// surface faces away, and changes evenly with n . l.
         /// </summary>
         public float LitFactor { get; set; }
 
         /// <summary>
-        /// Of the width where the surface bends sharply, of contours along the line of sight, of others across the
-        /// line: 0 to 16; 1.
+        /// Factor of the width where the surface bends sharply; 0 to 16; default 1.  It is 1 where the radius of
+        /// curvature is <see cref="CurvatureRadius"/> or more.
         /// </summary>
+        /// <remarks>
+        /// For contours it is the radial curvature, along the line of sight; for other kinds it is the normal curvature
+        /// across the line.
+        /// </remarks>
         public float CurvatureFactor { get; set; }
 
         /// <summary>
-        /// Diagonals, above 0: the radius of curvature from which on <see cref="CurvatureFactor"/> has no effect; 0.1.
+        /// Radius of curvature from which on <see cref="CurvatureFactor"/> has no effect, in diagonals; above 0;
+        /// default 0.1.
         /// </summary>
         public float CurvatureRadius { get; set; }
 
-        /// <summary>How far an unsteady hand may stray to either side, in widths: 0 to 16; 0.</summary>
+        /// <summary>
+        /// How far a line strays to either side, as if drawn by an unsteady hand, in widths; 0 to 16; default 0.
+        /// </summary>
         public float Wobble { get; set; }
 
-        /// <summary>0 to 1: the share by which its width may vary; 0.</summary>
+        /// <summary>Share by which the width of a line varies; 0 to 1; default 0.</summary>
         public float WobbleWidth { get; set; }
 
-        /// <summary>From swing to swing, about, in widths, 1 or more; 40.</summary>
+        /// <summary>Approximate length from swing to swing, in widths; 1 to 16384; default 40.</summary>
         public float WobbleLength { get; set; }
 
-        /// <summary>Which of many wobbles; 0.</summary>
+        /// <summary>Seed of the wobble; any number; default 0.</summary>
         public uint WobbleSeed { get; set; }
 
-        /// <summary>Of creases: which of them; All.</summary>
+        /// <summary>The creases that are drawn, for lines of kind Crease; default All.</summary>
         public Creases Creases { get; set; }
 
-        /// <summary>Another one like this.</summary>
+        /// <summary>Copies the style.</summary>
         public LineStyle Clone()
         {
             var copy = (LineStyle)MemberwiseClone();
@@ -125,7 +148,7 @@ namespace HrbfNpr
             return copy;
         }
 
-        /// <summary>Everything but the name and the levels.</summary>
+        /// <summary>Writes everything except the name and the levels.</summary>
         internal void Write(hrbfnpr_line_style* native)
         {
             Errors.Check(NativeMethods.hrbfnpr_line_style_init(native, (uint)sizeof(hrbfnpr_line_style)));
