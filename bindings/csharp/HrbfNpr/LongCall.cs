@@ -5,7 +5,9 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>Progress and cancelling of one long call: an operation of the library's where either is wanted.</summary>
+    /// <summary>
+    /// Progress and cancelling of one long call.  It has an operation of the library if either is used.
+    /// </summary>
     internal sealed unsafe class LongCall : IDisposable
     {
         private static readonly NativeCallbacks.Progress ProgressCallback = OnProgress;
@@ -16,10 +18,10 @@ namespace HrbfNpr
         private UserHandle user;
         private CancellationTokenRegistration registration;
 
-        /// <param name="owner">A handle of the context's, kept from being released while the call begins.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="token">May be one that is never cancelled.</param>
-        /// <param name="always">Whether there is an operation even if neither is wanted.</param>
+        /// <param name="owner">A handle of the context, which keeps the context alive while the call begins.</param>
+        /// <param name="progress">Receives the progress; may be null.</param>
+        /// <param name="token">Cancels the call; may be a token that is never cancelled.</param>
+        /// <param name="always">Whether to make an operation even if neither progress nor cancelling is used.</param>
         internal LongCall(
             NativeHandle owner, IProgress<double> progress, CancellationToken token, bool always = false)
         {
@@ -62,7 +64,7 @@ namespace HrbfNpr
 
         public void Dispose()
         {
-            registration.Dispose(); // waits for a cancel that is under way
+            registration.Dispose(); // waits for a cancel that is running
             if (operation != OperationHandle.None)
             {
                 operation.Dispose();
@@ -70,7 +72,7 @@ namespace HrbfNpr
             user.Dispose();
         }
 
-        /// <summary>Throws if the call failed, or a function that it called.</summary>
+        /// <summary>Throws if the call failed, or if a function that it called threw.</summary>
         internal void Check(int status, hrbfnpr_error* error, CallbackState shared = null)
         {
             Errors.Check(status, error, token, state, shared);

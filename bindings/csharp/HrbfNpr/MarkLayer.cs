@@ -4,7 +4,9 @@ using System;
 namespace HrbfNpr
 {
     /// <summary>One layer of a point set: marks of one kind, made in one way and drawn in one style.</summary>
-    /// <remarks>It keeps its set from being finalised; once the set is disposed of, it can no longer be asked.</remarks>
+    /// <remarks>
+    /// It keeps its point set from being finalised.  It cannot be used after the point set is disposed of.
+    /// </remarks>
     public sealed unsafe class MarkLayer
     {
         private readonly PointSet pointSet;
@@ -21,25 +23,25 @@ namespace HrbfNpr
             Strokes = info.Strokes;
         }
 
-        /// <summary>Its place in the set's list, from 0.</summary>
+        /// <summary>Its place in the list of layers, from 0.</summary>
         public int Number { get; }
 
-        /// <summary>What its marks are.</summary>
+        /// <summary>The kind of its marks.</summary>
         public LayerKind Kind { get; }
 
-        /// <summary>What it is called.</summary>
+        /// <summary>Its name.</summary>
         public string Name
         {
             get { return name; }
         }
 
-        /// <summary>Marks in the layer.</summary>
+        /// <summary>Number of marks.</summary>
         public long Count { get; }
 
-        /// <summary>Strokes in the layer; 0: its marks form none.</summary>
+        /// <summary>Number of strokes that the marks form; 0 = none.</summary>
         public long Strokes { get; }
 
-        /// <summary>Counts, step and seconds.</summary>
+        /// <summary>What the layer holds, and how long it took to make.</summary>
         public LayerInfo Info
         {
             get
@@ -53,8 +55,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What became of one level's candidates: 0 for the seeds, then each refinement step.</summary>
-        /// <param name="level">0 to <see cref="LayerInfo.Levels"/>.</param>
+        /// <summary>
+        /// Tells what became of the candidates of one level: 0 for the seeds, then each refinement step.
+        /// </summary>
+        /// <param name="level">The level, from 0 to <see cref="LayerInfo.Levels"/>.</param>
         /// <exception cref="InvalidArgumentException">There is no such level.</exception>
         public PlacementInfo Placement(int level)
         {
@@ -66,15 +70,17 @@ namespace HrbfNpr
             return info;
         }
 
-        /// <summary>One attribute, in the set's own memory, without a copy.</summary>
-        /// <remarks>Empty for an empty layer, and for an attribute that it has not.</remarks>
+        /// <summary>
+        /// Gives a view of one attribute, without a copy.  It is empty for an empty layer, and for an attribute that
+        /// the layer does not have.
+        /// </summary>
         public NativeView View(MarkAttribute attribute)
         {
             hrbfnpr_array view = Array(attribute);
             return new NativeView(pointSet.Handle.Share(), view);
         }
 
-        /// <summary>A copy of an attribute.</summary>
+        /// <summary>Copies one attribute.</summary>
         /// <typeparam name="T">float, byte or uint, as <see cref="MarkAttribute"/> says.</typeparam>
         /// <exception cref="InvalidCastException">The numbers are of another type.</exception>
         public T[] ToArray<T>(MarkAttribute attribute)
@@ -86,20 +92,22 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A copy of the positions, 3 n numbers, relative to <see cref="PointSetInfo.Origin"/>.</summary>
+        /// <summary>Copies the positions: 3 n numbers, relative to <see cref="PointSetInfo.Origin"/>.</summary>
         public float[] Positions()
         {
             return ToArray<float>(MarkAttribute.Position);
         }
 
-        /// <summary>A copy of the unit normals, 3 n numbers.</summary>
+        /// <summary>Copies the unit normals: 3 n numbers.</summary>
         public float[] Normals()
         {
             return ToArray<float>(MarkAttribute.Normal);
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>An attribute in place: the span must not be used after the set is disposed of or finalised.</summary>
+        /// <summary>
+        /// Gives one attribute in place.  Do not use the span after the point set is disposed of or finalised.
+        /// </summary>
         /// <typeparam name="T">float, byte or uint, as <see cref="MarkAttribute"/> says.</typeparam>
         /// <exception cref="InvalidCastException">The numbers are of another type.</exception>
         public ReadOnlySpan<T> AsSpan<T>(MarkAttribute attribute)

@@ -1,65 +1,73 @@
 // SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
-    /// <summary>Which components of a mesh are kept.</summary>
+    /// <summary>Which components of a mesh are kept.  Faces that share vertices belong to one component.</summary>
     [NativeConstants("HRBFNPR_PARTS_")]
     public enum MeshParts
     {
-        /// <summary>All but those that lie inside a closed one (default).</summary>
+        /// <summary>
+        /// All components except those inside a closed one, such as eyes in a head or inner shells (default).
+        /// </summary>
         Outer = 0,
-        /// <summary>All.</summary>
+        /// <summary>All components.</summary>
         All = 1,
-        /// <summary>That of the largest area.</summary>
+        /// <summary>The component of the largest area.</summary>
         Largest = 2,
     }
 
-    /// <summary>What becomes of the order of a face's corners.</summary>
+    /// <summary>Whether the order of a face's corners may change.</summary>
     [NativeConstants("HRBFNPR_FACES_")]
     public enum MeshFaces
     {
-        /// <summary>Faces are turned to agree with their component, and closed components outward (default).</summary>
+        /// <summary>
+        /// Faces are turned to agree with their component, and closed components to face outward (default).
+        /// </summary>
         Turn = 0,
-        /// <summary>As they are.</summary>
+        /// <summary>Faces stay as they are.</summary>
         Keep = 1,
     }
 
-    /// <summary>What becomes of a mesh's edges.</summary>
+    /// <summary>Which edges of a mesh are sharp.</summary>
     [NativeConstants("HRBFNPR_EDGES_")]
     public enum MeshEdges
     {
-        /// <summary>Sharp where they stand out, as those of machine parts do (default).</summary>
+        /// <summary>
+        /// Edges are sharp if they stand out from the faces beside them, as those of machine parts do (default).
+        /// </summary>
         Auto = 0,
-        /// <summary>The surface is one smooth fit, which rounds them.</summary>
+        /// <summary>No edge is sharp: a fit is one smooth surface, which rounds all edges.</summary>
         Smooth = 1,
-        /// <summary>Sharp wherever faces meet at more than the crease angle.</summary>
+        /// <summary>All edges are sharp whose faces meet at more than the crease angle.</summary>
         Sharp = 2,
     }
 
-    /// <summary>What a mesh keeps.</summary>
+    /// <summary>The arrays of a mesh.</summary>
     [NativeConstants("HRBFNPR_MESH_ATTRIBUTE_")]
     public enum MeshAttribute
     {
-        /// <summary>Places, 3 double.</summary>
+        /// <summary>Positions of the vertices; 3 double.</summary>
         Vertex = 0,
-        /// <summary>Numbers of vertices, 3 int of each face.</summary>
+        /// <summary>Numbers of the vertices of each face; 3 int.</summary>
         Triangle = 1,
-        /// <summary>From 0, 1 int of each face.</summary>
+        /// <summary>Number of the component of each face, from 0; 1 int.</summary>
         Component = 2,
-        /// <summary>The number that the face was given by, 1 int.</summary>
+        /// <summary>Number of each face among the given ones; 1 int.</summary>
         GivenFace = 3,
-        /// <summary>Unit normals of the three corners, 9 double of each face.</summary>
+        /// <summary>Unit normals of the three corners of each face; 9 double.</summary>
         CornerNormal = 4,
     }
 
-    /// <summary>What a model keeps of its samples and of its fit.</summary>
+    /// <summary>The arrays of a model.</summary>
     [NativeConstants("HRBFNPR_MODEL_ATTRIBUTE_")]
     public enum ModelAttribute
     {
-        /// <summary>The centres, 3 double.</summary>
+        /// <summary>Centres; for a model of several sheets, places all over the surface; 3 double.</summary>
         Position = 0,
-        /// <summary>Their unit normals, 3 double.</summary>
+        /// <summary>Unit normals at these places; 3 double.</summary>
         Normal = 1,
-        /// <summary>Relative residual after each iteration of the iterative solver, 1 double.</summary>
+        /// <summary>
+        /// Relative residual after each iteration of Iterative; 1 double; empty after Direct and after loading.
+        /// </summary>
         ResidualHistory = 2,
     }
 }

@@ -3,206 +3,216 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What making a mesh found, and did.</summary>
+    /// <summary>
+    /// What making a mesh found and did.  Numbers of vertices, faces and edges are those of the mesh that is kept;
+    /// numbers of repairs are those of the given mesh.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mesh_info")]
     public struct MeshInfo
     {
         internal uint StructSize;
         private readonly uint closed;
 
-        /// <summary>Vertices, as given.</summary>
+        /// <summary>Number of given vertices.</summary>
         public readonly long GivenVertices;
 
-        /// <summary>Faces, as given.</summary>
+        /// <summary>Number of given faces.</summary>
         public readonly long GivenFaces;
 
-        /// <summary>Vertices that are kept.</summary>
+        /// <summary>Number of vertices that are kept.</summary>
         public readonly long Vertices;
 
-        /// <summary>Faces that are kept.</summary>
+        /// <summary>Number of faces that are kept.</summary>
         public readonly long Faces;
 
-        /// <summary>Vertices in the place of another, which were joined with it.</summary>
+        /// <summary>Number of vertices at the place of another, which were joined with it.</summary>
         public readonly long WeldedVertices;
 
-        /// <summary>Faces without area, left out.</summary>
+        /// <summary>Number of faces left out because they have no area.</summary>
         public readonly long DegenerateFaces;
 
-        /// <summary>Faces with the corners of another, left out.</summary>
+        /// <summary>Number of faces left out because another has the same corners.</summary>
         public readonly long RepeatedFaces;
 
-        /// <summary>Faces that were against those beside them, and were turned.</summary>
+        /// <summary>Number of faces turned to agree with those beside them.</summary>
         public readonly long TurnedFaces;
 
-        /// <summary>Components of the given faces.</summary>
+        /// <summary>Number of components of the given faces.</summary>
         public readonly long Components;
 
-        /// <summary>Of these, closed ones that were inside out and were turned.</summary>
+        /// <summary>Number of closed components turned because they were inside out.</summary>
         public readonly long TurnedComponents;
 
-        /// <summary>Components inside a closed one.</summary>
+        /// <summary>Number of components inside a closed one.</summary>
         public readonly long NestedComponents;
 
-        /// <summary>Components that were left out.</summary>
+        /// <summary>Number of components left out.</summary>
         public readonly long LeftOutComponents;
 
-        /// <summary>Their faces.</summary>
+        /// <summary>Number of faces of these components.</summary>
         public readonly long LeftOutFaces;
 
-        /// <summary>Edges that one face has.</summary>
+        /// <summary>Number of edges with one face.</summary>
         public readonly long BoundaryEdges;
 
-        /// <summary>Rings of these.</summary>
+        /// <summary>Number of loops that these edges form.</summary>
         public readonly long BoundaryLoops;
 
-        /// <summary>Edges that more than two faces have.</summary>
+        /// <summary>Number of edges with more than two faces.</summary>
         public readonly long NonmanifoldEdges;
 
-        /// <summary>Edges whose two faces do not agree.</summary>
+        /// <summary>Number of edges whose two faces do not agree.</summary>
         public readonly long ContraryEdges;
 
-        /// <summary>Vertices - edges + faces.</summary>
+        /// <summary>Number of vertices - edges + faces.</summary>
         public readonly long EulerCharacteristic;
 
-        /// <summary>Handles of all components; -1 where the mesh is not closed.</summary>
+        /// <summary>Number of handles of all components; -1 if the mesh is not closed.</summary>
         public readonly long Genus;
 
-        /// <summary>Of all faces.</summary>
+        /// <summary>Area, in squared units of the mesh.</summary>
         public readonly double Area;
 
-        /// <summary>Enclosed; NaN where the mesh is not closed.</summary>
+        /// <summary>Enclosed volume, in cubed units of the mesh; NaN if the mesh is not closed.</summary>
         public readonly double Volume;
 
-        /// <summary>Corner of the box of what is kept.</summary>
+        /// <summary>Lower corner of the box around the vertices that are kept.</summary>
         public readonly Vector3d BoundsMin;
 
-        /// <summary>The opposite corner.</summary>
+        /// <summary>Upper corner of the box.</summary>
         public readonly Vector3d BoundsMax;
 
-        /// <summary>Seconds that it took to make.</summary>
+        /// <summary>Time that it took to make the mesh, in seconds.</summary>
         public readonly double Seconds;
 
-        /// <summary>Bytes kept by the mesh.</summary>
+        /// <summary>Bytes that the mesh keeps.</summary>
         public readonly long Bytes;
 
-        /// <summary>Length of the edges that bend by more than 30 degrees, in diagonals of the box.</summary>
+        /// <summary>Length of the edges that bend by more than 30 degrees, in diagonals.</summary>
         public readonly double CreaseLength;
 
         private readonly uint creases;
         private readonly uint reserved;
 
-        /// <summary>Whether no edge has one face, or more than two, and all faces agree.</summary>
+        /// <summary>Whether no edge has one face or more than two, and all faces agree.</summary>
         public bool Closed
         {
             get { return closed != 0; }
         }
 
-        /// <summary>Whether those edges stand out, as of machine parts: fits with edges AUTO keep them sharp.</summary>
+        /// <summary>
+        /// Whether the mesh has edges that stand out, as those of machine parts do.  Fits with
+        /// <see cref="MeshEdges.Auto"/> keep them sharp.
+        /// </summary>
         public bool Creases
         {
             get { return creases != 0; }
         }
     }
 
-    /// <summary>What a fit to a mesh came to: the last of the measurements that it went by.</summary>
+    /// <summary>
+    /// The result of a fit to a mesh.  Distances are in units of the mesh, from the last measurement of the fit.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mesh_fit_info")]
     public struct MeshFitInfo
     {
         internal uint StructSize;
         private readonly uint reached;
 
-        /// <summary>As used.</summary>
+        /// <summary>The tolerance as used.</summary>
         public readonly double Tolerance;
 
-        /// <summary>As used.</summary>
+        /// <summary>The distance <see cref="MeshFitOptions.Far"/> as used.</summary>
         public readonly double Far;
 
-        /// <summary>Places on the mesh that were chosen from.</summary>
+        /// <summary>Number of places on the mesh that samples were chosen from.</summary>
         public readonly long Candidates;
 
-        /// <summary>All centres.</summary>
+        /// <summary>Number of all centres.</summary>
         public readonly long Centres;
 
-        /// <summary>Of these, the last ones: where f is held to the distance from the mesh.</summary>
+        /// <summary>
+        /// Number of centres off the surface, at which f is held to the distance from the mesh.  They are the last
+        /// ones.
+        /// </summary>
         public readonly long OffSurfaceCentres;
 
-        /// <summary>Fits.</summary>
+        /// <summary>Number of fits.</summary>
         public readonly int Rounds;
 
         private readonly uint supported;
 
-        /// <summary>Of the surface, the share within the tolerance of the mesh.</summary>
+        /// <summary>Share of the surface within the tolerance of the mesh; 0 to 1.</summary>
         public readonly double SurfaceShare;
 
-        /// <summary>99 % of the surface are not farther from the mesh.</summary>
+        /// <summary>99th percentile of the surface's distances from the mesh.</summary>
         public readonly double SurfaceP99;
 
-        /// <summary>How far the surface is from the mesh at most.</summary>
+        /// <summary>Greatest distance of the surface from the mesh.</summary>
         public readonly double SurfaceMax;
 
-        /// <summary>Of the mesh, the share within the tolerance of the surface.</summary>
+        /// <summary>Share of the mesh within the tolerance of the surface; 0 to 1.</summary>
         public readonly double MeshShare;
 
-        /// <summary>99 % of the mesh are not farther from the surface.</summary>
+        /// <summary>99th percentile of the mesh's distances from the surface.</summary>
         public readonly double MeshP99;
 
-        /// <summary>How far the mesh is from the surface at most.</summary>
+        /// <summary>Greatest distance of the mesh from the surface.</summary>
         public readonly double MeshMax;
 
-        /// <summary>Seconds for the places to choose from.</summary>
+        /// <summary>Time for choosing samples, in seconds.</summary>
         public readonly double SecondsSample;
 
-        /// <summary>Seconds of all fits.</summary>
+        /// <summary>Time for the fits of all rounds, in seconds.</summary>
         public readonly double SecondsFit;
 
-        /// <summary>Seconds of all measurements.</summary>
+        /// <summary>Time for measuring distances, in seconds.</summary>
         public readonly double SecondsMeasure;
 
-        /// <summary>Seconds of the call.</summary>
+        /// <summary>Time of the whole call, in seconds.</summary>
         public readonly double SecondsTotal;
 
-        /// <summary>Smooth pieces that the surface is made of; 1: it has no edges.</summary>
+        /// <summary>Number of smooth sheets that the surface consists of; 1 if it has no sharp edges.</summary>
         public readonly int Sheets;
 
         private readonly uint reserved;
 
-        /// <summary>Of the mesh's edges that are sharp.</summary>
+        /// <summary>Length of the mesh's edges that are sharp.</summary>
         public readonly double CreaseLength;
 
-        /// <summary>Of those that are not, as the mesh could not be cut there.</summary>
+        /// <summary>Length of edges that stay smooth because the mesh could not be cut there.</summary>
         public readonly double SmoothLength;
 
-        /// <summary>Of space, in each of which a few sheets rule.</summary>
+        /// <summary>Number of cells of space, in each of which a few sheets make the surface.</summary>
         public readonly long Cells;
 
-        /// <summary>In which no maximum and minimum of its sheets does all that the mesh does.</summary>
+        /// <summary>Number of cells in which no maximum and minimum of sheets follows the mesh everywhere.</summary>
         public readonly long PoorCells;
 
         private readonly int touchingParts0;
         private readonly int touchingParts1;
 
-        /// <summary>Where two parts of the mesh are nearer to each other than the tolerance.</summary>
+        /// <summary>Place where two parts of the mesh are nearer to each other than the tolerance.</summary>
         public readonly Vector3d TouchingPlace;
 
         private readonly uint partsMayCross;
         private readonly uint reserved2;
 
-        /// <summary>
-        /// Two parts of the mesh, from 0, that are nearer to each other than the tolerance, so that the surface may
-        /// join them; null if none were found.
-        /// </summary>
+        /// <summary>Numbers of these two parts, from 0, which the surface may join; null if none were found.</summary>
         public (int First, int Second)? TouchingParts
         {
             get { return touchingParts0 < 0 ? default((int, int)?) : (touchingParts0, touchingParts1); }
         }
 
-        /// <summary>Whether these may go through each other there; else they are near to each other.</summary>
+        /// <summary>
+        /// Whether these parts may go through each other there; false if they are only near each other.
+        /// </summary>
         public bool PartsMayCross
         {
             get { return partsMayCross != 0; }
         }
 
-        /// <summary>Whether tolerance, share and far are kept, both ways.</summary>
+        /// <summary>Whether surface and mesh keep the tolerance, the share and <see cref="Far"/>, both ways.</summary>
         public bool Reached
         {
             get { return reached != 0; }
@@ -216,7 +226,8 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// How near a surface is to a mesh, both ways.  Distances are in units of the mesh; of no places they are NaN.
+    /// How near a surface and a mesh are to each other.  Distances are in units of the mesh; figures without any place
+    /// to measure at are NaN.
     /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_comparison")]
     public struct MeshComparison
@@ -224,66 +235,67 @@ namespace HrbfNpr
         internal uint StructSize;
         private readonly uint reserved;
 
-        /// <summary>Places on the surface, even over its area.</summary>
+        /// <summary>Number of places on the surface, even over its area.</summary>
         public readonly long SurfacePoints;
 
         /// <summary>Mean of their distances from the mesh.</summary>
         public readonly double SurfaceMean;
 
-        /// <summary>99 % are not farther.</summary>
+        /// <summary>99th percentile of these distances.</summary>
         public readonly double SurfaceP99;
 
-        /// <summary>The farthest.</summary>
+        /// <summary>Greatest of these distances.</summary>
         public readonly double SurfaceMax;
 
-        /// <summary>The share within the tolerance.</summary>
+        /// <summary>Share of the surface within the tolerance of the mesh; 0 to 1.</summary>
         public readonly double SurfaceShare;
 
-        /// <summary>The share of the surface farther than <see cref="CompareOptions.Far"/>.</summary>
+        /// <summary>Share of the surface farther than <see cref="CompareOptions.Far"/> from the mesh; 0 to 1.</summary>
         public readonly double InventedShare;
 
         /// <summary>
-        /// The share of the surface beyond the mesh's border, or left out by <see cref="CompareOptions.Support"/>.
+        /// Share of the surface left out, beyond the mesh's border or by <see cref="CompareOptions.Support"/>; 0 to 1.
+        /// No other figure includes it.
         /// </summary>
         public readonly double LeftOutShare;
 
-        /// <summary>Places on the mesh, even over its area.</summary>
+        /// <summary>Number of places on the mesh, even over its area.</summary>
         public readonly long MeshPoints;
 
         /// <summary>Mean of their distances from the surface.</summary>
         public readonly double MeshMean;
 
-        /// <summary>99 % are not farther.</summary>
+        /// <summary>99th percentile of these distances.</summary>
         public readonly double MeshP99;
 
-        /// <summary>The farthest.</summary>
+        /// <summary>Greatest of these distances.</summary>
         public readonly double MeshMax;
 
-        /// <summary>The share within the tolerance.</summary>
+        /// <summary>Share of the mesh within the tolerance of the surface; 0 to 1.</summary>
         public readonly double MeshShare;
 
-        /// <summary>The share of the mesh farther than <see cref="CompareOptions.Far"/>.</summary>
+        /// <summary>Share of the mesh farther than <see cref="CompareOptions.Far"/> from the surface; 0 to 1.</summary>
         public readonly double MissedShare;
 
-        /// <summary>Mean of the degrees between the mesh's normals and the surface's.</summary>
+        /// <summary>Mean angle between the mesh's normals and those of the surface beside them, in degrees.</summary>
         public readonly double NormalMean;
 
-        /// <summary>99 % are not more.</summary>
+        /// <summary>99th percentile of these angles, in degrees.</summary>
         public readonly double NormalP99;
 
-        /// <summary>Components of the surface.</summary>
+        /// <summary>Number of components of the surface.</summary>
         public readonly long Components;
 
-        /// <summary>Handles of the surface; -1 if it has a border in the box.</summary>
+        /// <summary>Genus of the surface, summed over its components; -1 if it has a border in the box.</summary>
         public readonly long Genus;
 
-        /// <summary>As used.</summary>
+        /// <summary>The tolerance as used.</summary>
         public readonly double Tolerance;
 
-        /// <summary>Of the mesh.</summary>
+        /// <summary>Diagonal of the mesh.</summary>
         public readonly double Diagonal;
 
-        /// <summary>Seconds of the call.</summary>
+        /// <summary>Time that the comparison took, in seconds.</summary>
         public readonly double Seconds;
     }
 }

@@ -6,7 +6,7 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Model
     {
-        /// <summary>What the solid is made of, if it was put together from others.</summary>
+        /// <summary>What the solid is made of.  All fields are 0 for a model that is not a solid.</summary>
         public CsgInfo CsgInfo
         {
             get
@@ -19,74 +19,84 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What is in either.</summary>
+        /// <summary>The union: everything inside either solid.</summary>
         public static Model operator |(Model a, Model b)
         {
             return a.Union(b);
         }
 
-        /// <summary>What is in both.</summary>
+        /// <summary>The intersection: everything inside both solids.</summary>
         public static Model operator &(Model a, Model b)
         {
             return a.Intersection(b);
         }
 
-        /// <summary>What is in the first and not in the second.</summary>
+        /// <summary>The difference: the first solid without the second.</summary>
         public static Model operator -(Model a, Model b)
         {
             return a.Difference(b);
         }
 
-        /// <summary>The same surface, with inside and outside exchanged.</summary>
+        /// <summary>The complement: the same surface, with inside and outside exchanged.</summary>
         public static Model operator ~(Model a)
         {
             return a.Combined(Csg.New(CsgKind.Complement), new Model[0]);
         }
 
-        /// <summary>What is in this or in another, with a crease where they meet.</summary>
-        /// <exception cref="InvalidArgumentException">The result has no end, or a model is trimmed.</exception>
+        /// <summary>Makes the union of this and others, with creases where they meet.</summary>
+        /// <exception cref="InvalidArgumentException">The surface of the result may have no end, or a model is
+        /// trimmed.</exception>
         public Model Union(params Model[] others)
         {
             return Combined(Csg.New(CsgKind.Union), others);
         }
 
-        /// <summary>What is in all of them.</summary>
-        /// <exception cref="InvalidArgumentException">The result has no end or is empty, or a model is trimmed.</exception>
+        /// <summary>Makes the intersection of this and others, with creases where they meet.</summary>
+        /// <exception cref="InvalidArgumentException">The surface of the result may have no end, nothing is left, or a
+        /// model is trimmed.</exception>
         public Model Intersection(params Model[] others)
         {
             return Combined(Csg.New(CsgKind.Intersection), others);
         }
 
-        /// <summary>What is in this and in no other.</summary>
-        /// <exception cref="InvalidArgumentException">The result has no end or is empty, or a model is trimmed.</exception>
+        /// <summary>Makes the difference: this without all others, with creases where they meet.</summary>
+        /// <exception cref="InvalidArgumentException">The surface of the result may have no end, nothing is left, or a
+        /// model is trimmed.</exception>
         public Model Difference(params Model[] others)
         {
             return Combined(Csg.New(CsgKind.Difference), others);
         }
 
-        /// <summary>The union, rounded where the two meet.</summary>
-        /// <param name="other">The other one.</param>
-        /// <param name="radius">Within which it is rounded.</param>
-        /// <param name="exponent">0: twice differentiable everywhere; 2 to 64: a super-ellipse, 2 an arc of the radius
-        /// where the two meet at a right angle.</param>
+        /// <summary>Makes the union of this and another, rounded where they meet.</summary>
+        /// <param name="other">The other solid.</param>
+        /// <param name="radius">The radius of the blend, in the unit of the model; 0 or more; 0 = a crease.  Larger
+        /// values round more.</param>
+        /// <param name="exponent">The exponent of the blend; 0, or 2 to 64. 0 = twice continuously differentiable
+        /// everywhere. 2 gives an arc of the radius at a right angle, and larger values are sharper.</param>
         public Model Blend(Model other, double radius, double exponent = 0)
         {
             return Blended(CsgKind.Union, other, radius, exponent);
         }
 
-        /// <summary>The intersection, rounded where the two meet: see <see cref="Blend"/>.</summary>
+        /// <summary>
+        /// Makes the intersection of this and another, rounded where they meet as in <see cref="Blend"/>.
+        /// </summary>
         public Model BlendIntersection(Model other, double radius, double exponent = 0)
         {
             return Blended(CsgKind.Intersection, other, radius, exponent);
         }
 
-        /// <summary>The difference, rounded where the two meet: see <see cref="Blend"/>.</summary>
+        /// <summary>
+        /// Makes the difference of this and another, rounded where they meet as in <see cref="Blend"/>.
+        /// </summary>
         public Model BlendDifference(Model other, double radius, double exponent = 0)
         {
             return Blended(CsgKind.Difference, other, radius, exponent);
         }
 
-        /// <summary>The surface f = distance: outside the surface by so much, or inside if negative.</summary>
+        /// <summary>
+        /// Grows the solid outward by a distance, or inward if it is negative.  Exact where f is the distance.
+        /// </summary>
         public Model Offset(double distance)
         {
             hrbfnpr_csg_node root = Csg.New(CsgKind.Offset);
@@ -94,7 +104,7 @@ namespace HrbfNpr
             return Combined(root, new Model[0]);
         }
 
-        /// <summary>A wall of this thickness inside of the surface, which stays.</summary>
+        /// <summary>Makes a hollow body with a wall of this thickness inside the surface, which stays.</summary>
         public Model Shell(double thickness)
         {
             hrbfnpr_csg_node root = Csg.New(CsgKind.Shell);
@@ -102,9 +112,10 @@ namespace HrbfNpr
             return Combined(root, new Model[0]);
         }
 
-        /// <summary>Moved by an affine map: 16 numbers, column-major.</summary>
-        /// <remarks>Where it stretches unevenly f is measured by its least stretch, so that the length of grad f does
-        /// not grow.</remarks>
+        /// <summary>Moves the model by an affine map: 16 numbers, column-major.</summary>
+        /// <remarks>
+        /// If the map stretches unevenly, f is measured by the least stretch, so that |grad f| does not grow.
+        /// </remarks>
         public Model Transformed(double[] matrix)
         {
             if (matrix == null || matrix.Length != 16)
@@ -119,7 +130,7 @@ namespace HrbfNpr
             return Combined(root, new Model[0]);
         }
 
-        /// <summary>Moved by a vector.</summary>
+        /// <summary>Moves the model by a vector.</summary>
         public Model Translated(Vector3d by)
         {
             return Transformed(new double[] { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, by.X, by.Y, by.Z, 1 });
@@ -165,7 +176,7 @@ namespace HrbfNpr
             return Combined(root, new[] { other });
         }
 
-        /// <summary>A tree of one root with this and others as its children.</summary>
+        /// <summary>Makes a tree with one root, whose children are this model and others.</summary>
         private Model Combined(hrbfnpr_csg_node root, Model[] others)
         {
             var all = new List<Model> { this };

@@ -4,7 +4,7 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>Result of <see cref="Model.StepPatches"/>.</summary>
+    /// <summary>The squares of <see cref="Model.StepPatches"/>.</summary>
     public sealed class StepPatches
     {
         internal StepPatches(double[] corners, double step)
@@ -13,24 +13,28 @@ namespace HrbfNpr
             Step = step;
         }
 
-        /// <summary>Four corners of each patch, counter-clockwise seen from outside: 12 n numbers, absolute.</summary>
+        /// <summary>
+        /// The four corners of each square, absolute, counter-clockwise as seen from outside: 12 n numbers.
+        /// </summary>
         public double[] Corners { get; }
 
-        /// <summary>The initial step.</summary>
+        /// <summary>The initial step, in the unit of the samples.</summary>
         public double Step { get; }
     }
 
     public sealed unsafe partial class Model
     {
         /// <summary>Places marks on the surface [NPAR 4.2, 5].</summary>
-        /// <param name="options">All defaults, a layer of stipples, if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <param name="options">The options; null = all defaults: one layer of stipples.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">An option is out of its range, or does not go with another.</exception>
-        /// <exception cref="NotConvergedException">All seeds or all marks were dropped, or no stroke fits.</exception>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, or contradicts
+        /// another.</exception>
+        /// <exception cref="NotConvergedException">No seed or no mark could be placed, or no stroke has room with the
+        /// given separation or step.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
-        /// <exception cref="CallbackException">A function of the program threw.</exception>
+        /// <exception cref="CallbackException">A function of the caller threw an exception.</exception>
         public PointSet Generate(
             GenerateOptions options = null, Context context = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -58,11 +62,16 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The visual feedback for choosing the initial step [NPAR 5.1, Figure 5].</summary>
-        /// <param name="count">Squares of side 2 steps, in tangent planes of random seeds.</param>
-        /// <param name="options">As for <see cref="Generate"/>, whose seeds and estimate they are.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>
+        /// Makes squares that show how large the initial step of <see cref="Distribution.Published"/> is [NPAR 5.1,
+        /// Figure 5].
+        /// </summary>
+        /// <param name="count">The number of squares.  Each has sides of two steps, and lies in the tangent plane of a
+        /// random seed.</param>
+        /// <param name="options">The options of <see cref="Generate"/>, which uses the same seeds and the same
+        /// step.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         public StepPatches StepPatches(
             int count, GenerateOptions options = null, Context context = null, IProgress<double> progress = null,

@@ -6,16 +6,16 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Model
     {
-        /// <summary>Makes what lines of the surface are drawn from, whatever the camera.</summary>
-        /// <param name="options">All defaults, for contours and borders, if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <summary>Makes the line set of the model, from which its lines are drawn for every camera.</summary>
+        /// <param name="options">The options; null = all defaults: contours, borders and creases only.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">An option is out of its range, or there are more than 4 000 000
-        /// triangles: a larger <see cref="LineSetOptions.CellSize"/> is needed.</exception>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, or the mesh would have more than 4
+        /// 000 000 triangles: give a larger <see cref="LineSetOptions.CellSize"/>.</exception>
         /// <exception cref="NotConvergedException">No surface was found, or none near its samples.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
-        /// <exception cref="CallbackException">A function of the program threw.</exception>
+        /// <exception cref="CallbackException">A function of the caller threw an exception.</exception>
         public LineSet LineSet(
             LineSetOptions options = null, Context context = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))

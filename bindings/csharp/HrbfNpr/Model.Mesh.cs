@@ -6,16 +6,21 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Model
     {
-        /// <summary>Fits a surface to a mesh with as many samples as that takes.</summary>
+        /// <summary>
+        /// Fits a surface to a mesh, with as many samples as the tolerance takes.  A fit that ends short of the
+        /// tolerance is no error: see <see cref="MeshFitInfo.Reached"/>.
+        /// </summary>
         /// <param name="mesh">The mesh.</param>
-        /// <param name="info">What was reached.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="fit">Kernel, solver and regularization; its tolerance and MaximumCentres are not used.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="info">Receives the result of the fit.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="fit">Kernel, solver, regularization and trim.  Its Tolerance and MaximumCentres are not used.
+        /// null = all defaults.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the fit.</param>
         /// <exception cref="InvalidArgumentException">An option is out of its range.</exception>
-        /// <exception cref="SingularSystemException">There is no (numerically) unique solution.</exception>
-        /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
+        /// <exception cref="SingularSystemException">The linear system has no numerically unique solution.</exception>
+        /// <exception cref="NotConvergedException">The iterative solver did not reach its tolerance; the message gives
+        /// the residual.</exception>
         public static Model FitMesh(
             TriangleMesh mesh, out MeshFitInfo info, MeshFitOptions options = null, FitOptions fit = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -44,10 +49,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Measures how near the surface is to a mesh, and the mesh to the surface.</summary>
-        /// <param name="mesh">In the same coordinates.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Measures how near the surface and a mesh are to each other, both ways.</summary>
+        /// <param name="mesh">The mesh, in the same coordinates.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">An option is out of its range.</exception>
         public MeshComparison Compare(

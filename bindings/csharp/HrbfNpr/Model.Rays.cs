@@ -6,14 +6,20 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Model
     {
-        /// <summary>Where n rays origin + t direction meet the surface [Hart 1996, "Sphere tracing"].</summary>
-        /// <param name="origins">n points; rays may start inside.</param>
-        /// <param name="directions">n directions of any length but zero.</param>
-        /// <param name="options">All defaults, the first hit, if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>
+        /// Finds where n rays origin + t direction meet the surface in the search box, by sphere tracing [Hart 1996].
+        /// </summary>
+        /// <remarks>
+        /// The search may miss two hits that are closer than <see cref="CastOptions.SmallestStep"/> along the ray.  A
+        /// ray that starts on the surface may or may not have a hit there.
+        /// </remarks>
+        /// <param name="origins">The n origins, which may lie inside.</param>
+        /// <param name="directions">The n directions, of any length but 0.</param>
+        /// <param name="options">The options; null = all defaults: the first hit only.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">NaN, infinity, a direction of zero, different numbers of
-        /// origins and directions, an option out of its range.</exception>
+        /// <exception cref="InvalidArgumentException">NaN, infinity, a zero direction, different counts of origins and
+        /// directions, or an option out of its range.</exception>
         public RayHits CastRays(
             ArrayView origins, ArrayView directions, CastOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -23,7 +29,7 @@ namespace HrbfNpr
             Errors.Check(NativeMethods.hrbfnpr_cast_desc_init(&desc, (uint)sizeof(hrbfnpr_cast_desc)));
             options.Write(ref desc);
             long count = origins.CountOf(3, nameof(origins));
-            // Numbers out of range are refused by the library, before it writes anything.
+            // The library refuses numbers out of range before it writes anything.
             var result = new RayHits(count, Math.Max(1, Math.Min(options.MaximumHits, 256)));
             using (var pins = new Pins())
             using (var call = new LongCall(handle, progress, cancellationToken))
@@ -48,10 +54,11 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// The bound that <see cref="CastRays"/> takes: the largest |grad f| at 24^3 points, times 1.5.  An estimate,
-        /// and no proof.  Pass it on if you cast few rays at a time.
+        /// Computes the bound on |grad f| that <see cref="CastRays"/> uses if none is given.  It is an estimate, except
+        /// for a solid of primitives.  If you cast few rays in each call, compute it once and pass it on.
         /// </summary>
-        /// <param name="progress">May be null.</param>
+        /// <remarks>The estimate is 1.5 times the largest |grad f| at 24^3 points of the search box.</remarks>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         public double Lipschitz(
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -66,9 +73,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Which of n points lie inside: where f is negative, and in the bounds grown by 0.05 diagonals.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Tells which of n points lie inside: where f &lt; 0, within the search box.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">A point is not finite.</exception>
         public bool[] Contains(
@@ -80,12 +87,12 @@ namespace HrbfNpr
             return Array.ConvertAll(inside, one => one != 0);
         }
 
-        /// <summary>As <see cref="Contains"/>, into the caller's memory.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="inside">n bytes, 1 or 0, or not given.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="cancellationToken">Cancels the call; a part of the results may then be written.</param>
-        /// <returns>How many lie inside.</returns>
+        /// <summary>Tells which of n points lie inside, into the caller's memory.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="inside">Receives a byte for each point: 1 inside, else 0; may be not given.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
+        /// <returns>The number of points inside.</returns>
         public long ContainsInto(
             ArrayView points, ArrayView inside, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))

@@ -7,12 +7,12 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Model
     {
-        /// <summary>As the other <c>Fit</c>, from spans of 3 N numbers.</summary>
-        /// <param name="points">N points.</param>
-        /// <param name="normals">Their outward normals.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Fits f to samples, like the other <c>Fit</c>, from spans of 3 N numbers.</summary>
+        /// <param name="points">The N points.</param>
+        /// <param name="normals">The N outward normals.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the fit.</param>
         public static Model Fit(
             ReadOnlySpan<double> points, ReadOnlySpan<double> normals, FitOptions options = null,
@@ -26,12 +26,12 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>As the other <c>Fit</c>, from spans of 3 N numbers.</summary>
-        /// <param name="points">N points.</param>
-        /// <param name="normals">Their outward normals.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Fits f to samples, like the other <c>Fit</c>, from spans of 3 N numbers.</summary>
+        /// <param name="points">The N points.</param>
+        /// <param name="normals">The N outward normals.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the fit.</param>
         public static Model Fit(
             ReadOnlySpan<float> points, ReadOnlySpan<float> normals, FitOptions options = null,
@@ -45,12 +45,12 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>As the other <c>Fit</c>, from arrays of 3 N numbers.</summary>
-        /// <param name="points">N points.</param>
-        /// <param name="normals">Their outward normals.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Fits f to samples, like the other <c>Fit</c>, from arrays of 3 N numbers.</summary>
+        /// <param name="points">The N points.</param>
+        /// <param name="normals">The N outward normals.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the fit.</param>
         public static Model Fit(
             double[] points, double[] normals, FitOptions options = null, Context context = null,
@@ -59,12 +59,12 @@ namespace HrbfNpr
             return Fit((ArrayView)points, (ArrayView)normals, options, context, progress, cancellationToken);
         }
 
-        /// <summary>As the other <c>Fit</c>, from arrays of 3 N numbers.</summary>
-        /// <param name="points">N points.</param>
-        /// <param name="normals">Their outward normals.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Fits f to samples, like the other <c>Fit</c>, from arrays of 3 N numbers.</summary>
+        /// <param name="points">The N points.</param>
+        /// <param name="normals">The N outward normals.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the fit.</param>
         public static Model Fit(
             float[] points, float[] normals, FitOptions options = null, Context context = null,
@@ -73,13 +73,13 @@ namespace HrbfNpr
             return Fit((ArrayView)points, (ArrayView)normals, options, context, progress, cancellationToken);
         }
 
-        /// <summary>f, its gradient and Hessian at n points, into the caller's spans.</summary>
-        /// <param name="points">3 n numbers.</param>
-        /// <param name="value">n numbers, or empty.</param>
-        /// <param name="gradient">3 n numbers, or empty.</param>
-        /// <param name="hessian">6 n numbers, or empty.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="cancellationToken">Cancels the call; a part of the results may then be written.</param>
+        /// <summary>Evaluates f, its gradient and its Hessian at n points, into spans.</summary>
+        /// <param name="points">3 n numbers: x, y, z of each point.</param>
+        /// <param name="value">Receives n values; may be empty.</param>
+        /// <param name="gradient">Receives 3 n derivatives; may be empty.</param>
+        /// <param name="hessian">Receives 6 n derivatives, xx xy xz yy yz zz; may be empty.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
         public void Evaluate(
             ReadOnlySpan<double> points, Span<double> value, Span<double> gradient = default,
             Span<double> hessian = default, IProgress<double> progress = null,
@@ -94,9 +94,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>As the other <c>Load</c>.</summary>
-        /// <param name="data">All of a saved model.</param>
-        /// <param name="context">The default context if null.</param>
+        /// <summary>Loads a saved model, like the other <c>Load</c>.</summary>
+        /// <param name="data">The whole saved model.</param>
+        /// <param name="context">The context; null = the default context.</param>
         public static Model Load(ReadOnlySpan<byte> data, Context context = null)
         {
             fixed (byte* start = data)

@@ -6,7 +6,7 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Model
     {
-        /// <summary>What <see cref="Trim"/> left out.</summary>
+        /// <summary>What the last trim of the model left out.</summary>
         public TrimInfo TrimInfo
         {
             get
@@ -19,18 +19,19 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The same model with a surface that ends where its samples do.</summary>
+        /// <summary>Makes the same model with a surface that ends where its samples end.</summary>
         /// <remarks>
-        /// The surface of an open scan or a terrain goes on where the samples end, and a fit may grow sheets where no
-        /// sample ever was.  Marks, line sets and rays of the new model end where those do; f, projections, curvatures
-        /// and Contains do not change.  A surface of which nothing is to be left out stays whole.
+        /// A fitted surface goes on where its samples end, and may have sheets where there never was a sample.  Marks,
+        /// line sets and rays of the new model end with the samples. f, projections, curvatures and Contains do not
+        /// change.  If nothing is to be left out, the surface stays whole.
         /// </remarks>
-        /// <param name="options">All defaults, the model's centres for samples, if null.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <param name="options">The options; null = all defaults, with the model's centres as samples.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">An option is out of its range, or a model from a function got no
-        /// points.</exception>
-        /// <exception cref="NotConvergedException">No part of the surface is near the samples.</exception>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, or the model is not a fit and no
+        /// points are given.</exception>
+        /// <exception cref="NotConvergedException">No part of the surface is near the samples, or a single sample has
+        /// no spacing.</exception>
         public Model Trim(
             TrimOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
