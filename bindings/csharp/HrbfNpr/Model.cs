@@ -7,17 +7,18 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>
-    /// An implicit surface: f is negative inside, positive outside, with a gradient near 1 at the surface [NPAR 4].
+    /// An implicit surface f = 0 [NPAR 4]. f is negative inside and positive outside, and the length of its gradient is
+    /// near 1 at the surface.
     /// </summary>
     /// <remarks>
-    /// <para>Immutable: any number of threads may use a model at a time.  A model that is disposed of or finalised
-    /// goes on living where it is still needed.</para>
-    /// <para>Points are packed x, y, z; see <see cref="ArrayView"/> for what can be given.  Results are double; the
-    /// calls that end in Into write to memory of the caller's, float or double.</para>
-    /// <para>All long calls report progress in [0, 1], which never falls within a call, on the calling thread, and can
-    /// be cancelled from any thread; a report that throws cancels the call too.  They may throw
-    /// <see cref="CancelledException"/>, <see cref="CallbackException"/>,
-    /// <see cref="NativeOutOfMemoryException"/> and <see cref="ObjectDisposedException"/> beside what is named.</para>
+    /// <para>A model never changes, so several threads may use it at the same time.  A model that is disposed of or
+    /// finalised stays alive as long as other objects need it.</para>
+    /// <para>Points are packed x, y, z; <see cref="ArrayView"/> says what can be given.  Results are double.  Methods
+    /// whose names end in Into write to memory of the caller, float or double.</para>
+    /// <para>Long calls report progress from 0 to 1 on the calling thread; it never falls within a call.  They can be
+    /// cancelled from any thread.  A progress report that throws cancels the call, too.  Besides the exceptions that a
+    /// method names, it may throw <see cref="CancelledException"/>, <see cref="CallbackException"/>,
+    /// <see cref="NativeOutOfMemoryException"/> and <see cref="ObjectDisposedException"/>.</para>
     /// </remarks>
     public sealed unsafe partial class Model : IDisposable
     {
@@ -30,7 +31,7 @@ namespace HrbfNpr
             this.function = function;
         }
 
-        /// <summary>What the fit did.</summary>
+        /// <summary>What the fit found and did.</summary>
         public ModelInfo Info
         {
             get
@@ -54,17 +55,19 @@ namespace HrbfNpr
         }
 
         /// <summary>Fits f with f(x) = 0 and grad f(x) = n at N samples [NPAR 4.1].</summary>
-        /// <param name="points">N points, in any unit.</param>
-        /// <param name="normals">Their N outward normals; normalised if need be.  Coincident samples that agree are
-        /// merged; one sample is a plane.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="points">The N samples, in any unit.  One sample is enough: its surface is a plane.</param>
+        /// <param name="normals">The N outward normals, of any length.  Samples at the same place with the same normal
+        /// are merged.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the fit.</param>
-        /// <exception cref="InvalidArgumentException">NaN, infinity, zero normals, coincident samples that disagree
-        /// (the message names the index), mismatched or empty arrays, options out of their range.</exception>
-        /// <exception cref="SingularSystemException">There is no (numerically) unique solution.</exception>
-        /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
+        /// <exception cref="InvalidArgumentException">NaN, infinity or a zero normal; samples at the same place with
+        /// different normals (the message gives both indices); empty arrays, or arrays of different counts; an option
+        /// out of its range.</exception>
+        /// <exception cref="SingularSystemException">The linear system has no numerically unique solution.</exception>
+        /// <exception cref="NotConvergedException">The iterative solver did not reach its tolerance; the message gives
+        /// the residual.</exception>
         public static Model Fit(
             ArrayView points, ArrayView normals, FitOptions options = null, Context context = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -87,12 +90,16 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Any implicit function in place of a fit: every operator works on it [NPAR 8].</summary>
-        /// <param name="function">Called with many points at a time.</param>
-        /// <param name="boundsMin">Corner of the box that the surface lies in.</param>
-        /// <param name="boundsMax">The opposite corner.</param>
-        /// <param name="options">What it computes; values only if null.</param>
-        /// <param name="context">The default context if null.</param>
+        /// <summary>
+        /// Makes a model of any implicit function.  Everything that works on a fit works on it [NPAR 8].
+        /// </summary>
+        /// <param name="function">The function, which gets many points in each call.</param>
+        /// <param name="boundsMin">The lower corner of the box that holds the surface.  Make the box fit the surface
+        /// closely.</param>
+        /// <param name="boundsMax">The upper corner of the box.</param>
+        /// <param name="options">What the function can do; null = it computes values only, on one thread at a
+        /// time.</param>
+        /// <param name="context">The context; null = the default context.</param>
         /// <exception cref="InvalidArgumentException">The box is empty or not finite.</exception>
         public static Model FromFunction(
             ImplicitFunction function, Vector3d boundsMin, Vector3d boundsMax, FunctionOptions options = null,
@@ -102,12 +109,17 @@ namespace HrbfNpr
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>As <see cref="FromFunction"/>, without copies.</summary>
-        /// <param name="function">Called with many points at a time.</param>
-        /// <param name="boundsMin">Corner of the box that the surface lies in.</param>
-        /// <param name="boundsMax">The opposite corner.</param>
-        /// <param name="options">What it computes; values only if null.</param>
-        /// <param name="context">The default context if null.</param>
+        /// <summary>
+        /// Makes a model of any implicit function, like <see cref="FromFunction"/>, but the function works on spans,
+        /// without copies.
+        /// </summary>
+        /// <param name="function">The function, which gets many points in each call.</param>
+        /// <param name="boundsMin">The lower corner of the box that holds the surface.  Make the box fit the surface
+        /// closely.</param>
+        /// <param name="boundsMax">The upper corner of the box.</param>
+        /// <param name="options">What the function can do; null = it computes values only, on one thread at a
+        /// time.</param>
+        /// <param name="context">The context; null = the default context.</param>
         public static Model FromSpanFunction(
             ImplicitSpanFunction function, Vector3d boundsMin, Vector3d boundsMax, FunctionOptions options = null,
             Context context = null)
@@ -129,7 +141,7 @@ namespace HrbfNpr
             desc.release = FunctionState.Release;
             *(Vector3d*)desc.bounds_min = boundsMin;
             *(Vector3d*)desc.bounds_max = boundsMax;
-            GCHandle user = GCHandle.Alloc(state); // freed by the library's call of `release`
+            GCHandle user = GCHandle.Alloc(state); // the library's call of `release` frees it
             desc.user = GCHandle.ToIntPtr(user);
             hrbfnpr_error error = Errors.New();
             var made = new ModelHandle();
@@ -144,20 +156,20 @@ namespace HrbfNpr
             {
                 if (status != 0)
                 {
-                    user.Free(); // `release` is not called then
+                    user.Free(); // the library does not call `release` in this case
                 }
             }
             Errors.Check(status, &error);
             return new Model(made, state);
         }
 
-        /// <summary>f at n points and, if asked for, its gradient and Hessian.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="gradient">Whether to compute gradients.</param>
-        /// <param name="hessian">Whether to compute Hessians.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Evaluates f at n points, and on request its gradient and its Hessian.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="gradient">Whether to compute gradients; default false.</param>
+        /// <param name="hessian">Whether to compute Hessians; default false.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">A point is not finite.</exception>
+        /// <exception cref="InvalidArgumentException">A point is not finite or too far away.</exception>
         public Evaluation Evaluate(
             ArrayView points, bool gradient = false, bool hessian = false, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -169,14 +181,15 @@ namespace HrbfNpr
             return result;
         }
 
-        /// <summary>As <c>Evaluate</c>, into the caller's memory.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="value">n numbers, or not given.</param>
-        /// <param name="gradient">3 n numbers, or not given.</param>
-        /// <param name="hessian">6 n numbers, or not given.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="cancellationToken">Cancels the call; a part of the results may then be written.</param>
-        /// <exception cref="InvalidArgumentException">A point is not finite, or an array does not fit.</exception>
+        /// <summary>Evaluates f, its gradient and its Hessian at n points, into the caller's memory.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="value">Receives n values; may be not given.</param>
+        /// <param name="gradient">Receives 3 n derivatives; may be not given.</param>
+        /// <param name="hessian">Receives 6 n derivatives, xx xy xz yy yz zz; may be not given.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
+        /// <exception cref="InvalidArgumentException">A point is not finite or too far away, or an array has another
+        /// size or type.</exception>
         public void EvaluateInto(
             ArrayView points, ArrayView value, ArrayView gradient = default(ArrayView),
             ArrayView hessian = default(ArrayView), IProgress<double> progress = null,
@@ -197,12 +210,13 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Projects n points on the surface [NPAR 4.2].</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Projects n points onto the surface [NPAR 4.2].</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">A point is not finite, or an option out of its range.</exception>
+        /// <exception cref="InvalidArgumentException">A point is not finite or too far away, or an option is out of its
+        /// range.</exception>
         public Projection Project(
             ArrayView points, ProjectOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -214,15 +228,16 @@ namespace HrbfNpr
             return result;
         }
 
-        /// <summary>As <c>Project</c>, into the caller's memory.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="position">3 n numbers, or not given; may be the points themselves.</param>
-        /// <param name="normal">3 n numbers, or not given.</param>
-        /// <param name="status">n numbers, byte or uint (<see cref="ProjectionStatus"/>), or not given.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="cancellationToken">Cancels the call; a part of the results may then be written.</param>
-        /// <returns>How many points converged.</returns>
+        /// <summary>Projects n points onto the surface, into the caller's memory.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="position">Receives 3 n numbers; may be not given; may be the memory of the points.</param>
+        /// <param name="normal">Receives 3 n numbers; may be not given.</param>
+        /// <param name="status">Receives n numbers, byte or uint (<see cref="ProjectionStatus"/>); may be not
+        /// given.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
+        /// <returns>The number of points that converged.</returns>
         public long ProjectInto(
             ArrayView points, ArrayView position, ArrayView normal = default(ArrayView),
             ArrayView status = default(ArrayView), ProjectOptions options = null, IProgress<double> progress = null,
@@ -248,11 +263,13 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Principal curvatures and directions of the level set through each of n points [NPAR 5.3].</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>
+        /// Computes the principal curvatures and directions of the level set through each of n points [NPAR 5.3].
+        /// </summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">A point is not finite.</exception>
+        /// <exception cref="InvalidArgumentException">A point is not finite or too far away.</exception>
         public Curvature Curvature(
             ArrayView points, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -263,15 +280,18 @@ namespace HrbfNpr
             return result;
         }
 
-        /// <summary>As <c>Curvature</c>, into the caller's memory; see <see cref="HrbfNpr.Curvature"/>.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="k1">n numbers, or not given.</param>
-        /// <param name="k2">n numbers, or not given.</param>
-        /// <param name="d1">3 n numbers, or not given.</param>
-        /// <param name="d2">3 n numbers, or not given.</param>
-        /// <param name="confidence">n numbers, or not given.</param>
-        /// <param name="progress">May be null.</param>
-        /// <param name="cancellationToken">Cancels the call; a part of the results may then be written.</param>
+        /// <summary>
+        /// Computes principal curvatures and directions into the caller's memory; <see cref="HrbfNpr.Curvature"/>
+        /// describes them.
+        /// </summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="k1">Receives n numbers; may be not given.</param>
+        /// <param name="k2">Receives n numbers; may be not given.</param>
+        /// <param name="d1">Receives 3 n numbers; may be not given.</param>
+        /// <param name="d2">Receives 3 n numbers; may be not given.</param>
+        /// <param name="confidence">Receives n numbers; may be not given.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
         public void CurvatureInto(
             ArrayView points, ArrayView k1, ArrayView k2 = default(ArrayView), ArrayView d1 = default(ArrayView),
             ArrayView d2 = default(ArrayView), ArrayView confidence = default(ArrayView),
@@ -294,7 +314,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A part of the model's own memory, without a copy; empty for a function.</summary>
+        /// <summary>
+        /// Gives a view of an array of the model, without a copy.  It is empty for a model from a function and for a
+        /// solid.
+        /// </summary>
         public NativeView View(ModelAttribute attribute)
         {
             hrbfnpr_array view;
@@ -303,10 +326,11 @@ namespace HrbfNpr
             return new NativeView(handle.Share(), view);
         }
 
-        /// <summary>Saves the model; the data is versioned and checksummed.</summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <exception cref="InvalidArgumentException">The model is a function.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <summary>Saves the model.  The data has a version and a checksum.</summary>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <exception cref="InvalidArgumentException">The model is from a function, or is a solid with such a model
+        /// among its leaves.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public void Save(Stream stream)
         {
             var state = new StreamState(stream);
@@ -318,8 +342,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What <see cref="Save"/> writes.</summary>
-        /// <exception cref="InvalidArgumentException">The model is a function.</exception>
+        /// <summary>Returns what <see cref="Save"/> writes.</summary>
+        /// <exception cref="InvalidArgumentException">The model is from a function, or is a solid with such a model
+        /// among its leaves.</exception>
         public byte[] ToBytes()
         {
             long size = 0;
@@ -338,12 +363,13 @@ namespace HrbfNpr
             return data;
         }
 
-        /// <summary>Loads a saved model; it evaluates to the same bits.</summary>
-        /// <param name="stream">Read from on this thread, not beyond the model's end, and not closed.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="CorruptDataException">It is not a saved model, or is cut short or damaged.</exception>
-        /// <exception cref="VersionMismatchException">It was written by a newer library.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <summary>Loads a saved model.  It evaluates to the same bits.</summary>
+        /// <param name="stream">The stream, which is read on this thread, not beyond the model's end, and is not
+        /// closed.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="CorruptDataException">The data is no saved model, truncated or damaged.</exception>
+        /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static Model Load(Stream stream, Context context = null)
         {
             context = Context.Resolve(context);
@@ -360,11 +386,11 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Loads what <see cref="ToBytes"/> returned.</summary>
-        /// <param name="data">All of it.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="CorruptDataException">It is not a saved model, or is cut short or damaged.</exception>
-        /// <exception cref="VersionMismatchException">It was written by a newer library.</exception>
+        /// <summary>Loads a model from the data that <see cref="ToBytes"/> returned.</summary>
+        /// <param name="data">The whole data.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="CorruptDataException">The data is no saved model, truncated or damaged.</exception>
+        /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         public static Model Load(byte[] data, Context context = null)
         {
             if (data == null)
@@ -377,7 +403,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Lets go of the model; what still needs it keeps it alive.</summary>
+        /// <summary>Releases the model.  Objects that need it keep it alive.</summary>
         public void Dispose()
         {
             handle.Dispose();
@@ -388,7 +414,7 @@ namespace HrbfNpr
             byte none;
             if (size == 0)
             {
-                data = &none; // empty data is corrupt, not missing
+                data = &none; // so that empty data is corrupt, not missing
             }
             context = Context.Resolve(context);
             hrbfnpr_error error = Errors.New();

@@ -3,150 +3,170 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What a fit did.</summary>
+    /// <summary>
+    /// What a fit found and did.  Lengths are in the unit of the points.  A model from a function and a solid have
+    /// bounds, kernel and bytes only.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_model_info")]
     public struct ModelInfo
     {
         internal uint StructSize;
         private readonly uint kernel;
 
-        /// <summary>-1 (none) to 3.</summary>
+        /// <summary>Degree of the polynomial that was used; -1 = none.</summary>
         public readonly int PolynomialDegree;
 
-        /// <summary>Fits made to choose the centres; 0 if all samples are centres.</summary>
+        /// <summary>Number of fits that were made to choose the centres; 0 if all samples are centres.</summary>
         public readonly int ChoiceRounds;
 
-        /// <summary>Samples, as given.</summary>
+        /// <summary>Number of samples as given.</summary>
         public readonly long Samples;
 
-        /// <summary>Samples after merging, cleaning and choosing.</summary>
+        /// <summary>Number of centres, after merging, repairing and choosing.</summary>
         public readonly long Centres;
 
-        /// <summary>Samples that were merged into another.</summary>
+        /// <summary>Number of samples that were merged into another one at the same place.</summary>
         public readonly long MergedSamples;
 
-        /// <summary>Samples much nearer to another than the spacing, merged into it.</summary>
+        /// <summary>Number of samples that were merged into another one much nearer than the spacing.</summary>
         public readonly long NearDuplicates;
 
-        /// <summary>Normals whose length was off 1 by more than 1e-4.</summary>
+        /// <summary>Number of normals whose length differed from 1 by more than 1e-4.</summary>
         public readonly long RescaledNormals;
 
-        /// <summary>Samples that look like outliers.</summary>
+        /// <summary>Number of samples far from all others, or from the tangent planes around them.</summary>
         public readonly long OutliersFound;
 
-        /// <summary>Those that were dropped.</summary>
+        /// <summary>Number of these that were left out.</summary>
         public readonly long OutliersDropped;
 
-        /// <summary>Normals against those of their neighbours.</summary>
+        /// <summary>Number of normals that are opposite to those of their neighbours.</summary>
         public readonly long FlippedFound;
 
-        /// <summary>Of these, dropped or turned round.</summary>
+        /// <summary>Number of these that were left out or turned round.</summary>
         public readonly long FlippedRepaired;
 
-        /// <summary>Corner of the samples' box, or of the function's bounds.</summary>
+        /// <summary>Lower corner of the samples' box, or of the bounds of a function or a solid.</summary>
         public readonly Vector3d BoundsMin;
 
-        /// <summary>The opposite corner.</summary>
+        /// <summary>Upper corner of the box.</summary>
         public readonly Vector3d BoundsMax;
 
         /// <summary>Mean distance of a sample to its nearest neighbour.</summary>
         public readonly double Spacing;
 
-        /// <summary>As used.</summary>
+        /// <summary>Kernel radius that was used; 0 for Triharmonic.</summary>
         public readonly double KernelRadius;
 
-        /// <summary>As used; of Auto, that of the values.</summary>
+        /// <summary>Regularization that was used; with Auto, that of the values.</summary>
         public readonly double Regularization;
 
-        /// <summary>Standard deviation of the samples off their surface; 0 if none is seen, NaN if nobody asked.</summary>
+        /// <summary>
+        /// Standard deviation of the samples from their surface; 0 if no noise is seen, NaN with
+        /// <see cref="RegularizationMode.Given"/>.
+        /// </summary>
         public readonly double NoiseEstimate;
 
-        /// <summary>The largest |f| at a centre, in the unit of the points.</summary>
+        /// <summary>Largest |f| at a centre.</summary>
         public readonly double ValueResidualMax;
 
-        /// <summary>Its root mean square.</summary>
+        /// <summary>Root mean square of |f| at the centres.</summary>
         public readonly double ValueResidualRms;
 
-        /// <summary>The largest |grad f - n| at a centre.</summary>
+        /// <summary>Largest |grad f - n| at a centre.</summary>
         public readonly double GradientResidualMax;
 
-        /// <summary>Its root mean square.</summary>
+        /// <summary>Root mean square of |grad f - n| at the centres.</summary>
         public readonly double GradientResidualRms;
 
-        /// <summary>Largest distance of a sample that was not dropped from the surface, |f| / |grad f|.</summary>
+        /// <summary>Largest distance |f| / |grad f| of a sample from the surface; dropped ones do not count.</summary>
         public readonly double InputDistanceMax;
 
-        /// <summary>Its root mean square.</summary>
+        /// <summary>Root mean square of these distances.</summary>
         public readonly double InputDistanceRms;
 
-        /// <summary>Share of all samples that lie within the tolerance; NaN with tolerance 0.</summary>
+        /// <summary>
+        /// Share of all samples that lie within the tolerance; a dropped sample counts as outside; NaN with tolerance
+        /// 0.
+        /// </summary>
         public readonly double InputShareWithin;
 
         private readonly uint solver;
 
         private readonly uint solverReason;
 
-        /// <summary>Refinement steps of the direct solver, steps of the iterative one.</summary>
+        /// <summary>Number of refinement steps of Direct, or of steps of Iterative.</summary>
         public readonly int Iterations;
 
         private readonly uint fallback;
 
-        /// <summary>Relative residual of the linear system, 2-norm.</summary>
+        /// <summary>Relative residual of the linear system, in the 2-norm.</summary>
         public readonly double SolverResidual;
 
-        /// <summary>Of the matrix, 1-norm (direct), or of the preconditioned one, 2-norm (iterative).</summary>
+        /// <summary>
+        /// Condition of the matrix in the 1-norm (Direct), or of the preconditioned matrix in the 2-norm (Iterative).
+        /// </summary>
         public readonly double ConditionEstimate;
 
-        /// <summary>Seconds to look for samples that look wrong.</summary>
+        /// <summary>Time of finding duplicates, outliers, flipped normals and noise, in seconds.</summary>
         public readonly double SecondsClean;
 
-        /// <summary>Seconds of all rounds but the last fit.</summary>
+        /// <summary>Time of all rounds that chose centres, without the last fit, in seconds.</summary>
         public readonly double SecondsChoose;
 
-        /// <summary>Seconds to assemble the system.</summary>
+        /// <summary>Time of assembling the matrix, in seconds.</summary>
         public readonly double SecondsAssemble;
 
-        /// <summary>Seconds to make the preconditioner.</summary>
+        /// <summary>Time of making the preconditioner, in seconds.</summary>
         public readonly double SecondsPrecondition;
 
-        /// <summary>Seconds to solve it.</summary>
+        /// <summary>Time of solving, in seconds.</summary>
         public readonly double SecondsSolve;
 
-        /// <summary>Seconds of the whole fit.</summary>
+        /// <summary>Time of the whole fit, in seconds.</summary>
         public readonly double SecondsTotal;
 
-        /// <summary>Bytes kept by the model.</summary>
+        /// <summary>Bytes that the model keeps.</summary>
         public readonly long Bytes;
 
-        /// <summary>Most bytes that the context had given out at a time, up to the fit's end.</summary>
+        /// <summary>
+        /// Largest number of bytes allocated at the same time through the context, up to the fit's end.
+        /// </summary>
         public readonly long PeakBytes;
 
         private readonly uint normalsFound;
 
         private readonly uint normalsInward;
 
-        /// <summary>Normals that a fit with a normal mode turned round.</summary>
+        /// <summary>
+        /// Number of normals that were turned round, with a <see cref="FitOptions.NormalMode"/> other than Given.
+        /// </summary>
         public readonly long NormalsTurned;
 
-        /// <summary><see cref="OrientationInfo.Confidence"/> of such a fit; NaN of others.</summary>
+        /// <summary><see cref="OrientationInfo.Confidence"/> of such a fit; NaN with Given.</summary>
         public readonly double NormalsConfidence;
 
-        /// <summary>Seconds to find or repair the normals.</summary>
+        /// <summary>Time of making the normals, in seconds.</summary>
         public readonly double SecondsOrient;
 
-        /// <summary>What the normals turned out to be, of a fit with a normal mode.</summary>
+        /// <summary>
+        /// How far the given normals could be trusted, with a <see cref="FitOptions.NormalMode"/> other than Given;
+        /// else Given.
+        /// </summary>
         public Normals NormalsFound
         {
             get { return (Normals)normalsFound; }
         }
 
-        /// <summary>Whether normals as given all point into a closed surface.</summary>
+        /// <summary>
+        /// Whether the given normals all point into a closed surface, with <see cref="FitOptions.NormalMode"/> Given.
+        /// </summary>
         public bool NormalsInward
         {
             get { return normalsInward != 0; }
         }
 
-        /// <summary>The radial function.</summary>
+        /// <summary>The radial function that was used.</summary>
         public Kernel Kernel
         {
             get { return (Kernel)kernel; }
@@ -158,13 +178,13 @@ namespace HrbfNpr
             get { return (Solver)solver; }
         }
 
-        /// <summary>Why it was.</summary>
+        /// <summary>Why this solver was used.</summary>
         public SolverReason SolverReason
         {
             get { return (SolverReason)solverReason; }
         }
 
-        /// <summary>Whether the matrix was not definite and a pivoted LU was used.</summary>
+        /// <summary>Whether the matrix was not definite, and LU with pivoting was used.</summary>
         public bool Fallback
         {
             get { return fallback != 0; }

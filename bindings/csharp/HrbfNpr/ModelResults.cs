@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
-    /// <summary>Result of <c>Model.Evaluate</c> at n points.</summary>
+    /// <summary>The results of <c>Model.Evaluate</c> at n points.</summary>
     public sealed class Evaluation
     {
         internal Evaluation(double[] value, double[] gradient, double[] hessian)
@@ -11,17 +11,17 @@ namespace HrbfNpr
             Hessian = hessian;
         }
 
-        /// <summary>f; n numbers.</summary>
+        /// <summary>f: n numbers.</summary>
         public double[] Value { get; }
 
-        /// <summary>grad f; 3 n numbers, or null if not asked for.</summary>
+        /// <summary>grad f: 3 n numbers; null if not wanted.</summary>
         public double[] Gradient { get; }
 
-        /// <summary>The Hessian, xx xy xz yy yz zz; 6 n numbers, or null if not asked for.</summary>
+        /// <summary>The Hessian, xx xy xz yy yz zz: 6 n numbers; null if not wanted.</summary>
         public double[] Hessian { get; }
     }
 
-    /// <summary>Result of <c>Model.Project</c> for n points.</summary>
+    /// <summary>The results of <c>Model.Project</c> for n points.</summary>
     public sealed class Projection
     {
         internal Projection(long count)
@@ -31,20 +31,20 @@ namespace HrbfNpr
             Status = new ProjectionStatus[count];
         }
 
-        /// <summary>Places on the surface; 3 n numbers.  A point that failed keeps its last iterate.</summary>
+        /// <summary>The projected points: 3 n numbers.  A point that failed keeps its last place.</summary>
         public double[] Position { get; }
 
-        /// <summary>Unit gradients there; 3 n numbers.</summary>
+        /// <summary>The unit gradients there: 3 n numbers; 0 where there is none.</summary>
         public double[] Normal { get; }
 
         /// <summary>What became of each point.</summary>
         public ProjectionStatus[] Status { get; }
 
-        /// <summary>How many converged.</summary>
+        /// <summary>Number of points that converged.</summary>
         public long Converged { get; internal set; }
     }
 
-    /// <summary>Result of <c>Model.Curvature</c> at n points.</summary>
+    /// <summary>The results of <c>Model.Curvature</c> at n points.</summary>
     public sealed class Curvature
     {
         internal Curvature(long count)
@@ -56,23 +56,26 @@ namespace HrbfNpr
             Confidence = new double[count];
         }
 
-        /// <summary>The larger principal curvature; -1/radius on a sphere with outward normals.</summary>
+        /// <summary>
+        /// The larger principal curvature, in 1 / unit of length: n numbers; -1/radius on a sphere with outward
+        /// normals.
+        /// </summary>
         public double[] K1 { get; }
 
-        /// <summary>The smaller principal curvature.</summary>
+        /// <summary>The smaller principal curvature: n numbers.</summary>
         public double[] K2 { get; }
 
-        /// <summary>Direction of the first: unit, tangent, of arbitrary sign; 3 n numbers.</summary>
+        /// <summary>The direction of K1: unit, tangent, of arbitrary sign; 3 n numbers.</summary>
         public double[] D1 { get; }
 
-        /// <summary>Direction of the second.</summary>
+        /// <summary>The direction of K2: unit, tangent, perpendicular to D1, of arbitrary sign; 3 n numbers.</summary>
         public double[] D2 { get; }
 
-        /// <summary>In [0, 1]: 0 where the directions mean nothing, at umbilics and on planes.</summary>
+        /// <summary>How sure the directions are: n numbers from 0 to 1; 0 at umbilics and on planes.</summary>
         public double[] Confidence { get; }
     }
 
-    /// <summary>Result of <c>Model.CastRays</c> for n rays with room for h hits each.</summary>
+    /// <summary>The results of <c>Model.CastRays</c> for n rays with up to h hits each.</summary>
     public sealed class RayHits
     {
         internal RayHits(long count, int room)
@@ -86,28 +89,30 @@ namespace HrbfNpr
             Status = new RayStatus[count];
         }
 
-        /// <summary>h: how many hits of each ray the arrays have room for.</summary>
+        /// <summary>h: the largest number of hits of a ray, <see cref="CastOptions.MaximumHits"/>.</summary>
         public int Room { get; }
 
-        /// <summary>How many hits each ray has, 0 to h.</summary>
+        /// <summary>Number of hits of each ray: n numbers, 0 to h.</summary>
         public uint[] Hits { get; }
 
-        /// <summary>Where along the ray; n h numbers, infinite after the last hit.</summary>
+        /// <summary>
+        /// Places of the hits, in lengths of the direction: n h numbers; infinity after the last hit of a ray.
+        /// </summary>
         public double[] T { get; }
 
-        /// <summary>Where in space; 3 n h numbers, 0 after the last hit.</summary>
+        /// <summary>Places of the hits: 3 n h numbers; 0 after the last hit of a ray.</summary>
         public double[] Position { get; }
 
-        /// <summary>Unit gradients there; 3 n h numbers.</summary>
+        /// <summary>Unit gradients at the hits: 3 n h numbers; 0 after the last hit of a ray.</summary>
         public double[] Normal { get; }
 
-        /// <summary>1 where f goes from + to - along the ray; n h numbers.</summary>
+        /// <summary>1 where the ray enters the inside (f changes from + to -), else 0: n h numbers.</summary>
         public byte[] Entering { get; }
 
         /// <summary>What became of each ray.</summary>
         public RayStatus[] Status { get; }
 
-        /// <summary>How many rays hit.</summary>
+        /// <summary>Number of rays that have a hit.</summary>
         public long HitRays { get; internal set; }
     }
 }

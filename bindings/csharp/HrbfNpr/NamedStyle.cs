@@ -4,7 +4,7 @@ using System.Text;
 
 namespace HrbfNpr
 {
-    /// <summary>What styles of layers and of lines have in common: whom they are for may be told by a name.</summary>
+    /// <summary>The base of styles of layers and of lines, which may be for those of one name only.</summary>
     public abstract unsafe class NamedStyle
     {
         private string name;
@@ -13,7 +13,9 @@ namespace HrbfNpr
         {
         }
 
-        /// <summary>Of layers, and of lines found once: those that are called so; null = any name.</summary>
+        /// <summary>
+        /// Name of the layers, or of the lines found once, that this style is for; default null = any name.
+        /// </summary>
         public string Name
         {
             get
@@ -28,7 +30,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The name with a zero behind it.</summary>
+        /// <summary>The name as UTF-8 with a terminating zero.</summary>
         internal byte[] NameUtf8 { get; private set; }
 
         internal void ReadName(IntPtr native)

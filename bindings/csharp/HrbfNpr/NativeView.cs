@@ -5,9 +5,10 @@ using System.Runtime.InteropServices;
 namespace HrbfNpr
 {
     /// <summary>
-    /// A part of a model's or point set's own memory: nothing is copied.  It keeps the object alive, so that it may
-    /// outlive it, and must not be written to.  Any thread may use it.
+    /// A view of an array of a model, mesh or point set, without a copy.  It keeps the object alive, and must not be
+    /// written to.
     /// </summary>
+    /// <remarks>Any thread may use it.</remarks>
     public sealed unsafe class NativeView : IDisposable
     {
         private readonly NativeHandle owner;
@@ -23,19 +24,19 @@ namespace HrbfNpr
             Stride = view.stride != 0 ? view.stride : Components * ScalarSize;
         }
 
-        /// <summary>Elements, such as marks; 0 where there is nothing.</summary>
+        /// <summary>Number of elements, such as marks; 0 if the array is absent.</summary>
         public long Count { get; }
 
-        /// <summary>Bytes from an element to the next.</summary>
+        /// <summary>Bytes from one element to the next.</summary>
         public long Stride { get; }
 
         /// <summary>Type of the numbers.</summary>
         public ScalarType Scalar { get; }
 
-        /// <summary>Numbers in an element, side by side.</summary>
+        /// <summary>Number of scalars in an element, side by side.</summary>
         public int Components { get; }
 
-        /// <summary>Address of the first element; valid as long as the view is neither disposed of nor finalised.</summary>
+        /// <summary>Address of the first element.  It is valid until the view is disposed of or finalised.</summary>
         /// <exception cref="ObjectDisposedException">The view was disposed of.</exception>
         public IntPtr Data
         {
@@ -54,13 +55,13 @@ namespace HrbfNpr
             get { return Scalar == ScalarType.Float64 || Scalar == ScalarType.Int64 ? 8 : Scalar == ScalarType.Uint8 ? 1 : 4; }
         }
 
-        /// <summary>The view as an argument of a call; keep the view alive as long as the call runs.</summary>
+        /// <summary>Returns the view as an argument of a call.  Keep the view alive as long as the call runs.</summary>
         public ArrayView ToArrayView()
         {
             return ArrayView.At(Data, Count, Scalar, Components, Stride);
         }
 
-        /// <summary>A copy of all numbers, element by element.</summary>
+        /// <summary>Copies all numbers, element by element.</summary>
         /// <typeparam name="T">float, double, byte or uint, as <see cref="Scalar"/> says.</typeparam>
         /// <exception cref="InvalidCastException">The numbers are of another type.</exception>
         public T[] ToArray<T>()
@@ -97,7 +98,7 @@ namespace HrbfNpr
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>All numbers, in place: the span must not be used after the view is disposed of.</summary>
+        /// <summary>Gives all numbers in place.  Do not use the span after the view is disposed of.</summary>
         /// <typeparam name="T">float, double, byte or uint, as <see cref="Scalar"/> says.</typeparam>
         /// <exception cref="InvalidCastException">The numbers are of another type, or not packed.</exception>
         public ReadOnlySpan<T> AsSpan<T>()
@@ -109,7 +110,7 @@ namespace HrbfNpr
         }
 #endif
 
-        /// <summary>Lets go of the object.</summary>
+        /// <summary>Releases the object that the view is of.</summary>
         public void Dispose()
         {
             owner.Dispose();

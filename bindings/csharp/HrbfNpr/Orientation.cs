@@ -5,75 +5,90 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>What finding normals found and did.  Lengths are in the unit of the points.</summary>
+    /// <summary>What <see cref="Orientation.Find"/> found and did.  Lengths are in the unit of the points.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_orient_info")]
     public struct OrientationInfo
     {
         internal uint StructSize;
         private readonly uint found;
 
-        /// <summary>Given normals that were turned round.</summary>
+        /// <summary>Number of given normals that were turned round.</summary>
         public readonly long Turned;
 
-        /// <summary>Normals that are new.</summary>
+        /// <summary>Number of normals that were made, because they were missing, zero or useless.</summary>
         public readonly long Made;
 
-        /// <summary>Points that coincide with another.</summary>
+        /// <summary>Number of points that coincide with another one.</summary>
         public readonly long Merged;
 
-        /// <summary>Mean angle between the lines of given and resulting normals, in degrees; NaN if none were given.</summary>
+        /// <summary>
+        /// Mean angle between the lines of the given and the resulting normals, in degrees; NaN if no normals are
+        /// given.
+        /// </summary>
         public readonly double DirectionChange;
 
-        /// <summary>Standard deviation of the points off their surface; 0 if none is seen.</summary>
+        /// <summary>Standard deviation of the points from their surface; 0 if no noise is seen.</summary>
         public readonly double Noise;
 
         /// <summary>Median distance of a point to its nearest neighbour.</summary>
         public readonly double Spacing;
 
-        /// <summary>Of the result over its degrees of freedom: below 0.006 for surfaces that the points resolve.</summary>
+        /// <summary>
+        /// Bending energy of the result per degree of freedom, in spacings.  Below 0.006: the points resolve the
+        /// surface; 0.026: points without any order.
+        /// </summary>
         public readonly double Energy;
 
-        /// <summary>0 to 1: how far starts with energies as low agree, and how low that is.</summary>
+        /// <summary>
+        /// How sure the result is; 0 to 1.  A heuristic, not a probability: results above 0.9 are usually right; check
+        /// the others.
+        /// </summary>
         public readonly double Confidence;
 
         private readonly uint closed;
         private readonly uint outwardBy;
 
-        /// <summary>Pieces that lie apart by more than their spacing.</summary>
+        /// <summary>Number of pieces that lie apart by more than their spacing.</summary>
         public readonly long Components;
 
-        /// <summary>Time it took.</summary>
+        /// <summary>Time of the call, in seconds.</summary>
         public readonly double Seconds;
 
-        /// <summary>What the given normals turned out to be.</summary>
+        /// <summary>How far the given normals could be trusted.</summary>
         public Normals Found
         {
             get { return (Normals)found; }
         }
 
-        /// <summary>Whether the points are all around a solid, or several.</summary>
+        /// <summary>Whether the points surround one or several solids.</summary>
         public bool Closed
         {
             get { return closed != 0; }
         }
 
-        /// <summary>What decided which side is outward.</summary>
+        /// <summary>How it was decided which side is outward.</summary>
         public OutwardBy OutwardBy
         {
             get { return (OutwardBy)outwardBy; }
         }
     }
 
-    /// <summary>How normals are found.</summary>
+    /// <summary>How normals are found; a new one holds all defaults.</summary>
     public sealed class OrientationOptions
     {
-        /// <summary>What is known of the given normals; Auto by default.</summary>
+        /// <summary>
+        /// How far the given normals can be trusted; default Auto.  Given only looks: it changes no normal.
+        /// </summary>
         public Normals Mode { get; set; } = Normals.Auto;
 
-        /// <summary>The side of open surfaces that is outward, where nothing else tells; (0, 0, 1).</summary>
+        /// <summary>
+        /// The direction that decides for surfaces like a terrain; of any length, not 0; default (0, 0, 1).
+        /// </summary>
         public Vector3d Up { get; set; } = new Vector3d(0, 0, 1);
 
-        /// <summary>Where the points were seen from: open surfaces are turned to it; null by default.</summary>
+        /// <summary>
+        /// The place from which the points were seen; default null.  Normals of open surfaces point to its side.
+        /// </summary>
         public Vector3d? Viewpoint { get; set; }
 
         internal unsafe void Write(hrbfnpr_orient_desc* desc)
@@ -90,21 +105,24 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Normals for points that have none, or wrong ones.</summary>
+    /// <summary>Finds normals of points that have none, or wrong ones.</summary>
     public static unsafe class Orientation
     {
-        /// <summary>Finds the outward unit normals of points, or repairs given ones.</summary>
-        /// <param name="points">N points, at least 4 different ones that are not all on a line.</param>
-        /// <param name="normals">N normals of any length, or default(ArrayView) with the modes None and Auto.  Those
-        /// that stay are returned as they are; a zero one is made.</param>
-        /// <param name="info">What was found.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>
+        /// Finds outward unit normals for points, or repairs given normals.  A low
+        /// <see cref="OrientationInfo.Confidence"/> is no error.
+        /// </summary>
+        /// <param name="points">The N points: at least 4 different ones, not all on one line.</param>
+        /// <param name="normals">The N normals, of any length; not needed with None and Auto: pass
+        /// <c>default(ArrayView)</c>.  Normals that stay are returned unchanged; a zero normal is made.</param>
+        /// <param name="info">Receives what was found.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <returns>Packed x, y, z of N normals.</returns>
-        /// <exception cref="InvalidArgumentException">NaN or infinity (the message names the index), too few points,
-        /// or all on one line.</exception>
+        /// <returns>x, y, z of N normals.</returns>
+        /// <exception cref="InvalidArgumentException">NaN or infinity (the message names the index), fewer than 4
+        /// different points, points on one line, or no normals with a mode that needs them.</exception>
         public static double[] Find(
             ArrayView points, ArrayView normals, out OrientationInfo info, OrientationOptions options = null,
             Context context = null, IProgress<double> progress = null,

@@ -6,32 +6,32 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>A drawing on a page, in millimetres from the page's top-left corner, y down.</summary>
+    /// <summary>A drawing on a page.  Places are in mm from the page's top-left corner, y down.</summary>
     public sealed class PageItem
     {
-        /// <summary>Millimetres of a pixel of 1/96 inch, as in CSS.</summary>
+        /// <summary>Size of a pixel of 1/96 inch, as in CSS, in mm.</summary>
         public const double Pixel = 25.4 / 96;
 
-        /// <summary>A drawing at the page's corner, with pixels of 1/96 inch.</summary>
-        /// <param name="drawing">What lies beyond its viewport is cut off.</param>
+        /// <summary>Creates an item at the page's top-left corner, with pixels of 1/96 inch.</summary>
+        /// <param name="drawing">The drawing.  What lies beyond its viewport is cut off.</param>
         public PageItem(Drawing drawing)
         {
             Drawing = drawing ?? throw new ArgumentNullException(nameof(drawing));
         }
 
-        /// <summary>What lies beyond its viewport is cut off.</summary>
+        /// <summary>The drawing.  What lies beyond its viewport is cut off.</summary>
         public Drawing Drawing { get; }
 
-        /// <summary>The viewport's left edge, mm; 0.</summary>
+        /// <summary>Place of the viewport's left edge, in mm; -1e6 to 1e6; default 0.</summary>
         public double X { get; set; }
 
-        /// <summary>The viewport's top edge, mm; 0.</summary>
+        /// <summary>Place of the viewport's top edge, in mm; -1e6 to 1e6; default 0.</summary>
         public double Y { get; set; }
 
-        /// <summary>Millimetres of a pixel, more than 0; <see cref="Pixel"/>.</summary>
+        /// <summary>Size of a pixel, in mm; above 0, up to 1e6; default <see cref="Pixel"/>.</summary>
         public double Scale { get; set; } = Pixel;
 
-        /// <summary>Of the group around it; null = none.</summary>
+        /// <summary>Name of the group around the drawing; default null = no name.</summary>
         public string Name { get; set; }
 
         internal unsafe void Write(hrbfnpr_page_item* item, Pins pins, HeldHandles held)
@@ -45,29 +45,32 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>What some groups of a page are drawn with.</summary>
+    /// <summary>A pen that draws some groups of a page.  The last pen that fits a group draws it.</summary>
     public sealed class Pen
     {
-        /// <summary>For some groups, or for all.</summary>
-        /// <param name="groups">As <see cref="Groups"/>.</param>
+        /// <summary>Creates a pen for some groups, or for all.</summary>
+        /// <param name="groups">The groups, as in <see cref="Groups"/>.</param>
         public Pen(string groups = null)
         {
             Groups = groups;
         }
 
-        /// <summary>A group's name, or the beginning of names and a '*'; null = all.</summary>
+        /// <summary>The groups: a name, or the beginning of names and a '*'; default null = all groups.</summary>
         public string Groups { get; set; }
 
-        /// <summary>mm, 0 or more; 0 = as drawn (default), of plotters 0.3.</summary>
+        /// <summary>
+        /// Width of all lines, in mm; 0 to 1e6; default 0 = as drawn.  For plotters it is the width of the pen, 0.3 if
+        /// it is 0.
+        /// </summary>
         public double Width { get; set; }
 
-        /// <summary>null, or one of alpha 0, = as drawn.</summary>
+        /// <summary>Colour of the ink; default null = as drawn, and so is a colour with alpha 0.</summary>
         public Color? Ink { get; set; }
 
-        /// <summary>Of a plotter's pen, 1 to 255; 1.</summary>
+        /// <summary>Number of a plotter's pen; 1 to 255; default 1.</summary>
         public int Number { get; set; } = 1;
 
-        /// <summary>AsDrawn by default.</summary>
+        /// <summary>Type of the lines; default AsDrawn.</summary>
         public LineType LineType { get; set; }
 
         internal unsafe void Write(hrbfnpr_pen* pen, Pins pins)
@@ -87,9 +90,9 @@ namespace HrbfNpr
     /// <summary>A line or a text beside the drawings of a page.</summary>
     public sealed class Annotation
     {
-        /// <summary>A line through points, or a text.</summary>
-        /// <param name="points">As <see cref="Points"/>.</param>
-        /// <param name="text">As <see cref="Text"/>.</param>
+        /// <summary>Creates a line through points, or a text.</summary>
+        /// <param name="points">The points, as in <see cref="Points"/>.</param>
+        /// <param name="text">The text, as in <see cref="Text"/>; null = a line.</param>
         public Annotation(ArrayView points, string text = null)
         {
             Points = points;
@@ -97,26 +100,31 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// x and y of n points, float or double, mm: the line, or in the first one where the text's baseline begins.
+        /// Points of the line, two at least, or the start of the text's baseline, in mm: x and y of n points, float or
+        /// double.
         /// </summary>
         public ArrayView Points { get; set; }
 
-        /// <summary>null = the points are a line.  Of plotters' formats, Hpgl writes labels, Gcode none.</summary>
+        /// <summary>
+        /// A text; default null = the points are a line.  Hpgl writes texts as labels, Gcode leaves them out.
+        /// </summary>
         public string Text { get; set; }
 
         /// <summary>
-        /// Of 1 to 95 bytes of UTF-8; "annotations".  Those of one group that follow each other are one layer, in the
-        /// ink and line type of the first.
+        /// Name of its group, 1 to 95 bytes of UTF-8; default "annotations".  Consecutive annotations of one group
+        /// share its layer and pen, and the ink and line type of the first of them.
         /// </summary>
         public string Group { get; set; } = "annotations";
 
-        /// <summary>mm, more than 0: of the line, or the height of the text's capitals; 0.35.</summary>
+        /// <summary>
+        /// Width of the line, or height of the text's capitals, in mm; above 0, up to 1e6; default 0.35.
+        /// </summary>
         public double Width { get; set; } = 0.35;
 
-        /// <summary>Black by default.</summary>
+        /// <summary>Colour of the ink; default black.</summary>
         public Color Ink { get; set; } = new Color(0, 0, 0);
 
-        /// <summary>Continuous by default.</summary>
+        /// <summary>Type of the line; default Continuous.</summary>
         public LineType LineType { get; set; } = LineType.Continuous;
 
         internal unsafe void Write(hrbfnpr_annotation* annotation, Pins pins)
@@ -131,25 +139,26 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Drawings as vectors: SVG, PDF, HPGL and G-code.</summary>
+    /// <summary>Writes drawings as vectors: SVG, PDF, HPGL and G-code.</summary>
     /// <remarks>
-    /// Strokes are curves within a tolerance of the drawing's, or for plotters straight lines.  Ink stands in named
-    /// groups, the layers of a file: of marks the layer's name in its point set, such as "stipples" or "hatch-2"; of
-    /// lines "contour", "suggestive", "ridge", "section" and so on.  What is behind n layers of surface has
-    /// " hidden n" at its end.
+    /// Strokes become curves within a tolerance of the drawing's lines; for plotters they become straight lines.  Ink
+    /// is in named groups, the layers of a file.  The group of a layer of marks has that layer's name, such as
+    /// "stipples" or "hatch-2".  Groups of lines are called "contour", "suggestive", "ridge", "section" and so on.  Ink
+    /// behind n layers of surface has " hidden n" at the end of its name.
     /// </remarks>
     public static class Page
     {
         /// <summary>Writes a page.</summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <param name="items">The drawings; may be none if there are annotations.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <param name="items">The drawings; may be empty if there are annotations.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">Neither a drawing nor an annotation, an empty page, a number out
-        /// of its range, or discs of paper, which Published frames have, for plotters or in plot order.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="InvalidArgumentException">There is no drawing and no annotation, the page is empty, a
+        /// number is out of its range, or a drawing with Visibility.Published, which has discs of paper, is written for
+        /// a plotter or in plot order.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static unsafe PageInfo Write(
             Stream stream, IReadOnlyList<PageItem> items, PageOptions options = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken),

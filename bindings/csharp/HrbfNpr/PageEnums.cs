@@ -3,17 +3,19 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>What a page is written as.</summary>
+    /// <summary>The format of a file.</summary>
     [NativeConstants("HRBFNPR_PAGE_FORMAT_")]
     public enum PageFormat
     {
-        /// <summary>SVG 1.1; groups are layers of Inkscape (default).</summary>
+        /// <summary>SVG 1.1, with groups as layers of Inkscape (default).</summary>
         Svg = 0,
-        /// <summary>PDF 1.5; groups are optional content, which viewers list as layers.</summary>
+        /// <summary>PDF 1.5, with groups as optional content, which viewers list as layers.</summary>
         Pdf = 1,
-        /// <summary>For plotters: absolute, 40 units a millimetre, y up from the lower left corner.</summary>
+        /// <summary>
+        /// HPGL for plotters: absolute coordinates, 40 units per mm, y up from the lower left corner.
+        /// </summary>
         Hpgl = 2,
-        /// <summary>For plotters: G0 and G1, millimetres, y up from the lower left corner.</summary>
+        /// <summary>G-code for plotters: G0 and G1 in mm, y up from the lower left corner.</summary>
         Gcode = 3,
     }
 
@@ -21,9 +23,9 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_WIDTHS_")]
     public enum Widths
     {
-        /// <summary>Filled outlines; SVG and PDF (default).</summary>
+        /// <summary>Filled outlines, in SVG and PDF (default).</summary>
         Outlines = 0,
-        /// <summary>Lines of even widths, <see cref="PageOptions.WidthStep"/> apart.</summary>
+        /// <summary>Lines of even widths, whose ratios are powers of <see cref="PageOptions.WidthStep"/>.</summary>
         Classes = 1,
     }
 
@@ -31,52 +33,55 @@ namespace HrbfNpr
     [NativeConstants("HRBFNPR_DOT_SHAPE_")]
     public enum DotShape
     {
-        /// <summary>Circles; plotters fill them, or draw round them in a single pass (default).</summary>
+        /// <summary>
+        /// Circles (default).  Plotters fill them, or with <see cref="PageOptions.SinglePass"/> draw their outline.
+        /// </summary>
         Circles = 0,
-        /// <summary>Lines of no length with round ends; plotters touch the paper.</summary>
+        /// <summary>Lines of length 0 with round ends, at which a plotter touches the paper.</summary>
         Lines = 1,
-        /// <summary>Spirals that a pen fills the disc with, if it is wider than the pen.</summary>
+        /// <summary>Spirals with which a pen fills the dot, if the dot is wider than the pen.</summary>
         Spirals = 2,
     }
 
-    /// <summary>
-    /// Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds of dashes 6, 12 and
-    /// 24, a gap 3, a space 18; a little more or less, so that lines begin and end with a dash.
-    /// </summary>
+    /// <summary>Types of lines, by the numbers of ISO 128-2.</summary>
+    /// <remarks>
+    /// Lengths in line widths: a dot is 0.5, dashes of the three kinds are 6, 12 and 24, a gap is 3, a space is 18.
+    /// They are stretched a little, so that each line begins and ends with a dash.
+    /// </remarks>
     [NativeConstants("HRBFNPR_LINE_TYPE_")]
     public enum LineType
     {
-        /// <summary>As the drawing has them.</summary>
+        /// <summary>Lines as the drawing has them.</summary>
         AsDrawn = 0,
-        /// <summary>Without gaps.</summary>
+        /// <summary>A continuous line.</summary>
         Continuous = 1,
-        /// <summary>For hidden edges.</summary>
+        /// <summary>Dashes, for hidden edges.</summary>
         Dashed = 2,
-        /// <summary>Dashes with a space between them.</summary>
+        /// <summary>Dashes with spaces between.</summary>
         DashedSpaced = 3,
-        /// <summary>For axes.</summary>
+        /// <summary>A long dash, then a dot; for axes.</summary>
         LongDashedDotted = 4,
-        /// <summary>A long dash and two dots.</summary>
+        /// <summary>A long dash, then two dots.</summary>
         LongDashedDoubleDotted = 5,
-        /// <summary>A long dash and three dots.</summary>
+        /// <summary>A long dash, then three dots.</summary>
         LongDashedTripleDotted = 6,
-        /// <summary>Dots alone.</summary>
+        /// <summary>Dots.</summary>
         Dotted = 7,
-        /// <summary>A long dash and a short one.</summary>
+        /// <summary>A long dash, then a short dash.</summary>
         LongDashedShortDashed = 8,
-        /// <summary>A long dash and two short ones.</summary>
+        /// <summary>A long dash, then two short dashes.</summary>
         LongDashedDoubleShortDashed = 9,
-        /// <summary>A dash and a dot.</summary>
+        /// <summary>A dash, then a dot.</summary>
         DashedDotted = 10,
-        /// <summary>Two dashes and a dot.</summary>
+        /// <summary>Two dashes, then a dot.</summary>
         DoubleDashedDotted = 11,
-        /// <summary>A dash and two dots.</summary>
+        /// <summary>A dash, then two dots.</summary>
         DashedDoubleDotted = 12,
-        /// <summary>Two dashes and two dots.</summary>
+        /// <summary>Two dashes, then two dots.</summary>
         DoubleDashedDoubleDotted = 13,
-        /// <summary>A dash and three dots.</summary>
+        /// <summary>A dash, then three dots.</summary>
         DashedTripleDotted = 14,
-        /// <summary>Two dashes and three dots.</summary>
+        /// <summary>Two dashes, then three dots.</summary>
         DoubleDashedTripleDotted = 15,
     }
 }

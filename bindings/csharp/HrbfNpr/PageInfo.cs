@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What of a page was written.</summary>
+    /// <summary>What was written of a page.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_info")]
     public struct PageInfo
     {
@@ -13,43 +13,43 @@ namespace HrbfNpr
         /// <summary>Bytes of the file.</summary>
         public readonly long Bytes;
 
-        /// <summary>Groups, the layers of the file.</summary>
+        /// <summary>Number of groups of ink.</summary>
         public readonly long Groups;
 
-        /// <summary>Lines and outlines.</summary>
+        /// <summary>Number of lines and outlines.</summary>
         public readonly long Paths;
 
-        /// <summary>Curves or straight lines of all paths.</summary>
+        /// <summary>Number of curves or straight lines of all paths.</summary>
         public readonly long Segments;
 
-        /// <summary>Dots of ink.</summary>
+        /// <summary>Number of dots.</summary>
         public readonly long Dots;
 
-        /// <summary>In plot order: pairs of ends that became one line.</summary>
+        /// <summary>In plot order, number of pairs of ends that became one line.</summary>
         public readonly long Joined;
 
-        /// <summary>In plot order: lines that are too short for the pen.</summary>
+        /// <summary>In plot order, number of lines dropped because they are too short for the pen.</summary>
         public readonly long DroppedPaths;
 
-        /// <summary>In plot order: dots that are too near to others for the pen.</summary>
+        /// <summary>In plot order, number of dots dropped because they are too near to others for the pen.</summary>
         public readonly long DroppedDots;
 
-        /// <summary>Of the page, mm.</summary>
+        /// <summary>Width of the page, in mm.</summary>
         public readonly double Width;
 
-        /// <summary>Of the page, mm.</summary>
+        /// <summary>Height of the page, in mm.</summary>
         public readonly double Height;
 
-        /// <summary>What a pen draws, mm; in plot order, else 0.</summary>
+        /// <summary>In plot order, length that a pen draws, in mm; else 0.</summary>
         public readonly double Drawn;
 
-        /// <summary>What a pen goes between, mm; in plot order, else 0.</summary>
+        /// <summary>In plot order, length that a pen travels above the paper, in mm; else 0.</summary>
         public readonly double Travelled;
 
-        /// <summary>What a plotter takes at the given speeds; in plot order, else 0.</summary>
+        /// <summary>In plot order, time that a plotter takes at the given speeds, in seconds; else 0.</summary>
         public readonly double Seconds;
 
-        /// <summary>In plot order: lines wider than their pen, drawn in several passes.</summary>
+        /// <summary>In plot order, number of lines wider than their pen, drawn in several passes.</summary>
         public readonly long FilledPaths;
     }
 }

@@ -5,7 +5,7 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>Tells IL2CPP, which knows the attribute by its name, that native code calls the method.</summary>
+    /// <summary>Tells IL2CPP that native code calls the method.  IL2CPP knows the attribute by its name.</summary>
     [AttributeUsage(AttributeTargets.Method)]
     internal sealed class MonoPInvokeCallbackAttribute : Attribute
     {
@@ -18,8 +18,8 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// What a callback works with, and where it leaves its exception: none may leave a callback.  The `user` pointer
-    /// is a GCHandle of it.
+    /// The data of a callback, and the exception that it caught: no exception may leave a callback.  The <c>user</c>
+    /// pointer is a GCHandle of it.
     /// </summary>
     internal class CallbackState
     {
@@ -48,13 +48,13 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>A GCHandle of a state, for the time of a call.</summary>
+    /// <summary>A GCHandle of a state during a call.</summary>
     internal struct UserHandle : IDisposable
     {
         private GCHandle handle;
 
-        /// <param name="state">null for none.</param>
-        /// <param name="type">Weak: the state lives as long as whoever makes calls with it.</param>
+        /// <param name="state">The state; may be null.</param>
+        /// <param name="type">Weak if the caller keeps the state alive.</param>
         internal UserHandle(CallbackState state, GCHandleType type = GCHandleType.Normal)
         {
             handle = state == null ? default(GCHandle) : GCHandle.Alloc(state, type);
@@ -75,7 +75,7 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// A function of the library's own that a picture's style or layers call, such as for painted tone.
+    /// A function of the library that the style or the layers of a picture call, such as for painted tone.
     /// </summary>
     internal sealed class NativeFunction
     {
@@ -91,14 +91,14 @@ namespace HrbfNpr
 
         internal IntPtr Function { get; }
 
-        /// <summary>The function's first argument; its owner is kept alive for the call.</summary>
+        /// <summary>Returns the first argument of the function, and keeps its owner alive during the call.</summary>
         internal IntPtr Hold(HeldHandles held)
         {
             held.Hold(owner);
             return user;
         }
 
-        /// <summary>null for no function.</summary>
+        /// <summary>Wraps a function; null if there is none.</summary>
         internal static NativeFunction Of(IntPtr function, IntPtr user, SafeHandle owner)
         {
             return function == IntPtr.Zero || owner == null ? null : new NativeFunction(function, user, owner);

@@ -7,8 +7,8 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>
-    /// What all handles of one context share: the context's address, and the program's functions that the library
-    /// may call as long as one of these handles lives.  Counted, because finalisers run in any order.
+    /// Shared by all handles of one context: the address of the context, and the functions of the program that the
+    /// library may call while one of the handles lives.  References are counted, because finalisers run in any order.
     /// </summary>
     internal sealed class ContextAnchor
     {
@@ -23,10 +23,10 @@ namespace HrbfNpr
 
         internal CallbackState State { get; }
 
-        /// <summary>The context; alive as long as a handle that was made from it.</summary>
+        /// <summary>The context, which lives as long as a handle that was made from it.</summary>
         internal IntPtr Context { get; set; }
 
-        /// <summary>For the `user` pointers of the context's callbacks.</summary>
+        /// <summary>The <c>user</c> pointer of the context's callbacks.</summary>
         internal IntPtr User
         {
             get { return GCHandle.ToIntPtr(user); }
@@ -46,7 +46,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>One reference of a handle of the library, given back once.</summary>
+    /// <summary>One reference to a handle of the library, which is released once.</summary>
     internal abstract class NativeHandle : SafeHandle
     {
         private ContextAnchor anchor;
@@ -66,7 +66,7 @@ namespace HrbfNpr
             get { return anchor; }
         }
 
-        /// <summary>Takes what a call returned; a failed call returns zero.</summary>
+        /// <summary>Takes over the result of a call; zero if the call failed.</summary>
         internal void Take(IntPtr value, ContextAnchor owner)
         {
             if (value != IntPtr.Zero)
@@ -97,7 +97,7 @@ namespace HrbfNpr
 
     internal sealed class OperationHandle : NativeHandle
     {
-        /// <summary>For calls that are neither watched nor cancelled.</summary>
+        /// <summary>Passed to calls without progress and cancelling.</summary>
         internal static readonly OperationHandle None = new OperationHandle();
 
         protected override void Free(IntPtr value)
@@ -113,7 +113,7 @@ namespace HrbfNpr
             NativeMethods.hrbfnpr_model_release(value);
         }
 
-        /// <summary>Another reference of the same model.</summary>
+        /// <summary>Makes another reference to the same model.</summary>
         internal ModelHandle Share()
         {
             bool held = false;
@@ -131,7 +131,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Adds a reference to a handle that is alive.</summary>
+        /// <summary>Makes a new reference to a handle that is alive.</summary>
         internal static ModelHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new ModelHandle();
@@ -148,7 +148,7 @@ namespace HrbfNpr
             NativeMethods.hrbfnpr_point_set_release(value);
         }
 
-        /// <summary>Another reference of the same point set.</summary>
+        /// <summary>Makes another reference to the same point set.</summary>
         internal PointSetHandle Share()
         {
             bool held = false;
@@ -166,7 +166,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Adds a reference to a handle that is alive.</summary>
+        /// <summary>Makes a new reference to a handle that is alive.</summary>
         internal static PointSetHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new PointSetHandle();
@@ -183,7 +183,7 @@ namespace HrbfNpr
             NativeMethods.hrbfnpr_line_set_release(value);
         }
 
-        /// <summary>Adds a reference to a handle that is alive.</summary>
+        /// <summary>Makes a new reference to a handle that is alive.</summary>
         internal static LineSetHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new LineSetHandle();
@@ -201,13 +201,15 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>A picture, and what its native part may use of the program: contexts of others, and states.</summary>
+    /// <summary>
+    /// A picture, with everything of the program that its native part uses: contexts of its sources, and states.
+    /// </summary>
     internal sealed class PictureHandle : NativeHandle
     {
         private readonly List<ContextAnchor> anchors = new List<ContextAnchor>();
         private readonly List<UserHandle> users = new List<UserHandle>();
 
-        /// <summary>Takes over what a call made for the picture, which is there.</summary>
+        /// <summary>Takes over what a call made for the picture.  The picture must exist.</summary>
         internal void Keep(IEnumerable<ContextAnchor> others, IEnumerable<UserHandle> states)
         {
             foreach (ContextAnchor anchor in others)
@@ -239,7 +241,7 @@ namespace HrbfNpr
             NativeMethods.hrbfnpr_mesh_release(value);
         }
 
-        /// <summary>Another reference of the same mesh.</summary>
+        /// <summary>Makes another reference to the same mesh.</summary>
         internal MeshHandle Share()
         {
             bool held = false;
@@ -257,7 +259,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Adds a reference to a handle that is alive.</summary>
+        /// <summary>Makes a new reference to a handle that is alive.</summary>
         internal static MeshHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new MeshHandle();
@@ -283,7 +285,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Keeps handles alive whose addresses stand in structs of a call.</summary>
+    /// <summary>Keeps handles alive while their addresses are in the structs of a call.</summary>
     internal sealed class HeldHandles : IDisposable
     {
         private readonly List<SafeHandle> handles = new List<SafeHandle>();
@@ -296,7 +298,7 @@ namespace HrbfNpr
             return handle.DangerousGetHandle();
         }
 
-        /// <summary>Lets all of them go; then it can be used again.</summary>
+        /// <summary>Releases all handles.  The object can be used again afterwards.</summary>
         public void Dispose()
         {
             foreach (SafeHandle handle in handles)

@@ -5,8 +5,8 @@ using System.Runtime.InteropServices;
 namespace HrbfNpr
 {
     /// <summary>
-    /// Native memory for the structs of one call after the other, kept between calls: its size is measured first, then
-    /// it is given out piece by piece.
+    /// Native memory for the structs of a call, kept from one call to the next.  Its size is measured first; then
+    /// pieces of it are taken.
     /// </summary>
     internal sealed unsafe class Memory : IDisposable
     {
@@ -30,7 +30,10 @@ namespace HrbfNpr
             return (size + 7) / 8 * 8;
         }
 
-        /// <summary>Takes all back, and makes room for so many bytes; sizes of pieces count rounded.</summary>
+        /// <summary>
+        /// Frees all pieces, and makes room for <paramref name="size"/> bytes: the sum of the sizes of all pieces, each
+        /// rounded up by <see cref="Rounded"/>.
+        /// </summary>
         internal void Begin(long size)
         {
             used = 0;

@@ -5,10 +5,10 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>Styles as structs of the library's, in native memory; all but the tone function.</summary>
+    /// <summary>Writes styles as structs of the library in native memory, without the tone function.</summary>
     internal static unsafe class StyleMemory
     {
-        /// <summary>How many bytes <see cref="Write(Style, Memory)"/> takes at most.</summary>
+        /// <summary>The largest number of bytes that <see cref="Write(Style, Memory)"/> takes.</summary>
         internal static long Size(Style style)
         {
             IList<LayerStyle> layers = style.Layers;
