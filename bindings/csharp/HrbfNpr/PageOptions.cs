@@ -7,87 +7,101 @@ namespace HrbfNpr
     /// <summary>How a page is written; a new one holds all defaults.</summary>
     public sealed class PageOptions
     {
-        /// <summary>SVG by default.</summary>
+        /// <summary>Format of the file; default Svg.</summary>
         public PageFormat Format { get; set; }
 
-        /// <summary>How strokes are written whose width varies; Outlines by default.</summary>
+        /// <summary>How strokes of varying width are written; default Outlines.</summary>
         public Widths Widths { get; set; }
 
-        /// <summary>How dots are written; Circles by default.</summary>
+        /// <summary>How dots are written; default Circles.</summary>
         public DotShape Dots { get; set; }
 
         /// <summary>
-        /// Whether groups are sorted so that a pen travels little, and what it cannot resolve is left out, as Hpgl and
-        /// Gcode always are; no by default.  Lines may be turned round, closed ones begin elsewhere, and lines whose
-        /// ends are nearer than <see cref="Join"/> become one.
+        /// Whether to sort each group so that a pen travels little; default false.  Hpgl and Gcode are always sorted.
         /// </summary>
+        /// <remarks>
+        /// Lines may be turned round, closed lines may begin elsewhere, and lines whose ends are nearer than
+        /// <see cref="Join"/> become one.
+        /// </remarks>
         public bool InPlotOrder { get; set; }
 
         /// <summary>
-        /// Whether a line that is wider than its pen is drawn once, along its centre, and circles are drawn round; no
-        /// by default: Hpgl and Gcode, and pens in plot order, fill both by several passes.
+        /// Whether to draw a line that is wider than its pen once, along its centre; default false.  Otherwise Hpgl,
+        /// Gcode and pens in plot order fill such a line by several passes, side by side.
         /// </summary>
         public bool SinglePass { get; set; }
 
         /// <summary>
-        /// Whether the page is filled with the paper of its first drawing, and viewports with another paper with
-        /// theirs; yes by default.  Plotters draw none.
+        /// Whether the page has the paper of its first drawing, and drawings with another paper have theirs; default
+        /// true.  Plotters never draw paper.
         /// </summary>
         public bool WithPaper { get; set; } = true;
 
-        /// <summary>Of the page, mm, 0 or more; 0 = as far as the drawings reach (default).</summary>
+        /// <summary>Width of the page, in mm; 0 to 1e6; default 0 = as far as the drawings reach.</summary>
         public double Width { get; set; }
 
-        /// <summary>Of the page, mm, 0 or more; 0 = as far as the drawings reach (default).</summary>
+        /// <summary>Height of the page, in mm; 0 to 1e6; default 0 = as far as the drawings reach.</summary>
         public double Height { get; set; }
 
-        /// <summary>Between what is drawn and what is written, mm, 0.001 to 10; 0.05.</summary>
+        /// <summary>
+        /// Greatest distance between drawn and written lines, in mm; 0.001 to 10; default 0.05.  Larger: smaller files,
+        /// rougher curves.
+        /// </summary>
         public double Tolerance { get; set; } = 0.05;
 
-        /// <summary>Ratio of neighbouring classes of widths, 1.01 to 4; 1.25.</summary>
+        /// <summary>
+        /// Ratio of the widths of two consecutive classes, with <see cref="HrbfNpr.Widths.Classes"/>; 1.01 to 4;
+        /// default 1.25.
+        /// </summary>
         public double WidthStep { get; set; } = 1.25;
 
-        /// <summary>In plot order: see there; mm, 0 or more; 0 = the pen's width (default).</summary>
+        /// <summary>
+        /// In plot order, distance between the ends of two lines below which they become one, in mm; 0 to 1e6; default
+        /// 0 = the pen's width.
+        /// </summary>
         public double Join { get; set; }
 
         /// <summary>
-        /// In plot order: shorter lines are dropped; mm, 0 or more; 0 = half the pen's width (default).
+        /// In plot order, length below which lines are dropped, in mm; 0 to 1e6; default 0 = half the pen's width.
         /// </summary>
         public double Shortest { get; set; }
 
         /// <summary>
-        /// In plot order: dots nearer to one that stays are dropped; mm, 0 or more; 0 = half the pen's width (default).
+        /// In plot order, distance from a dot that stays below which other dots are dropped, in mm; 0 to 1e6; default 0
+        /// = half the pen's width.
         /// </summary>
         public double DotDistance { get; set; }
 
-        /// <summary>Of a plotter's pen, mm/s, more than 0; 30.</summary>
+        /// <summary>Speed of a plotter's pen on the paper, in mm/s; above 0, up to 1e6; default 30.</summary>
         public double DrawSpeed { get; set; } = 30;
 
-        /// <summary>Of a plotter's pen, mm/s, more than 0; 80.</summary>
+        /// <summary>Speed of a plotter's pen above the paper, in mm/s; above 0, up to 1e6; default 80.</summary>
         public double TravelSpeed { get; set; } = 80;
 
-        /// <summary>What a plotter takes to lower or to raise its pen, 0 or more; 0.15.</summary>
+        /// <summary>Time that it takes to lower or to raise the pen, in seconds; 0 to 3600; default 0.15.</summary>
         public double PenSeconds { get; set; } = 0.15;
 
-        /// <summary>Of Gcode: lines that lower the pen; null = "G1 Z0".</summary>
+        /// <summary>Gcode: lines that lower the pen; default null = "G1 Z0".</summary>
         public string PenDown { get; set; }
 
-        /// <summary>Of Gcode: lines that raise the pen; null = "G0 Z5".</summary>
+        /// <summary>Gcode: lines that raise the pen; default null = "G0 Z5".</summary>
         public string PenUp { get; set; }
 
-        /// <summary>Of the file, or null.</summary>
+        /// <summary>Title of the file; default null = none.</summary>
         public string Title { get; set; }
 
-        /// <summary>Of the file, or null.</summary>
+        /// <summary>Description of the file; default null = none.</summary>
         public string Description { get; set; }
 
-        /// <summary>Text on the model, the camera, the style, or null; the library's version is added.</summary>
+        /// <summary>
+        /// Text about the model, the camera or the style; default null = none.  The library's version is added.
+        /// </summary>
         public string Metadata { get; set; }
 
-        /// <summary>What groups are drawn with; of those that fit a group the last one is taken.</summary>
+        /// <summary>The pens; default empty.  The last pen that fits a group draws it.</summary>
         public IList<Pen> Pens { get; } = new List<Pen>();
 
-        /// <summary>Lines and texts beside the drawings.</summary>
+        /// <summary>Lines and texts beside the drawings; default empty.</summary>
         public IList<Annotation> Annotations { get; } = new List<Annotation>();
 
         internal unsafe void Write(hrbfnpr_page_desc* desc, Pins pins)

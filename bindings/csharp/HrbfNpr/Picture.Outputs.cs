@@ -7,9 +7,9 @@ namespace HrbfNpr
 {
     public sealed unsafe partial class Picture
     {
-        /// <summary>Pixels of the plate.</summary>
-        /// <param name="camera">That of the drawing; null = <see cref="Camera"/>.</param>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <summary>The size of the plate, in pixels.</summary>
+        /// <param name="camera">The camera that the drawing was made with; null = <see cref="Camera"/>.</param>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
         public (int Width, int Height) PlateSize(Camera camera = null)
         {
             int width, height;
@@ -25,18 +25,18 @@ namespace HrbfNpr
             return (width, height);
         }
 
-        /// <summary>The plate of <see cref="Drawing"/> as an image.</summary>
-        /// <param name="format">The format of the pixels; floats are given as their bytes.</param>
-        /// <returns>As many pixels as <see cref="PlateSize"/> says.</returns>
+        /// <summary>Draws the plate of <see cref="Drawing"/> as an image.</summary>
+        /// <param name="format">The format of the pixels.  Formats of floats are returned as bytes, too.</param>
+        /// <returns>The pixels of an image of the size <see cref="PlateSize"/>, packed.</returns>
         public byte[] Rasterize(PixelFormat format = PixelFormat.Rgba8)
         {
             return Rasterize(Drawing, format);
         }
 
-        /// <summary>The plate of a drawing as an image.</summary>
+        /// <summary>Draws the plate of a drawing as an image.</summary>
         /// <param name="drawing">A drawing of this picture.</param>
-        /// <param name="format">The format of the pixels; floats are given as their bytes.</param>
-        /// <returns>As many pixels as <see cref="PlateSize"/> says.</returns>
+        /// <param name="format">The format of the pixels.  Formats of floats are returned as bytes, too.</param>
+        /// <returns>The pixels of an image of the size <see cref="PlateSize"/>, packed.</returns>
         public byte[] Rasterize(Drawing drawing, PixelFormat format = PixelFormat.Rgba8)
         {
             if (drawing == null)
@@ -52,10 +52,12 @@ namespace HrbfNpr
             return pixels;
         }
 
-        /// <summary>The plate in an image, from its top-left corner; other pixels are not touched.</summary>
+        /// <summary>
+        /// Draws the plate into an image, from the top-left corner on.  Other pixels stay as they are.
+        /// </summary>
         /// <param name="pixels">The image, packed.</param>
-        /// <param name="width">Pixels, at least those of the plate.</param>
-        /// <param name="height">Pixels, at least those of the plate.</param>
+        /// <param name="width">The width of the image in pixels, at least the plate's.</param>
+        /// <param name="height">The height of the image in pixels, at least the plate's.</param>
         /// <param name="format">The format of the pixels.</param>
         /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         /// <exception cref="InvalidArgumentException">The array or the image is too small.</exception>
@@ -74,10 +76,10 @@ namespace HrbfNpr
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>As the other <c>Rasterize</c>, into a span.</summary>
+        /// <summary>Draws the plate into a span, like the other <c>Rasterize</c>.</summary>
         /// <param name="pixels">The image, packed.</param>
-        /// <param name="width">Pixels, at least those of the plate.</param>
-        /// <param name="height">Pixels, at least those of the plate.</param>
+        /// <param name="width">The width of the image in pixels, at least the plate's.</param>
+        /// <param name="height">The height of the image in pixels, at least the plate's.</param>
         /// <param name="format">The format of the pixels.</param>
         /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         public void Rasterize(
@@ -92,13 +94,14 @@ namespace HrbfNpr
 #endif
 
         /// <summary>
-        /// As the other <c>Rasterize</c>, into native memory, such as a texture's or a NativeArray's.
+        /// Draws the plate into native memory, such as that of a texture or a NativeArray, like the other
+        /// <c>Rasterize</c>.
         /// </summary>
-        /// <param name="pixels">The top-left pixel, whatever the sign of the row stride.</param>
-        /// <param name="width">Pixels, at least those of the plate.</param>
-        /// <param name="height">Pixels, at least those of the plate.</param>
+        /// <param name="pixels">The address of the top-left pixel, for either sign of the row stride.</param>
+        /// <param name="width">The width of the image in pixels, at least the plate's.</param>
+        /// <param name="height">The height of the image in pixels, at least the plate's.</param>
         /// <param name="format">The format of the pixels.</param>
-        /// <param name="rowStride">Bytes from a row to the one below; 0 = packed; may be negative.</param>
+        /// <param name="rowStride">The bytes from a row to the row below; may be negative; 0 = packed.</param>
         /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         /// <exception cref="InvalidArgumentException">The image is too small.</exception>
         public void Rasterize(
@@ -123,14 +126,15 @@ namespace HrbfNpr
         }
 
         /// <summary>Writes the plate as vectors.</summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <param name="options">An SVG with all defaults if null.</param>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <param name="options">The options; null = an SVG with all defaults.</param>
         /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">A number is out of its range, a paper is not known, or the
-        /// drawing has discs of paper, as Published frames have, and is to be plotted.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <exception cref="InvalidArgumentException">A number is out of its range, a paper is not known or has no
+        /// room, or a drawing with Visibility.Published, which has discs of paper, is written for a plotter or in plot
+        /// order.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public PageInfo Write(
             Stream stream, PicturePageOptions options = null, Drawing drawing = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -139,49 +143,49 @@ namespace HrbfNpr
         }
 
         /// <summary>Writes the plate of <see cref="Drawing"/> as SVG.</summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <param name="options">All defaults if null; their format is not used.</param>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <param name="options">The options, without their format; null = all defaults.</param>
         public PageInfo WriteSvg(Stream stream, PicturePageOptions options = null)
         {
             return Write(stream, PageFormat.Svg, options, null, null, default(CancellationToken));
         }
 
-        /// <summary>Writes the plate of <see cref="Drawing"/> to a file of SVG.</summary>
-        /// <param name="path">The file, which is made or replaced.</param>
-        /// <param name="options">All defaults if null; their format is not used.</param>
+        /// <summary>Writes the plate of <see cref="Drawing"/> to an SVG file.</summary>
+        /// <param name="path">The file, which is created or replaced.</param>
+        /// <param name="options">The options, without their format; null = all defaults.</param>
         public PageInfo WriteSvg(string path, PicturePageOptions options = null)
         {
             return Write(path, PageFormat.Svg, options);
         }
 
         /// <summary>Writes the plate of <see cref="Drawing"/> as PDF.</summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <param name="options">All defaults if null; their format is not used.</param>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <param name="options">The options, without their format; null = all defaults.</param>
         public PageInfo WritePdf(Stream stream, PicturePageOptions options = null)
         {
             return Write(stream, PageFormat.Pdf, options, null, null, default(CancellationToken));
         }
 
-        /// <summary>Writes the plate of <see cref="Drawing"/> to a file of PDF.</summary>
-        /// <param name="path">The file, which is made or replaced.</param>
-        /// <param name="options">All defaults if null; their format is not used.</param>
+        /// <summary>Writes the plate of <see cref="Drawing"/> to a PDF file.</summary>
+        /// <param name="path">The file, which is created or replaced.</param>
+        /// <param name="options">The options, without their format; null = all defaults.</param>
         public PageInfo WritePdf(string path, PicturePageOptions options = null)
         {
             return Write(path, PageFormat.Pdf, options);
         }
 
         /// <summary>
-        /// Draws the first part, which has a model, as a technical drawing: orthographic views and sections on a
-        /// sheet, to scale.  A picture with <see cref="PictureOptions.SurfaceOnly"/> is enough.
+        /// Writes a technical drawing of the first part, which must have a model: orthographic views and sections on a
+        /// sheet, to scale.  A picture made with <see cref="PictureOptions.SurfaceOnly"/> is enough.
         /// </summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">The picture is of a point set, a text is not understood, a plane
-        /// misses the model, or views have no room on the paper at the scale: the message says which scale or paper
-        /// has.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// misses the model, or the views have no room on the paper at the scale: the message names a scale or paper
+        /// with room.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public ViewsInfo WriteViews(
             Stream stream, ViewsOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -207,10 +211,12 @@ namespace HrbfNpr
         }
 
         /// <summary>Writes what the picture was made with, for <see cref="PictureOptions.Settings"/>.</summary>
-        /// <remarks>What settings do not hold becomes a note <see cref="NoteCode.NotInSettings"/>.</remarks>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <remarks>
+        /// The picture gets a note <see cref="NoteCode.NotInSettings"/> about what settings do not hold.
+        /// </remarks>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public void SaveSettings(Stream stream)
         {
             var target = new StreamState(stream);
@@ -228,8 +234,8 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Writes what the picture was made with to a file of JSON.</summary>
-        /// <param name="path">The file, which is made or replaced.</param>
+        /// <summary>Writes what the picture was made with to a JSON file.</summary>
+        /// <param name="path">The file, which is created or replaced.</param>
         public void SaveSettings(string path)
         {
             using (FileStream file = File.Create(path))

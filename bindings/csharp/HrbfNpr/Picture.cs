@@ -7,18 +7,18 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>
-    /// A drawing of any source in one call: it chooses what a user leaves open, from repairs of the data to camera,
-    /// pen, marks and lines, and says so in its notes.
+    /// A drawing of any source in one call.  It chooses what a user leaves open, from repairs of the data to camera,
+    /// pen, marks and lines, and tells its choices in its notes.
     /// </summary>
     /// <remarks>
-    /// <para>It is made of the calls of the other classes, and each part of it can be taken out and used by
-    /// them.</para>
-    /// <para>A plate is a drawing with the section and the scale bar that the picture has beside it; without these it
-    /// is the drawing alone.</para>
-    /// <para>Calls of several threads to one picture wait for each other.  Progress is in [0, 1] and never falls
-    /// within a call; it is reported on the calling thread.  Calls may throw <see cref="CancelledException"/>, <see
-    /// cref="CallbackException"/>, <see cref="NativeOutOfMemoryException"/> and <see cref="ObjectDisposedException"/>
-    /// besides those that are named.</para>
+    /// <para>A picture is made by the calls of the other classes, and each of its parts can be taken out for these
+    /// calls.</para>
+    /// <para>A plate is a drawing with the section and the scale bar beside it.  Without these it is the drawing
+    /// alone.</para>
+    /// <para>Calls of several threads to one picture wait for each other.  Progress is from 0 to 1 and is reported on
+    /// the calling thread; it never falls within a call.  Besides the exceptions that a method names, it may throw
+    /// <see cref="CancelledException"/>, <see cref="CallbackException"/>, <see cref="NativeOutOfMemoryException"/> and
+    /// <see cref="ObjectDisposedException"/>.</para>
     /// </remarks>
     /// <example>
     /// <code>
@@ -32,7 +32,7 @@ namespace HrbfNpr
     /// </example>
     public sealed unsafe partial class Picture : IDisposable
     {
-        private const double DrawingBegins = 0.9; // of the progress of Draw
+        private const double DrawingBegins = 0.9; // progress of Draw at which the drawing begins
         private readonly object gate = new object();
         private readonly PictureHandle handle;
         private readonly PictureState state;
@@ -47,7 +47,7 @@ namespace HrbfNpr
             this.origins = origins;
         }
 
-        /// <summary>Counts, sizes and seconds.</summary>
+        /// <summary>Counts, sizes and times of the picture.</summary>
         public PictureInfo Info
         {
             get
@@ -63,9 +63,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>
-        /// What was chosen, repaired, measured and doubted, in the order in which it was said; a new list.
-        /// </summary>
+        /// <summary>What was chosen, repaired, measured or may be wrong, in the order of time; a new list.</summary>
         public IReadOnlyList<Note> Notes
         {
             get
@@ -87,7 +85,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The stages that are over, each as its last event; a new list.</summary>
+        /// <summary>The stages that have ended, each as its last event; a new list.</summary>
         public IReadOnlyList<PictureEvent> Stages
         {
             get
@@ -110,7 +108,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The surfaces, the largest first, with their marks and lines; new objects each time.</summary>
+        /// <summary>The surfaces with their marks and lines, the largest first; new objects each time.</summary>
         public IReadOnlyList<PicturePart> Parts
         {
             get
@@ -127,15 +125,15 @@ namespace HrbfNpr
                         Errors.Check(NativeMethods.hrbfnpr_picture_get_part(handle, i, &part, &error), &error);
                         parts[i] = origins.Part(&part, handle.Anchor);
                     }
-                    GC.KeepAlive(this); // the library's structs belong to it
+                    GC.KeepAlive(this); // the library's structs belong to the picture
                     return new ReadOnlyCollection<PicturePart>(parts);
                 }
             }
         }
 
-        /// <summary>The style that was chosen, as <see cref="Renderer"/> takes it; a copy.</summary>
-        /// <remarks>That of a painted picture can be drawn with as long as the picture is not disposed of.</remarks>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <summary>The style that was chosen, for <see cref="Renderer"/>; a copy.</summary>
+        /// <remarks>Use the style of a painted picture only until the picture is disposed of.</remarks>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
         public Style Style
         {
             get
@@ -153,10 +151,11 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// How marks were placed, as <see cref="Model.Generate"/> takes it; a copy; null where marks were given.
+        /// The options with which marks were placed, for <see cref="Model.Generate"/>; a copy; null if the caller gave
+        /// the marks.
         /// </summary>
-        /// <remarks>Those of a painted picture can be used as long as the picture is not disposed of.</remarks>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <remarks>Use those of a painted picture only until the picture is disposed of.</remarks>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
         public GenerateOptions Marks
         {
             get
@@ -174,7 +173,7 @@ namespace HrbfNpr
         }
 
         /// <summary>The camera that was chosen.</summary>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
         public Camera Camera
         {
             get
@@ -187,26 +186,27 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// The drawing for <see cref="Camera"/>, made when it is first asked for.  It belongs to the picture, which
+        /// The drawing for <see cref="Camera"/>, which is made when it is first read.  It belongs to the picture, which
         /// disposes of it.
         /// </summary>
-        /// <exception cref="InvalidArgumentException">Hardly anything could be seen, and the message says why; or the
-        /// picture has only its surface.</exception>
+        /// <exception cref="InvalidArgumentException">Hardly anything can be seen, and the message says why; or the
+        /// picture was made with SurfaceOnly.</exception>
         public Drawing Drawing
         {
             get { return DrawOnce(null, default(CancellationToken)); }
         }
 
         /// <summary>Makes a picture of one source, and draws it.</summary>
-        /// <param name="source">What is drawn; a model or a point set stands for itself.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="source">What is drawn.  A model or a point set converts implicitly.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">An option is out of its range, the source cannot be drawn, or
-        /// hardly anything could be seen; the message says why.</exception>
-        /// <exception cref="SingularSystemException">The fit has no (numerically) unique solution.</exception>
-        /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
+        /// hardly anything can be seen; the message says why.</exception>
+        /// <exception cref="SingularSystemException">The linear system has no numerically unique solution.</exception>
+        /// <exception cref="NotConvergedException">The iterative solver did not reach its tolerance; the message gives
+        /// the residual.</exception>
         public static Picture Draw(
             PictureSource source, PictureOptions options = null, Context context = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -214,11 +214,11 @@ namespace HrbfNpr
             return Draw(new[] { source }, options, context, progress, cancellationToken);
         }
 
-        /// <summary>Makes a picture of several sources, each of which is a surface of its own, and draws it.</summary>
-        /// <param name="sources">What is drawn, one or more.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Makes a picture of several sources, each a separate surface, and draws it.</summary>
+        /// <param name="sources">What is drawn: one or more sources.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         public static Picture Draw(
             IReadOnlyList<PictureSource> sources, PictureOptions options = null, Context context = null,
@@ -238,16 +238,19 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Makes a picture of one source: fits, places marks and looks for lines; draws nothing yet.</summary>
-        /// <param name="source">What is drawn; a model or a point set stands for itself.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>
+        /// Makes a picture of one source: fits a surface, places marks and finds lines.  It draws nothing yet.
+        /// </summary>
+        /// <param name="source">What is drawn.  A model or a point set converts implicitly.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <exception cref="InvalidArgumentException">An option is out of its range, or the source cannot be drawn; the
         /// message says why.</exception>
-        /// <exception cref="SingularSystemException">The fit has no (numerically) unique solution.</exception>
-        /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
+        /// <exception cref="SingularSystemException">The linear system has no numerically unique solution.</exception>
+        /// <exception cref="NotConvergedException">The iterative solver did not reach its tolerance; the message gives
+        /// the residual.</exception>
         public static Picture Create(
             PictureSource source, PictureOptions options = null, Context context = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -255,13 +258,11 @@ namespace HrbfNpr
             return Create(new[] { source }, options, context, progress, cancellationToken);
         }
 
-        /// <summary>
-        /// Makes a picture of several sources, each of which is a surface of its own; draws nothing yet.
-        /// </summary>
-        /// <param name="sources">What is drawn, one or more.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Makes a picture of several sources, each a separate surface.  It draws nothing yet.</summary>
+        /// <param name="sources">What is drawn: one or more sources.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         public static Picture Create(
             IReadOnlyList<PictureSource> sources, PictureOptions options = null, Context context = null,
@@ -283,15 +284,15 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// The same surfaces in another style, size or view; draws nothing yet.  Marks and lines that fit are used
-        /// again.
+        /// Makes a picture of the same surfaces in another style, size or view.  It draws nothing yet.  Marks and lines
+        /// that fit are used again.
         /// </summary>
-        /// <param name="options">All defaults if null: what this picture was made with does not count.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="options">The options; null = all defaults.  The options of this picture are not used.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <returns>Another picture, which goes on living without this one.</returns>
-        /// <exception cref="InvalidArgumentException">An option is out of its range, or this picture has only its
-        /// surface.</exception>
+        /// <returns>Another picture, which does not need this one to stay alive.</returns>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, or this picture was made with
+        /// SurfaceOnly.</exception>
         public Picture Restyle(
             PictureOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -300,7 +301,7 @@ namespace HrbfNpr
             using (var described = new PictureCall(null, options, origins))
             using (var call = new LongCall(handle, progress, cancellationToken, described.State.IsWatched))
             {
-                root.Hold(handle); // with all that it keeps
+                root.Hold(handle); // with everything that it keeps alive
                 described.State.Begin(call.Operation);
                 hrbfnpr_error error = Errors.New();
                 hrbfnpr_picture_desc desc = described.Desc;
@@ -310,14 +311,15 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Draws it.  Lines keep their numbers from one drawing to the next.</summary>
-        /// <param name="camera">null = <see cref="Camera"/>; then it is an error if hardly anything could be
-        /// seen.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Draws the picture.  Lines keep their numbers from one drawing to the next.</summary>
+        /// <param name="camera">The camera; null = <see cref="Camera"/>.  Only then is it an error if hardly anything
+        /// can be seen.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
-        /// <exception cref="InvalidArgumentException">Hardly anything could be seen, and the message says why; a
-        /// camera without a viewport; or the picture has only its surface.</exception>
+        /// <returns>A drawing.  If it is disposed of before the next but one is made, its memory is used
+        /// again.</returns>
+        /// <exception cref="InvalidArgumentException">Hardly anything can be seen, and the message says why; the camera
+        /// has no viewport; or the picture was made with SurfaceOnly.</exception>
         public Drawing Draw(
             Camera camera = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -344,29 +346,34 @@ namespace HrbfNpr
             });
         }
 
-        /// <summary>A camera from another side, with the size, the lens and the margin of the picture.</summary>
-        /// <param name="direction">From the eye into the scene.</param>
-        /// <exception cref="InvalidArgumentException">The direction is not finite, or the picture has only its
-        /// surface.</exception>
+        /// <summary>
+        /// Makes a camera that looks from another side, with the size, the lens and the margin of the picture.
+        /// </summary>
+        /// <param name="direction">The direction from the eye into the scene.</param>
+        /// <exception cref="InvalidArgumentException">The direction is not finite, or the picture was made with
+        /// SurfaceOnly.</exception>
         public Camera Look(Vector3d direction)
         {
             return Look(&direction, double.NaN, double.NaN);
         }
 
-        /// <summary>A camera from another side, with the size, the lens and the margin of the picture.</summary>
-        /// <param name="azimuth">Degrees about the up axis; null = as it was chosen.</param>
-        /// <param name="elevation">Degrees above the horizon; null = as it was chosen.</param>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <summary>
+        /// Makes a camera that looks from another side, with the size, the lens and the margin of the picture.
+        /// </summary>
+        /// <param name="azimuth">The azimuth about the up axis, in degrees; null = as planned.</param>
+        /// <param name="elevation">The elevation above the horizon, in degrees; null = as planned.</param>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
         public Camera Look(double? azimuth = null, double? elevation = null)
         {
             return Look(null, azimuth ?? double.NaN, elevation ?? double.NaN);
         }
 
         /// <summary>
-        /// <see cref="Camera"/>, turned about the up axis through the middle of the model, or the target of an eye.
+        /// Returns <see cref="Camera"/>, turned about the up axis through the middle of the model.  If
+        /// <see cref="PictureOptions.Eye"/> was given, the axis goes through its target.
         /// </summary>
-        /// <param name="degrees">Any number.</param>
-        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <param name="degrees">The angle in degrees.</param>
+        /// <exception cref="InvalidArgumentException">The picture was made with SurfaceOnly.</exception>
         public Camera Orbit(double degrees)
         {
             hrbfnpr_camera camera = NewCamera();
@@ -376,7 +383,7 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Lets go of the picture and of its <see cref="Drawing"/>; other drawings and its parts live on.
+        /// Releases the picture and its <see cref="Drawing"/>.  Other drawings and the parts stay alive.
         /// </summary>
         public void Dispose()
         {
@@ -439,7 +446,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A function that the picture calls may read it, but not make it work.</summary>
+        /// <summary>
+        /// Refuses a call from a function that the picture runs: such a function may read the picture only.
+        /// </summary>
         private void CheckIdle()
         {
             if (working)
@@ -448,7 +457,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Makes one call at a time that changes the picture.</summary>
+        /// <summary>Runs a call that changes the picture, one at a time.</summary>
         private T Work<T>(IProgress<double> progress, CancellationToken token, Func<LongCall, T> function)
         {
             lock (gate)
@@ -470,7 +479,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Progress of one of several calls.</summary>
+        /// <summary>The progress of one of several calls.</summary>
         private sealed class Share : IProgress<double>
         {
             private readonly IProgress<double> whole;
@@ -489,7 +498,7 @@ namespace HrbfNpr
                 whole.Report(begin + (end - begin) * value);
             }
 
-            /// <summary>null for null.</summary>
+            /// <summary>Makes the progress of one call; null for null.</summary>
             internal static Share Of(IProgress<double> whole, double begin, double end)
             {
                 return whole == null ? null : new Share(whole, begin, end);
@@ -525,16 +534,16 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>The functions of all models; null if none is one.</summary>
+        /// <summary>The functions of all models; null if no model is from a function.</summary>
         internal FunctionState Functions { get; }
 
-        /// <summary>The contexts of all sources, which need not be the picture's.</summary>
+        /// <summary>The contexts of all sources, which may differ from the picture's.</summary>
         internal IEnumerable<ContextAnchor> Anchors
         {
             get { return anchors.Values; }
         }
 
-        /// <summary>One part, with references of its own to what it has.</summary>
+        /// <summary>Makes one part, with new references to its objects.</summary>
         internal PicturePart Part(hrbfnpr_picture_part* part, ContextAnchor anchor)
         {
             Model model = null;

@@ -1,125 +1,130 @@
 // SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
-    /// <summary>Which edges of a mesh a picture keeps sharp.</summary>
+    /// <summary>Which edges of a mesh are sharp in a picture.</summary>
     [NativeConstants("HRBFNPR_PICTURE_EDGES_")]
     public enum PictureEdges
     {
-        /// <summary>As Auto; where faces are coarse, as the normals of the file tell if they do (default).</summary>
+        /// <summary>
+        /// As with Auto.  Where faces are coarse, the normals of the file decide if they say anything about edges
+        /// (default).
+        /// </summary>
         AsGiven = 0,
-        /// <summary>Sharp where they stand out, as those of machine parts do.</summary>
+        /// <summary>
+        /// Edges are sharp if they stand out from the faces beside them, as those of machine parts do.
+        /// </summary>
         Auto = 1,
-        /// <summary>None: the surface is one smooth fit, which rounds them.</summary>
+        /// <summary>No edge is sharp: the surface is one smooth fit, which rounds all edges.</summary>
         Smooth = 2,
-        /// <summary>Wherever faces meet at more than <see cref="PictureOptions.EdgeAngle"/>.</summary>
+        /// <summary>Edges are sharp that bend by more than <see cref="PictureOptions.EdgeAngle"/>.</summary>
         Sharp = 3,
     }
 
-    /// <summary>Whether an upright section through the middle stands beside the drawing.</summary>
+    /// <summary>Whether an upright section through the middle is drawn beside the drawing.</summary>
     [NativeConstants("HRBFNPR_PROFILE_")]
     public enum Profile
     {
-        /// <summary>With the style Archaeological alone (default).</summary>
+        /// <summary>A section is drawn in the style Archaeological only (default).</summary>
         Auto = 0,
-        /// <summary>It does.</summary>
+        /// <summary>A section is drawn.</summary>
         Yes = 1,
-        /// <summary>It does not.</summary>
+        /// <summary>No section is drawn.</summary>
         No = 2,
     }
 
-    /// <summary>Which sides of a picture's surfaces marks are drawn on.</summary>
+    /// <summary>The sides of a picture's surfaces on which marks are drawn.</summary>
     [NativeConstants("HRBFNPR_PICTURE_SIDES_")]
     public enum PictureSides
     {
-        /// <summary>Both of a surface that ends, else the front (default).</summary>
+        /// <summary>Both sides of a surface that ends, and the front of other surfaces (default).</summary>
         Auto = 0,
         /// <summary>The front.</summary>
         Front = 1,
-        /// <summary>Both.</summary>
+        /// <summary>Both sides.</summary>
         Both = 2,
     }
 
-    /// <summary>How notes and errors name the options that they speak of.</summary>
+    /// <summary>How notes and errors write the options that they name.</summary>
     [NativeConstants("HRBFNPR_WORDING_")]
     public enum Wording
     {
-        /// <summary>samples 400 (default).</summary>
+        /// <summary>As fields of a descriptor: samples 400 (default).</summary>
         Fields = 0,
-        /// <summary>--samples 400, of a command line.</summary>
+        /// <summary>As options of a command line: --samples 400.</summary>
         Options = 1,
-        /// <summary>samples=400, of a call in Python.</summary>
+        /// <summary>As arguments of a call in Python: samples=400.</summary>
         Arguments = 2,
     }
 
-    /// <summary>What a source is.</summary>
+    /// <summary>The kind of a source.</summary>
     [NativeConstants("HRBFNPR_SOURCE_KIND_")]
     public enum SourceKind
     {
-        /// <summary>Points, with normals or without.</summary>
+        /// <summary>Points, with or without normals.</summary>
         Points = 1,
-        /// <summary>A mesh of triangles.</summary>
+        /// <summary>A mesh.</summary>
         Mesh = 2,
-        /// <summary>A model.</summary>
+        /// <summary>A model, with or without marks.</summary>
         Model = 3,
-        /// <summary>A point set alone.</summary>
+        /// <summary>A point set without a model.</summary>
         PointSet = 4,
     }
 
-    /// <summary>Which way the normals of a source look.</summary>
+    /// <summary>Which way normals look.</summary>
     [NativeConstants("HRBFNPR_NORMALS_LOOK_")]
     public enum NormalsLook
     {
-        /// <summary>There are none, or the source cannot be drawn.</summary>
+        /// <summary>There are no normals, or the source cannot be drawn.</summary>
         Unknown = 0,
-        /// <summary>Outward.</summary>
+        /// <summary>All look outward.</summary>
         Outward = 1,
-        /// <summary>Inward.</summary>
+        /// <summary>All look inward.</summary>
         Inward = 2,
-        /// <summary>Some outward, others inward.</summary>
+        /// <summary>Some look outward, others inward.</summary>
         Mixed = 3,
         /// <summary>They agree, and the surface encloses nothing.</summary>
         Open = 4,
-        /// <summary>They belong to other points; told of points along curves.</summary>
+        /// <summary>They belong to other points; found for points along curves only.</summary>
         Foreign = 5,
     }
 
-    /// <summary>What a stroke of a brush paints.</summary>
+    /// <summary>What a dab paints.</summary>
     [NativeConstants("HRBFNPR_DAB_")]
     public enum DabMap
     {
-        /// <summary>Tone: 1 = light, 0 = dark (default).</summary>
+        /// <summary>The tone: 1 = light, 0 = dark (default).</summary>
         Tone = 0,
-        /// <summary>How dense marks are.</summary>
+        /// <summary>The density of stipples: 1 = all, 0 = none.</summary>
         Density = 1,
         /// <summary>The direction of hatching.</summary>
         Direction = 2,
     }
 
-    /// <summary>A part of the work on a picture.  More may come.</summary>
+    /// <summary>The stages of the work on a picture.  Later versions may add stages.</summary>
     [NativeConstants("HRBFNPR_STAGE_")]
     public enum Stage
     {
-        /// <summary>Looking at a mesh: welding, turning faces.</summary>
+        /// <summary>Looks at a mesh: joins vertices, turns faces.</summary>
         Mesh = 1,
-        /// <summary>Choosing samples.</summary>
+        /// <summary>Chooses samples.</summary>
         Sample = 2,
-        /// <summary>Looking for normals.</summary>
+        /// <summary>Finds normals.</summary>
         Orient = 3,
-        /// <summary>Smoothing the image of a depth camera.</summary>
+        /// <summary>Smooths the image of a depth camera.</summary>
         Smooth = 4,
-        /// <summary>Fitting.</summary>
+        /// <summary>Fits the surface.</summary>
         Fit = 5,
-        /// <summary>Comparing the surface with the mesh.</summary>
+        /// <summary>Compares the surface with the mesh.</summary>
         Compare = 6,
-        /// <summary>Looking for the end of the surface.</summary>
+        /// <summary>Finds the end of the surface.</summary>
         End = 7,
-        /// <summary>Placing marks.</summary>
+        /// <summary>Places marks.</summary>
         Marks = 8,
-        /// <summary>Looking for lines.</summary>
+        /// <summary>Finds lines.</summary>
         Lines = 9,
-        /// <summary>Drawing.</summary>
+        /// <summary>Draws.</summary>
         Frame = 10,
-        /// <summary>Drawing the views of a sheet.</summary>
+        /// <summary>Draws the views of a sheet.</summary>
         Views = 11,
     }
 
@@ -131,198 +136,225 @@ namespace HrbfNpr
         Info = 0,
         /// <summary>Something was chosen, repaired or left out.</summary>
         Note = 1,
-        /// <summary>The result may be wrong there.</summary>
+        /// <summary>The result may be wrong in some place.</summary>
         Warning = 2,
-        /// <summary>There is no result: the error of the call, in full length.</summary>
+        /// <summary>There is no result: the text is the error of the call, in full length.</summary>
         Failure = 3,
     }
 
-    /// <summary>What a note is about.  In brackets the figures of each.  More may come.</summary>
+    /// <summary>
+    /// Codes of notes.  Each line says when a note is given, with its figures in brackets.  Later versions may add
+    /// codes.
+    /// </summary>
+    /// <remarks>Figures are counts unless a line says otherwise.  Shares are from 0 to 1.</remarks>
     [NativeConstants("HRBFNPR_NOTE_")]
     public enum NoteCode
     {
-        /// <summary>Faces with corners that are not finite were left out [faces].</summary>
+        /// <summary>Faces with a corner that is not finite are left out [faces].</summary>
         FacesNotFinite = 1,
-        /// <summary>Points at a value that stands for none were left out [points, value].</summary>
+        /// <summary>Points at a value that means "no data" are left out [points, the value].</summary>
         NoData = 2,
-        /// <summary>Points far from all others were left out [points].</summary>
+        /// <summary>Points far from all others are left out [points].</summary>
         Strays = 3,
-        /// <summary>There are many points, and only some of them get normals [points, used].</summary>
+        /// <summary>
+        /// Only some of the points get normals, because there are many [points, points with normals].
+        /// </summary>
         SomeOriented = 4,
-        /// <summary>There were no normals, and they were made [points].</summary>
+        /// <summary>The points have no normals, and get some [points].</summary>
         NormalsMade = 5,
-        /// <summary>The normals that were found may be wrong [confidence].</summary>
+        /// <summary>Normals that were found are not certain [confidence, 0 to 1].</summary>
         NormalsNotSure = 6,
-        /// <summary>Nothing tells which side of an open surface is its front.</summary>
+        /// <summary>The surface is open, and nothing tells which side is its front.</summary>
         FrontNotTold = 7,
-        /// <summary>Some points were chosen as samples [points, used].</summary>
+        /// <summary>Only some points are used as samples [points, points used].</summary>
         SamplesChosen = 8,
-        /// <summary>Points without a position or a normal were left out [points].</summary>
+        /// <summary>Points without a usable position or normal are left out [points].</summary>
         PointsNotUsable = 9,
-        /// <summary>Several normals at one place became their mean [places].</summary>
+        /// <summary>Places with several normals get the mean of these [places].</summary>
         NormalsJoined = 10,
-        /// <summary>Places with opposite normals were left out [places].</summary>
+        /// <summary>Places with opposite normals are left out [places].</summary>
         NormalsOpposite = 11,
-        /// <summary>A terrain that looked down was turned [axis].</summary>
+        /// <summary>A terrain looked down, and its normals are turned [axis: 1 = y, 2 = z].</summary>
         TerrainTurned = 12,
-        /// <summary>All normals looked inward, and were turned.</summary>
+        /// <summary>All normals looked inward, and are turned.</summary>
         NormalsTurned = 13,
-        /// <summary>Normals were repaired [turned, made, a number of <see cref="Normals"/>: what they were].</summary>
+        /// <summary>
+        /// Given normals are repaired [normals turned, normals made, what they were: a number of
+        /// <see cref="Normals"/>].
+        /// </summary>
         NormalsRepaired = 14,
-        /// <summary>Normals are against those around them [normals, of].</summary>
+        /// <summary>Some normals look against those around them [these normals, all normals].</summary>
         NormalsAgainst = 15,
-        /// <summary>Some parts look outward, others inward [share].</summary>
+        /// <summary>Some parts have outward normals and others inward ones [share that looks inward].</summary>
         NormalsMixed = 16,
-        /// <summary>Most normals of an open surface look inward.</summary>
+        /// <summary>Most of an open surface looks inward.</summary>
         NormalsInward = 17,
-        /// <summary>A viewpoint was given that nothing is decided by.</summary>
+        /// <summary>A viewpoint is given, but the source needs none.</summary>
         ViewpointNotUsed = 18,
-        /// <summary>Pixels of a depth camera that are on no surface were left out [pixels].</summary>
+        /// <summary>Pixels of a depth camera that lie on no surface are left out [pixels].</summary>
         PixelsLeftOut = 19,
-        /// <summary>How noisy the image of a depth camera is [noise, depth].</summary>
+        /// <summary>
+        /// The noise of a depth camera was measured [standard deviation, depth where it holds; units of the source].
+        /// </summary>
         DepthNoise = 20,
-        /// <summary>The samples have noise, and the surface does not go through all of them.</summary>
+        /// <summary>The samples have noise, and the surface does not pass through all of them.</summary>
         Smoothed = 21,
-        /// <summary>Samples at the same place were merged [samples].</summary>
+        /// <summary>Samples at the same place are merged [samples].</summary>
         SamplesMerged = 22,
-        /// <summary>Samples very near to another were merged with it [samples].</summary>
+        /// <summary>Samples very near to another are merged with it [samples].</summary>
         SamplesNear = 23,
-        /// <summary>Samples were dropped as strays [samples].</summary>
+        /// <summary>Samples are dropped as strays [samples].</summary>
         SamplesDropped = 24,
-        /// <summary>Samples had a flipped normal, which was repaired [samples].</summary>
+        /// <summary>Flipped normals of samples are repaired [samples].</summary>
         SamplesFlipped = 25,
-        /// <summary>Samples look like strays, and stay [samples].</summary>
+        /// <summary>Samples that look like strays are kept [samples].</summary>
         LikeStrays = 26,
-        /// <summary>Samples look as if their normals were flipped, and stay [samples].</summary>
+        /// <summary>Samples whose normals look flipped are kept [samples].</summary>
         LikeFlipped = 27,
-        /// <summary>There are few points, and the surface is a guess [points].</summary>
+        /// <summary>The surface is a guess, because there are few points [points].</summary>
         FewPoints = 28,
         /// <summary>All points are on a line.</summary>
         OnALine = 29,
         /// <summary>All points are in a plane.</summary>
         InAPlane = 30,
-        /// <summary>Points are along curves, and the surface between these is drawn, too.</summary>
+        /// <summary>The points lie along curves, and the surface between these is drawn, too.</summary>
         AlongCurves = 31,
-        /// <summary>Where the surface ends was not found.</summary>
+        /// <summary>The end of the surface was not found, and the surface goes on to the end of its box.</summary>
         EndNotFound = 32,
-        /// <summary>Another direction than y is up [x, y, z].</summary>
+        /// <summary>Another direction than y is chosen as up [x, y, z].</summary>
         Up = 33,
-        /// <summary>Faces against those beside them were turned [faces].</summary>
+        /// <summary>Faces that looked to the other side than those beside them are turned [faces].</summary>
         FacesTurned = 34,
-        /// <summary>A mesh, or parts of it, was inside out and was turned [parts].</summary>
+        /// <summary>A mesh, or some of its parts, is inside out, and is turned [parts].</summary>
         InsideOut = 35,
-        /// <summary>Faces without area, or given twice, were left out [faces].</summary>
+        /// <summary>Faces without area, and repeated faces, are left out [faces].</summary>
         FacesLeftOut = 36,
-        /// <summary>Parts inside others were left out [parts, faces].</summary>
+        /// <summary>Parts of a mesh inside others are left out [parts, their faces].</summary>
         PartsInside = 37,
-        /// <summary>The mesh is of one side, or crosses itself [edges].</summary>
+        /// <summary>
+        /// Faces beside each other look to opposite sides and cannot be turned: the surface has one side, or crosses
+        /// itself [edges].
+        /// </summary>
         ContraryEdges = 38,
-        /// <summary>Parts far from all others were left out [parts, faces].</summary>
+        /// <summary>Parts of a mesh far from all others are left out [parts, their faces].</summary>
         PartsFar = 39,
-        /// <summary>Faces on an edge of two others were left out [faces].</summary>
+        /// <summary>Faces that hang on an edge of two others are left out [faces].</summary>
         Flaps = 40,
-        /// <summary>All faces are flat by the normals of the file.</summary>
+        /// <summary>All faces stay flat, because the normals of the file say so.</summary>
         AllFlat = 41,
-        /// <summary>Some edges are sharp by the normals of the file.</summary>
+        /// <summary>Some edges are sharp, because the normals of the file say so.</summary>
         EdgesByNormals = 42,
         /// <summary>
-        /// Coarse faces were divided [times, vertices moved, places between them raised, off a round surface; shares
-        /// of the diagonal].
+        /// Coarse faces are divided towards a round surface [rounds; how far vertices moved; how far places between
+        /// them were raised; how far the faces were off a round surface, if they are coarse; shares of the diagonal].
         /// </summary>
         Divided = 43,
-        /// <summary>Faces are coarse, but nothing round goes through them.</summary>
+        /// <summary>Coarse faces stay flat, because no round surface goes through them.</summary>
         CoarseFlat = 44,
-        /// <summary>Parts that cross are surfaces of their own [parts, groups].</summary>
+        /// <summary>
+        /// Parts of a mesh that cross or are close are fitted in groups, each as a separate surface [parts, groups].
+        /// </summary>
         Groups = 45,
         /// <summary>
-        /// The tolerance was not reached [tolerance, share of the mesh, share of the surface, farthest; of the
-        /// diagonal].
+        /// The fit did not reach its tolerance everywhere [tolerance in diagonals, share of the mesh within it, share
+        /// of the surface within it, greatest distance in diagonals].
         /// </summary>
         NotReached = 46,
-        /// <summary>Edges that could not be cut are smooth [their length in diagonals].</summary>
+        /// <summary>Some sharp edges of a mesh stay smooth [their length in diagonals].</summary>
         EdgesStaySmooth = 47,
-        /// <summary>The surface is off a share of the mesh [share, farthest].</summary>
+        /// <summary>
+        /// The surface is far from the mesh in some places [share of the mesh, greatest distance in diagonals].
+        /// </summary>
         OffMesh = 48,
-        /// <summary>Parts of surface that the mesh does not have were left out [parts].</summary>
+        /// <summary>The fit made parts of surface that the mesh does not have, and they are left out [parts].</summary>
         MadeByFit = 49,
-        /// <summary>The tolerance is too large for parts of a mesh.</summary>
+        /// <summary>
+        /// Two parts of a mesh are nearer to each other than the tolerance, so that the surface may join them [numbers
+        /// of both parts, from 0; x, y and z of the place].
+        /// </summary>
         PartsTooThin = 50,
-        /// <summary>There are fewer marks than fill the darkest tone [wanted, made].</summary>
+        /// <summary>A layer has fewer marks than fill the darkest tone [marks wanted, marks made].</summary>
         MarksLimited = 51,
-        /// <summary>There are fewer levels of the published recursion than wanted [wanted, taken].</summary>
+        /// <summary>
+        /// The published method makes fewer refinement steps than fill the picture [steps wanted, steps made].
+        /// </summary>
         LevelsLimited = 52,
-        /// <summary>The picture is seen from the depth camera's side [azimuth].</summary>
+        /// <summary>The image of a depth camera is seen from where the camera stood [azimuth in degrees].</summary>
         SeenFromCamera = 53,
-        /// <summary>The picture is seen from the front of an open surface [azimuth].</summary>
+        /// <summary>An open surface is seen from its front [azimuth in degrees].</summary>
         SeenFromFront = 54,
-        /// <summary>Lines need a model, and the source is a point set.</summary>
+        /// <summary>No lines are drawn, because the source is a point set without a model.</summary>
         NoLinesOfMarks = 55,
         /// <summary>
-        /// The surface is thinner than the cells that lines are looked for in [triangles turned, of, samples
-        /// missed].
+        /// The surface is thinner than the cells in which lines are searched, so that lines may be missing [triangles
+        /// that look away, all triangles, samples missed].
         /// </summary>
         LinesThin = 56,
-        /// <summary>Lines show where the surface ends beyond its samples [borders, support, share].</summary>
+        /// <summary>
+        /// Lines end where the surface ends beyond its samples [borders, support, share of the area left out].
+        /// </summary>
         LinesEnd = 57,
-        /// <summary>Curves end inside the surface [curves].</summary>
+        /// <summary>Some curves end inside the surface, or were missed [curves].</summary>
         LinesBroken = 58,
-        /// <summary>The visibility of lines contradicts itself [lines].</summary>
+        /// <summary>The visibility of some lines contradicts itself [lines].</summary>
         LinesDoubted = 59,
-        /// <summary>Places have too many crossings of lines [places].</summary>
+        /// <summary>Lines cross so often in some places of the picture that no crossing was used [places].</summary>
         LinesTangled = 60,
-        /// <summary>Hardly anything can be seen [shown, marks, share of ink].</summary>
+        /// <summary>
+        /// Hardly anything can be seen [marks shown, all marks, share of the picture that ink covers].
+        /// </summary>
         Blank = 61,
-        /// <summary>Pens were chosen by the widths at hand.</summary>
+        /// <summary>Pens are chosen by the widths at hand.</summary>
         Pens = 62,
-        /// <summary>What a plotter does [metres drawn, metres travelled, seconds].</summary>
+        /// <summary>A plotter's file is written [metres drawn, metres travelled, seconds].</summary>
         Plotted = 63,
-        /// <summary>Settings do not hold all of it.</summary>
+        /// <summary>Something that the picture was made with is not in its settings.</summary>
         NotInSettings = 64,
-        /// <summary>The unit of the format is the metre.</summary>
+        /// <summary>The unit of the source is taken as a metre, because its format says so.</summary>
         UnitIsMetre = 65,
-        /// <summary>There is no symmetry for centre lines.</summary>
+        /// <summary>Centre lines are asked for, but no plane of symmetry was found.</summary>
         NoSymmetry = 66,
-        /// <summary>Outlines of a cut are not closed [outlines].</summary>
+        /// <summary>Outlines of a cut are not closed, and are not hatched [outlines].</summary>
         SectionOpen = 67,
-        /// <summary>Normals were not of length 1, and were made so [normals].</summary>
+        /// <summary>Normals get the length 1 [normals].</summary>
         NormalsNotUnit = 68,
         /// <summary>All points are at one place.</summary>
         AtOnePlace = 69,
-        /// <summary>The source is far from the origin for its size.</summary>
+        /// <summary>The source is so far from the origin that single precision loses its details.</summary>
         FarFromOrigin = 70,
-        /// <summary>Vertices at the place of another were joined with it [vertices].</summary>
+        /// <summary>Vertices at the place of another are joined with it [vertices].</summary>
         VerticesJoined = 71,
-        /// <summary>Vertices of no face were left out [vertices].</summary>
+        /// <summary>Vertices of no face are left out [vertices].</summary>
         VerticesUnused = 72,
         /// <summary>Edges have more than two faces [edges].</summary>
         NonmanifoldEdges = 73,
-        /// <summary>The mesh has borders [borders, their edges].</summary>
+        /// <summary>A mesh is open [borders, their edges].</summary>
         MeshOpen = 74,
-        /// <summary>The mesh has several parts [parts].</summary>
+        /// <summary>A mesh has several parts [parts].</summary>
         SeveralParts = 75,
-        /// <summary>Why a source cannot be drawn.</summary>
+        /// <summary>A source cannot be drawn; the text says why.</summary>
         NotUsable = 76,
     }
 
-    /// <summary>Where views stand on a sheet [ISO 5456-2].</summary>
+    /// <summary>Where views stand [ISO 5456-2].</summary>
     [NativeConstants("HRBFNPR_VIEWS_ANGLE_")]
     public enum ProjectionAngle
     {
-        /// <summary>First angle: the left view at the right, the top view below (default).</summary>
+        /// <summary>First angle: the left view stands at the right, the top view below (default).</summary>
         First = 0,
-        /// <summary>Third angle: the left view at the left, the top view above.</summary>
+        /// <summary>Third angle: the left view stands at the left, the top view above.</summary>
         Third = 1,
     }
 
-    /// <summary>How hidden edges of views are drawn.  Sections never have any [ISO 128-3].</summary>
+    /// <summary>How hidden edges are drawn.  Sections never have hidden edges [ISO 128-3].</summary>
     [NativeConstants("HRBFNPR_VIEWS_HIDDEN_")]
     public enum HiddenEdges
     {
-        /// <summary>As dashed thin lines (default).</summary>
+        /// <summary>Hidden edges are dashed thin lines (default).</summary>
         Dashed = 0,
-        /// <summary>They are not drawn.</summary>
+        /// <summary>Hidden edges are not drawn.</summary>
         None = 1,
-        /// <summary>As continuous thin lines.</summary>
+        /// <summary>Hidden edges are continuous thin lines.</summary>
         Shown = 2,
     }
 }

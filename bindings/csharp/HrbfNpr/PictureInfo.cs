@@ -3,55 +3,55 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>Counts, sizes and seconds of a picture.</summary>
+    /// <summary>Counts, sizes and times of a picture.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_picture_info")]
     public struct PictureInfo
     {
         internal uint StructSize;
         private readonly uint preset;
 
-        /// <summary>Surfaces, or 1 of a point set.</summary>
+        /// <summary>Number of surfaces; 1 for a point set.</summary>
         public readonly long Parts;
 
-        /// <summary>Marks of all parts.</summary>
+        /// <summary>Number of marks of all parts.</summary>
         public readonly long Marks;
 
-        /// <summary>How many notes there are.</summary>
+        /// <summary>Number of notes.</summary>
         public readonly long Notes;
 
-        /// <summary>How many stages are over.</summary>
+        /// <summary>Number of stages that have ended.</summary>
         public readonly long Stages;
 
-        /// <summary>Width of the drawing, pixels.</summary>
+        /// <summary>Width of the drawing, in pixels; 0 with <see cref="PictureOptions.SurfaceOnly"/>.</summary>
         public readonly int Width;
 
-        /// <summary>Height of the drawing, pixels.</summary>
+        /// <summary>Height of the drawing, in pixels; 0 with <see cref="PictureOptions.SurfaceOnly"/>.</summary>
         public readonly int Height;
 
-        /// <summary>Corner of the box of all parts.</summary>
+        /// <summary>Lower corner of the box around all parts.</summary>
         public readonly Vector3d BoundsMin;
 
-        /// <summary>The opposite corner.</summary>
+        /// <summary>Upper corner of the box.</summary>
         public readonly Vector3d BoundsMax;
 
-        /// <summary>Which way is up, as used.</summary>
+        /// <summary>Direction that is up, as used.</summary>
         public readonly Vector3d Up;
 
-        /// <summary>Radius of the pen, as used; pixels.</summary>
+        /// <summary>Radius of the pen as used, in pixels.</summary>
         public readonly double Pen;
 
-        /// <summary>Seconds to make the picture, without drawing it.</summary>
+        /// <summary>Time that it took to make the picture, in seconds; drawing is not included.</summary>
         public readonly double Seconds;
 
-        /// <summary>The style.</summary>
+        /// <summary>The preset that was used.</summary>
         public Preset Preset
         {
             get { return (Preset)preset; }
         }
     }
 
-    /// <summary>One surface of a picture, for the calls that take its parts one by one.</summary>
-    /// <remarks>Its objects go on living without the picture, and may be disposed of as any others.</remarks>
+    /// <summary>One surface of a picture.  Its objects can be passed to the calls of the other classes.</summary>
+    /// <remarks>The objects stay alive without the picture, and may be disposed of like any others.</remarks>
     public sealed class PicturePart
     {
         internal PicturePart(Model model, PointSet pointSet, LineSet lineSet, TriangleMesh mesh, Sides sides)
@@ -63,51 +63,51 @@ namespace HrbfNpr
             Sides = sides;
         }
 
-        /// <summary>The surface; null of a point set.</summary>
+        /// <summary>The surface; null for a point set.</summary>
         public Model Model { get; }
 
-        /// <summary>Its marks; null with <see cref="PictureOptions.SurfaceOnly"/>.</summary>
+        /// <summary>The marks; null with <see cref="PictureOptions.SurfaceOnly"/>.</summary>
         public PointSet PointSet { get; }
 
-        /// <summary>Its lines; null without lines.</summary>
+        /// <summary>The lines; null without lines.</summary>
         public LineSet LineSet { get; }
 
-        /// <summary>The mesh as it was fitted to; null if the source is none.</summary>
+        /// <summary>The mesh that the surface was fitted to; null for other sources.</summary>
         public TriangleMesh Mesh { get; }
 
-        /// <summary>The sides that marks are drawn on, as used.</summary>
+        /// <summary>Sides on which marks are drawn, as used.</summary>
         public Sides Sides { get; }
     }
 
-    /// <summary>What was drawn on a sheet of views.</summary>
+    /// <summary>The sheet of views that was written.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_views_info")]
     public unsafe struct ViewsInfo
     {
         internal uint StructSize;
         private readonly uint reserved;
 
-        /// <summary>Views, sections among them.</summary>
+        /// <summary>Number of views and sections.</summary>
         public readonly long Views;
 
-        /// <summary>Bytes of the file.</summary>
+        /// <summary>Bytes that were written.</summary>
         public readonly long Bytes;
 
-        /// <summary>Width of the page, mm.</summary>
+        /// <summary>Width of the page, in mm.</summary>
         public readonly double Width;
 
-        /// <summary>Height of the page, mm.</summary>
+        /// <summary>Height of the page, in mm.</summary>
         public readonly double Height;
 
-        /// <summary>0.5 of 1:2.</summary>
+        /// <summary>Scale as a number: 0.5 for 1:2.</summary>
         public readonly double Scale;
 
-        /// <summary>Millimetres of a unit of the model, as used.</summary>
+        /// <summary>Size of a unit of the model, as used, in mm.</summary>
         public readonly double UnitMm;
 
         private fixed byte scaleText[64];
         private fixed byte paper[64];
 
-        /// <summary>The scale as it is written, such as "1:2".</summary>
+        /// <summary>Scale in words, such as "1:2".</summary>
         public string ScaleText
         {
             get

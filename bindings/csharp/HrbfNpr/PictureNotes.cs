@@ -6,7 +6,7 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>One thing that making a picture chose, repaired, measured or doubts.</summary>
+    /// <summary>A note: something that was chosen, repaired, left out or measured, or that may be wrong.</summary>
     public sealed unsafe class Note
     {
         internal Note(hrbfnpr_note* note)
@@ -23,31 +23,29 @@ namespace HrbfNpr
             Advice = note->advice == IntPtr.Zero ? null : Errors.Utf8((byte*)note->advice);
         }
 
-        /// <summary>What it is about.</summary>
+        /// <summary>What the note is about.</summary>
         public NoteCode Code { get; }
 
         /// <summary>How much it matters.</summary>
         public Severity Severity { get; }
 
-        /// <summary>The numbers that <see cref="NoteCode"/> names, in that order.</summary>
+        /// <summary>The figures of its <see cref="NoteCode"/>, in the order of the brackets there.</summary>
         public IReadOnlyList<double> Figures { get; }
 
         /// <summary>One sentence without a full stop.</summary>
         public string Text { get; }
 
-        /// <summary>What to do about it; null where the text says it, or there is nothing to say.</summary>
+        /// <summary>What to do about it; null if the text says it, or if there is nothing to say.</summary>
         public string Advice { get; }
 
-        /// <summary>The text.</summary>
+        /// <summary>Returns the text.</summary>
         public override string ToString()
         {
             return Text;
         }
     }
 
-    /// <summary>
-    /// What happens while a picture is made or drawn: a stage goes on or is over, or there is a note.
-    /// </summary>
+    /// <summary>What happens while a picture is made or drawn: a new note, or the progress of a stage.</summary>
     public sealed unsafe class PictureEvent
     {
         internal PictureEvent(hrbfnpr_picture_event* happened)
@@ -61,29 +59,31 @@ namespace HrbfNpr
             Note = happened->note == IntPtr.Zero ? null : new Note((hrbfnpr_note*)happened->note);
         }
 
-        /// <summary>The stage that runs; 0 between two.</summary>
+        /// <summary>The stage that runs; 0 if none runs.</summary>
         public Stage Stage { get; }
 
-        /// <summary>The share of the stage that is done: 0 when it begins, 1 when it is over.</summary>
+        /// <summary>Progress of the stage: 0 when it begins, 1 when it ends; 0 with a note.</summary>
         public double Fraction { get; }
 
-        /// <summary>Seconds that the stage took, when it is over; else 0.</summary>
+        /// <summary>Time that the stage took, in seconds, when it ends; else 0.</summary>
         public double Seconds { get; }
 
-        /// <summary>The stage's name, such as "place marks"; empty of a note.</summary>
+        /// <summary>Name of the stage, such as "place marks"; empty with a note.</summary>
         public string Name { get; }
 
-        /// <summary>The same for a progress bar, such as "placing marks"; empty of a note.</summary>
+        /// <summary>The same for a progress bar, such as "placing marks"; empty with a note.</summary>
         public string Doing { get; }
 
-        /// <summary>What the stage came to, when it is over; else null.</summary>
+        /// <summary>Result of the stage in words, when it ends; else null.</summary>
         public string Says { get; }
 
-        /// <summary>A new note; null if this is about the stage.</summary>
+        /// <summary>A new note; null if the event is about the stage.</summary>
         public Note Note { get; }
     }
 
-    /// <summary>The program's functions that a picture calls, and what became of them in the call that runs.</summary>
+    /// <summary>
+    /// The functions of the program that a picture runs, and what they threw during the running call.
+    /// </summary>
     internal sealed unsafe class PictureState : CallbackState
     {
         internal static readonly IntPtr Function;
@@ -99,8 +99,8 @@ namespace HrbfNpr
             Function = Marshal.GetFunctionPointerForDelegate(FunctionCallback);
         }
 
-        /// <param name="onEvent">May be null.</param>
-        /// <param name="tone">The tone function of a style of the program's; may be null.</param>
+        /// <param name="onEvent">Receives events; may be null.</param>
+        /// <param name="tone">The tone function of the program's style; may be null.</param>
         /// <param name="functions">The functions of models; may be null.</param>
         internal PictureState(Action<PictureEvent> onEvent, ToneState tone, CallbackState functions)
         {
@@ -109,13 +109,13 @@ namespace HrbfNpr
             this.functions = functions;
         }
 
-        /// <summary>Whether calls need an operation: an event function that throws cancels them.</summary>
+        /// <summary>Whether calls need an operation, because the event function cancels them if it throws.</summary>
         internal bool IsWatched
         {
             get { return onEvent != null; }
         }
 
-        /// <summary>Before a call; with the operation that an exception cancels.</summary>
+        /// <summary>Prepares a call.  <paramref name="operation"/> is cancelled if the event function throws.</summary>
         internal void Begin(OperationHandle operation)
         {
             this.operation = operation;
@@ -123,7 +123,7 @@ namespace HrbfNpr
             TakeException();
         }
 
-        /// <summary>After a call: throws what a function of the program threw, or what the call says.</summary>
+        /// <summary>Ends a call: throws what a function of the program threw, or the failure of the call.</summary>
         internal void Check(LongCall call, int status, hrbfnpr_error* error)
         {
             operation = OperationHandle.None;
@@ -131,7 +131,7 @@ namespace HrbfNpr
             Throw("tone", tone == null ? null : tone.TakeException());
             if (status == (int)Status.InvalidArgument && failure != null)
             {
-                throw new InvalidArgumentException(failure); // longer than an error has room for
+                throw new InvalidArgumentException(failure); // the message of an error may have cut it
             }
             if (call != null)
             {
