@@ -7,25 +7,25 @@ using System.Runtime.InteropServices;
 namespace HrbfNpr
 {
     /// <summary>
-    /// One field that is changed on top of all that was chosen; see <see cref="PictureOptions.Set(string, string)"/>.
+    /// A field to change after everything was chosen; see <see cref="PictureOptions.Set(string, string)"/>.
     /// </summary>
     public sealed class Change
     {
-        /// <summary>A field and its value.</summary>
-        /// <param name="field">As <see cref="Field"/>.</param>
-        /// <param name="value">As <see cref="Value"/>.</param>
+        /// <summary>Creates a change of a field.</summary>
+        /// <param name="field">The path of the field, as in <see cref="Field"/>.</param>
+        /// <param name="value">The new value, as in <see cref="Value"/>.</param>
         public Change(string field, string value)
         {
             Field = field ?? throw new ArgumentNullException(nameof(field));
             Value = value ?? throw new ArgumentNullException(nameof(value));
         }
 
-        /// <summary>The path of a field, such as "style.halo_width".</summary>
+        /// <summary>Path of the field, such as "style.halo_width".</summary>
         public string Field { get; }
 
         /// <summary>
-        /// A number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a constant, such as
-        /// "blue-noise".
+        /// New value: a number, several numbers with commas between, a colour as #rrggbb or #rrggbbaa, or the name of a
+        /// constant, such as "blue-noise".
         /// </summary>
         public string Value { get; }
 
@@ -38,29 +38,30 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// A stroke of a brush on the surface: within its radius tone, density or direction go towards a value.
+    /// A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after the
+    /// other.
     /// </summary>
     public sealed class Dab
     {
-        /// <summary>What is painted; Tone by default.</summary>
+        /// <summary>What the dab paints; default Tone.</summary>
         public DabMap Map { get; set; }
 
-        /// <summary>The middle, on the surface.</summary>
+        /// <summary>Middle of the ball, in coordinates of the source.</summary>
         public Vector3d Position { get; set; }
 
-        /// <summary>Unit: what faces away from it is not painted.</summary>
+        /// <summary>Unit normal of the surface there.  Surface that faces away from it is not painted.</summary>
         public Vector3d Normal { get; set; }
 
-        /// <summary>In the unit of the model, above 0.</summary>
+        /// <summary>Radius of the ball, in units of the source; above 0.</summary>
         public double Radius { get; set; }
 
-        /// <summary>In the middle, 0 to 1; it falls to 0 at the radius; 1.</summary>
+        /// <summary>Strength in the middle; 0 to 1; default 1.  It falls to 0 at the radius.</summary>
         public double Strength { get; set; } = 1;
 
-        /// <summary>What Tone and Density go towards, 0 to 1; 0.</summary>
+        /// <summary>Value of Tone and Density; 0 to 1; default 0.</summary>
         public double Value { get; set; }
 
-        /// <summary>What the map Direction turns hatching towards.</summary>
+        /// <summary>Direction that hatching follows, with <see cref="DabMap.Direction"/>.</summary>
         public Vector3d Direction { get; set; }
 
         internal unsafe void Write(hrbfnpr_dab* dab)
@@ -76,10 +77,11 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>
-    /// How a picture is made and drawn.  A new one makes a good picture of any source; null, 0 or NaN stands for what
-    /// the library chooses, where a line says so.  Plain data: it may be changed and used again.
-    /// </summary>
+    /// <summary>How a picture is made.  A new one makes a good picture of any source.</summary>
+    /// <remarks>
+    /// The picture chooses values for null, 0 or NaN, as the text of a property says.  Options are plain data: they may
+    /// be changed and used again.
+    /// </remarks>
     /// <example>
     /// <code>
     /// var options = new PictureOptions { Preset = Preset.Etching, Width = 800, Height = 600, Azimuth = 45 };
@@ -90,232 +92,258 @@ namespace HrbfNpr
     {
         // ---- Style
 
-        /// <summary>The style; ContourAndStipple.</summary>
+        /// <summary>Named style; default ContourAndStipple.</summary>
         public Preset Preset { get; set; } = Preset.ContourAndStipple;
 
         /// <summary>
-        /// The name of a preset, such as "engraving", in place of <see cref="Preset"/>; null = that one.
+        /// Name of a preset, such as "engraving", in place of <see cref="Preset"/>; default null = <see cref="Preset"/>
+        /// is used.
         /// </summary>
         public string StyleName { get; set; }
 
         /// <summary>
-        /// A style that is used as it is, with lengths in pixels of this picture; null = that of the preset, scaled by
-        /// the pen.  <see cref="Preset"/> then says which layers of marks there are.
+        /// A style to use as it is, with lengths in pixels of this picture; default null = the preset, scaled by the
+        /// pen.  <see cref="Preset"/> then says which layers of marks there are.
         /// </summary>
         public Style Style { get; set; }
 
-        /// <summary>What these options leave at their defaults; null = nothing.</summary>
+        /// <summary>Settings for what these options leave at their defaults; default null = none.</summary>
         public Settings Settings { get; set; }
 
-        /// <summary>Fields that are changed on top of all that was chosen, in this order.</summary>
+        /// <summary>Fields to change after everything was chosen, in this order; default empty.</summary>
         public IList<Change> Changes { get; } = new List<Change>();
 
-        /// <summary>What is painted on the surface.</summary>
+        /// <summary>Dabs that paint the surface; default empty.</summary>
         public IList<Dab> Dabs { get; } = new List<Dab>();
 
-        /// <summary>How notes and errors name options; Fields.</summary>
+        /// <summary>How notes and errors write options; default Fields.</summary>
         public Wording Wording { get; set; }
 
         // ---- Size, in pixels
 
-        /// <summary>Pixels, 1 to 32768, with <see cref="Height"/>; 0 = from <see cref="Size"/>.</summary>
+        /// <summary>
+        /// Width of the drawing, in pixels, given with <see cref="Height"/>; 1 to 32768; default 0 = from
+        /// <see cref="Size"/>.
+        /// </summary>
         public int Width { get; set; }
 
-        /// <summary>Pixels, 1 to 32768, with <see cref="Width"/>; 0 = from <see cref="Size"/>.</summary>
+        /// <summary>
+        /// Height of the drawing, in pixels, given with <see cref="Width"/>; 1 to 32768; default 0 = from
+        /// <see cref="Size"/>.
+        /// </summary>
         public int Height { get; set; }
 
         /// <summary>
-        /// Pixels of the longer side, 1 to 32768; the shorter one is as the object needs it; 0 = 1600.
+        /// Longer side of the drawing, in pixels; 1 to 32768; default 0 = 1600.  The shorter side is as the object
+        /// needs it.
         /// </summary>
         public int Size { get; set; }
 
-        /// <summary>Which sides of the surfaces marks are drawn on; Auto.</summary>
+        /// <summary>Sides on which marks are drawn; default Auto.</summary>
         public PictureSides Sides { get; set; }
 
         /// <summary>
-        /// Radius of the pen, which styles vary a little, pixels; 0 = an 800th of the longer side, at least 0.75.
+        /// Radius of the pen, in pixels, which styles vary a little; 1e-6 to 1e6; default 0 = an 800th of the longer
+        /// side, at least 0.75.
         /// </summary>
         public double Pen { get; set; }
 
-        /// <summary>Width of contours, pixels; other lines are finer; 0 = that of the style.</summary>
+        /// <summary>
+        /// Width of contours, in pixels; 1e-6 to 1e6; default 0 = that of the style.  Other lines are finer.
+        /// </summary>
         public double LineWidth { get; set; }
 
         // ---- Camera
 
-        /// <summary>A camera that is used as it is, with its viewport as size; null = one is chosen.</summary>
+        /// <summary>A camera to use as it is, with its viewport as the size; default null = one is chosen.</summary>
         public Camera Camera { get; set; }
 
-        /// <summary>Which way is up; null = by the format and the shape, y where neither tells.</summary>
+        /// <summary>
+        /// Direction that is up; default null = by the format and the shape, or y where neither tells.
+        /// </summary>
         public Vector3d? Up { get; set; }
 
         /// <summary>
-        /// Degrees, of the camera about the up axis; null = 30, and another where that sees the back of an open
-        /// surface.
+        /// Azimuth of the camera about the up axis, from the front to the right, in degrees; default null = 30, and
+        /// another where that sees the back of an open surface.
         /// </summary>
         public double? Azimuth { get; set; }
 
-        /// <summary>Degrees, of the camera above the horizon; null = 20.</summary>
+        /// <summary>Elevation of the camera above the horizon, in degrees; default null = 20.</summary>
         public double? Elevation { get; set; }
 
-        /// <summary>From the eye into the scene, in place of azimuth and elevation; null = by these.</summary>
+        /// <summary>
+        /// Direction from the eye into the scene, in place of azimuth and elevation; default null = not given.
+        /// </summary>
         public Vector3d? Direction { get; set; }
 
-        /// <summary>Place of the eye, which looks at <see cref="Target"/>; null = where it sees all.</summary>
+        /// <summary>Place of the eye, which looks at <see cref="Target"/>; default null = not given.</summary>
         public Vector3d? Eye { get; set; }
 
-        /// <summary>What an eye looks at; null = the middle of the model.</summary>
+        /// <summary>Place that the eye looks at; default null = the middle of the model.</summary>
         public Vector3d? Target { get; set; }
 
         /// <summary>
-        /// Vertical angle of view, degrees, 0 to 179, 0 = orthographic; null = 30, 0 of the style Archaeological.
+        /// Vertical angle of view, in degrees; 0.01 to 179; 0 = orthographic; default null = 30, or 0 in the style
+        /// Archaeological.
         /// </summary>
         public double? Fov { get; set; }
 
-        /// <summary>Share that is free on each side, 0 to 0.45; null = 0.05.</summary>
+        /// <summary>Share of the picture that is free on each side; 0 to 0.45; default null = 0.05.</summary>
         public double? Margin { get; set; }
 
         /// <summary>
-        /// Degrees of an orbit that starts here: the picture has room for all of it; 0 = a still (default).
+        /// Angle of an orbit that starts here, in degrees; default 0 = a still picture.  The picture has room for all
+        /// of the orbit.
         /// </summary>
         public double Turn { get; set; }
 
-        /// <summary>Drawings of that orbit, 1 and more; 36.</summary>
+        /// <summary>Number of frames of that orbit; 1 to 1000000; default 36.</summary>
         public int TurnFrames { get; set; } = 36;
 
         // ---- From the source to a surface
 
-        /// <summary>What is known of the normals of points; Auto.</summary>
+        /// <summary>How far the normals of points can be trusted; default Auto.</summary>
         public Normals Normals { get; set; } = Normals.Auto;
 
         /// <summary>
-        /// Samples of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096.
+        /// Number of samples of a mesh, or chosen from points; 0 to 1e9; default 0 = as many as a mesh needs, and of
+        /// points all up to 4096.
         /// </summary>
         public long Samples { get; set; }
 
         /// <summary>
-        /// Samples are chosen until all is this near, in the unit of the source; 0 = 0.002 diagonals of a mesh, no such
-        /// end of points.
+        /// Samples are chosen until the surface is this near to the mesh, or to all points, in units of the source; 0
+        /// or more; default 0 = 0.002 diagonals for a mesh, and no such end for points.
         /// </summary>
         public double Tolerance { get; set; }
 
-        /// <summary>The most samples that are chosen; 0 = 8000 of a mesh, no limit of points.</summary>
+        /// <summary>
+        /// Largest number of samples that are chosen; 0 or more; default 0 = 8000 for a mesh, and no limit for points.
+        /// </summary>
         public long MaximumCentres { get; set; }
 
-        /// <summary>Which components of a mesh are kept; Outer.</summary>
+        /// <summary>Components of a mesh that are kept; default Outer.</summary>
         public MeshParts Parts { get; set; }
 
-        /// <summary>Which edges of a mesh stay sharp; AsGiven.</summary>
+        /// <summary>Edges of a mesh that are sharp; default AsGiven.</summary>
         public PictureEdges Edges { get; set; }
 
-        /// <summary>The angle of <see cref="PictureEdges.Sharp"/>, degrees, 5 to 175; 30.</summary>
+        /// <summary>
+        /// Angle between the normals of two faces, in degrees, above which their edge is sharp, with
+        /// <see cref="PictureEdges.Sharp"/>; 5 to 175; default 30.
+        /// </summary>
         public double EdgeAngle { get; set; } = 30;
 
         /// <summary>
-        /// Degrees, 0 to 180: faces that meet at a sharper angle do not share their normals; null = 60.
+        /// Angle between the normals of two faces, in degrees, above which they do not share corner normals; 0 to 180;
+        /// default null = 60.
         /// </summary>
         public double? CreaseAngle { get; set; }
 
         /// <summary>
-        /// How often faces are divided into four towards something round, 0 to 6; -1 = where they are coarse and no
-        /// edges stand out (default).
+        /// How often faces are divided into four towards a round surface; 0 to 6; default -1 = where faces are coarse
+        /// and no edges stand out.
         /// </summary>
         public int Subdivide { get; set; } = -1;
 
-        /// <summary>Whether an upright section stands beside the drawing; Auto.</summary>
+        /// <summary>Whether an upright section is drawn beside the drawing; default Auto.</summary>
         public Profile Profile { get; set; }
 
         /// <summary>
-        /// Where the scanner stood: open surfaces without normals look to it; null = as the source tells.
+        /// Place where the scanner stood, to which open surfaces without normals look; default null = as the source
+        /// says.
         /// </summary>
         public Vector3d? Viewpoint { get; set; }
 
         /// <summary>
-        /// Factor of the width over which the image of a depth camera is smoothed, 0 to 1000; 0 leaves its points where
-        /// they are; null = 1.
+        /// Factor of the width over which the image of a depth camera is smoothed; 0 to 100; default null = 1. 0 leaves
+        /// its points where they are.
         /// </summary>
         public double? DepthSmoothing { get; set; }
 
-        /// <summary>Seed of all that is random, any number; 1.</summary>
+        /// <summary>Seed of all random numbers; any number; default 1.</summary>
         public ulong RandomSeed { get; set; } = 1;
 
         // ---- Marks, lines, and what stands beside the drawing
 
         /// <summary>
-        /// Kinds of layers with commas between, such as "stipples,hatch"; null = those of the style.
+        /// Kinds of layers of marks with commas between, such as "stipples,hatch"; default null = those of the style.
         /// </summary>
         public string MarkKinds { get; set; }
 
-        /// <summary>n points where marks of <see cref="Distribution.Published"/> start; not given by default.</summary>
+        /// <summary>
+        /// n points where marks of <see cref="Distribution.Published"/> start; float or double; default not given =
+        /// chosen.
+        /// </summary>
         public ArrayView SeedPoints { get; set; }
 
-        /// <summary>Degrees by which all lines of hatching are turned, -360 to 360; 0.</summary>
+        /// <summary>Angle by which all lines of hatching are turned, in degrees; -360 to 360; default 0.</summary>
         public double HatchAngle { get; set; }
 
-        /// <summary>
-        /// Kinds of lines with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
-        /// isophotes=0.3:0.6, section=z:20, border, crease; "none": contours by marks; null = those of the style.
-        /// </summary>
+        /// <summary>Kinds of lines with commas between; "none" = no lines; default null = those of the style.</summary>
+        /// <remarks>
+        /// The kinds are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes=0.3:0.6, section=z:20,
+        /// border and crease.  With "none", contours are drawn by marks with Visibility.Published only.
+        /// </remarks>
         public string Lines { get; set; }
 
         /// <summary>
-        /// The unit of a scale bar below the drawing; "none" = no bar; null = "units" of the style Archaeological, else
-        /// "none".
+        /// Unit of a scale bar below the drawing; "none" = no bar; default null = "units" in the style Archaeological,
+        /// else "none".
         /// </summary>
         public string ScaleBar { get; set; }
 
-        // ---- What is left in, and what is left out
+        // ---- Switches
 
-        /// <summary>Whether drawing what can hardly be seen is no error; no by default.</summary>
+        /// <summary>Whether to allow a drawing in which hardly anything can be seen; default false.</summary>
         public bool AllowBlank { get; set; }
 
-        /// <summary>Whether all normals are turned, whatever they look like; no by default.</summary>
+        /// <summary>Whether to turn all normals, whatever they look like; default false.</summary>
         public bool Flip { get; set; }
 
-        /// <summary>
-        /// Whether the surface goes on beyond open data, as the fit has it; no by default: it ends there.
-        /// </summary>
+        /// <summary>Whether the surface goes on beyond open data, as the fit has it; default false.</summary>
         public bool Close { get; set; }
 
-        /// <summary>Whether an open mesh is one surface also where its parts cross; no by default.</summary>
+        /// <summary>Whether to fit an open mesh as one surface, even where its parts cross; default false.</summary>
         public bool Together { get; set; }
 
-        /// <summary>Whether the paper lets all through; no by default.</summary>
+        /// <summary>Whether the paper is transparent; default false.</summary>
         public bool Transparent { get; set; }
 
         /// <summary>
-        /// Whether layers have all their marks also where the style draws lines alone, for marks that are saved; no by
-        /// default.
+        /// Whether all layers get all their marks, even if the style draws lines only; for marks that are saved;
+        /// default false.
         /// </summary>
         public bool KeepMarks { get; set; }
 
         /// <summary>
-        /// Whether only the surface is made: no camera is chosen, no marks are placed, no lines are looked for; no by
-        /// default.
+        /// Whether to make the model only: choose no camera, place no marks, find no lines; default false.
         /// </summary>
         public bool SurfaceOnly { get; set; }
 
-        /// <summary>
-        /// Whether the source is a part of a solid: then nothing is said of it, and no up is looked for; no by default.
-        /// </summary>
+        /// <summary>Whether the source is a part of a solid, so that up is y; default false.</summary>
         public bool IsSolid { get; set; }
 
         /// <summary>
-        /// Called with what happens while the picture is made, and later when it is drawn or written, on the thread
-        /// that made the call.  What it throws cancels the call and comes out in a <see cref="CallbackException"/>.
-        /// null = none.
+        /// Receives events while the picture is made, and later while it is drawn or written, on the thread that made
+        /// the call; default null.  If it throws, the call is cancelled and throws a <see cref="CallbackException"/>.
         /// </summary>
         public Action<PictureEvent> OnEvent { get; set; }
 
-        /// <summary>Changes one field on top of all that was chosen.</summary>
-        /// <param name="field">
-        /// The path of a field: style.F of the style (style.ink is that of all layers, lines and contours);
-        /// style.KIND.F of a kind of layers, such as style.hatch.ink; style.layers.F of all layers; style.LINE.F of a
-        /// kind of lines, such as style.ridge.width; style.lines.F of all lines; fit.F; mesh_fit.F; marks.F;
-        /// marks.KIND.F of a kind of layers of marks; marks.layers.F of all of them; line_set.F.  F is a field of the
-        /// library's struct: a property's name in small letters with underscores, such as halo_width. Lengths in pixels
-        /// are those of this picture: they are not scaled by the pen.
-        /// </param>
-        /// <param name="value">As <see cref="Change.Value"/>.</param>
+        /// <summary>Changes one field after everything was chosen.</summary>
+        /// <remarks>
+        /// <c>style.F</c> is a field of the style; <c>style.ink</c> is the ink of all layers, lines and contours.
+        /// <c>style.KIND.F</c> is a field of one kind of layers, such as <c>style.hatch.ink</c>, and
+        /// <c>style.layers.F</c> of all layers.  <c>style.LINE.F</c> is a field of one kind of lines, such as
+        /// <c>style.ridge.width</c>, and <c>style.lines.F</c> of all lines.  <c>fit.F</c>, <c>mesh_fit.F</c> and
+        /// <c>line_set.F</c> are fields of these options.  <c>marks.F</c> is a field of <see cref="GenerateOptions"/>,
+        /// <c>marks.KIND.F</c> of one kind of its layers, and <c>marks.layers.F</c> of all of them.  F is a property's
+        /// name in small letters with underscores, such as <c>halo_width</c>.  Lengths in pixels are those of this
+        /// picture: they are not scaled by the pen.
+        /// </remarks>
+        /// <param name="field">The path of the field; see the remarks.</param>
+        /// <param name="value">The new value, as in <see cref="Change.Value"/>.</param>
         /// <returns>These options.</returns>
         public PictureOptions Set(string field, string value)
         {
@@ -324,7 +352,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Changes one field that is a number.</summary>
-        /// <param name="field">As of the other <c>Set</c>.</param>
+        /// <param name="field">The path of the field, as in the other <c>Set</c>.</param>
         /// <param name="value">The number.</param>
         /// <returns>These options.</returns>
         public PictureOptions Set(string field, double value)
@@ -380,7 +408,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>The descriptor of one call that makes a picture, and all that it points to.</summary>
+    /// <summary>The descriptor of one call that makes a picture, and everything that it points to.</summary>
     internal sealed unsafe class PictureCall : IDisposable
     {
         internal hrbfnpr_picture_desc Desc;
@@ -389,9 +417,9 @@ namespace HrbfNpr
         private readonly Memory memory = new Memory();
         private readonly List<UserHandle> users = new List<UserHandle>();
 
-        /// <param name="sources">null of a picture that is restyled.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="origins">What the sources are made with.</param>
+        /// <param name="sources">The sources; null if a picture is restyled.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="origins">The models and marks that the sources are made of.</param>
         internal PictureCall(
             IReadOnlyList<PictureSource> sources, PictureOptions options, PictureOrigins origins)
         {
@@ -426,10 +454,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What the picture calls.</summary>
+        /// <summary>The functions that the picture runs.</summary>
         internal PictureState State { get; }
 
-        /// <summary>The picture is made: it takes over what its native part goes on using.</summary>
+        /// <summary>Gives a new picture everything that its native part goes on using.</summary>
         internal void GiveTo(PictureHandle made, PictureOrigins origins)
         {
             made.Keep(origins.Anchors, users);
@@ -450,7 +478,7 @@ namespace HrbfNpr
 
         private IntPtr Add(CallbackState state)
         {
-            // Weak: a picture keeps its states alive, and a state may refer to its picture.
+            // Weak, because a picture keeps its states alive, and a state may refer to its picture.
             users.Add(new UserHandle(state, GCHandleType.Weak));
             return users[users.Count - 1].Pointer;
         }
@@ -505,7 +533,7 @@ namespace HrbfNpr
             Desc.dab_count = structs.Length;
         }
 
-        /// <summary>The state of the style's tone function; null without.</summary>
+        /// <summary>Writes the style, and returns the state of its tone function; null if it has none.</summary>
         private ToneState DescribeStyle(Style style)
         {
             if (style == null)

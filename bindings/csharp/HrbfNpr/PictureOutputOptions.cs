@@ -3,27 +3,28 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>On which paper a picture is written, and with which pens; a new one holds all defaults.</summary>
+    /// <summary>The paper and the pens with which a picture is written; a new one holds all defaults.</summary>
     public sealed class PicturePageOptions
     {
-        /// <summary>
-        /// Format, tolerance, speeds, pens and the like.  Its annotations and its size are not used; its title,
-        /// description and metadata are chosen where they are null.
-        /// </summary>
+        /// <summary>Format, tolerance, speeds, pens and the like; default: a page with all defaults.</summary>
+        /// <remarks>
+        /// Its annotations and its size are not used.  Its title, description and metadata are chosen where they are
+        /// null.
+        /// </remarks>
         public PageOptions Page { get; set; } = new PageOptions();
 
         /// <summary>
-        /// "a0" to "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it, turned as it fits
-        /// better; null = a pixel is 25.4 / 96 mm (default).
+        /// Paper that the drawing fills, turned as it fits better: "a0" to "a6", "letter", "legal", "tabloid", or width
+        /// and height in mm, such as "210x297"; default null = a pixel is 25.4 / 96 mm.
         /// </summary>
         public string Paper { get; set; }
 
-        /// <summary>Free margin on each side of the paper, mm; 10.</summary>
+        /// <summary>Free margin on each side of the paper, in mm; 0 or more; default 10.</summary>
         public double PaperMargin { get; set; } = 10;
 
         /// <summary>
-        /// Widths of the pens at hand, mm, ascending: each group gets the one nearest to its lines' median width; null
-        /// = as drawn (default).
+        /// Widths of the pens at hand, in mm, ascending; default null = as <see cref="Page"/> says.  Each group gets
+        /// the pen nearest to the median width of its lines.
         /// </summary>
         public double[] PenWidths { get; set; }
 
@@ -42,86 +43,96 @@ namespace HrbfNpr
     public sealed class ViewsOptions
     {
         /// <summary>
-        /// Whether planes of symmetry through the middle have a centre line in each view that sees them as a line; no
-        /// by default.
+        /// Whether to draw a centre line for each plane of symmetry through the middle, in each view that sees the
+        /// plane as a line; default false.
         /// </summary>
         public bool CentreLines { get; set; }
 
         /// <summary>
-        /// Whether the name of each view stands above it; no by default.  That of a section always does.
+        /// Whether to write the name of each view above it; default false.  Sections always have their names.
         /// </summary>
         public bool Labels { get; set; }
 
         /// <summary>
-        /// Whether the source's format is in metres, as glTF: a <see cref="UnitMm"/> of 0 is 1000; no by default.
+        /// Whether the format of the source is in metres, as glTF is; default false.  A <see cref="UnitMm"/> of 0 then
+        /// means 1000.
         /// </summary>
         public bool UnitIsMetre { get; set; }
 
-        /// <summary>Where views stand; First.</summary>
+        /// <summary>Where views stand; default First.</summary>
         public ProjectionAngle Projection { get; set; }
 
-        /// <summary>How hidden edges are drawn; Dashed.</summary>
+        /// <summary>How hidden edges are drawn; default Dashed.</summary>
         public HiddenEdges Hidden { get; set; }
 
         /// <summary>
-        /// Names with commas between: front, back, left, right, top, bottom, iso; null = "front,left,top,iso", of third
-        /// angle "front,right,top,iso".
+        /// Names of views with commas between: front, back, left, right, top, bottom, iso; default null =
+        /// "front,left,top,iso", or "front,right,top,iso" with third angle.
         /// </summary>
         public string Views { get; set; }
 
         /// <summary>
-        /// Planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y = 5.  An
-        /// axis without a sign is seen from the front, from above or from the side that is drawn; "+z:20" from above,
-        /// "-z:20" from below.  null = none.
+        /// Cutting planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y =
+        /// 5; default null = none.
         /// </summary>
+        /// <remarks>
+        /// "+z:20" is seen from above and "-z:20" from below.  An axis without a sign is seen from the front, from
+        /// above, or from the side that is drawn.
+        /// </remarks>
         public string Sections { get; set; }
 
         /// <summary>
-        /// "a0" to "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm; null = "auto",
-        /// the smallest of a4 to a0 that has room at the scale, a3 where that is "auto", too.
+        /// Paper: "a0" to "a6", "letter", "legal" or "tabloid", in landscape format, or width and height in mm, such as
+        /// "297x210"; default null = "auto" = the smallest of a4 to a0 that has room at the scale, or a3 if the scale
+        /// is "auto", too.
         /// </summary>
         public string Paper { get; set; }
 
         /// <summary>
-        /// "1:2" = half as large as it is; null = "auto", the largest of 1, 2 and 5 times a power of ten that has room.
+        /// Scale, such as "1:2" for half the size; default null = "auto" = the largest of 1, 2 and 5 times a power of
+        /// ten that has room on the paper.
         /// </summary>
         public string Scale { get; set; }
 
         /// <summary>
-        /// Thin lines where the surface bends without an edge: kinds with commas between, ridges, valleys, suggestive;
-        /// null = none.
+        /// Thin lines where the surface bends without an edge, as kinds with commas between: ridges, valleys,
+        /// suggestive; default null = "none".
         /// </summary>
         public string Smooth { get; set; }
 
-        /// <summary>Title in the title block; null = <see cref="Model"/> without the ending of its name.</summary>
+        /// <summary>
+        /// Title in the title block; default null = <see cref="Model"/> without the ending of its name.
+        /// </summary>
         public string Title { get; set; }
 
-        /// <summary>Name of the file in the title block; null = <see cref="PictureSource.Name"/>.</summary>
+        /// <summary>Name of the file in the title block; default null = <see cref="PictureSource.Name"/>.</summary>
         public string Model { get; set; }
 
         /// <summary>
-        /// Millimetres of a unit of the model, up to 1e9; 0 = 1, or 1000 with <see cref="UnitIsMetre"/> (default).
+        /// Size of a unit of the model, in mm; above 0, up to 1e9; default 0 = 1, or 1000 with
+        /// <see cref="UnitIsMetre"/>.
         /// </summary>
         public double UnitMm { get; set; }
 
         /// <summary>
-        /// Degrees, above 0: edges of a mesh are sharp if its faces meet at more than it; 30.  Larger: fewer edges.
+        /// Angle between two faces of a mesh, in degrees, above which their edge is sharp; above 0, up to 1e9; default
+        /// 30.  Larger: fewer edges.
         /// </summary>
         public double CreaseAngle { get; set; } = 30;
 
-        /// <summary>Width of outlines, mm, 0.01 to 1000; thin lines are half as wide; 0.5.</summary>
+        /// <summary>Width of outlines, in mm; 0.01 to 1000; default 0.5.  Thin lines are half as wide.</summary>
         public double LineWidth { get; set; } = 0.5;
 
-        /// <summary>Distance of the lines in cut faces, mm, 0.01 to 1000; 3.</summary>
+        /// <summary>Distance between the lines in cut faces, in mm; 0.01 to 1000; default 3.</summary>
         public double HatchSpacing { get; set; } = 3;
 
-        /// <summary>Free space between views, mm, above 0; 15.</summary>
+        /// <summary>Free space between views, in mm; above 0, up to 1e9; default 15.</summary>
         public double Spacing { get; set; } = 15;
 
         /// <summary>
-        /// Format, tolerance, speeds and the like; null = their defaults with a tolerance of 0.02.  Its annotations,
-        /// pens and size are not used.
+        /// Format, tolerance, speeds and the like; default null = their defaults with a tolerance of 0.02.
         /// </summary>
+        /// <remarks>Its annotations, pens and size are not used.</remarks>
         public PageOptions Page { get; set; }
 
         internal unsafe void Write(hrbfnpr_views_desc* desc, Pins pins)
@@ -148,7 +159,7 @@ namespace HrbfNpr
 
     internal static unsafe class PictureOutputs
     {
-        /// <summary>Options of a page as a struct that stays where it is as long as the pins.</summary>
+        /// <summary>Writes options of a page as a struct that stays in place as long as the pins.</summary>
         internal static hrbfnpr_page_desc* Describe(PageOptions options, PageFormat? format, Pins pins)
         {
             var page = (hrbfnpr_page_desc*)pins.Pin(new hrbfnpr_page_desc[1]);

@@ -5,9 +5,10 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>What a picture is drawn of: points, a mesh, a model, or a point set.</summary>
-    /// <remarks>Arrays are read while a picture is made, and not kept.  A model and a point set are kept by
-    /// it.</remarks>
+    /// <summary>What is drawn: points, a mesh, a model, or a point set.</summary>
+    /// <remarks>
+    /// Arrays are read while a picture is made, and are not kept.  The picture keeps a model and a point set.
+    /// </remarks>
     /// <example>
     /// <code>
     /// Picture.Draw(PictureSource.FromPoints(points, normals)); // double[] or float[] of x, y, z
@@ -21,62 +22,65 @@ namespace HrbfNpr
         {
         }
 
-        /// <summary>Points, or the vertices of the triangles; not given of a model or point set.</summary>
+        /// <summary>The points, or the vertices of the triangles; not given for a model or a point set.</summary>
         public ArrayView Points { get; private set; }
 
-        /// <summary>Normals of points; not given = none.</summary>
+        /// <summary>The normals of the points; not given = no normals.</summary>
         public ArrayView Normals { get; private set; }
 
-        /// <summary>Three numbers of vertices for each face; not given of points.</summary>
+        /// <summary>The triangles of a mesh, as numbers of points from 0; not given for points.</summary>
         public ArrayView Triangles { get; private set; }
 
-        /// <summary>The surface; null of points, a mesh, or a point set alone.</summary>
+        /// <summary>The model; null for points, a mesh, or a point set alone.</summary>
         public Model Model { get; private set; }
 
-        /// <summary>The marks; null of points and of a mesh.</summary>
+        /// <summary>The marks; null for points and for a mesh.</summary>
         public PointSet PointSet { get; private set; }
 
         /// <summary>
-        /// Sharp edges of a mesh: pairs of numbers of vertices, int, uint or long, whose faces have normals of their
-        /// own in its file.  An array without numbers says that there are none; not given = not known (default).
+        /// Edges of a mesh, as pairs of vertices, whose faces have separate normals in the file; int, uint or long;
+        /// default not given = not known.  An empty array says that there are no such edges.
         /// </summary>
         public ArrayView SharpEdges { get; set; }
 
-        /// <summary>Which way is up by the convention of the file's format; null = not known (default).</summary>
+        /// <summary>Direction that is up by the convention of the file's format; default null = not known.</summary>
         public Vector3d? Up { get; set; }
 
-        /// <summary>Why, for the note, such as "PLY files"; null = "files of this kind".</summary>
+        /// <summary>
+        /// Reason for <see cref="Up"/> in notes, such as "PLY files"; default null = "files of this kind".
+        /// </summary>
         public string UpBy { get; set; }
 
-        /// <summary>Where the scanner stood; null = not known (default).</summary>
+        /// <summary>Place where the scanner stood; default null = not known.</summary>
         public Vector3d? Viewpoint { get; set; }
 
         /// <summary>
-        /// Whether the points are one picture of a depth camera that stood at <see cref="Viewpoint"/>; no by default.
+        /// Whether the points are one image of a depth camera that stood at <see cref="Viewpoint"/>; default false.
         /// </summary>
         public bool IsPhoto { get; set; }
 
         /// <summary>
-        /// Columns of a depth camera's image, whose points stand row by row; 0 = it is none (default).
+        /// Number of columns of a depth camera's image, whose points are given row by row; default 0 = the points are
+        /// no image.
         /// </summary>
         public long Columns { get; set; }
 
-        /// <summary>Rows of that image.</summary>
+        /// <summary>Number of rows of that image; default 0.</summary>
         public long Rows { get; set; }
 
-        /// <summary>Name of the file, for titles and metadata; null = none.</summary>
+        /// <summary>Name of the file, for titles and metadata; default null = none.</summary>
         public string Name { get; set; }
 
-        /// <summary>Points, with normals or without.</summary>
-        /// <param name="points">n points; those that are not finite are left out.</param>
-        /// <param name="normals">n normals of any length; not given, or all zero, = none.</param>
+        /// <summary>Makes a source of points, with or without normals.</summary>
+        /// <param name="points">The n points.  Points that are not finite are left out.</param>
+        /// <param name="normals">The n normals, of any length; not given, or all zero = no normals.</param>
         public static PictureSource FromPoints(ArrayView points, ArrayView normals = default(ArrayView))
         {
             return new PictureSource { Points = points, Normals = normals };
         }
 
-        /// <summary>A mesh of triangles.</summary>
-        /// <param name="vertices">n points, float or double.</param>
+        /// <summary>Makes a source of a mesh.</summary>
+        /// <param name="vertices">The n vertices, float or double.</param>
         /// <param name="triangles">Three numbers of vertices for each face, from 0; int, uint or long.</param>
         public static PictureSource FromMesh(ArrayView vertices, ArrayView triangles)
         {
@@ -87,9 +91,9 @@ namespace HrbfNpr
             return new PictureSource { Points = vertices, Triangles = triangles };
         }
 
-        /// <summary>A surface, with marks that are used as they are, or without.</summary>
-        /// <param name="model">The surface.</param>
-        /// <param name="marks">null = they are placed.</param>
+        /// <summary>Makes a source of a model, with marks that are used as they are, or without marks.</summary>
+        /// <param name="model">The model.</param>
+        /// <param name="marks">The marks; null = the picture places them.</param>
         public static PictureSource FromModel(Model model, PointSet marks = null)
         {
             return new PictureSource
@@ -99,84 +103,84 @@ namespace HrbfNpr
             };
         }
 
-        /// <summary>Marks alone: they draw the contours.</summary>
+        /// <summary>Makes a source of marks without a model.  No lines are drawn, because lines need a model.</summary>
         /// <param name="marks">The marks.</param>
         public static PictureSource FromPointSet(PointSet marks)
         {
             return new PictureSource { PointSet = marks ?? throw new ArgumentNullException(nameof(marks)) };
         }
 
-        /// <summary>As <see cref="FromModel"/>.</summary>
+        /// <summary>Makes a source of a model without marks.</summary>
         public static implicit operator PictureSource(Model model)
         {
             return FromModel(model);
         }
 
-        /// <summary>As <see cref="FromPointSet"/>.</summary>
+        /// <summary>Makes a source of marks without a model.</summary>
         public static implicit operator PictureSource(PointSet marks)
         {
             return FromPointSet(marks);
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>As the other <c>FromPoints</c>, from spans of 3 n numbers, which are copied.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="normals">n normals, or empty.</param>
+        /// <summary>Makes a source of points from spans of 3 n numbers, which are copied.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="normals">The n normals; empty = no normals.</param>
         public static PictureSource FromPoints(ReadOnlySpan<double> points, ReadOnlySpan<double> normals = default)
         {
             return FromPoints(points.ToArray(), normals.IsEmpty ? null : normals.ToArray());
         }
 
-        /// <summary>As the other <c>FromPoints</c>, from spans of 3 n numbers, which are copied.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="normals">n normals, or empty.</param>
+        /// <summary>Makes a source of points from spans of 3 n numbers, which are copied.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="normals">The n normals; empty = no normals.</param>
         public static PictureSource FromPoints(ReadOnlySpan<float> points, ReadOnlySpan<float> normals = default)
         {
             return FromPoints(points.ToArray(), normals.IsEmpty ? null : normals.ToArray());
         }
 
-        /// <summary>As the other <c>FromPoints</c>, from arrays of 3 n numbers.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="normals">n normals, or null.</param>
+        /// <summary>Makes a source of points from arrays of 3 n numbers.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="normals">The n normals; null = no normals.</param>
         public static PictureSource FromPoints(double[] points, double[] normals = null)
         {
             return FromPoints((ArrayView)points, (ArrayView)normals);
         }
 
-        /// <summary>As the other <c>FromPoints</c>, from arrays of 3 n numbers.</summary>
-        /// <param name="points">n points.</param>
-        /// <param name="normals">n normals, or null.</param>
+        /// <summary>Makes a source of points from arrays of 3 n numbers.</summary>
+        /// <param name="points">The n points.</param>
+        /// <param name="normals">The n normals; null = no normals.</param>
         public static PictureSource FromPoints(float[] points, float[] normals = null)
         {
             return FromPoints((ArrayView)points, (ArrayView)normals);
         }
 
-        /// <summary>As the other <c>FromMesh</c>, from spans, which are copied.</summary>
-        /// <param name="vertices">3 n numbers.</param>
+        /// <summary>Makes a source of a mesh from spans, which are copied.</summary>
+        /// <param name="vertices">3 n numbers: x, y, z of each vertex.</param>
         /// <param name="triangles">Three numbers of vertices for each face, from 0.</param>
         public static PictureSource FromMesh(ReadOnlySpan<double> vertices, ReadOnlySpan<int> triangles)
         {
             return FromMesh(vertices.ToArray(), triangles.ToArray());
         }
 
-        /// <summary>As the other <c>FromMesh</c>, from spans, which are copied.</summary>
-        /// <param name="vertices">3 n numbers.</param>
+        /// <summary>Makes a source of a mesh from spans, which are copied.</summary>
+        /// <param name="vertices">3 n numbers: x, y, z of each vertex.</param>
         /// <param name="triangles">Three numbers of vertices for each face, from 0.</param>
         public static PictureSource FromMesh(ReadOnlySpan<float> vertices, ReadOnlySpan<int> triangles)
         {
             return FromMesh(vertices.ToArray(), triangles.ToArray());
         }
 
-        /// <summary>As the other <c>FromMesh</c>, from arrays.</summary>
-        /// <param name="vertices">3 n numbers.</param>
+        /// <summary>Makes a source of a mesh from arrays.</summary>
+        /// <param name="vertices">3 n numbers: x, y, z of each vertex.</param>
         /// <param name="triangles">Three numbers of vertices for each face, from 0.</param>
         public static PictureSource FromMesh(double[] vertices, int[] triangles)
         {
             return FromMesh((ArrayView)vertices, (ArrayView)triangles);
         }
 
-        /// <summary>As the other <c>FromMesh</c>, from arrays.</summary>
-        /// <param name="vertices">3 n numbers.</param>
+        /// <summary>Makes a source of a mesh from arrays.</summary>
+        /// <param name="vertices">3 n numbers: x, y, z of each vertex.</param>
         /// <param name="triangles">Three numbers of vertices for each face, from 0.</param>
         public static PictureSource FromMesh(float[] vertices, int[] triangles)
         {
@@ -184,21 +188,22 @@ namespace HrbfNpr
         }
 #endif
 
-        /// <summary>Looks at the source without drawing it.</summary>
-        /// <exception cref="InvalidArgumentException">A field of the source makes no sense.</exception>
+        /// <summary>Looks at the source without drawing it, and returns facts.</summary>
+        /// <exception cref="InvalidArgumentException">A property of the source is wrong.</exception>
         public SourceInfo Inspect()
         {
             return Inspect(out _);
         }
 
-        /// <summary>Looks at the source without drawing it.</summary>
-        /// <param name="notes">The findings.  Severity Note: a picture repairs it; Warning: it is wrong, with
-        /// advice; Failure: a note <see cref="NoteCode.NotUsable"/> that says why it cannot be drawn.</param>
-        /// <param name="wording">How notes name options.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Looks at the source without drawing it, and returns facts and findings.</summary>
+        /// <param name="notes">Receives the findings.  A Note is something that a picture repairs.  A Warning is
+        /// something that is wrong, with advice.  A Failure, with the code <see cref="NoteCode.NotUsable"/>, says why
+        /// the source cannot be drawn.</param>
+        /// <param name="wording">How notes write the options that they name.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">A field of the source makes no sense.</exception>
+        /// <exception cref="InvalidArgumentException">A property of the source is wrong.</exception>
         public unsafe SourceInfo Inspect(
             out IReadOnlyList<Note> notes, Wording wording = Wording.Fields, Context context = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
