@@ -6,19 +6,22 @@ using System.IO;
 
 namespace HrbfNpr
 {
-    /// <summary>A layer of ready-made marks for <c>PointSet.Create</c>: position and normal are needed.</summary>
+    /// <summary>
+    /// A layer of ready-made marks for <c>PointSet.Create</c>.  Position and normal must be given; other arrays may be
+    /// left out.
+    /// </summary>
     public sealed class OwnLayer
     {
-        /// <summary>Without arrays.</summary>
+        /// <summary>Creates a layer without arrays.</summary>
         public OwnLayer()
         {
         }
 
-        /// <summary>Marks, or strokes.</summary>
-        /// <param name="position">n points, absolute; float or double.</param>
-        /// <param name="normal">n unit normals, outward; float or double.</param>
-        /// <param name="strokeFirst">As <see cref="StrokeFirst"/>; not given for marks that form no strokes.</param>
-        /// <param name="name">"own" if null.</param>
+        /// <summary>Creates a layer of marks or strokes.</summary>
+        /// <param name="position">n absolute positions; float or double.</param>
+        /// <param name="normal">n outward normals, of any length but 0; float or double.</param>
+        /// <param name="strokeFirst">The strokes, as in <see cref="StrokeFirst"/>; not given = no strokes.</param>
+        /// <param name="name">The name for styles; null = "own".</param>
         public OwnLayer(
             ArrayView position, ArrayView normal, ArrayView strokeFirst = default(ArrayView), string name = null)
         {
@@ -28,40 +31,45 @@ namespace HrbfNpr
             Name = name;
         }
 
-        /// <summary>What its marks are; Own.</summary>
+        /// <summary>Kind of the marks, except Any; default Own.</summary>
         public LayerKind Kind { get; set; } = LayerKind.Own;
 
-        /// <summary>1 to 63 bytes of UTF-8; the kind's name if null.</summary>
+        /// <summary>Name for styles, 1 to 63 bytes of UTF-8; default null = that of the kind.</summary>
         public string Name { get; set; }
 
-        /// <summary>n points, absolute; float or double.</summary>
+        /// <summary>n absolute positions; float or double.</summary>
         public ArrayView Position { get; set; }
 
-        /// <summary>n unit normals, outward; float or double.</summary>
+        /// <summary>n outward normals, of any length but 0; float or double.</summary>
         public ArrayView Normal { get; set; }
 
         /// <summary>
-        /// S + 1 uint, rising from 0 to n: stroke s has the marks first[s] to first[s + 1] - 1 from end to end.  No
-        /// strokes by default.
+        /// S + 1 uint that rise from 0 to n: stroke s has the marks first[s] to first[s + 1] - 1 from end to end;
+        /// default not given = no strokes.
         /// </summary>
         public ArrayView StrokeFirst { get; set; }
 
-        /// <summary>S bytes: 0 the first direction, 1 the second; 0 by default.</summary>
+        /// <summary>S bytes: 0 = the first direction, 1 = the second; default not given = 0.</summary>
         public ArrayView StrokeDirection { get; set; }
 
-        /// <summary>n unit tangents; by default along the stroke, or the mark's basis.</summary>
+        /// <summary>
+        /// n directions, of any length, not along the normal; float or double; default not given = along the stroke, or
+        /// the u of the basis for a mark without a stroke.
+        /// </summary>
         public ArrayView Direction { get; set; }
 
-        /// <summary>n times k1, k2, confidence; not known by default.</summary>
+        /// <summary>n times k1, k2 and confidence; float or double; default not given = not known.</summary>
         public ArrayView Curvature { get; set; }
 
-        /// <summary>n numbers in [0, 1); random by default, the same for all marks of a stroke.</summary>
+        /// <summary>
+        /// n ranks in [0, 1); float or double; default not given = random, the same for all marks of a stroke.
+        /// </summary>
         public ArrayView Rank { get; set; }
 
-        /// <summary>n bytes; 0 by default.</summary>
+        /// <summary>n refinement steps, a byte each; default not given = 0.</summary>
         public ArrayView Level { get; set; }
 
-        /// <summary>n numbers in (0, 1]; 1 by default.</summary>
+        /// <summary>n widths in (0, 1]; float or double; default not given = 1.</summary>
         public ArrayView Width { get; set; }
 
         internal unsafe void Write(hrbfnpr_layer_arrays* arrays, Pins pins)
@@ -81,10 +89,11 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Layers of marks on a surface: stipples, strokes, and marks of the program's own [NPAR 5].</summary>
+    /// <summary>A set of marks on a surface, in layers: stipples, strokes, and marks of the program [NPAR 5].</summary>
     /// <remarks>
-    /// Immutable: any number of threads may use a set at a time.  A set that is disposed of or finalised goes on
-    /// living where it is still needed.  Positions are float, relative to <see cref="PointSetInfo.Origin"/>.
+    /// A point set never changes, so several threads may use it at the same time.  A point set that is disposed of or
+    /// finalised stays alive as long as other objects need it.  Positions are float, relative to
+    /// <see cref="PointSetInfo.Origin"/>.
     /// </remarks>
     public sealed unsafe class PointSet : IDisposable
     {
@@ -96,7 +105,7 @@ namespace HrbfNpr
             this.handle = handle;
         }
 
-        /// <summary>Counts, bounds and seconds.</summary>
+        /// <summary>What the point set holds, and how long it took to make.</summary>
         public PointSetInfo Info
         {
             get
@@ -109,7 +118,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Marks in all layers.</summary>
+        /// <summary>Number of marks in all layers.</summary>
         public long Count
         {
             get { return Info.Marks; }
@@ -127,14 +136,14 @@ namespace HrbfNpr
                     {
                         made[i] = new MarkLayer(this, i);
                     }
-                    layers = new ReadOnlyCollection<MarkLayer>(made); // any thread may be the first, or the second
+                    layers = new ReadOnlyCollection<MarkLayer>(made); // two threads may make the list at the same time; either is right
                 }
                 return layers;
             }
         }
 
-        /// <summary>The first layer of a name.</summary>
-        /// <exception cref="KeyNotFoundException">There is none.</exception>
+        /// <summary>The first layer with a name.</summary>
+        /// <exception cref="KeyNotFoundException">No layer has the name.</exception>
         public MarkLayer this[string name]
         {
             get
@@ -150,7 +159,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What became of the seeds' candidates.</summary>
+        /// <summary>What became of the seeds.</summary>
         public PlacementInfo SeedPlacement
         {
             get
@@ -168,29 +177,34 @@ namespace HrbfNpr
             get { return handle; }
         }
 
-        /// <summary>A set of the program's marks, which are copied.</summary>
-        /// <param name="layers">One or more.</param>
-        /// <exception cref="InvalidArgumentException">The message names the layer, the array and the index.</exception>
+        /// <summary>Makes a point set from marks of the program, which are copied.</summary>
+        /// <param name="layers">One or several layers.</param>
+        /// <exception cref="InvalidArgumentException">There is no mark, or a number is wrong; the message names the
+        /// layer, the array and the index.</exception>
         public static PointSet Create(params OwnLayer[] layers)
         {
             return Create(layers, null);
         }
 
-        /// <summary>A set of another set's layers, followed by the program's.</summary>
-        /// <param name="basis">Its layers come first; null for none.</param>
+        /// <summary>Makes a point set from the layers of another one, followed by layers of the program.</summary>
+        /// <param name="basis">The point set whose layers come first; null = none.</param>
         /// <param name="layers">The layers that follow.</param>
-        /// <exception cref="InvalidArgumentException">The message names the layer, the array and the index.</exception>
+        /// <exception cref="InvalidArgumentException">There is no mark, or a number is wrong; the message names the
+        /// layer, the array and the index.</exception>
         public static PointSet Create(PointSet basis, params OwnLayer[] layers)
         {
             return Create(layers, basis);
         }
 
-        /// <summary>A set of the program's marks, or of another set's layers and the program's.</summary>
+        /// <summary>
+        /// Makes a point set from layers of the program, or from the layers of another one and layers of the program.
+        /// </summary>
         /// <param name="layers">The layers that follow.</param>
-        /// <param name="basis">Its layers come first; null for none.</param>
-        /// <param name="randomSeed">For ranks that are not given.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">The message names the layer, the array and the index.</exception>
+        /// <param name="basis">The point set whose layers come first; null = none.</param>
+        /// <param name="randomSeed">The start of the random numbers for ranks that are not given; any number.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="InvalidArgumentException">There is no mark, or a number is wrong; the message names the
+        /// layer, the array and the index.</exception>
         public static PointSet Create(
             IReadOnlyList<OwnLayer> layers, PointSet basis, ulong randomSeed = 1, Context context = null)
         {
@@ -228,9 +242,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Saves the set; the data is versioned and checksummed.</summary>
-        /// <param name="stream">Written to on this thread, and not closed.</param>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <summary>Saves the point set.  The data has a version and a checksum.</summary>
+        /// <param name="stream">The stream, which is written on this thread and is not closed.</param>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public void Save(Stream stream)
         {
             var state = new StreamState(stream);
@@ -242,7 +256,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What <see cref="Save"/> writes.</summary>
+        /// <summary>Returns what <see cref="Save"/> writes.</summary>
         public byte[] ToBytes()
         {
             long size = 0;
@@ -261,12 +275,13 @@ namespace HrbfNpr
             return data;
         }
 
-        /// <summary>Loads a saved set.</summary>
-        /// <param name="stream">Read from on this thread, not beyond the set's end, and not closed.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="CorruptDataException">It is not a saved set, or is cut short or damaged.</exception>
-        /// <exception cref="VersionMismatchException">It was written by a newer library.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <summary>Loads a saved point set.</summary>
+        /// <param name="stream">The stream, which is read on this thread, not beyond the point set's end, and is not
+        /// closed.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="CorruptDataException">The data is no saved point set, truncated or damaged.</exception>
+        /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static PointSet Load(Stream stream, Context context = null)
         {
             context = Context.Resolve(context);
@@ -283,11 +298,11 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Loads what <see cref="ToBytes"/> returned.</summary>
-        /// <param name="data">All of it.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="CorruptDataException">It is not a saved set, or is cut short or damaged.</exception>
-        /// <exception cref="VersionMismatchException">It was written by a newer library.</exception>
+        /// <summary>Loads a point set from the data that <see cref="ToBytes"/> returned.</summary>
+        /// <param name="data">The whole data.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="CorruptDataException">The data is no saved point set, truncated or damaged.</exception>
+        /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         public static PointSet Load(byte[] data, Context context = null)
         {
             if (data == null)
@@ -301,9 +316,9 @@ namespace HrbfNpr
         }
 
 #if NET7_0_OR_GREATER
-        /// <summary>As the other <c>Load</c>.</summary>
-        /// <param name="data">All of a saved set.</param>
-        /// <param name="context">The default context if null.</param>
+        /// <summary>Loads a saved point set, like the other <c>Load</c>.</summary>
+        /// <param name="data">The whole saved point set.</param>
+        /// <param name="context">The context; null = the default context.</param>
         public static PointSet Load(ReadOnlySpan<byte> data, Context context = null)
         {
             fixed (byte* start = data)
@@ -313,7 +328,7 @@ namespace HrbfNpr
         }
 #endif
 
-        /// <summary>Lets go of the set; what still needs it keeps it alive.</summary>
+        /// <summary>Releases the point set.  Objects that need it keep it alive.</summary>
         public void Dispose()
         {
             handle.Dispose();
@@ -324,7 +339,7 @@ namespace HrbfNpr
             byte none;
             if (size == 0)
             {
-                data = &none; // empty data is corrupt, not missing
+                data = &none; // so that empty data is corrupt, not missing
             }
             context = Context.Resolve(context);
             hrbfnpr_error error = Errors.New();

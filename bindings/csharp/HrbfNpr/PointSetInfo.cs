@@ -4,33 +4,36 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What became of candidates for marks: attempted = placed + all dropped.</summary>
+    /// <summary>What became of the candidates for marks: attempted = placed + all dropped.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_placement_info")]
     public struct PlacementInfo
     {
         internal uint StructSize;
         private readonly uint reserved;
 
-        /// <summary>Candidates.</summary>
+        /// <summary>Number of candidates.</summary>
         public readonly long Attempted;
 
-        /// <summary>Marks that came of them.</summary>
+        /// <summary>Number of candidates that became marks.</summary>
         public readonly long Placed;
 
-        /// <summary>Projection ended short of the tolerance.</summary>
+        /// <summary>Number of candidates whose projection did not reach the tolerance.</summary>
         public readonly long DroppedNotConverged;
 
-        /// <summary>Landed too far away, or cut off the rest of the stroke.</summary>
+        /// <summary>
+        /// Number of candidates that landed too far away, lie beyond the end of a trimmed model, or lost the connection
+        /// to their stroke.
+        /// </summary>
         public readonly long DroppedStrayed;
 
-        /// <summary>Zero gradient, or not finite.</summary>
+        /// <summary>Number of candidates where the gradient is 0 or not finite.</summary>
         public readonly long DroppedDegenerate;
 
-        /// <summary>Over the layer's budget.</summary>
+        /// <summary>Number of candidates over the layer's budget.</summary>
         public readonly long DroppedBudget;
     }
 
-    /// <summary>One layer of marks.</summary>
+    /// <summary>What a layer holds.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_layer_info")]
     public unsafe struct LayerInfo
     {
@@ -38,33 +41,33 @@ namespace HrbfNpr
         private readonly uint kind;
         private fixed byte name[64];
 
-        /// <summary>Marks in the layer.</summary>
+        /// <summary>Number of marks.</summary>
         public readonly long Marks;
 
-        /// <summary>Strokes in the layer; 0: its marks form none.</summary>
+        /// <summary>Number of strokes that the marks form; 0 = none.</summary>
         public readonly long Strokes;
 
-        /// <summary>What the count would be if nothing had been dropped, or left out for the budget.</summary>
+        /// <summary>Number of marks that there would be if none had been dropped.</summary>
         public readonly long FullCount;
 
-        /// <summary>Refinement steps taken; of blue-noise strokes the last pass.</summary>
+        /// <summary>Number of refinement steps taken; for blue-noise Hatch the highest level.</summary>
         public readonly int Levels;
 
         private readonly uint reserved;
 
-        /// <summary>Initial step used; of blue-noise strokes the separation.</summary>
+        /// <summary>Initial step used, in the unit of the samples; for blue-noise Hatch the separation.</summary>
         public readonly double Step;
 
-        /// <summary>Seconds that it took.</summary>
+        /// <summary>Time of making the layer, in seconds.</summary>
         public readonly double Seconds;
 
-        /// <summary>What its marks are.</summary>
+        /// <summary>Kind of the layer.</summary>
         public LayerKind Kind
         {
             get { return (LayerKind)kind; }
         }
 
-        /// <summary>What it is called.</summary>
+        /// <summary>Name of the layer.</summary>
         public string Name
         {
             get
@@ -77,7 +80,9 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>What generating a point set did.</summary>
+    /// <summary>
+    /// What a point set holds, and how long it took to make.  Lengths are in the unit of the samples.
+    /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_point_set_info")]
     public struct PointSetInfo
     {
@@ -86,40 +91,40 @@ namespace HrbfNpr
         private readonly uint seedSource;
         private readonly uint reserved;
 
-        /// <summary>How many layers there are.</summary>
+        /// <summary>Number of layers.</summary>
         public readonly long Layers;
 
-        /// <summary>Marks in all layers.</summary>
+        /// <summary>Number of marks in all layers.</summary>
         public readonly long Marks;
 
-        /// <summary>Add it to positions to get absolute coordinates.</summary>
+        /// <summary>Add it to positions to get absolute places.</summary>
         public readonly Vector3d Origin;
 
-        /// <summary>Corner of the box of all marks, absolute.</summary>
+        /// <summary>Lower corner of the box around all marks, absolute.</summary>
         public readonly Vector3d BoundsMin;
 
-        /// <summary>The opposite corner.</summary>
+        /// <summary>Upper corner of the box.</summary>
         public readonly Vector3d BoundsMax;
 
-        /// <summary>sqrt(area per mark) of the largest layer, estimated.</summary>
+        /// <summary>Square root of the area per mark of the largest layer, estimated.</summary>
         public readonly double Spacing;
 
-        /// <summary>Seconds to find the seeds.</summary>
+        /// <summary>Time of finding the seeds, in seconds.</summary>
         public readonly double SecondsSeeds;
 
-        /// <summary>Seconds of it all.</summary>
+        /// <summary>Time of the whole call, in seconds.</summary>
         public readonly double SecondsTotal;
 
-        /// <summary>Bytes kept by the set.</summary>
+        /// <summary>Bytes that the point set keeps.</summary>
         public readonly long Bytes;
 
-        /// <summary>As asked for.</summary>
+        /// <summary>The distribution that was used.</summary>
         public Distribution Distribution
         {
             get { return (Distribution)distribution; }
         }
 
-        /// <summary>The one used.</summary>
+        /// <summary>The seed source that was used.</summary>
         public SeedSource SeedSource
         {
             get { return (SeedSource)seedSource; }

@@ -1,31 +1,47 @@
 // SPDX-License-Identifier: MIT
 namespace HrbfNpr
 {
-    /// <summary>How a drawing becomes an image, and what is wanted beside the picture.</summary>
+    /// <summary>
+    /// How a drawing is drawn into an image, and which arrays are filled with it; a new one holds all defaults.
+    /// </summary>
+    /// <remarks>Each array has width * height elements, row by row from the top-left pixel of the image.</remarks>
     public sealed class RasterOptions
     {
         /// <summary>
-        /// Bytes from a row to the one below; 0 = packed (default).  Negative for an image whose first row in memory
-        /// is the lowest: the pixels given are the top-left one's, wherever it is.
+        /// Bytes from a row to the row below; default 0 = packed.  Negative for an image that is stored bottom-up.
         /// </summary>
+        /// <remarks>With native memory, pass the address of the top-left pixel for either sign.</remarks>
         public long RowStride { get; set; }
 
-        /// <summary>Lay the drawing over the image's contents; wants a style with transparent paper.</summary>
+        /// <summary>
+        /// Whether to lay the drawing over the image instead of replacing the image inside the viewport; default false.
+        /// Use it with transparent paper.
+        /// </summary>
         public bool Over { get; set; }
 
-        /// <summary>Blend in linear light (sRGB decoded), not in encoded values.</summary>
+        /// <summary>
+        /// Whether to blend in linear light (sRGB decoded) instead of in encoded values; default false.
+        /// </summary>
         public bool LinearLight { get; set; }
 
-        /// <summary>width * height floats in the camera's convention: hides the ink behind it.</summary>
+        /// <summary>
+        /// Depth of the host's scene in the camera's depth convention, float; ink behind it is not drawn; default not
+        /// given.
+        /// </summary>
         public ArrayView HostDepth { get; set; }
 
-        /// <summary>width * height floats, to be filled: depth of the nearest surface.</summary>
+        /// <summary>
+        /// Receives the depth of the nearest surface in the camera's depth convention, float; the far plane where there
+        /// is no surface; default not given.
+        /// </summary>
         public ArrayView Depth { get; set; }
 
-        /// <summary>width * height uints, to be filled: id of the nearest drawn mark, 0 = none.</summary>
+        /// <summary>Receives the id of the nearest drawn mark, uint; 0 = none; default not given.</summary>
         public ArrayView Id { get; set; }
 
-        /// <summary>width * height bytes or uints, to be filled: <see cref="HrbfNpr.MarkClass"/> of that mark.</summary>
+        /// <summary>
+        /// Receives the class of that mark (<see cref="HrbfNpr.MarkClass"/>), byte or uint; default not given.
+        /// </summary>
         public ArrayView MarkClass { get; set; }
 
         internal void Write(ref hrbfnpr_raster_desc desc, Pins pins)

@@ -6,10 +6,10 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>Makes drawings of point sets for a camera [NPAR 6].</summary>
+    /// <summary>Makes drawings of items for a camera [NPAR 6].</summary>
     /// <remarks>
-    /// It keeps its scratch memory, and the memory of drawings that were disposed of, from one drawing to the next.
-    /// Calls of several threads wait for each other: give each thread a renderer of its own.
+    /// A renderer keeps its scratch memory from one drawing to the next, and the memory of drawings that were disposed
+    /// of.  Calls of several threads to one renderer wait for each other, so give each thread its own renderer.
     /// </remarks>
     /// <example>
     /// <code>
@@ -32,8 +32,8 @@ namespace HrbfNpr
         private readonly List<UserHandle> users = new List<UserHandle>();
         private bool drawing;
 
-        /// <summary>Makes a renderer.</summary>
-        /// <param name="context">The default context if null.</param>
+        /// <summary>Creates a renderer.</summary>
+        /// <param name="context">The context; null = the default context.</param>
         public Renderer(Context context = null)
         {
             context = Context.Resolve(context);
@@ -44,15 +44,16 @@ namespace HrbfNpr
         }
 
         /// <summary>Draws one item.</summary>
-        /// <param name="item">What is drawn; a point set stands for itself in the default style.</param>
-        /// <param name="camera">Where it is seen from.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
-        /// <param name="cancellationToken">Cancels the call; the renderer can go on.</param>
-        /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
-        /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
-        /// number out of its range, or lines that need curvatures, of a line set without.</exception>
-        /// <exception cref="CallbackException">A tone function, or the function of an item's model or of its line
-        /// set's, threw.</exception>
+        /// <param name="item">What is drawn.  A point set converts implicitly, to an item in the default style.</param>
+        /// <param name="camera">The camera.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call.  The renderer can be used again.</param>
+        /// <returns>A drawing.  If it is disposed of before the next but one is made, its memory is used
+        /// again.</returns>
+        /// <exception cref="InvalidArgumentException">The camera has no viewport, a transform is singular, a number of
+        /// a style is out of its range, or lines need curvatures and the line set has none.</exception>
+        /// <exception cref="CallbackException">A tone function or the function of a model threw an
+        /// exception.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
         public Drawing Draw(
             Item item, Camera camera, IProgress<double> progress = null,
@@ -74,16 +75,17 @@ namespace HrbfNpr
         }
 
         /// <summary>Draws several items.</summary>
-        /// <param name="items">What is drawn; may be none.</param>
-        /// <param name="camera">Where they are seen from.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
-        /// <param name="cancellationToken">Cancels the call; the renderer can go on.</param>
-        /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
-        /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
-        /// number out of its range, lines that need curvatures, of a line set without, or styles of different paper
+        /// <param name="items">What is drawn; may be empty.</param>
+        /// <param name="camera">The camera.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
+        /// <param name="cancellationToken">Cancels the call.  The renderer can be used again.</param>
+        /// <returns>A drawing.  If it is disposed of before the next but one is made, its memory is used
+        /// again.</returns>
+        /// <exception cref="InvalidArgumentException">The camera has no viewport, a transform is singular, a number of
+        /// a style is out of its range, lines need curvatures and the line set has none, or styles have different paper
         /// or visibility.</exception>
-        /// <exception cref="CallbackException">A tone function, or the function of an item's model or of its line
-        /// set's, threw.</exception>
+        /// <exception cref="CallbackException">A tone function or the function of a model threw an
+        /// exception.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
         public Drawing Draw(
             IReadOnlyList<Item> items, Camera camera, IProgress<double> progress = null,
@@ -100,7 +102,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Lets go of the renderer's memory; drawings live on.</summary>
+        /// <summary>Releases the memory of the renderer.  Its drawings stay alive.</summary>
         public void Dispose()
         {
             lock (gate)
@@ -118,7 +120,7 @@ namespace HrbfNpr
             return item.Style == null ? size : size + StyleMemory.Size(item.Style);
         }
 
-        /// <summary>A function that a drawing calls may not draw with the same renderer.</summary>
+        /// <summary>Refuses to draw from a function that a drawing of the same renderer runs.</summary>
         private void CheckIdle()
         {
             if (drawing)
@@ -127,7 +129,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Without an operation where nobody wants one, so that a warm frame makes no garbage.</summary>
+        /// <summary>
+        /// Draws without an operation if neither progress nor cancelling is used, so that a frame allocates no managed
+        /// memory.
+        /// </summary>
         private Drawing DrawWatched(
             IReadOnlyList<Item> items, Camera camera, IProgress<double> progress, CancellationToken token)
         {

@@ -5,10 +5,10 @@ using System.IO;
 namespace HrbfNpr
 {
     /// <summary>
-    /// What a picture is made with, as a file of JSON that <see cref="Picture.SaveSettings(Stream)"/>, the command
-    /// line or the viewer wrote; see docs/settings.md of the project.
+    /// What a picture is made with, as a JSON file that <see cref="Picture.SaveSettings(Stream)"/>, the command line or
+    /// the viewer wrote. docs/settings.md describes the format.
     /// </summary>
-    /// <remarks>Immutable: any number of threads may use it at a time.</remarks>
+    /// <remarks>It never changes, so several threads may use it at the same time.</remarks>
     public sealed class Settings : IDisposable
     {
         private readonly SettingsHandle handle;
@@ -24,11 +24,11 @@ namespace HrbfNpr
         }
 
         /// <summary>Reads settings.</summary>
-        /// <param name="stream">Read from on this thread to its end, and not closed.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">The message names the key, and says what would be
-        /// right.</exception>
-        /// <exception cref="StreamException">The stream failed.</exception>
+        /// <param name="stream">The stream, which is read to its end on this thread and is not closed.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="InvalidArgumentException">The settings are wrong; the message names the key and says what
+        /// would be right.</exception>
+        /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static unsafe Settings Load(Stream stream, Context context = null)
         {
             context = Context.Resolve(context);
@@ -45,11 +45,11 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Reads a file of settings.</summary>
+        /// <summary>Reads settings from a file.</summary>
         /// <param name="path">The file.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">The message names the key, and says what would be
-        /// right.</exception>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <exception cref="InvalidArgumentException">The settings are wrong; the message names the key and says what
+        /// would be right.</exception>
         public static Settings Load(string path, Context context = null)
         {
             using (FileStream file = File.OpenRead(path))
@@ -58,7 +58,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Lets go of the settings; pictures that were made with them keep them.</summary>
+        /// <summary>Releases the settings.  Pictures that were made with them keep them alive.</summary>
         public void Dispose()
         {
             handle.Dispose();

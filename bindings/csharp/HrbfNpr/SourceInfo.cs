@@ -4,8 +4,8 @@ using System.Runtime.InteropServices;
 namespace HrbfNpr
 {
     /// <summary>
-    /// What <see cref="PictureSource.Inspect()"/> found.  What is not known of this kind of source is 0, and so is what
-    /// would have been found out after the finding that it cannot be drawn.
+    /// What <see cref="PictureSource.Inspect()"/> found.  A field that does not apply to the kind of source is 0.  If
+    /// the source cannot be drawn, fields that were not examined any more are 0.
     /// </summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_source_info")]
     public unsafe struct SourceInfo
@@ -15,34 +15,38 @@ namespace HrbfNpr
         private readonly uint severity;
         private readonly uint normalsLook;
 
-        /// <summary>As given: points, vertices of a mesh, centres of a model, marks of a point set.</summary>
+        /// <summary>
+        /// Number of given points: points, vertices of a mesh, centres of a model, or marks of a point set.
+        /// </summary>
         public readonly long Points;
 
-        /// <summary>Triangles, as given.</summary>
+        /// <summary>Number of given triangles.</summary>
         public readonly long Triangles;
 
-        /// <summary>Points at a value that stands for none; what follows is without them.</summary>
+        /// <summary>Number of points at a value that means "no data"; all following fields leave them out.</summary>
         public readonly long NoData;
 
-        /// <summary>Points far from all others; what follows is without them.</summary>
+        /// <summary>Number of points far from all others; all following fields leave them out.</summary>
         public readonly long Strays;
 
-        /// <summary>Points that are not finite.</summary>
+        /// <summary>Number of points without a finite position.</summary>
         public readonly long PointsNotFinite;
 
-        /// <summary>Points, or vertices of faces, at the place of another.</summary>
+        /// <summary>Number of points, or vertices of faces, at the place of another.</summary>
         public readonly long Duplicates;
 
-        /// <summary>Corner of the box of finite points.</summary>
+        /// <summary>Lower corner of the box around the finite points.</summary>
         public readonly Vector3d BoundsMin;
 
-        /// <summary>The opposite corner.</summary>
+        /// <summary>Upper corner of the box.</summary>
         public readonly Vector3d BoundsMax;
 
         /// <summary>Diagonal of these bounds.</summary>
         public readonly double Diagonal;
 
-        /// <summary>Which way is up as a picture chooses by itself, of points and meshes.</summary>
+        /// <summary>
+        /// Direction that a picture chooses as up, for points and meshes; <see cref="UpReason"/> says why.
+        /// </summary>
         public readonly Vector3d Up;
 
         private readonly uint hasNormals;
@@ -50,116 +54,121 @@ namespace HrbfNpr
         private readonly uint looksDown;
         private readonly uint reserved;
 
-        /// <summary>Normals of length 0.</summary>
+        /// <summary>Number of normals that are zero.</summary>
         public readonly long NormalsZero;
 
-        /// <summary>Normals that are not finite.</summary>
+        /// <summary>Number of normals that are not finite.</summary>
         public readonly long NormalsNotFinite;
 
-        /// <summary>Share of length 1, of those normals that can be used; 0 to 1.</summary>
+        /// <summary>Share of the usable normals that have length 1; 0 to 1.</summary>
         public readonly double NormalsUnitShare;
 
         /// <summary>
-        /// Sum of the winding numbers on both sides of the samples, in the middle: 1 closed and outward, -1 inward, 0 a
-        /// flat sheet; also of faces, not of points along curves.
+        /// Median over the samples of the sum of the winding numbers on both sides: 1 = closed and outward, -1 =
+        /// inward, 0 = a flat sheet; 0 for points along curves.  Also set for faces.
         /// </summary>
         public readonly double NormalsClosed;
 
         /// <summary>
-        /// Share of normals that are flipped as judged by their neighbours; also of faces, not of points along curves.
+        /// Share of the normals that look flipped beside their neighbours; 0 to 1; 0 for points along curves.  Also set
+        /// for faces.
         /// </summary>
         public readonly double NormalsFlippedShare;
 
-        /// <summary>Pixels of a depth camera that have a point.</summary>
+        /// <summary>Number of pixels of a depth camera that have a point.</summary>
         public readonly long ImageSeen;
 
-        /// <summary>Those of these pixels that are on no surface.</summary>
+        /// <summary>Number of these pixels that lie on no surface.</summary>
         public readonly long ImageDropped;
 
-        /// <summary>Median of the depths that were seen.</summary>
+        /// <summary>Median depth of the pixels that have a point.</summary>
         public readonly double ImageDepth;
 
-        /// <summary>Standard deviation at that depth.</summary>
+        /// <summary>Standard deviation of the depth, at that depth.</summary>
         public readonly double ImageNoise;
 
         private readonly uint closed;
         private readonly uint insideOut;
 
-        /// <summary>Parts of a mesh that share no vertex.</summary>
+        /// <summary>Number of parts of a mesh that share no vertex.</summary>
         public readonly long Components;
 
-        /// <summary>Parts without border whose faces look inward; inside another one such a part is a cavity.</summary>
+        /// <summary>
+        /// Number of parts without a border whose faces look inward.  Such a part inside another one is a cavity.
+        /// </summary>
         public readonly long ComponentsInsideOut;
 
-        /// <summary>Edges of one face.</summary>
+        /// <summary>Number of edges with one face.</summary>
         public readonly long BoundaryEdges;
 
-        /// <summary>Borders.</summary>
+        /// <summary>Number of borders.</summary>
         public readonly long BoundaryLoops;
 
-        /// <summary>Edges of more than two faces.</summary>
+        /// <summary>Number of edges with more than two faces.</summary>
         public readonly long NonmanifoldEdges;
 
-        /// <summary>What <see cref="TriangleMesh"/> leaves of them.</summary>
+        /// <summary>Number of these edges that <see cref="TriangleMesh"/> cannot mend.</summary>
         public readonly long NonmanifoldLeft;
 
-        /// <summary>Edges of two faces, one of which is turned over.</summary>
+        /// <summary>Number of edges with two faces, one of which is turned over.</summary>
         public readonly long ContraryEdges;
 
-        /// <summary>Faces with a corner that is not finite.</summary>
+        /// <summary>Number of faces with a corner that is not finite.</summary>
         public readonly long FacesNotFinite;
 
-        /// <summary>Faces without area.</summary>
+        /// <summary>Number of faces without area.</summary>
         public readonly long DegenerateFaces;
 
-        /// <summary>Faces with the corners of another.</summary>
+        /// <summary>Number of faces with the same corners as another.</summary>
         public readonly long RepeatedFaces;
 
-        /// <summary>Vertices of no face.</summary>
+        /// <summary>Number of vertices of no face.</summary>
         public readonly long UnusedVertices;
 
-        /// <summary>Area of all faces.</summary>
+        /// <summary>Area, in squared units of the source.</summary>
         public readonly double Area;
 
-        /// <summary>Enclosed volume; 0 where the mesh is not closed.</summary>
+        /// <summary>Enclosed volume, in cubed units of the source; 0 if the mesh is not closed.</summary>
         public readonly double Volume;
 
         private fixed byte upReason[128];
 
-        /// <summary>What the source is.</summary>
+        /// <summary>Kind of the source.</summary>
         public SourceKind Kind
         {
             get { return (SourceKind)kind; }
         }
 
         /// <summary>
-        /// How bad the worst finding is: Info = there is none, Note = a picture repairs it, Warning, Failure = it cannot be
-        /// drawn.
+        /// Severity of the worst finding.  Info: no finding; Note: a picture repairs it; Warning: something is wrong;
+        /// Failure: it cannot be drawn.
         /// </summary>
         public Severity Severity
         {
             get { return (Severity)severity; }
         }
 
-        /// <summary>Which way the normals of points or of faces look.</summary>
+        /// <summary>Which way the normals of points or faces look.</summary>
         public NormalsLook NormalsLook
         {
             get { return (NormalsLook)normalsLook; }
         }
 
-        /// <summary>Whether there are normals that are not zero.</summary>
+        /// <summary>Whether some normals are given that are not zero.</summary>
         public bool HasNormals
         {
             get { return hasNormals != 0; }
         }
 
-        /// <summary>Whether the points lie along curves, as those of wires and cross sections do.</summary>
+        /// <summary>Whether the points lie along curves, such as wires or cross sections.</summary>
         public bool AlongCurves
         {
             get { return alongCurves != 0; }
         }
 
-        /// <summary>The axis along which a terrain looks down: 1 = y, 2 = z; 0 = it does not, or is none.</summary>
+        /// <summary>
+        /// Axis along which a terrain looks down: 1 = y, 2 = z; 0 = it does not, or is no terrain.  Also set for faces.
+        /// </summary>
         public int LooksDown
         {
             get { return (int)looksDown; }
@@ -177,7 +186,7 @@ namespace HrbfNpr
             get { return insideOut != 0; }
         }
 
-        /// <summary>Why <see cref="Up"/> is up, such as "it is so in PLY files"; empty if it is not known.</summary>
+        /// <summary>Reason for <see cref="Up"/>, such as "it is so in PLY files"; empty if up is not known.</summary>
         public string UpReason
         {
             get

@@ -26,7 +26,7 @@ namespace HrbfNpr
             this.stream = stream ?? throw new ArgumentNullException(nameof(stream));
         }
 
-        /// <summary>Throws what the stream threw, or what the call says.</summary>
+        /// <summary>Throws what the stream threw, or the failure of the call.</summary>
         internal void Check(int status, hrbfnpr_error* error)
         {
             CheckStream();

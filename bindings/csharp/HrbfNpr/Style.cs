@@ -5,14 +5,17 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>Any illumination model.</summary>
-    /// <param name="positions">3 n numbers, world.</param>
-    /// <param name="normals">3 n numbers, unit.</param>
-    /// <param name="tau">To be filled: n numbers, 1 = light, 0 = dark.</param>
+    /// <summary>Computes the tone of n places, by any illumination model.</summary>
+    /// <param name="positions">3 n numbers: world positions.</param>
+    /// <param name="normals">3 n numbers: unit normals.</param>
+    /// <param name="tau">Receives n numbers: 1 = light, 0 = dark.  Numbers outside 0 to 1 are clamped.</param>
     public delegate void ToneFunction(float[] positions, float[] normals, float[] tau);
 
-    /// <summary>How a point set is drawn.  Plain data: it may be changed at any time, but not while something is drawn.</summary>
-    /// <remarks>Numbers out of range are refused by <c>Renderer.Draw</c>.</remarks>
+    /// <summary>
+    /// How an item is drawn.  A style is plain data: it may be changed at any time, except while something is drawn
+    /// with it.
+    /// </summary>
+    /// <remarks><c>Renderer.Draw</c> refuses numbers out of range.</remarks>
     /// <example>
     /// <code>
     /// var style = Style.Preset(Preset.CrossHatch);
@@ -22,7 +25,7 @@ namespace HrbfNpr
     /// </example>
     public sealed unsafe class Style
     {
-        /// <summary>The library's default style.</summary>
+        /// <summary>Creates the library's default style.</summary>
         public Style()
         {
             hrbfnpr_style style;
@@ -32,8 +35,8 @@ namespace HrbfNpr
             Read(&style);
         }
 
-        /// <param name="style">A struct of the library's.</param>
-        /// <param name="owner">The picture that it belongs to; null of a preset.</param>
+        /// <param name="style">A style of the library.</param>
+        /// <param name="owner">The picture that it belongs to; null for a preset.</param>
         internal Style(hrbfnpr_style* style, SafeHandle owner = null)
         {
             var layers = new List<LayerStyle>();
@@ -85,104 +88,149 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// How layers are drawn: a layer of marks takes the first that is for it, or the defaults of a new
+        /// Styles of layers.  A layer of marks takes the first that is for it, or else the defaults of a new
         /// <see cref="LayerStyle"/>.
         /// </summary>
         public IList<LayerStyle> Layers { get; }
 
         /// <summary>
-        /// The lines that are drawn, with <see cref="HrbfNpr.Visibility.DepthLayers"/>, of items that have a
-        /// <see cref="Item.LineSet"/>.  All presets but Stipple have one; a new style has none.
+        /// Styles of lines, for items that have a <see cref="Item.LineSet"/>; default empty = no lines.  Used with
+        /// <see cref="HrbfNpr.Visibility.DepthLayers"/>; all presets except Stipple have some.
         /// </summary>
         public IList<LineStyle> Lines { get; }
 
-        /// <summary>What becomes of marks behind nearer surfaces.</summary>
+        /// <summary>How ink behind a nearer surface is drawn; default Attenuate.</summary>
         public HiddenLines HiddenLines { get; set; }
 
-        /// <summary>How it is found what lies in front; one for all styles of a drawing.</summary>
+        /// <summary>
+        /// How hidden marks are found; default DepthLayers.  It must be the same in all styles of a drawing.
+        /// </summary>
         public Visibility Visibility { get; set; }
 
-        /// <summary>delta in (0, 1): with Visibility.Published marks with |n . v| below it are contours [NPAR 6].</summary>
+        /// <summary>
+        /// delta, which separates front, back and silhouette marks with Visibility.Published; in (0, 1); default 0.2.
+        /// Larger: wider contours [NPAR 6].
+        /// </summary>
         public double SilhouetteThreshold { get; set; }
 
-        /// <summary>lambda of alpha_f = nu^2 lambda.</summary>
+        /// <summary>
+        /// lambda of alpha_f = nu^2 lambda, the opacity of surface that faces the eye; 0 or more; default 1.  Larger:
+        /// hidden ink is paler.
+        /// </summary>
         public double AttenuationFront { get; set; }
 
-        /// <summary>lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.</summary>
+        /// <summary>
+        /// lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda, the opacity of surface that faces away; 0 or more;
+        /// default 1.  Larger: hidden ink is paler.
+        /// </summary>
         public double AttenuationBack { get; set; }
 
-        /// <summary>Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.</summary>
+        /// <summary>
+        /// Radius of the splat, the disc of surface around a mark, in pixels; 0 to 16384; default 0 = from the marks'
+        /// spacing in the picture.
+        /// </summary>
         public float SplatRadius { get; set; }
 
-        /// <summary>How far beyond its contour a surface hides what lies behind, pixels.</summary>
+        /// <summary>
+        /// Width of the halo, in pixels at any zoom; 0 to 16384; default 2.  A surface hides what lies behind it up to
+        /// this far beyond its contour.
+        /// </summary>
         public float HaloWidth { get; set; }
 
-        /// <summary>n above 0: a depth layer is as opaque as n overlapping splats; 0: as published.</summary>
+        /// <summary>
+        /// Number n of splats that overlap in a depth layer, whose opacity is 1 - (1 - alpha)^n; 0 to 1e6; default 8; 0
+        /// = each mark paints with alpha itself, as published.  Larger: hidden ink is paler.
+        /// </summary>
         public float SplatOverlap { get; set; }
 
-        /// <summary>Where the tone of front marks comes from; a tone function sets it to Callback.</summary>
+        /// <summary>
+        /// Source of the tone of front marks; default Light.  Setting <see cref="ToneFunction"/> sets it to Callback.
+        /// </summary>
         public Tone Tone { get; set; }
 
-        /// <summary>How tone, depth, zoom and share are combined.</summary>
+        /// <summary>Which front marks are shown; default Share.</summary>
         public ToneRule ToneRule { get; set; }
 
-        /// <summary>How many marks a tone takes.</summary>
+        /// <summary>How many marks a tone shows, with <see cref="HrbfNpr.ToneRule.Share"/>; default Coverage.</summary>
         public ToneCurve ToneCurve { get; set; }
 
-        /// <summary>0 to 1: marks grow over this share of the marks shown; 0 = they pop.</summary>
+        /// <summary>
+        /// Share of the shown marks over which a mark grows from nothing to its full area; 0 to 1; default 0.25; 0 =
+        /// marks pop in.
+        /// </summary>
         public float ToneFade { get; set; }
 
-        /// <summary>lambda of the tone law, above 0.</summary>
+        /// <summary>
+        /// lambda, the exponent of the tone law; above 0; default 1.  Larger: the picture gets darker.
+        /// </summary>
         public double ToneExponent { get; set; }
 
         /// <summary>
-        /// 0 to 1: light from the side opposite to <see cref="Light"/>, so that what is turned away keeps its form.
-        /// Not as published.
+        /// Strength of a light from the side opposite to <see cref="Light"/>, which lets the unlit side keep its form;
+        /// 0 to 1; default 0.25.
         /// </summary>
         public float FillLight { get; set; }
 
         /// <summary>
-        /// For <see cref="HrbfNpr.Tone.Callback"/>; called on the thread that draws.  What it throws comes out in a
-        /// <see cref="CallbackException"/>.
+        /// The function of <see cref="HrbfNpr.Tone.Callback"/>, which runs on the thread that draws; default null.  If
+        /// it throws, the drawing throws a <see cref="CallbackException"/>.
         /// </summary>
         public ToneFunction ToneFunction { get; set; }
 
         /// <summary>
-        /// The library's own function in place of <see cref="ToneFunction"/>, where a picture is painted; else null.
+        /// The library's function in place of <see cref="ToneFunction"/>, if a picture is painted; else null.
         /// </summary>
         internal NativeFunction NativeTone { get; private set; }
 
-        /// <summary>What the light moves with.</summary>
+        /// <summary>Space of <see cref="Light"/>; default Camera.</summary>
         public LightSpace LightSpace { get; set; }
 
-        /// <summary>Towards the light; normalised on use.</summary>
+        /// <summary>Direction to the light, of any length but 0; default (-0.4, 0.6, 0.7).</summary>
         public Vector3d Light { get; set; }
 
-        /// <summary>Ink of contour marks.</summary>
+        /// <summary>Colour of silhouette marks, with Visibility.Published; default black.</summary>
         public Color SilhouetteInk { get; set; }
 
-        /// <summary>Of contour marks, pixels.</summary>
+        /// <summary>
+        /// Radius of a silhouette mark, in pixels, with Visibility.Published; above 0, up to 16384; default 1.
+        /// </summary>
         public float SilhouetteRadius { get; set; }
 
-        /// <summary>As <see cref="LayerStyle.RadiusZoom"/>.</summary>
+        /// <summary>
+        /// How <see cref="SilhouetteRadius"/> follows the zoom, as <see cref="LayerStyle.RadiusZoom"/>; 0 to 1; default
+        /// 0.
+        /// </summary>
         public float SilhouetteRadiusZoom { get; set; }
 
-        /// <summary>Distance from the camera where depth attenuation starts.</summary>
+        /// <summary>
+        /// Distance from the camera at which marks begin to vanish, in world units; default 0.  If it and
+        /// <see cref="DepthMax"/> are 0, distance has no effect.
+        /// </summary>
         public double DepthMin { get; set; }
 
-        /// <summary>... and where nothing is shown any more; 0 and 0 = off.</summary>
+        /// <summary>
+        /// Distance from the camera from which on nothing is shown, in world units; above <see cref="DepthMin"/>;
+        /// default 0 = no effect.
+        /// </summary>
         public double DepthMax { get; set; }
 
-        /// <summary>Pixels per world unit at which all marks are shown; 0 = off.</summary>
+        /// <summary>
+        /// Pixels per world unit from which on all marks are shown; 0 or more; default 0 = no effect.
+        /// </summary>
         public double ZoomReference { get; set; }
 
-        /// <summary>How fast marks vanish below it, 0 or more; 2 keeps the ink per area.</summary>
+        /// <summary>
+        /// Exponent of the zoom, by which the share of shown marks falls below <see cref="ZoomReference"/>; 0 or more;
+        /// default 2, which keeps the ink per area.
+        /// </summary>
         public double ZoomExponent { get; set; }
 
-        /// <summary>Colour of the paper; alpha 0 = transparent.  One for all styles of a drawing.</summary>
+        /// <summary>
+        /// Colour of the paper; default white; alpha 0 = transparent.  It must be the same in all styles of a drawing.
+        /// </summary>
         public Color Paper { get; set; }
 
-        /// <summary>Gives all layers, all lines and the contours one ink.</summary>
+        /// <summary>Sets the ink of all layers, all lines and the contours.</summary>
         public Color Ink
         {
             set
@@ -203,8 +251,8 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A named style, to be changed further.</summary>
-        /// <remarks><see cref="GenerateOptions.ForPreset"/> makes the layers that it draws.</remarks>
+        /// <summary>Makes a named style, which can be changed.</summary>
+        /// <remarks><see cref="GenerateOptions.ForPreset"/> makes the layers of marks that it draws.</remarks>
         /// <exception cref="InvalidArgumentException">There is no such preset.</exception>
         public static Style Preset(Preset preset)
         {
@@ -217,20 +265,22 @@ namespace HrbfNpr
             return new Style(&style);
         }
 
-        /// <summary>The name of a preset, such as "cross-hatch"; null for a number that is no preset's.</summary>
+        /// <summary>
+        /// Returns the name of a preset, such as "cross-hatch"; null for a number that no preset has.
+        /// </summary>
         public static string PresetName(Preset preset)
         {
             byte* name = NativeMethods.hrbfnpr_preset_name(unchecked((uint)preset));
             return name == null ? null : Errors.Utf8(name);
         }
 
-        /// <summary>Another style like this one.</summary>
+        /// <summary>Copies the style.</summary>
         public Style Clone()
         {
             return new Style(this);
         }
 
-        /// <summary>Everything but the layers, the lines and the tone function.</summary>
+        /// <summary>Writes everything except the layers, the lines and the tone function.</summary>
         internal void Write(hrbfnpr_style* style)
         {
             Errors.Check(NativeMethods.hrbfnpr_style_init(style, (uint)sizeof(hrbfnpr_style)));
@@ -305,7 +355,7 @@ namespace HrbfNpr
             Called = function;
         }
 
-        /// <summary>The program's function.</summary>
+        /// <summary>The function of the program.</summary>
         internal ToneFunction Called { get; }
 
         [MonoPInvokeCallback(typeof(NativeCallbacks.Tone))]

@@ -5,9 +5,10 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>
-    /// A triangle mesh, welded, oriented, and without the parts that lie inside others.  Immutable: any number of
-    /// threads may use it at a time.
+    /// A triangle mesh that has been repaired: vertices are joined, faces are turned to agree, and components inside
+    /// others are left out.
     /// </summary>
+    /// <remarks>A mesh never changes, so several threads may use it at the same time.</remarks>
     /// <example>
     /// <code>
     /// using (var mesh = new TriangleMesh(vertices, triangles)) // double[] or float[], int[]
@@ -21,15 +22,16 @@ namespace HrbfNpr
     {
         private readonly MeshHandle handle;
 
-        /// <summary>Makes a mesh.</summary>
-        /// <param name="vertices">n points.</param>
-        /// <param name="triangles">Three numbers of vertices each, from 0, counter-clockwise as seen from outside.</param>
-        /// <param name="options">All defaults if null.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <summary>Makes a mesh from triangles, and repairs it.</summary>
+        /// <param name="vertices">The n vertices.</param>
+        /// <param name="triangles">Three numbers of vertices for each face, from 0, counter-clockwise as seen from
+        /// outside.</param>
+        /// <param name="options">The options; null = all defaults.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">An index is no vertex's (the message names the face and the
-        /// index), a corner is not finite, or no face has an area.</exception>
+        /// <exception cref="InvalidArgumentException">A corner is not the number of a vertex, or its vertex is not
+        /// finite (the message names the face and the index), or no face is left.</exception>
         /// <exception cref="CancelledException">The call was cancelled.</exception>
         public TriangleMesh(
             ArrayView vertices, ArrayView triangles, MeshOptions options = null, Context context = null,
@@ -66,7 +68,7 @@ namespace HrbfNpr
             this.handle = handle;
         }
 
-        /// <summary>What making it found, and did.</summary>
+        /// <summary>What making the mesh found and did.</summary>
         public MeshInfo Info
         {
             get
@@ -84,8 +86,8 @@ namespace HrbfNpr
             get { return handle; }
         }
 
-        /// <summary>The mesh's own arrays; nothing is copied.</summary>
-        /// <param name="attribute">What of it.</param>
+        /// <summary>Gives a view of an array of the mesh, without a copy.</summary>
+        /// <param name="attribute">The array.</param>
         public NativeView View(MeshAttribute attribute)
         {
             hrbfnpr_array view;
@@ -94,14 +96,15 @@ namespace HrbfNpr
             return new NativeView(handle.Share(), view);
         }
 
-        /// <summary>Points with unit normals, even over the mesh's area; every prefix is even.</summary>
-        /// <param name="count">1 to 10000000.</param>
-        /// <param name="normals">Three numbers for each point.</param>
-        /// <param name="randomSeed">Any number.</param>
-        /// <param name="candidates">Random places to choose from; 0 = 40 for each point, 1000000 at most.</param>
-        /// <param name="progress">May be null.</param>
+        /// <summary>Samples the mesh evenly, with unit normals.  Every prefix of the samples is even.</summary>
+        /// <param name="count">The number of samples; 1 to 10000000.</param>
+        /// <param name="normals">Receives three numbers for each sample.</param>
+        /// <param name="randomSeed">The seed of the places; any number.</param>
+        /// <param name="candidates">The number of random places to choose from; 0 to 1000000; 0 = 40 for each sample,
+        /// up to 1000000.  More: more even samples, in more time.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <returns>Three numbers for each point.</returns>
+        /// <returns>Three numbers for each sample.</returns>
         public double[] Sample(
             int count, out double[] normals, ulong randomSeed = 1, long candidates = 0,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
@@ -125,18 +128,20 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Finds sharp edges and the smooth patches between them, as <see cref="Model.FitMesh"/> does.  Any number of
-        /// threads may call it at a time.
+        /// Finds sharp edges and the smooth patches between them, as <see cref="Model.FitMesh"/> does.
         /// </summary>
-        /// <param name="sharp">Three numbers for each face: 1 where the edge from that corner to the next one is sharp,
-        /// else 0.</param>
-        /// <param name="patches">The number of each face's patch, from 0 in the order of their first faces.</param>
-        /// <param name="edges">Which edges are sharp: by default those of shapes with edges.</param>
-        /// <param name="creaseAngle">Degrees between the normals of two faces, 1 to 179: edges that bend more are
-        /// sharp.</param>
-        /// <param name="far">Coarse faces that a round surface would leave by four fifths of this stay flat, with sharp
-        /// edges; in units of the mesh, 0 = 0.01 of its diagonal.</param>
-        /// <param name="progress">May be null.</param>
+        /// <remarks>Several threads may call it at the same time.</remarks>
+        /// <param name="sharp">Receives three numbers for each face: 1 if the edge from that corner to the next one is
+        /// sharp, else 0.</param>
+        /// <param name="patches">Receives the number of each face's patch, from 0 in the order of their first
+        /// faces.</param>
+        /// <param name="edges">Which edges are sharp; default Auto.</param>
+        /// <param name="creaseAngle">The angle between the normals of two faces, in degrees, above which their edge is
+        /// sharp; 1 to 179.</param>
+        /// <param name="far">The distance that decides about coarse faces, in units of the mesh; 0 or more; 0 = 0.01
+        /// diagonals.  Faces stay flat, with sharp edges, if a round surface would leave them by more than four fifths
+        /// of it.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         public MeshEdgesInfo FindEdges(
             out int[] sharp, out int[] patches, MeshEdges edges = MeshEdges.Auto, double creaseAngle = 30,
@@ -166,14 +171,14 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Farthest-point order: each point the farthest from those before it, so that every prefix is even.
+        /// Orders points so that each is the farthest from those before it, so that every prefix is an even choice.
         /// </summary>
-        /// <param name="points">n points.</param>
-        /// <param name="count">1 to n.</param>
-        /// <param name="context">The default context if null.</param>
-        /// <param name="progress">May be null.</param>
+        /// <param name="points">The n points.</param>
+        /// <param name="count">The number of points to order; 1 to n.</param>
+        /// <param name="context">The context; null = the default context.</param>
+        /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <returns>Numbers of points; the first is the one nearest to the middle of the bounding box.</returns>
+        /// <returns>Numbers of points.  The first is the point nearest to the middle of the bounding box.</returns>
         public static long[] FarthestPoints(
             ArrayView points, int count, Context context = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -193,7 +198,7 @@ namespace HrbfNpr
             return indices;
         }
 
-        /// <summary>Lets go of the mesh; models that were fitted to it do not need it.</summary>
+        /// <summary>Releases the mesh.  Models that were fitted to it do not need it.</summary>
         public void Dispose()
         {
             handle.Dispose();

@@ -10,27 +10,31 @@ namespace HrbfNpr
         internal uint StructSize;
         private readonly uint isTrimmed;
 
-        /// <summary>Samples that tell where the surface ends; 0: the model was never trimmed.</summary>
+        /// <summary>
+        /// Number of samples that were looked at; 0 if trimming was not asked for, or if the end could not be found.
+        /// </summary>
         public readonly long Samples;
 
-        /// <summary>Connected parts of the surface that are left out.</summary>
+        /// <summary>Number of connected parts of the surface that are left out.</summary>
         public readonly long Parts;
 
-        /// <summary>Of these, those that reach the end of the search box: the samples are open there.</summary>
+        /// <summary>Number of these that reach the end of the search box: the samples are open there.</summary>
         public readonly long PartsToEnd;
 
-        /// <summary>Of the surface's area in the box that is left out, 0 to 1, within some percent.</summary>
+        /// <summary>
+        /// Share of the surface's area in the box that is left out; 0 to 1; accurate to some percent.
+        /// </summary>
         public readonly double Share;
 
-        /// <summary>Of the places left out from the samples, units of the model.</summary>
+        /// <summary>Largest distance of a place that is left out from the samples, in the model's unit.</summary>
         public readonly double Farthest;
 
-        /// <summary>Of the samples: the median of how far their sixth neighbours are.</summary>
+        /// <summary>Spacing of the samples: the median distance to the sixth neighbour.</summary>
         public readonly double Spacing;
 
         /// <summary>
-        /// Whether the surface ends somewhere; if not, all else is 0 but <see cref="Samples"/> and
-        /// <see cref="Spacing"/>.
+        /// Whether the surface ends somewhere.  If not, all fields except <see cref="Samples"/> and
+        /// <see cref="Spacing"/> are 0.
         /// </summary>
         public bool IsTrimmed
         {

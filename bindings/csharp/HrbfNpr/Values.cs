@@ -4,7 +4,7 @@ using System.Globalization;
 
 namespace HrbfNpr
 {
-    /// <summary>Three numbers: a point or a direction, in the unit of the caller's samples.</summary>
+    /// <summary>Three numbers: a point or a direction.</summary>
     /// <example><c>Vector3d up = (0, 0, 1);</c></example>
     public readonly struct Vector3d : IEquatable<Vector3d>
     {
@@ -17,7 +17,7 @@ namespace HrbfNpr
         /// <summary>Third component.</summary>
         public readonly double Z;
 
-        /// <summary>From its components.</summary>
+        /// <summary>Creates a vector of three components.</summary>
         public Vector3d(double x, double y, double z)
         {
             X = x;
@@ -25,25 +25,25 @@ namespace HrbfNpr
             Z = z;
         }
 
-        /// <summary>From three numbers in parentheses.</summary>
+        /// <summary>Makes a vector of three numbers in parentheses.</summary>
         public static implicit operator Vector3d((double x, double y, double z) value)
         {
             return new Vector3d(value.x, value.y, value.z);
         }
 
-        /// <summary>Componentwise.</summary>
+        /// <summary>Compares all components.</summary>
         public static bool operator ==(Vector3d a, Vector3d b)
         {
             return a.Equals(b);
         }
 
-        /// <summary>Componentwise.</summary>
+        /// <summary>Compares whether any component differs.</summary>
         public static bool operator !=(Vector3d a, Vector3d b)
         {
             return !a.Equals(b);
         }
 
-        /// <summary>Componentwise.</summary>
+        /// <summary>Compares all components.</summary>
         public bool Equals(Vector3d other)
         {
             return X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
@@ -61,14 +61,14 @@ namespace HrbfNpr
             return (X.GetHashCode() * 31 + Y.GetHashCode()) * 31 + Z.GetHashCode();
         }
 
-        /// <summary>"(x, y, z)", the same in every culture.</summary>
+        /// <summary>Returns "(x, y, z)", the same in every culture.</summary>
         public override string ToString()
         {
             return string.Format(CultureInfo.InvariantCulture, "({0}, {1}, {2})", X, Y, Z);
         }
     }
 
-    /// <summary>Straight RGBA in [0, 1], sRGB-encoded.</summary>
+    /// <summary>A colour: straight RGBA from 0 to 1, sRGB-encoded.</summary>
     public readonly struct Color : IEquatable<Color>
     {
         /// <summary>Red.</summary>
@@ -80,10 +80,10 @@ namespace HrbfNpr
         /// <summary>Blue.</summary>
         public readonly float B;
 
-        /// <summary>Opacity: 0 is transparent.</summary>
+        /// <summary>Opacity; 0 = transparent.</summary>
         public readonly float A;
 
-        /// <summary>From its channels, opaque unless alpha is given.</summary>
+        /// <summary>Creates a colour from its channels; opaque by default.</summary>
         public Color(float r, float g, float b, float a = 1)
         {
             R = r;
@@ -92,8 +92,8 @@ namespace HrbfNpr
             A = a;
         }
 
-        /// <summary>From "#rrggbb" or "#rrggbbaa".</summary>
-        /// <exception cref="FormatException">The text is neither.</exception>
+        /// <summary>Reads a colour from "#rrggbb" or "#rrggbbaa".</summary>
+        /// <exception cref="FormatException">The text has another form.</exception>
         public static Color Parse(string text)
         {
             if (text == null)
@@ -115,19 +115,19 @@ namespace HrbfNpr
                 (number & 0xff) / 255f);
         }
 
-        /// <summary>Channel by channel.</summary>
+        /// <summary>Compares all channels.</summary>
         public static bool operator ==(Color a, Color b)
         {
             return a.Equals(b);
         }
 
-        /// <summary>Channel by channel.</summary>
+        /// <summary>Compares whether any channel differs.</summary>
         public static bool operator !=(Color a, Color b)
         {
             return !a.Equals(b);
         }
 
-        /// <summary>Channel by channel.</summary>
+        /// <summary>Compares all channels.</summary>
         public bool Equals(Color other)
         {
             return R.Equals(other.R) && G.Equals(other.G) && B.Equals(other.B) && A.Equals(other.A);
@@ -145,7 +145,7 @@ namespace HrbfNpr
             return ((R.GetHashCode() * 31 + G.GetHashCode()) * 31 + B.GetHashCode()) * 31 + A.GetHashCode();
         }
 
-        /// <summary>"(r, g, b, a)", the same in every culture.</summary>
+        /// <summary>Returns "(r, g, b, a)", the same in every culture.</summary>
         public override string ToString()
         {
             return string.Format(CultureInfo.InvariantCulture, "({0}, {1}, {2}, {3})", R, G, B, A);

@@ -3,7 +3,8 @@ using System;
 
 namespace HrbfNpr
 {
-    /// <summary>What a vertex holds, and where.  A layout that is not added to any more may be shared by threads.</summary>
+    /// <summary>What a vertex holds, and where.</summary>
+    /// <remarks>Several threads may share a layout as long as no attribute is added.</remarks>
     /// <example>
     /// <code>var layout = new VertexLayout().Add(VertexAttribute.Position).Add(VertexAttribute.Color);</code>
     /// </example>
@@ -11,17 +12,20 @@ namespace HrbfNpr
     {
         private hrbfnpr_vertex_attribute[] attributes = new hrbfnpr_vertex_attribute[0];
 
-        /// <summary>Without attributes.</summary>
-        /// <param name="primitive">What the vertices are.</param>
+        /// <summary>Creates a layout without attributes.</summary>
+        /// <param name="primitive">What vertices are written for.</param>
         public VertexLayout(Primitive primitive = Primitive.Points)
         {
             Primitive = primitive;
         }
 
-        /// <summary>What the vertices are.</summary>
+        /// <summary>What vertices are written for; default Points.</summary>
         public Primitive Primitive { get; set; }
 
-        /// <summary>Bytes of a vertex: up to the end of its last attribute, and a multiple of 4, unless set.</summary>
+        /// <summary>
+        /// Bytes from one vertex to the next; default up to the end of the last attribute, rounded up to a multiple of
+        /// 4.
+        /// </summary>
         public int Stride { get; set; }
 
         internal hrbfnpr_vertex_attribute[] Attributes
@@ -29,7 +33,9 @@ namespace HrbfNpr
             get { return attributes; }
         }
 
-        /// <summary>Adds an attribute after the others, in its usual type: colours, classes and IsPaper in bytes.</summary>
+        /// <summary>
+        /// Adds an attribute after the others, in its usual type: byte for colours, classes and IsPaper.
+        /// </summary>
         /// <returns>This layout.</returns>
         public VertexLayout Add(VertexAttribute attribute)
         {
@@ -50,10 +56,10 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>Adds an attribute at a place of its own.</summary>
-        /// <param name="attribute">Such as Position.</param>
-        /// <param name="scalar">A type that it can have.</param>
-        /// <param name="offset">Bytes from the start of the vertex.</param>
+        /// <summary>Adds an attribute with a given type and place.</summary>
+        /// <param name="attribute">The attribute.</param>
+        /// <param name="scalar">A type that the attribute can have.</param>
+        /// <param name="offset">The bytes from the start of the vertex.</param>
         /// <returns>This layout.</returns>
         public unsafe VertexLayout Add(VertexAttribute attribute, ScalarType scalar, int offset)
         {
@@ -98,13 +104,13 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>How many vertices and indices there are.</summary>
+    /// <summary>Numbers of vertices and indices.</summary>
     public readonly struct VertexCount
     {
-        /// <summary>Vertices.</summary>
+        /// <summary>Number of vertices.</summary>
         public readonly long Vertices;
 
-        /// <summary>Indices, restarts included.</summary>
+        /// <summary>Number of indices, including those that end strips.</summary>
         public readonly long Indices;
 
         internal VertexCount(long vertices, long indices)
@@ -114,10 +120,10 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>Vertices of a drawing, and their indices.</summary>
+    /// <summary>The vertices of a drawing, and their indices.</summary>
     public sealed class Vertices
     {
-        /// <summary>Ends a strip among indices.</summary>
+        /// <summary>The index that ends a strip.</summary>
         public const uint Restart = 0xffffffff;
 
         internal Vertices(byte[] data, uint[] indices, long count)
@@ -127,13 +133,16 @@ namespace HrbfNpr
             Count = count;
         }
 
-        /// <summary><see cref="VertexLayout.Stride"/> bytes for each vertex.</summary>
+        /// <summary>The vertices: <see cref="VertexLayout.Stride"/> bytes each.</summary>
         public byte[] Data { get; }
 
-        /// <summary>Of strips: the vertices of one stroke after the other, each ended by <see cref="Restart"/>.</summary>
+        /// <summary>
+        /// The indices.  For strips: the vertices of one stroke after the other, each stroke ended by
+        /// <see cref="Restart"/>.
+        /// </summary>
         public uint[] Indices { get; }
 
-        /// <summary>Vertices.</summary>
+        /// <summary>Number of vertices.</summary>
         public long Count { get; }
     }
 }

@@ -4,7 +4,7 @@ using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using UnityEngine;
 
-/// <summary>Draws the mesh of this object in pen and ink into the main texture of a material.</summary>
+/// <summary>Draws the mesh of this object in pen and ink, into the main texture of a material.</summary>
 public sealed unsafe class PenAndInk : MonoBehaviour
 {
     public Preset preset = Preset.ContourAndStipple;
@@ -25,7 +25,7 @@ public sealed unsafe class PenAndInk : MonoBehaviour
         Vector3[] points = mesh.vertices, normals = mesh.normals;
         for (int i = 0; i < points.Length; ++i)
         {
-            // Unity's frames are left-handed.
+            // Unity's coordinate systems are left-handed.
             points[i].z = -points[i].z;
             normals[i].z = -normals[i].z;
         }
@@ -34,7 +34,7 @@ public sealed unsafe class PenAndInk : MonoBehaviour
             new FitOptions { MaximumCentres = 1000 });
         pointSet = model.Generate(GenerateOptions.ForPreset(preset, marks));
         item = new Item(pointSet, Style.Preset(preset));
-        upwards.RowStride = -4 * size; // the rows of Unity's textures go upwards
+        upwards.RowStride = -4 * size; // the rows of Unity's textures go upward
         penAndInk = new HrbfNpr.Renderer();
         texture = new Texture2D(size, size, TextureFormat.RGBA32, false);
         target.mainTexture = texture;
