@@ -31,19 +31,19 @@ namespace HrbfNpr
             return new Vector3d(value.x, value.y, value.z);
         }
 
-        /// <summary>Compares all components.</summary>
+        /// <summary>Whether all components are equal.</summary>
         public static bool operator ==(Vector3d a, Vector3d b)
         {
             return a.Equals(b);
         }
 
-        /// <summary>Compares whether any component differs.</summary>
+        /// <summary>Whether any component differs.</summary>
         public static bool operator !=(Vector3d a, Vector3d b)
         {
             return !a.Equals(b);
         }
 
-        /// <summary>Compares all components.</summary>
+        /// <summary>Whether all components are equal.</summary>
         public bool Equals(Vector3d other)
         {
             return X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z);
@@ -115,19 +115,19 @@ namespace HrbfNpr
                 (number & 0xff) / 255f);
         }
 
-        /// <summary>Compares all channels.</summary>
+        /// <summary>Whether all channels are equal.</summary>
         public static bool operator ==(Color a, Color b)
         {
             return a.Equals(b);
         }
 
-        /// <summary>Compares whether any channel differs.</summary>
+        /// <summary>Whether any channel differs.</summary>
         public static bool operator !=(Color a, Color b)
         {
             return !a.Equals(b);
         }
 
-        /// <summary>Compares all channels.</summary>
+        /// <summary>Whether all channels are equal.</summary>
         public bool Equals(Color other)
         {
             return R.Equals(other.R) && G.Equals(other.G) && B.Equals(other.B) && A.Equals(other.A);

@@ -9,7 +9,7 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>Names the C struct that a struct of this assembly has the layout of; a test compares them.</summary>
+    /// <summary>Names the C struct whose layout a struct of this assembly has; a test compares both layouts.</summary>
     [AttributeUsage(AttributeTargets.Struct)]
     internal sealed class NativeStructAttribute : Attribute
     {
@@ -21,7 +21,7 @@ namespace HrbfNpr
         internal string Name { get; }
     }
 
-    /// <summary>Names the beginning of the C constants that an enum mirrors; a test compares them.</summary>
+    /// <summary>Names the prefix of the C constants that an enum has; a test compares both.</summary>
     [AttributeUsage(AttributeTargets.Enum)]
     internal sealed class NativeConstantsAttribute : Attribute
     {
@@ -37,7 +37,7 @@ namespace HrbfNpr
     internal static unsafe partial class NativeMethods
     {
 #if (UNITY_IOS || UNITY_WEBGL) && !UNITY_EDITOR
-        internal const string Name = "__Internal"; // linked into the player
+        internal const string Name = "__Internal"; // the library is linked into the player
 #else
         internal const string Name = "hrbfnpr";
 #endif
@@ -51,7 +51,7 @@ namespace HrbfNpr
             }
             catch (InvalidOperationException)
             {
-                // The program has set a resolver of its own for this assembly, and it is its to find the library.
+                // The program has already set a resolver for this assembly, which must find the library.
             }
         }
 
@@ -64,7 +64,7 @@ namespace HrbfNpr
             string chosen = Environment.GetEnvironmentVariable("HRBFNPR_LIBRARY");
             if (!string.IsNullOrEmpty(chosen))
             {
-                return NativeLibrary.Load(chosen); // then no other one is tried
+                return NativeLibrary.Load(chosen); // no other file is tried
             }
             string[] fileNames = FileNames();
             foreach (string folder in Folders(assembly))
@@ -113,7 +113,7 @@ namespace HrbfNpr
                 yield return Path.Combine(folder, "runtimes", rid, "native");
             }
             yield return folder;
-#pragma warning disable IL3000 // empty in a single-file program, which BaseDirectory serves
+#pragma warning disable IL3000 // Location is empty in a single-file program, where BaseDirectory is used
             string beside = Path.GetDirectoryName(assembly.Location);
 #pragma warning restore IL3000
             if (!string.IsNullOrEmpty(beside))
