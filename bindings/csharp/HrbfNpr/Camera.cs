@@ -187,7 +187,7 @@ namespace HrbfNpr
             return new Camera(camera);
         }
 
-        /// <summary>Creates a camera in whose picture a box fills the viewport.</summary>
+        /// <summary>Creates a camera that shows a box as large as the viewport and the margin allow.</summary>
         /// <param name="boundsMin">The lower corner of the box.</param>
         /// <param name="boundsMax">The upper corner of the box.</param>
         /// <param name="direction">The direction from the eye into the scene.</param>
@@ -215,7 +215,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Creates a camera in whose picture n points fill the viewport.  It fits the points themselves, not their box.
+        /// Creates a camera that shows n points as large as the viewport and the margin allow.  It fits the points
+        /// themselves, not their box.
         /// </summary>
         /// <param name="points">The n points, such as the positions of a point set.</param>
         /// <param name="origin">Added to each point: <see cref="PointSetInfo.Origin"/> for positions of a point

@@ -157,7 +157,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// The context of all calls that get none: one thread for each processor.  It is created when it is first used.
+        /// The context that calls use if they get none: one thread for each processor.  It is created when it is first
+        /// used.
         /// </summary>
         public static Context Default
         {

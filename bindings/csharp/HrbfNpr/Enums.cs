@@ -25,7 +25,7 @@ namespace HrbfNpr
         Cancelled = -7,
         /// <summary>A stream failed.</summary>
         Io = -8,
-        /// <summary>The data is of another format, truncated or damaged.</summary>
+        /// <summary>The data has another format, or is truncated or damaged.</summary>
         CorruptData = -9,
         /// <summary>
         /// A newer library wrote the data, or the library has another ABI version than this assembly.

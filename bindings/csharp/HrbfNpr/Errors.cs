@@ -112,7 +112,7 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>The data is no saved model or point set, truncated or damaged.</summary>
+    /// <summary>The data is not a saved model or point set, or is truncated or damaged.</summary>
     public sealed class CorruptDataException : HrbfNprException
     {
         /// <summary>Creates an exception.</summary>

@@ -69,7 +69,7 @@ namespace HrbfNpr
         public string Name { get; set; }
 
         /// <summary>
-        /// Largest number of marks; 0 or more; default 40000. 0 = no limit, for <see cref="Distribution.Published"/>
+        /// Largest number of marks; 0 or more; default 40000; 0 = no limit, for <see cref="Distribution.Published"/>
         /// and for lines with a separation.
         /// </summary>
         public long Budget { get; set; } = DefaultBudget;
@@ -105,7 +105,7 @@ namespace HrbfNpr
         public Density Density { get; set; }
 
         /// <summary>
-        /// Strength of <see cref="HrbfNpr.Density.Curvature"/>; 0 to 1; default 0.5. 0 = uniform; larger values put
+        /// Strength of <see cref="HrbfNpr.Density.Curvature"/>; 0 to 1; default 0.5; 0 = uniform.  Larger values put
         /// more stipples where the surface bends.
         /// </summary>
         public double DensityStrength { get; set; } = 0.5;

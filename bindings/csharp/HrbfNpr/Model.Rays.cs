@@ -89,7 +89,7 @@ namespace HrbfNpr
 
         /// <summary>Tells which of n points lie inside, into the caller's memory.</summary>
         /// <param name="points">The n points.</param>
-        /// <param name="inside">Receives a byte for each point: 1 inside, else 0; may be not given.</param>
+        /// <param name="inside">Receives a byte for each point: 1 inside, else 0; optional.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
         /// <returns>The number of points inside.</returns>

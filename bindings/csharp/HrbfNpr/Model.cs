@@ -7,8 +7,8 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>
-    /// An implicit surface f = 0 [NPAR 4]. f is negative inside and positive outside, and the length of its gradient is
-    /// near 1 at the surface.
+    /// An implicit surface f = 0 [NPAR 4].  The function f is negative inside and positive outside, and the length of
+    /// its gradient is near 1 at the surface.
     /// </summary>
     /// <remarks>
     /// <para>A model never changes, so several threads may use it at the same time.  A model that is disposed of or
@@ -183,9 +183,9 @@ namespace HrbfNpr
 
         /// <summary>Evaluates f, its gradient and its Hessian at n points, into the caller's memory.</summary>
         /// <param name="points">The n points.</param>
-        /// <param name="value">Receives n values; may be not given.</param>
-        /// <param name="gradient">Receives 3 n derivatives; may be not given.</param>
-        /// <param name="hessian">Receives 6 n derivatives, xx xy xz yy yz zz; may be not given.</param>
+        /// <param name="value">Receives n values; optional.</param>
+        /// <param name="gradient">Receives 3 n derivatives; optional.</param>
+        /// <param name="hessian">Receives 6 n derivatives, xx xy xz yy yz zz; optional.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
         /// <exception cref="InvalidArgumentException">A point is not finite or too far away, or an array has another
@@ -230,10 +230,9 @@ namespace HrbfNpr
 
         /// <summary>Projects n points onto the surface, into the caller's memory.</summary>
         /// <param name="points">The n points.</param>
-        /// <param name="position">Receives 3 n numbers; may be not given; may be the memory of the points.</param>
-        /// <param name="normal">Receives 3 n numbers; may be not given.</param>
-        /// <param name="status">Receives n numbers, byte or uint (<see cref="ProjectionStatus"/>); may be not
-        /// given.</param>
+        /// <param name="position">Receives 3 n numbers; optional; may be the memory of the points.</param>
+        /// <param name="normal">Receives 3 n numbers; optional.</param>
+        /// <param name="status">Receives n numbers, byte or uint (<see cref="ProjectionStatus"/>); optional.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
@@ -285,11 +284,11 @@ namespace HrbfNpr
         /// describes them.
         /// </summary>
         /// <param name="points">The n points.</param>
-        /// <param name="k1">Receives n numbers; may be not given.</param>
-        /// <param name="k2">Receives n numbers; may be not given.</param>
-        /// <param name="d1">Receives 3 n numbers; may be not given.</param>
-        /// <param name="d2">Receives 3 n numbers; may be not given.</param>
-        /// <param name="confidence">Receives n numbers; may be not given.</param>
+        /// <param name="k1">Receives n numbers; optional.</param>
+        /// <param name="k2">Receives n numbers; optional.</param>
+        /// <param name="d1">Receives 3 n numbers; optional.</param>
+        /// <param name="d2">Receives 3 n numbers; optional.</param>
+        /// <param name="confidence">Receives n numbers; optional.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call; some of the results may have been written by then.</param>
         public void CurvatureInto(
@@ -367,7 +366,7 @@ namespace HrbfNpr
         /// <param name="stream">The stream, which is read on this thread, not beyond the model's end, and is not
         /// closed.</param>
         /// <param name="context">The context; null = the default context.</param>
-        /// <exception cref="CorruptDataException">The data is no saved model, truncated or damaged.</exception>
+        /// <exception cref="CorruptDataException">The data is not a saved model, or is truncated or damaged.</exception>
         /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static Model Load(Stream stream, Context context = null)
@@ -389,7 +388,7 @@ namespace HrbfNpr
         /// <summary>Loads a model from the data that <see cref="ToBytes"/> returned.</summary>
         /// <param name="data">The whole data.</param>
         /// <param name="context">The context; null = the default context.</param>
-        /// <exception cref="CorruptDataException">The data is no saved model, truncated or damaged.</exception>
+        /// <exception cref="CorruptDataException">The data is not a saved model, or is truncated or damaged.</exception>
         /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         public static Model Load(byte[] data, Context context = null)
         {

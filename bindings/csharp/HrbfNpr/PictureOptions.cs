@@ -257,7 +257,7 @@ namespace HrbfNpr
         public Vector3d? Viewpoint { get; set; }
 
         /// <summary>
-        /// Factor of the width over which the image of a depth camera is smoothed; 0 to 100; default null = 1. 0 leaves
+        /// Factor of the width over which the image of a depth camera is smoothed; 0 to 100; default null = 1; 0 leaves
         /// its points where they are.
         /// </summary>
         public double? DepthSmoothing { get; set; }
