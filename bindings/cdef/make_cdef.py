@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The declarations of api.json for foreign-function interfaces that read C, such as LuaJIT's and koffi; and the same as
-a Lua module.  bindings/generate runs it.
+"""Write the declarations of api.json for foreign-function interfaces that read C, such as LuaJIT and koffi, and the same
+as a Lua module.  bindings/generate runs it.
 """
 import re
 import textwrap
@@ -15,7 +15,7 @@ NOTE = "Made by bindings/cdef/make_cdef.py from include/hrbfnpr.h; do not edit."
 
 
 def text_of(kind, entry):
-    """One declaration in C."""
+    """Return one declaration in C."""
     name = entry.get("name")
     if kind == "enum":
         constants = ", ".join(f"{constant['name']} = {constant['value']}" for constant in entry["constants"])
@@ -33,7 +33,7 @@ def text_of(kind, entry):
 
 
 def folded(text, before=""):
-    """One declaration behind what stands in its first line, broken after a comma, a semicolon or a brace."""
+    """Return one declaration after the text `before`, as lines that end after a comma, a semicolon or a brace."""
     text = re.sub(r"(?<![,;{]) ", "\0", text)
     lines = textwrap.wrap(text, WIDTH, initial_indent=before, subsequent_indent="    ", break_on_hyphens=False,
                           break_long_words=False)
@@ -41,21 +41,21 @@ def folded(text, before=""):
 
 
 def c_text(api):
-    """All declarations in the header's order; one goes on in the line before, where that saves a line."""
+    """Return all declarations in the order of the header.  One starts in the line of the last if that saves a line."""
     lines = []
     for kind, entry in declarations(api):
         text = text_of(kind, entry)
         alone = folded(text)
-        behind = folded(text, lines[-1] + " ") if lines else alone
-        if lines and len(behind) <= len(alone) and len(behind[0]) <= WIDTH:
-            lines[-1:] = behind
+        joined = folded(text, lines[-1] + " ") if lines else alone
+        if lines and len(joined) <= len(alone) and len(joined[0]) <= WIDTH:
+            lines[-1:] = joined
         else:
             lines += alone
     return "".join(line + "\n" for line in lines)
 
 
 def outputs(api):
-    """The text of each file."""
+    """Return the text of each file."""
     text = c_text(api)
     return {
         HERE / "hrbfnpr_cdef.h": f"/* {LICENCE} */\n/* {NOTE} */\n{text}",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The C# declarations of the C boundary, HrbfNpr/Native/Native*.cs, from api.json.  bindings/generate runs it.
+"""Write the C# declarations of the C interface, HrbfNpr/Native/Native*.cs, from api.json.  bindings/generate runs it.
 
-The results are committed.  Structs that a program reads (..._info) are written by hand, with documentation; a test
-compares their layout with the header's.
+The results are committed.  Structs that a program reads (..._info) are written by hand, with documentation.  A test
+compares their layout with that of the header.
 """
 import math
 from pathlib import Path
@@ -22,7 +22,7 @@ HANDLES = {
     "hrbfnpr_picture": "PictureHandle",
     "hrbfnpr_settings": "SettingsHandle",
 }
-# Structs that are written by hand.
+# Structs that are written by hand, with the names of their C# types.
 BY_HAND = {
     "hrbfnpr_context_info": "ContextInfo",
     "hrbfnpr_model_info": "ModelInfo",
@@ -46,7 +46,7 @@ BY_HAND = {
     "hrbfnpr_picture_info": "PictureInfo",
     "hrbfnpr_views_info": "ViewsInfo",
 }
-# Sections whose structs have a file of their own.
+# Sections of the header whose structs are written to a separate file.
 DRAWN = (9, 10, 11)  # cameras, styles, renderers, drawings
 PICTURES = (14, 15)  # pictures, views
 SCALARS = {
@@ -64,18 +64,18 @@ SCALARS = {
     "size_t": "UIntPtr",
     "void": "void",
 }
-KEYWORDS = {"base", "class", "event", "fixed", "in", "out", "params", "ref"}  # as far as a header may use them as names
+KEYWORDS = {"base", "class", "event", "fixed", "in", "out", "params", "ref"}  # the keywords of C# that are valid names in C
 NOTE = "// SPDX-License-Identifier: MIT\n// Made by make_native.py from include/hrbfnpr.h; do not edit.\n"
 PRELUDE = "using System;\nusing System.Runtime.InteropServices;\n"
 
 
 def value_type(kind):
-    """The C# type of a value that is no pointer."""
+    """The C# type of a value that is not a pointer."""
     base = kind["base"]
     if kind["kind"] != "struct":
         return SCALARS[base]
     if base == "hrbfnpr_array_out":
-        base = "hrbfnpr_array"  # of the same layout
+        base = "hrbfnpr_array"  # both have the same layout
     return BY_HAND.get(base, base)
 
 
@@ -89,8 +89,8 @@ def parameter_type(function, kind):
             raise SystemExit(f"give {base} a class, in Native/Handles.cs and in bindings/csharp/make_native.py")
         if stars == 2:
             return "out IntPtr"
-        # An operation, or a solid made of others, can outlive the program's handle of its context, and release gets
-        # what is left of a handle.
+        # These functions take raw pointers.  An operation or a solid may be made after the program has disposed of its
+        # context, and retain and release run on pointers that have no handle yet or any more.
         raw = function.endswith(("_retain", "_release")) or (
             function in ("hrbfnpr_operation_create", "hrbfnpr_model_create_csg") and base == "hrbfnpr_context")
         return "IntPtr" if raw else HANDLES[base]
@@ -173,7 +173,7 @@ def constants(abi):
 
 
 def outputs(api):
-    """The text of each file."""
+    """Return the text of each file."""
     functions = api["functions"]
     SCALARS.update({typedef["name"]: SCALARS[typedef["type"]["base"]] for typedef in api["typedefs"]})
     return {FOLDER / name: text for name, text in {

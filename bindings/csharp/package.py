@@ -5,7 +5,7 @@
     package.py nuget FOLDER --native RID=FILE...     FOLDER/HrbfNpr.VERSION.nupkg, by dotnet pack
     package.py unity FOLDER --native RID=FILE...     FOLDER/io.hrbfnpr.hrbfnpr, and the same as a .tgz; without Unity
 
-RID is one of linux-x64, linux-arm64, win-x64, win-arm64, osx-x64, osx-arm64; several may be given.  For instance
+RID is linux-x64, linux-arm64, win-x64, win-arm64, osx-x64 or osx-arm64.  Several may be given.  Example:
 
     package.py nuget dist --native linux-x64=build/release/src/libhrbfnpr.so
 """
@@ -23,7 +23,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 FILE_NAMES = {"linux": "libhrbfnpr.so", "win": "hrbfnpr.dll", "osx": "libhrbfnpr.dylib"}
-# RID: the name of the platform, and of its processor, for Unity's player and editor.
+# For each RID: Unity's names of the player platform, of the editor's system, and of the processor.
 UNITY_PLATFORMS = {
     "linux-x64": ("Linux64", "Linux", "x86_64"),
     "linux-arm64": ("Linux64", "Linux", "ARM64"),
@@ -40,7 +40,7 @@ def version():
 
 
 def native_files(arguments):
-    """[(RID, file to copy, name in the package)] of RID=FILE arguments."""
+    """Return (RID, file to copy, name in the package) for each RID=FILE argument."""
     files = []
     for argument in arguments:
         rid, _, path = argument.partition("=")
@@ -66,7 +66,7 @@ def nuget(folder, natives, options):
 
 
 def meta(path, name):
-    """What Unity writes beside each asset; an installed package must bring it along."""
+    """Return the text of an asset's .meta file.  An installed package must contain one for each asset."""
     guid = hashlib.md5(f"io.hrbfnpr.hrbfnpr/{name}".encode()).hexdigest()
     text = f"fileFormatVersion: 2\nguid: {guid}\n"
     if path.is_dir():
@@ -117,11 +117,11 @@ def unity(folder, natives, options):
         shutil.copy(source, package / target)
     for path in sorted(package.rglob("*")):
         inside = path.relative_to(package)
-        if not any(part.endswith("~") for part in inside.parts):  # Unity does not import those
+        if not any(part.endswith("~") for part in inside.parts):  # Unity does not import folders whose names end in ~
             path.with_name(path.name + ".meta").write_text(meta(path, inside.as_posix()), encoding="utf-8")
     archive = Path(folder) / f"{name}-{version()}.tgz"
     with tarfile.open(archive, "w:gz") as file:
-        file.add(package, "package")  # as npm and Unity want it
+        file.add(package, "package")  # npm and Unity expect this folder in the archive
     print(package)
     print(archive)
 
@@ -131,7 +131,7 @@ def main():
     parser.add_argument("kind", choices=("nuget", "unity"))
     parser.add_argument("folder", type=Path)
     parser.add_argument("--native", nargs="+", default=[], metavar="RID=FILE")
-    arguments, options = parser.parse_known_args()  # options of dotnet's go through
+    arguments, options = parser.parse_known_args()  # other options are passed to dotnet
     arguments.folder.mkdir(parents=True, exist_ok=True)
     make = {"nuget": nuget, "unity": unity}[arguments.kind]
     make(arguments.folder.resolve(), native_files(arguments.native), options)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What of the npm package hrbfnpr is made from api.json: constants, layouts of structs in WebAssembly, signatures of
-functions and callbacks, their types for TypeScript, and the names that the linker exports.
+"""Write the parts of the npm package hrbfnpr that follow from api.json: constants, layouts of structs in WebAssembly,
+signatures of functions and callbacks, their types for TypeScript, and the names that the linker exports.
 
 bindings/generate runs it.  The results are committed.
 """
@@ -13,13 +13,14 @@ from outputs import signature
 
 FOLDER = Path(__file__).resolve().parent / "src" / "generated"
 NOTE = "// SPDX-License-Identifier: MIT\n// Made by bindings/generate from bindings/api.json; do not edit.\n"
-MODEL = "ilp32"
+MODEL = "ilp32"  # the data model of WebAssembly: pointers of 32 bits
 WIDTH = 110
 SCALARS = {"char": "i8", "int8_t": "i8", "uint8_t": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64",
            "uint64_t": "u64", "float": "f32", "double": "f64"}
-# Of functions and callbacks: how a value travels.  p: an address, j: a 64-bit integer.
+# How functions and callbacks pass a value of each scalar type.  j is a 64-bit integer; addresses are passed as p.
 PASSED = {"i8": "i", "u8": "i", "i32": "i", "u32": "i", "i64": "j", "u64": "j", "f32": "f", "f64": "d"}
-RESULTS = ("_info", "_comparison", "_identity")  # structs that are only read
+RESULTS = ("_info", "_comparison", "_identity")  # ends of names of structs that are only read
+# Fields whose arrays have one number in each element.
 ONE_COMPONENT = {"levels", "line_first", "stroke_first", "stroke_direction", "rank", "level", "width", "host_depth", "pen_widths"}
 
 
@@ -42,12 +43,12 @@ def constant_name(constant, prefix):
 
 
 def word(name):
-    """BLUE_NOISE as options spell it."""
+    """Return the name of a constant as options spell it: "blue-noise" for BLUE_NOISE."""
     return name.lower().replace("_", "-")
 
 
 def documented(text, indent=""):
-    """A JSDoc comment, or nothing."""
+    """Return a JSDoc comment of a text, as lines; an empty list for no text."""
     if not text:
         return []
     lines = []
@@ -65,18 +66,18 @@ def doc_of(entry):
 
 
 class Names:
-    """What the types of a header's fields are here."""
+    """Finds the types of the header's fields in JavaScript."""
 
     def __init__(self, api):
         self.typedefs = {one["name"]: one["type"]["base"] for one in api["typedefs"]}
         self.prefixes = {one["name"]: group["prefix"] for group in api["constants"] for one in group["constants"]}
 
     def group(self, field):
-        """The prefix of the constants that a field takes: that in its comment, or that of one which it names."""
+        """Return the prefix of the constants that a field takes, as its comment names it or one of its constants."""
         if field["name"].endswith("flags") or field["type"]["base"] not in ("uint32_t", "int32_t"):
             return None
         mentioned = [self.prefixes.get(name, "HRBFNPR") for name in re.findall(r"HRBFNPR_\w+", field["doc"])]
-        mentioned = [prefix for prefix in mentioned if prefix != "HRBFNPR"]  # the group of versions
+        mentioned = [prefix for prefix in mentioned if prefix != "HRBFNPR"]  # HRBFNPR is the prefix of version numbers
         own = f"HRBFNPR_{field['name'].upper()}"
         return field.get("constants") or next(iter(mentioned), None) or (own if own in self.prefixes.values() else None)
 
@@ -90,7 +91,7 @@ class Names:
 
 
 def users(struct):
-    """The user pointer of each callback of a struct: the next field of that name."""
+    """Return the user pointer of each callback of a struct: the next field whose name ends in "user"."""
     found = {}
     for at, field in enumerate(struct["fields"]):
         if field["type"]["kind"] == "callback":
@@ -105,14 +106,14 @@ def is_list(struct, at):
 
 
 def field_layout(names, struct, at):
-    """[kind, offset, ...] of a field; None for one that nobody sets by itself."""
+    """Return [kind, offset, ...] of a field; None for a field that callers do not set."""
     field, offsets = struct["fields"][at], {one["name"]: one["layout"][MODEL]["offset"] for one in struct["fields"]}
     kind, offset, name = field["type"], offsets[field["name"]], field["name"]
     if (name == "struct_size" or name.startswith("reserved") or name in users(struct).values()
             or (name.endswith(("_count", "_stride")) and any(
                 is_list(struct, other) and at - other in (1, 2) for other in range(at)))):
         return None
-    if kind["kind"] == "function":  # a custom model's release: src/context.js sets it
+    if kind["kind"] == "function":  # only the release function of a custom model, which src/context.js sets
         return None
     if kind["kind"] == "callback":
         return ["callback", offset, kind["base"], offsets[users(struct)[name]]]
@@ -160,7 +161,7 @@ def ts_type(layout):
 
 
 def structs_of(api):
-    """(struct, [(field, layout)]) of those that options and results are made from."""
+    """Yield (struct, [(field, layout)]) for all structs, with the fields that callers set or read."""
     names = Names(api)
     for struct in api["structs"]:
         pairs = [(field, field_layout(names, struct, at)) for at, field in enumerate(struct["fields"])]
@@ -178,7 +179,7 @@ def constants_js(api):
         lines += textwrap.wrap(f"export const {group_name(group['prefix'])} = Object.freeze({{ {pairs} }});", 118,
                                subsequent_indent="  ", break_long_words=False, break_on_hyphens=False)
     names = ", ".join(group_name(group["prefix"]) for group in api["constants"])
-    lines += ["", "/** All groups, by name. */", *textwrap.wrap(f"export const GROUPS = {{ {names} }};", 118,
+    lines += ["", "/** All groups of constants, by name. */", *textwrap.wrap(f"export const GROUPS = {{ {names} }};", 118,
                                                                subsequent_indent="  ")]
     return "\n".join(lines) + "\n"
 
@@ -192,7 +193,7 @@ def constants_dts(api):
             lines += [*documented(doc_of(one), "  "),
                       f"  readonly {constant_name(one, group['prefix'])}: {one['value']};"]
         words = " | ".join(f'"{word(constant_name(one, group["prefix"]))}"' for one in group["constants"])
-        lines += ["};", *documented(f"A constant of {name} as options spell it."),
+        lines += ["};", *documented(f"The constants of {name}, as options spell them."),
                   *textwrap.wrap(f"export type {camel(name.lower(), True)}Name = {words};", 118,
                                  subsequent_indent="  ", break_on_hyphens=False), ""]
     lines.append("export declare const GROUPS: Readonly<Record<string, Readonly<Record<string, number>>>>;")
@@ -200,7 +201,7 @@ def constants_dts(api):
 
 
 def layout_js(api):
-    lines = [NOTE, "// [kind, offset, ...] of each field that a caller sets or reads: bindings/js/make_js.py.",
+    lines = [NOTE, "// [kind, offset, ...] of each field that a caller sets or reads.  bindings/js/make_js.py writes them.",
              "export const STRUCTS = {"]
     for struct, fields in structs_of(api):
         size = struct["layout"][MODEL]["size"]
@@ -209,7 +210,7 @@ def layout_js(api):
         for field, layout in fields:
             lines.append(f"    {camel(field['name'])}: {dump(layout)},")
         lines.append("  } },")
-    lines += ["};", "", "/** The struct's own name of a field, and its offset, for all fields: a test compares them. */",
+    lines += ["};", "", "/** The offset of every field, by its name in C.  A test compares them with the module's. */",
               "export const OFFSETS = {"]
     for struct in api["structs"]:
         whole = [(field["name"], field["layout"][MODEL]["offset"]) for field in struct["fields"]]
@@ -220,7 +221,8 @@ def layout_js(api):
 
 def functions_js(api):
     names = Names(api)
-    lines = [NOTE, "// What each function returns and takes: p an address, i 32 bits, j 64 bits, f and d floats, v nothing.",
+    lines = [NOTE, "// The types of a function: of its result, then of its parameters. p is an address, i an integer of 32 bits,",
+             "// j an integer of 64 bits, f a float, d a double, and v nothing.",
              "export const FUNCTIONS = {"]
     for one in api["functions"]:
         lines.append(f"  {one['name']}: \"{signature_of(names, one)}\",")
@@ -236,7 +238,7 @@ def signature_of(names, entry):
 
 def functions_dts(api):
     lines = [NOTE, "/** An address in the module's memory; 0 is NULL. */", "export type Pointer = number;", "",
-             "/** The functions of the C interface, by their own names.  64-bit integers are numbers here. */",
+             "/** The functions of the C interface, by their names in C.  64-bit integers are numbers here. */",
              "export interface Functions {"]
     for one in api["functions"]:
         parameters = ", ".join(f"{safe(part['name'])}: {raw_type(part['type'])}" for part in one["parameters"])
@@ -289,7 +291,7 @@ def exports_txt(api):
 
 
 def outputs(api):
-    """The text of each file."""
+    """Return the text of each file."""
     return {
         FOLDER / "constants.js": constants_js(api), FOLDER / "constants.d.ts": constants_dts(api),
         FOLDER / "layout.js": layout_js(api), FOLDER / "functions.js": functions_js(api),

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Exceptions in the build with threads, where Emscripten's compiler and its libunwind disagree (Clang 14): landing pads
- * keep their notes in __wasm_lpad_context as one for all threads, libunwind has one for each.  Every exception then
- * matches `catch (...)` only.  So libunwind's file is compiled anew with one for all, and one thread at a time is
- * between throw and catch: destructors on that way must not wait for a thread that throws.
+ * Makes exceptions work in the build with threads.  In Emscripten with Clang 14, the compiler and libunwind disagree:
+ * landing pads use one __wasm_lpad_context for all threads, but libunwind has one for each thread.  Every exception then
+ * matches `catch (...)` only.  So CMakeLists.txt compiles the file of libunwind again, with one context for all threads,
+ * and the functions below let one thread at a time be between throw and catch.  Destructors that run in between must not
+ * wait for a thread that throws.
  */
 #include <pthread.h>
 #include <stdbool.h>

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Make the npm package hrbfnpr of the module as the presets wasm and wasm-threads build it.
+"""Make the npm package hrbfnpr from the modules that the presets wasm and wasm-threads build.
 
-    package.py folder FOLDER [--wasm BUILD] [--threads BUILD]     the package as a folder
-    package.py pack FOLDER [...]                                  the same, and FOLDER/../hrbfnpr-VERSION.tgz by npm pack
+    package.py folder FOLDER [--wasm BUILD] [--threads BUILD]     makes the package as a folder
+    package.py pack FOLDER [...]                                  also makes FOLDER/../hrbfnpr-VERSION.tgz by npm pack
 
-Without --wasm and --threads the builds are build/wasm and build/wasm-threads; one of them that is not there is left out,
-and the package loads with the other's number of threads only.
+The default builds are build/wasm and build/wasm-threads.  A build that does not exist is left out: the package then
+loads only without threads, or only with threads.
 """
 import argparse
 import json
@@ -43,7 +43,7 @@ def make(folder, builds):
         target.mkdir()
         for path in modules(build):
             shutil.copyfile(path, target / path.name)
-        # Emscripten's worker is no ES module.
+        # Emscripten's worker is a CommonJS script.
         (target / "package.json").write_text('{ "type": "commonjs" }\n', encoding="utf-8")
 
 

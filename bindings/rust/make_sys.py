@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The crate hrbfnpr-sys: src/lib.rs, the declarations, and src/layout.rs, what they must measure, from api.json.
+"""Write the crate hrbfnpr-sys from api.json: the declarations in src/lib.rs, and checks of their sizes in src/layout.rs.
 
 bindings/generate runs it.  The results are committed.
 """
@@ -26,7 +26,7 @@ pub struct {name} {{
 }}"""
 CRATE = """#![no_std]
 #![allow(non_camel_case_types)]
-#![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
+#![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is not a link
 
 #[cfg(hrbfnpr_no_core_c_char)]
 extern crate std;
@@ -39,12 +39,12 @@ use core::marker::{PhantomData, PhantomPinned};
 use std::os::raw::c_char;
 
 mod layout;"""
-LAYOUT = """//! Sizes, alignments and offsets as the C compiler has them; a crate that differs does not compile.
+LAYOUT = """//! Compares sizes, alignments and offsets with those of the C compiler.  The crate does not compile if one differs.
 use super::*;
 use core::mem::{align_of, size_of};
 
-/// With 64-bit pointers, with 32-bit pointers, and with those of x86, whose f64 are aligned to 4.
-#[allow(dead_code)] // of old compilers, which do not see it used
+/// Returns the number for 64-bit pointers, for 32-bit pointers, or for 32-bit x86, which aligns f64 to 4 bytes.
+#[allow(dead_code)] // old compilers do not see its uses
 const fn either(lp64: usize, ilp32: usize, i386: usize) -> usize {
     if cfg!(target_pointer_width = "64") {
         lp64
@@ -74,7 +74,7 @@ def doc_of(entry, indent=""):
 
 
 def listed(first, items, last, indent=""):
-    """`first` items `last` in a line, or one item a line."""
+    """Return `first`, the items and `last` in one line if they fit, else with one item in each line."""
     line = f"{indent}{first}{', '.join(items)}{last}"
     if len(line) <= WIDTH:
         return [line]
@@ -103,7 +103,7 @@ def rust_type(kind, array=()):
 
 
 class Constants:
-    """Which type a group of constants has: that of its name, of the fields that take them, or of its numbers."""
+    """Finds the type of a group of constants: from its name, from the fields that take them, or from its numbers."""
 
     def __init__(self, api):
         self.typedefs = {typedef["name"].upper(): typedef["name"] for typedef in api["typedefs"]}
@@ -122,7 +122,7 @@ class Constants:
         return "i32" if any(constant["value"] < 0 for constant in group["constants"]) else "u32"
 
     def lines(self, group):
-        # The group's comment is no documentation of its first constant.
+        # A comment of //, so that it does not become the documentation of the first constant.
         yield from documented(group["doc"], "//")
         for constant in group["constants"]:
             yield from doc_of(constant)
@@ -152,7 +152,7 @@ def callback_lines(callback):
 
 
 def function_lines(function):
-    """What stands in a block `extern "C"`."""
+    """Yield the lines of a function in an `extern "C"` block."""
     yield from doc_of(function, "    ")
     yield from listed(f"pub fn {function['name']}(", parameters_of(function), f"){result_of(function)};", "    ")
 
@@ -217,5 +217,5 @@ def layout_text(api):
 
 
 def outputs(api):
-    """The text of each file."""
+    """Return the text of each file."""
     return {FOLDER / "src" / "lib.rs": lib_text(api), FOLDER / "src" / "layout.rs": layout_text(api)}

@@ -297,8 +297,8 @@ namespace HrbfNpr
 
     /// <summary>
     /// Kinds of lines.  Kinds marked "once" are found when a line set is made, for each of its
-    /// <see cref="LineSetOptions.Lines"/>; borders and creases then, too, without an element of that list.  Others are
-    /// found for every drawing.
+    /// <see cref="LineSetOptions.Lines"/>.  Borders and creases are found then, too, without an element of that list.
+    /// All others are found for every drawing.
     /// </summary>
     /// <remarks>
     /// The strength says how marked a line is at a place.  It has no unit, because lengths are measured in diagonals of

@@ -71,8 +71,8 @@ namespace HrbfNpr
         /// <param name="other">The other solid.</param>
         /// <param name="radius">The radius of the blend, in the unit of the model; 0 or more; 0 = a crease.  Larger
         /// values round more.</param>
-        /// <param name="exponent">The exponent of the blend; 0, or 2 to 64. 0 = twice continuously differentiable
-        /// everywhere. 2 gives an arc of the radius at a right angle, and larger values are sharper.</param>
+        /// <param name="exponent">The exponent of the blend; 0, or 2 to 64; 0 = twice continuously differentiable
+        /// everywhere; 2 = an arc of the radius at a right angle.  Larger values are sharper.</param>
         public Model Blend(Model other, double radius, double exponent = 0)
         {
             return Blended(CsgKind.Union, other, radius, exponent);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-//! Links the shared library: from the folder HRBFNPR_LIB_DIR if that is set, else from where the linker looks.
-//! Programs that depend on this crate find the folder in DEP_HRBFNPR_LIB_DIR of their build scripts.
+//! Links the shared library from the folder HRBFNPR_LIB_DIR. If that is not set, the linker searches its folders.
+//! Build scripts of crates that depend on this crate find the folder in DEP_HRBFNPR_LIB_DIR.
 use std::{env, path::Path, process::Command};
 
 const NAMES: [&str; 4] = [
@@ -10,7 +10,8 @@ const NAMES: [&str; 4] = [
     "libhrbfnpr.dll.a",
 ];
 
-/// The 63 of rustc 1.63.0; of a compiler that does not say so, one that has everything.
+/// Returns the minor version of the compiler: 63 for rustc 1.63.0. A compiler that does not tell its version counts as
+/// new.
 fn compiler() -> u32 {
     let said = Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
         .arg("--version")

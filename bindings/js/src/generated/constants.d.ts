@@ -11,7 +11,7 @@ export declare const VERSION: {
   readonly VERSION_PATCH: 0;
   readonly ABI_VERSION: 1;
 };
-/** A constant of VERSION as options spell it. */
+/** The constants of VERSION, as options spell them. */
 export type VersionName = "version-major" | "version-minor" | "version-patch" | "abi-version";
 
 export declare const STATUS: {
@@ -42,7 +42,7 @@ export declare const STATUS: {
   /** a bug in the library: please report it */
   readonly INTERNAL: -99;
 };
-/** A constant of STATUS as options spell it. */
+/** The constants of STATUS, as options spell them. */
 export type StatusName = "ok" | "invalid-argument" | "out-of-memory" | "buffer-too-small" | "unsupported-struct" |
   "singular-system" | "not-converged" | "cancelled" | "io" | "corrupt-data" | "version-mismatch" | "callback" |
   "internal";
@@ -62,7 +62,7 @@ export declare const SCALAR: {
   /** int64_t */
   readonly INT64: 6;
 };
-/** A constant of SCALAR as options spell it. */
+/** The constants of SCALAR, as options spell them. */
 export type ScalarName = "float32" | "float64" | "uint8" | "uint32" | "int32" | "int64";
 
 /**
@@ -86,7 +86,7 @@ export declare const FORMAT: {
   /** one byte: the share of the pixel that ink covers, of any colour */
   readonly COVERAGE8: 7;
 };
-/** A constant of FORMAT as options spell it. */
+/** The constants of FORMAT, as options spell them. */
 export type FormatName = "rgba8" | "bgra8" | "rgba8-premultiplied" | "bgra8-premultiplied" | "rgba32f" |
   "rgba32f-premultiplied" | "coverage8";
 
@@ -99,7 +99,7 @@ export declare const LOG: {
   /** the result may not be what the caller expects */
   readonly WARNING: 2;
 };
-/** A constant of LOG as options spell it. */
+/** The constants of LOG, as options spell them. */
 export type LogName = "debug" | "info" | "warning";
 
 /** Instruction sets of processors, for `highest_instruction_set` and `instruction_set`. */
@@ -115,7 +115,7 @@ export declare const INSTRUCTION_SET: {
   /** Arm: 128 bits */
   readonly NEON: 4;
 };
-/** A constant of INSTRUCTION_SET as options spell it. */
+/** The constants of INSTRUCTION_SET, as options spell them. */
 export type InstructionSetName = "auto" | "baseline" | "avx2" | "avx512" | "neon";
 
 /**
@@ -141,7 +141,7 @@ export declare const THREAD_BACKEND: {
   /** the calling thread alone, as with thread_count 1 */
   readonly SERIAL: 4;
 };
-/** A constant of THREAD_BACKEND as options spell it. */
+/** The constants of THREAD_BACKEND, as options spell them. */
 export type ThreadBackendName = "auto" | "pool" | "openmp" | "run-tasks" | "serial";
 
 /** Radial functions phi(r) [NPAR 4.1]. */
@@ -157,7 +157,7 @@ export declare const KERNEL: {
   /** not for fits: reported for a model made by _create_csg */
   readonly CSG: 4;
 };
-/** A constant of KERNEL as options spell it. */
+/** The constants of KERNEL, as options spell them. */
 export type KernelName = "triharmonic" | "gaussian" | "wendland-c2" | "custom" | "csg";
 
 /** How the linear system of a fit is solved.  docs/how-fitting-works.md explains both ways. */
@@ -172,7 +172,7 @@ export declare const SOLVER: {
    */
   readonly ITERATIVE: 2;
 };
-/** A constant of SOLVER as options spell it. */
+/** The constants of SOLVER, as options spell them. */
 export type SolverName = "auto" | "direct" | "iterative";
 
 /** Why a fit used the solver that it used. */
@@ -188,7 +188,7 @@ export declare const SOLVER_REASON: {
   /** AUTO took DIRECT, because ITERATIVE needs a definite system */
   readonly NOT_DEFINITE: 4;
 };
-/** A constant of SOLVER_REASON as options spell it. */
+/** The constants of SOLVER_REASON, as options spell them. */
 export type SolverReasonName = "requested" | "small" | "large" | "not-converged" | "not-definite";
 
 /** What a fit does with samples that look wrong.  It counts them in any case. */
@@ -200,7 +200,7 @@ export declare const REPAIR: {
   /** turns their normals round; for flipped normals only */
   readonly REORIENT: 2;
 };
-/** A constant of REPAIR as options spell it. */
+/** The constants of REPAIR, as options spell them. */
 export type RepairName = "keep" | "drop" | "reorient";
 
 /** Where the regularization of a fit comes from. */
@@ -210,7 +210,7 @@ export declare const REGULARIZATION: {
   /** the measured noise of the samples; 0 for samples without noise */
   readonly AUTO: 1;
 };
-/** A constant of REGULARIZATION as options spell it. */
+/** The constants of REGULARIZATION, as options spell them. */
 export type RegularizationName = "given" | "auto";
 
 /** How far the given normals can be trusted, for a fit and for hrbfnpr_orient. */
@@ -228,7 +228,7 @@ export declare const NORMALS: {
   /** find out which of these holds, and repair accordingly */
   readonly AUTO: 5;
 };
-/** A constant of NORMALS as options spell it. */
+/** The constants of NORMALS, as options spell them. */
 export type NormalsName = "given" | "none" | "unoriented" | "mixed" | "inward" | "auto";
 
 /** Whether a fitted surface ends where its samples end (see hrbfnpr_model_trim). */
@@ -241,7 +241,7 @@ export declare const TRIM: {
    */
   readonly AUTO: 1;
 };
-/** A constant of TRIM as options spell it. */
+/** The constants of TRIM, as options spell them. */
 export type TrimName = "never" | "auto";
 
 /** How hrbfnpr_orient decided which side is outward. */
@@ -255,7 +255,7 @@ export declare const OUTWARD: {
   /** most given normals point to this side */
   readonly AS_GIVEN: 3;
 };
-/** A constant of OUTWARD as options spell it. */
+/** The constants of OUTWARD, as options spell them. */
 export type OutwardName = "inside" | "up" | "viewpoint" | "as-given";
 
 /**
@@ -273,7 +273,7 @@ export declare const CUSTOM: {
    */
   readonly THREAD_SAFE: 4;
 };
-/** A constant of CUSTOM as options spell it. */
+/** The constants of CUSTOM, as options spell them. */
 export type CustomName = "has-gradient" | "has-hessian" | "thread-safe";
 
 /** The arrays of a model that hrbfnpr_model_view shows. */
@@ -285,7 +285,7 @@ export declare const MODEL_ATTRIBUTE: {
   /** FLOAT64: the relative residual after each iteration of ITERATIVE; empty after DIRECT and after loading */
   readonly RESIDUAL_HISTORY: 2;
 };
-/** A constant of MODEL_ATTRIBUTE as options spell it. */
+/** The constants of MODEL_ATTRIBUTE, as options spell them. */
 export type ModelAttributeName = "position" | "normal" | "residual-history";
 
 /** What became of a projected point. */
@@ -299,7 +299,7 @@ export declare const PROJECTION: {
   /** f or its gradient is not finite, or the gradient is longer than 1e150 */
   readonly NOT_FINITE: 3;
 };
-/** A constant of PROJECTION as options spell it. */
+/** The constants of PROJECTION, as options spell them. */
 export type ProjectionName = "converged" | "not-converged" | "zero-gradient" | "not-finite";
 
 /** What became of a ray. */
@@ -315,7 +315,7 @@ export declare const RAY: {
   /** f or its gradient is not finite; earlier hits are kept */
   readonly NOT_FINITE: 4;
 };
-/** A constant of RAY as options spell it. */
+/** The constants of RAY, as options spell them. */
 export type RayName = "hit" | "miss" | "truncated" | "evaluation-limit" | "not-finite";
 
 /**
@@ -393,7 +393,7 @@ export declare const CSG: {
   /** a tube of `second_radius` around a circle of `radius` around the z axis; a leaf */
   readonly TORUS: 12;
 };
-/** A constant of CSG as options spell it. */
+/** The constants of CSG, as options spell them. */
 export type CsgName = "union" | "intersection" | "difference" | "complement" | "offset" | "shell" | "model" |
   "half-space" | "box" | "sphere" | "cylinder" | "cone" | "torus";
 
@@ -416,7 +416,7 @@ export declare const LAYER_KIND: {
   /** marks or strokes of the caller */
   readonly OWN: 3;
 };
-/** A constant of LAYER_KIND as options spell it. */
+/** The constants of LAYER_KIND, as options spell them. */
 export type LayerKindName = "any" | "stipples" | "hatch" | "own";
 
 /** How marks are distributed over a surface. */
@@ -433,7 +433,7 @@ export declare const DISTRIBUTION: {
    */
   readonly PUBLISHED: 1;
 };
-/** A constant of DISTRIBUTION as options spell it. */
+/** The constants of DISTRIBUTION, as options spell them. */
 export type DistributionName = "blue-noise" | "published";
 
 /**
@@ -454,7 +454,7 @@ export declare const HATCH_GUIDE: {
   /** the direction conjugate to guide_direction, which points to the eye: near the silhouette, lines run along it */
   readonly SILHOUETTE: 4;
 };
-/** A constant of HATCH_GUIDE as options spell it. */
+/** The constants of HATCH_GUIDE, as options spell them. */
 export type HatchGuideName = "curvature" | "combing" | "sections" | "light" | "silhouette";
 
 /** The seeds from which marks start. */
@@ -468,7 +468,7 @@ export declare const SEED: {
   /** seed_points, projected onto the surface */
   readonly POINTS: 3;
 };
-/** A constant of SEED as options spell it. */
+/** The constants of SEED, as options spell them. */
 export type SeedName = "auto" | "samples" | "box" | "points";
 
 /** Where the strokes of PUBLISHED start. */
@@ -478,7 +478,7 @@ export declare const STROKE_START: {
   /** at the stipples up to level start_level */
   readonly STIPPLES: 1;
 };
-/** A constant of STROKE_START as options spell it. */
+/** The constants of STROKE_START, as options spell them. */
 export type StrokeStartName = "seeds" | "stipples";
 
 /** How densely the stipples of BLUE_NOISE lie. */
@@ -493,7 +493,7 @@ export declare const DENSITY: {
   /** the density of density_function */
   readonly CALLBACK: 2;
 };
-/** A constant of DENSITY as options spell it. */
+/** The constants of DENSITY, as options spell them. */
 export type DensityName = "uniform" | "curvature" | "callback";
 
 /** The tones in which layers appear, if they have no tone range of their own. */
@@ -506,7 +506,7 @@ export declare const TONE_RANGES: {
    */
   readonly IN_TURN: 1;
 };
-/** A constant of TONE_RANGES as options spell it. */
+/** The constants of TONE_RANGES, as options spell them. */
 export type ToneRangesName = "full" | "in-turn";
 
 /** What else is made for a layer. */
@@ -514,7 +514,7 @@ export declare const LAYER_WITH: {
   /** fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always have it */
   readonly CURVATURE: 1;
 };
-/** A constant of LAYER_WITH as options spell it. */
+/** The constants of LAYER_WITH, as options spell them. */
 export type LayerWithName = "curvature";
 
 /** The arrays of a layer, with one element for each mark or for each of its S strokes. */
@@ -568,7 +568,7 @@ export declare const MARK_ATTRIBUTE: {
    */
   readonly TONE_NORMAL: 10;
 };
-/** A constant of MARK_ATTRIBUTE as options spell it. */
+/** The constants of MARK_ATTRIBUTE, as options spell them. */
 export type MarkAttributeName = "position" | "normal" | "direction" | "curvature" | "rank" | "level" | "stroke" |
   "width" | "stroke-first" | "stroke-order" | "tone-normal";
 
@@ -620,7 +620,7 @@ export declare const LINE_KIND: {
    */
   readonly CREASE: 11;
 };
-/** A constant of LINE_KIND as options spell it. */
+/** The constants of LINE_KIND, as options spell them. */
 export type LineKindName = "contour" | "suggestive-contour" | "ridge" | "valley" | "apparent-ridge" | "parabolic" |
   "isophote" | "section" | "border" | "own" | "crease";
 
@@ -629,7 +629,7 @@ export declare const LINE_SET_WITH: {
   /** measures curvatures and their derivatives, which suggestive contours, apparent ridges and isophotes need */
   readonly CURVATURE: 1;
 };
-/** A constant of LINE_SET_WITH as options spell it. */
+/** The constants of LINE_SET_WITH, as options spell them. */
 export type LineSetWithName = "curvature";
 
 /** How depth runs from the near plane to the far plane. */
@@ -641,7 +641,7 @@ export declare const DEPTH: {
   /** clip and window depth from 1 at the near plane to 0 at the far plane */
   readonly REVERSED: 2;
 };
-/** A constant of DEPTH as options spell it. */
+/** The constants of DEPTH, as options spell them. */
 export type DepthName = "negative-one-to-one" | "zero-to-one" | "reversed";
 
 /** How ink is drawn that lies behind a depth layer of surface. */
@@ -653,7 +653,7 @@ export declare const HIDDEN_LINES: {
   /** ink is drawn as if nothing were in front of it: lambda is 0 */
   readonly SHOW: 2;
 };
-/** A constant of HIDDEN_LINES as options spell it. */
+/** The constants of HIDDEN_LINES, as options spell them. */
 export type HiddenLinesName = "attenuate" | "hide" | "show";
 
 /** How the marks that a surface hides are found. */
@@ -668,7 +668,7 @@ export declare const VISIBILITY: {
   /** Marks paint discs of paper and of ink from far to near, as published [NPAR 6.1]. */
   readonly PUBLISHED: 1;
 };
-/** A constant of VISIBILITY as options spell it. */
+/** The constants of VISIBILITY, as options spell them. */
 export type VisibilityName = "depth-layers" | "published";
 
 /** How many marks a tone shows. */
@@ -684,7 +684,7 @@ export declare const TONE_CURVE: {
   /** the share of marks that is shown is 1 - tau [NPAR 6.2] */
   readonly LINEAR: 1;
 };
-/** A constant of TONE_CURVE as options spell it. */
+/** The constants of TONE_CURVE, as options spell them. */
 export type ToneCurveName = "coverage" | "linear";
 
 /** What the tone tau of a front mark comes from: 1 = light, 0 = dark. */
@@ -696,7 +696,7 @@ export declare const TONE: {
   /** tau is what tone_function returns */
   readonly CALLBACK: 2;
 };
-/** A constant of TONE as options spell it. */
+/** The constants of TONE, as options spell them. */
 export type ToneName = "none" | "light" | "callback";
 
 /**
@@ -713,7 +713,7 @@ export declare const TONE_RULE: {
   /** A mark is shown if it passes each test, as published: u >= tau, u < tau_d, u < scale, u < share [NPAR 6.2]. */
   readonly PUBLISHED: 1;
 };
-/** A constant of TONE_RULE as options spell it. */
+/** The constants of TONE_RULE, as options spell them. */
 export type ToneRuleName = "share" | "published";
 
 /** The space in which the direction to the light is given. */
@@ -723,7 +723,7 @@ export declare const LIGHT: {
   /** eye space: the light moves with the camera */
   readonly CAMERA: 1;
 };
-/** A constant of LIGHT as options spell it. */
+/** The constants of LIGHT, as options spell them. */
 export type LightName = "world" | "camera";
 
 /**
@@ -748,7 +748,7 @@ export declare const SHAPE: {
    */
   readonly HATCH: 2;
 };
-/** A constant of SHAPE as options spell it. */
+/** The constants of SHAPE, as options spell them. */
 export type ShapeName = "dots" | "strokes" | "hatch";
 
 /** How the parts of a line that surface hides are drawn.  A layer of surface is two sheets. */
@@ -762,7 +762,7 @@ export declare const HIDDEN_PARTS: {
   /** hidden parts are drawn like visible ones */
   readonly SHOWN: 3;
 };
-/** A constant of HIDDEN_PARTS as options spell it. */
+/** The constants of HIDDEN_PARTS, as options spell them. */
 export type HiddenPartsName = "none" | "attenuated" | "dashed" | "shown";
 
 /**
@@ -778,7 +778,7 @@ export declare const CAP: {
   /** a tip, twice as long as the line is wide there */
   readonly POINTED: 2;
 };
-/** A constant of CAP as options spell it. */
+/** The constants of CAP, as options spell them. */
 export type CapName = "round" | "flat" | "pointed";
 
 /** Which creases are drawn. */
@@ -790,7 +790,7 @@ export declare const CREASES: {
   /** concave creases: grooves, and where something stands on a face */
   readonly CONCAVE: 2;
 };
-/** A constant of CREASES as options spell it. */
+/** The constants of CREASES, as options spell them. */
 export type CreasesName = "all" | "convex" | "concave";
 
 /**
@@ -832,7 +832,7 @@ export declare const PRESET: {
    */
   readonly ARCHAEOLOGICAL: 14;
 };
-/** A constant of PRESET as options spell it. */
+/** The constants of PRESET, as options spell them. */
 export type PresetName = "stipple" | "hatch" | "cross-hatch" | "combing" | "silhouette" | "contour-and-stipple" |
   "xray" | "full" | "engraving" | "etching" | "woodcut" | "scientific-stipple" | "sketch" | "blueprint" |
   "archaeological";
@@ -849,7 +849,7 @@ export declare const SIDES: {
    */
   readonly BOTH: 1;
 };
-/** A constant of SIDES as options spell it. */
+/** The constants of SIDES, as options spell them. */
 export type SidesName = "front" | "both";
 
 /** How a mark faces the camera [NPAR 6]. */
@@ -863,7 +863,7 @@ export declare const CLASS: {
   /** a mark near a contour, with VISIBILITY_PUBLISHED */
   readonly SILHOUETTE: 3;
 };
-/** A constant of CLASS as options spell it. */
+/** The constants of CLASS, as options spell them. */
 export type ClassName = "none" | "front" | "back" | "silhouette";
 
 /** Options of rasterizing. */
@@ -876,7 +876,7 @@ export declare const RASTER: {
   /** blends in linear light (sRGB decoded) instead of in encoded values */
   readonly LINEAR_LIGHT: 2;
 };
-/** A constant of RASTER as options spell it. */
+/** The constants of RASTER, as options spell them. */
 export type RasterName = "over" | "linear-light";
 
 /** What vertices are written for. */
@@ -888,14 +888,14 @@ export declare const PRIMITIVE: {
   /** strokes, with two vertices for each point, on its left and right side */
   readonly TRIANGLE_STRIPS: 3;
 };
-/** A constant of PRIMITIVE as options spell it. */
+/** The constants of PRIMITIVE, as options spell them. */
 export type PrimitiveName = "points" | "line-strips" | "triangle-strips";
 
 /** The index that ends a strip: 0xFFFFFFFF as UINT32. */
 export declare const INDEX: {
   readonly RESTART: -1;
 };
-/** A constant of INDEX as options spell it. */
+/** The constants of INDEX, as options spell them. */
 export type IndexName = "restart";
 
 /** What a vertex can carry, and the types it can have. */
@@ -938,7 +938,7 @@ export declare const VERTEX_ATTRIBUTE: {
    */
   readonly LINE: 13;
 };
-/** A constant of VERTEX_ATTRIBUTE as options spell it. */
+/** The constants of VERTEX_ATTRIBUTE, as options spell them. */
 export type VertexAttributeName = "position" | "window" | "radius" | "color" | "normal" | "direction" | "id" | "class"
   | "is-paper" | "layer" | "length" | "hidden-layers" | "hidden-by" | "line";
 
@@ -954,7 +954,7 @@ export declare const PARTS: {
   /** keeps the component of the largest area */
   readonly LARGEST: 2;
 };
-/** A constant of PARTS as options spell it. */
+/** The constants of PARTS, as options spell them. */
 export type PartsName = "outer" | "all" | "largest";
 
 /** Whether the order of a face's corners may change. */
@@ -964,7 +964,7 @@ export declare const FACES: {
   /** faces stay as they are */
   readonly KEEP: 1;
 };
-/** A constant of FACES as options spell it. */
+/** The constants of FACES, as options spell them. */
 export type FacesName = "turn" | "keep";
 
 /** Arrays of a mesh. */
@@ -980,7 +980,7 @@ export declare const MESH_ATTRIBUTE: {
   /** unit normals of the three corners of each face; FLOAT64 x 9 */
   readonly CORNER_NORMAL: 4;
 };
-/** A constant of MESH_ATTRIBUTE as options spell it. */
+/** The constants of MESH_ATTRIBUTE, as options spell them. */
 export type MeshAttributeName = "vertex" | "triangle" | "component" | "given-face" | "corner-normal";
 
 /** Which edges of a mesh are sharp. */
@@ -995,7 +995,7 @@ export declare const EDGES: {
   /** all edges are sharp whose faces meet at more than crease_angle */
   readonly SHARP: 2;
 };
-/** A constant of EDGES as options spell it. */
+/** The constants of EDGES, as options spell them. */
 export type EdgesName = "auto" | "smooth" | "sharp";
 
 /** The format of a file. */
@@ -1009,7 +1009,7 @@ export declare const PAGE_FORMAT: {
   /** G-code for plotters: G0 and G1 in mm, y up from the lower left corner */
   readonly GCODE: 3;
 };
-/** A constant of PAGE_FORMAT as options spell it. */
+/** The constants of PAGE_FORMAT, as options spell them. */
 export type PageFormatName = "svg" | "pdf" | "hpgl" | "gcode";
 
 /** How strokes are written whose width varies. */
@@ -1019,7 +1019,7 @@ export declare const WIDTHS: {
   /** lines of even widths, whose ratios are powers of `width_step` */
   readonly CLASSES: 1;
 };
-/** A constant of WIDTHS as options spell it. */
+/** The constants of WIDTHS, as options spell them. */
 export type WidthsName = "outlines" | "classes";
 
 /** How dots are written. */
@@ -1031,7 +1031,7 @@ export declare const DOT_SHAPE: {
   /** spirals with which a pen fills the dot, if the dot is wider than the pen */
   readonly SPIRALS: 2;
 };
-/** A constant of DOT_SHAPE as options spell it. */
+/** The constants of DOT_SHAPE, as options spell them. */
 export type DotShapeName = "circles" | "lines" | "spirals";
 
 /** Options of a page. */
@@ -1053,7 +1053,7 @@ export declare const PAGE: {
    */
   readonly WITHOUT_PAPER: 2;
 };
-/** A constant of PAGE as options spell it. */
+/** The constants of PAGE, as options spell them. */
 export type PageName = "in-plot-order" | "single-pass" | "without-paper";
 
 /**
@@ -1096,7 +1096,7 @@ export declare const LINE_TYPE: {
   /** two dashes, then three dots */
   readonly DOUBLE_DASHED_TRIPLE_DOTTED: 15;
 };
-/** A constant of LINE_TYPE as options spell it. */
+/** The constants of LINE_TYPE, as options spell them. */
 export type LineTypeName = "as-drawn" | "continuous" | "dashed" | "dashed-spaced" | "long-dashed-dotted" |
   "long-dashed-double-dotted" | "long-dashed-triple-dotted" | "dotted" | "long-dashed-short-dashed" |
   "long-dashed-double-short-dashed" | "dashed-dotted" | "double-dashed-dotted" | "dashed-double-dotted" |
@@ -1111,7 +1111,7 @@ export declare const SOURCE: {
   /** says that the points are one image of a depth camera that stood at `viewpoint` */
   readonly IS_PHOTO: 4;
 };
-/** A constant of SOURCE as options spell it. */
+/** The constants of SOURCE, as options spell them. */
 export type SourceName = "has-sharp-edges" | "has-viewpoint" | "is-photo";
 
 /** Options of a picture. */
@@ -1133,7 +1133,7 @@ export declare const PICTURE: {
   /** says that the source is a part of a solid, so that up is y */
   readonly IS_SOLID: 128;
 };
-/** A constant of PICTURE as options spell it. */
+/** The constants of PICTURE, as options spell them. */
 export type PictureName = "allow-blank" | "flip" | "close" | "together" | "transparent" | "keep-marks" |
   "surface-only" | "is-solid";
 
@@ -1151,7 +1151,7 @@ export declare const PICTURE_EDGES: {
   /** edges are sharp that bend by more than `edge_angle` (HRBFNPR_EDGES_SHARP) */
   readonly SHARP: 3;
 };
-/** A constant of PICTURE_EDGES as options spell it. */
+/** The constants of PICTURE_EDGES, as options spell them. */
 export type PictureEdgesName = "as-given" | "auto" | "smooth" | "sharp";
 
 /** Whether an upright section through the middle is drawn beside the drawing. */
@@ -1163,7 +1163,7 @@ export declare const PROFILE: {
   /** no section is drawn */
   readonly NO: 2;
 };
-/** A constant of PROFILE as options spell it. */
+/** The constants of PROFILE, as options spell them. */
 export type ProfileName = "auto" | "yes" | "no";
 
 /** The sides of a surface on which marks are drawn. */
@@ -1175,7 +1175,7 @@ export declare const PICTURE_SIDES: {
   /** both sides (HRBFNPR_SIDES_BOTH) */
   readonly BOTH: 2;
 };
-/** A constant of PICTURE_SIDES as options spell it. */
+/** The constants of PICTURE_SIDES, as options spell them. */
 export type PictureSidesName = "auto" | "front" | "both";
 
 /** How notes and errors write the options that they name. */
@@ -1187,7 +1187,7 @@ export declare const WORDING: {
   /** as arguments of a call in Python: samples=400 */
   readonly ARGUMENTS: 2;
 };
-/** A constant of WORDING as options spell it. */
+/** The constants of WORDING, as options spell them. */
 export type WordingName = "fields" | "options" | "arguments";
 
 /** What a dab paints. */
@@ -1199,7 +1199,7 @@ export declare const DAB: {
   /** the direction of hatching */
   readonly DIRECTION: 2;
 };
-/** A constant of DAB as options spell it. */
+/** The constants of DAB, as options spell them. */
 export type DabName = "tone" | "density" | "direction";
 
 /** The stages of the work. */
@@ -1227,7 +1227,7 @@ export declare const STAGE: {
   /** draws the views of a sheet */
   readonly VIEWS: 11;
 };
-/** A constant of STAGE as options spell it. */
+/** The constants of STAGE, as options spell them. */
 export type StageName = "mesh" | "sample" | "orient" | "smooth" | "fit" | "compare" | "end" | "marks" | "lines" |
   "frame" | "views";
 
@@ -1242,7 +1242,7 @@ export declare const SEVERITY: {
   /** there is no result: the text is the error of the call, in full length */
   readonly FAILURE: 3;
 };
-/** A constant of SEVERITY as options spell it. */
+/** The constants of SEVERITY, as options spell them. */
 export type SeverityName = "info" | "note" | "warning" | "failure";
 
 /**
@@ -1419,7 +1419,7 @@ export declare const NOTE: {
   /** a source cannot be drawn; the text says why [] */
   readonly NOT_USABLE: 76;
 };
-/** A constant of NOTE as options spell it. */
+/** The constants of NOTE, as options spell them. */
 export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriented" | "normals-made" |
   "normals-not-sure" | "front-not-told" | "samples-chosen" | "points-not-usable" | "normals-joined" |
   "normals-opposite" | "terrain-turned" | "normals-turned" | "normals-repaired" | "normals-against" | "normals-mixed"
@@ -1444,7 +1444,7 @@ export declare const SOURCE_KIND: {
   /** a point set without a model */
   readonly POINT_SET: 4;
 };
-/** A constant of SOURCE_KIND as options spell it. */
+/** The constants of SOURCE_KIND, as options spell them. */
 export type SourceKindName = "points" | "mesh" | "model" | "point-set";
 
 /** Which way normals look. */
@@ -1462,7 +1462,7 @@ export declare const NORMALS_LOOK: {
   /** they belong to other points; found for points along curves only */
   readonly FOREIGN: 5;
 };
-/** A constant of NORMALS_LOOK as options spell it. */
+/** The constants of NORMALS_LOOK, as options spell them. */
 export type NormalsLookName = "unknown" | "outward" | "inward" | "mixed" | "open" | "foreign";
 
 /** Options of a sheet. */
@@ -1480,7 +1480,7 @@ export declare const VIEWS: {
    */
   readonly UNIT_IS_METRE: 4;
 };
-/** A constant of VIEWS as options spell it. */
+/** The constants of VIEWS, as options spell them. */
 export type ViewsName = "centre-lines" | "labels" | "unit-is-metre";
 
 /** Where views stand [ISO 5456-2]. */
@@ -1490,7 +1490,7 @@ export declare const VIEWS_ANGLE: {
   /** third angle: the left view stands at the left, the top view above */
   readonly THIRD: 1;
 };
-/** A constant of VIEWS_ANGLE as options spell it. */
+/** The constants of VIEWS_ANGLE, as options spell them. */
 export type ViewsAngleName = "first" | "third";
 
 /** How hidden edges are drawn.  Sections never have hidden edges [ISO 128-3]. */
@@ -1502,7 +1502,7 @@ export declare const VIEWS_HIDDEN: {
   /** hidden edges are continuous thin lines */
   readonly SHOWN: 2;
 };
-/** A constant of VIEWS_HIDDEN as options spell it. */
+/** The constants of VIEWS_HIDDEN, as options spell them. */
 export type ViewsHiddenName = "dashed" | "none" | "shown";
 
 export declare const GROUPS: Readonly<Record<string, Readonly<Record<string, number>>>>;

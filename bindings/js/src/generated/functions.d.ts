@@ -4,7 +4,7 @@
 /** An address in the module's memory; 0 is NULL. */
 export type Pointer = number;
 
-/** The functions of the C interface, by their own names.  64-bit integers are numbers here. */
+/** The functions of the C interface, by their names in C.  64-bit integers are numbers here. */
 export interface Functions {
   /**
    * uint32_t hrbfnpr_version(void)

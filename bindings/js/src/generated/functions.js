@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 
-// What each function returns and takes: p an address, i 32 bits, j 64 bits, f and d floats, v nothing.
+// The types of a function: of its result, then of its parameters. p is an address, i an integer of 32 bits,
+// j an integer of 64 bits, f a float, d a double, and v nothing.
 export const FUNCTIONS = {
   hrbfnpr_version: "i",
   hrbfnpr_abi_version: "i",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 
-// [kind, offset, ...] of each field that a caller sets or reads: bindings/js/make_js.py.
+// [kind, offset, ...] of each field that a caller sets or reads.  bindings/js/make_js.py writes them.
 export const STRUCTS = {
   hrbfnpr_error: { size: 256, sized: true, fields: {
     status: ["i32", 4],
@@ -911,7 +911,7 @@ export const STRUCTS = {
   } },
 };
 
-/** The struct's own name of a field, and its offset, for all fields: a test compares them. */
+/** The offset of every field, by its name in C.  A test compares them with the module's. */
 export const OFFSETS = {
   hrbfnpr_error: {struct_size: 0, status: 4, message: 8},
   hrbfnpr_array: {data: 0, count: 8, stride: 16, scalar: 24, components: 28},

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
-//! Sizes, alignments and offsets as the C compiler has them; a crate that differs does not compile.
+//! Compares sizes, alignments and offsets with those of the C compiler.  The crate does not compile if one differs.
 use super::*;
 use core::mem::{align_of, size_of};
 
-/// With 64-bit pointers, with 32-bit pointers, and with those of x86, whose f64 are aligned to 4.
-#[allow(dead_code)] // of old compilers, which do not see it used
+/// Returns the number for 64-bit pointers, for 32-bit pointers, or for 32-bit x86, which aligns f64 to 4 bytes.
+#[allow(dead_code)] // old compilers do not see its uses
 const fn either(lp64: usize, ilp32: usize, i386: usize) -> usize {
     if cfg!(target_pointer_width = "64") {
         lp64

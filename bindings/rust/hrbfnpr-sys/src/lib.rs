@@ -267,7 +267,7 @@
 //! docs/technical.md shows sheets.
 #![no_std]
 #![allow(non_camel_case_types)]
-#![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
+#![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is not a link
 
 #[cfg(hrbfnpr_no_core_c_char)]
 extern crate std;
