@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The memory of one call: arguments are put into the module's memory, results taken from it, and all is freed behind it.
+// The memory of one call.  It writes arguments into the module's memory, reads results from there, and then frees all.
 import { HrbfnprError } from "./errors.js";
 import { SCALAR, STATUS } from "./generated/constants.js";
 import { OFFSETS } from "./generated/layout.js";
@@ -14,7 +14,7 @@ function scalarOf(array) {
   return TYPES.find(([type]) => array instanceof type)?.[1];
 }
 
-/** Elements in one flat typed array: of a typed array, of numbers, or of rows of numbers. */
+/** Returns the elements as one flat typed array.  `value` is a typed array, numbers, or rows of numbers. */
 function flat(value, what) {
   if (scalarOf(value)) return value;
   if (Array.isArray(value)) return Float64Array.from(value.flat());
@@ -25,7 +25,7 @@ function bytesOf(array) {
   return new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 }
 
-/** One array of the bytes of many. */
+/** Joins arrays of bytes. */
 export function joined(chunks) {
   const whole = new Uint8Array(chunks.reduce((size, chunk) => size + chunk.length, 0));
   let at = 0;
@@ -46,7 +46,7 @@ export class Call {
     this.error = this.struct("hrbfnpr_error", {});
   }
 
-  /** Runs `work` with a Call and frees what it took. */
+  /** Runs `work` with a Call, and then frees the memory that the Call allocated. */
   static with(library, work) {
     const call = new Call(library);
     try {
@@ -61,7 +61,7 @@ export class Call {
     this.#users.forEach((user) => this.library.callbacks.forget(user));
   }
 
-  /** Zeroed bytes. */
+  /** Allocates bytes that are zero. */
   allocate(bytes) {
     const address = this.library.malloc(bytes);
     if (address === 0)
@@ -102,19 +102,19 @@ export class Call {
     return sizeOf(name);
   }
 
-  /** Where a field is in a struct. */
+  /** Returns the offset of a field in a struct. */
   offsetOf(name, field) {
     return OFFSETS[name][field];
   }
 
-  /** A struct with defaults and options; without `sized` all zero. */
+  /** Allocates a struct with its defaults, changed by `options`.  If `sized` is false, it stays all zero. */
   struct(name, options, sized = true) {
     const address = this.allocate(sizeOf(name));
     if (sized) write(this, address, name, options);
     return address;
   }
 
-  /** The same, or NULL of no options; of a Camera or the like its own options. */
+  /** Allocates a struct with the fields of `value`, such as a Camera; returns NULL if `value` is missing. */
   structOf(value, name, what = name) {
     if (value === undefined || value === null) return 0;
     const address = this.allocate(sizeOf(name));
@@ -132,7 +132,7 @@ export class Call {
     return [address, user];
   }
 
-  /** Callbacks that were registered in this call live on: of a custom model, until it is released. */
+  /** Keeps the callbacks of this call after its end, such as that of a custom model. */
   keepCallbacks() {
     return this.#users.splice(0);
   }
@@ -146,7 +146,7 @@ export class Call {
     data.setUint32(at + 28, components, true);
   }
 
-  /** An hrbfnpr_array at `at`, of a copy of the elements. */
+  /** Writes an hrbfnpr_array at `at`, with a copy of the elements. */
   writeArray(at, value, components, what) {
     const given = value?.data !== undefined && !ArrayBuffer.isView(value) ? value : { data: value, components };
     const elements = flat(given.data, what);
@@ -161,7 +161,7 @@ export class Call {
     return at;
   }
 
-  /** An hrbfnpr_array_out at `at`; the caller's array is filled by `finish`. */
+  /** Writes an hrbfnpr_array_out at `at`.  `check` copies the results into the caller's array. */
   writeArrayOut(at, value, what) {
     const given = ArrayBuffer.isView(value) ? { data: value, components: 1 } : value ?? {};
     const scalar = scalarOf(given.data);
@@ -177,7 +177,7 @@ export class Call {
     return at;
   }
 
-  /** Calls a function whose last parameter is an error; throws what it says. */
+  /** Calls a function whose last parameter is an error, and throws if it fails. */
   check(name, ...values) {
     const status = this.library.raw[name](...values, this.error);
     this.#raise(status);
@@ -192,14 +192,14 @@ export class Call {
     throw new HrbfnprError(status, this.library.text(this.error + 8));
   }
 
-  /** The handle that a function makes, whose last parameters are where it goes and the error. */
+  /** Returns the handle that a function makes.  Its last parameters are the destination and the error. */
   made(name, ...values) {
     const out = this.allocate(4);
     this.check(name, ...values, out);
     return this.getPointer(out);
   }
 
-  /** The elements of a view of the library's, copied. */
+  /** Copies the elements of an hrbfnpr_array that the library filled. */
   copyOfView(at) {
     const { bytes, data } = this.library.views;
     const count = Number(data.getBigInt64(at + 8, true));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions of JavaScript's that the library calls: one function of the module for each type of callback, whose user
-// pointer is the number of the function that is meant.
+// Functions of JavaScript that the library calls.  The module has one function for each type of callback; its user
+// pointer is the number of the JavaScript function.
 import { CALLBACKS } from "./generated/functions.js";
 import { OFFSETS } from "./generated/layout.js";
 import { read } from "./structs.js";
@@ -14,11 +14,12 @@ function floats(library, address, count) {
   return new Float32Array(library.views.buffer, address, count);
 }
 
-// How each type is called: (library, function, arguments behind the user pointer) -> its result; nothing is 0.
+// How each type of callback calls a function: (library, function, arguments after the user pointer) -> result.
+// No result means 0.
 const ADAPTERS = {
   hrbfnpr_progress_fn: (_, call, progress) => (call(progress) === false ? 1 : 0),
   hrbfnpr_log_fn: (library, call, level, message) => void call(library.text(message >>> 0), LEVELS[level] ?? level),
-  // A picture keeps its address, and tells it of later drawings, too: by then the function has been forgotten.
+  // A picture keeps this callback and calls it for later drawings, too, after the function has been forgotten.
   hrbfnpr_picture_event_fn: (library, call, event) => void call?.(eventOf(library, event >>> 0)),
   hrbfnpr_write_fn: (library, call, data, size) =>
     void call(library.views.bytes.slice(data >>> 0, (data >>> 0) + Number(size))),
@@ -50,7 +51,7 @@ const ADAPTERS = {
   },
 };
 
-// A stage of a picture, or, where it is about one, a note.
+// Reads an event of a picture.  It has a note if the event is about a note.
 function eventOf(library, address) {
   const event = read(library, address, "hrbfnpr_picture_event");
   const note = library.views.data.getUint32(address + OFFSETS.hrbfnpr_picture_event.note, true);
@@ -71,7 +72,7 @@ export class Callbacks {
     this.#addFunction = addFunction;
   }
 
-  /** [address of the module's function, user pointer] for a function of JavaScript's. */
+  /** Registers a function of JavaScript.  Returns [address of the module's function, user pointer]. */
   register(type, call, what) {
     if (!ADAPTERS[type]) throw new TypeError(`${what} cannot be given here: use the functions of Library.raw`);
     if (typeof call !== "function") throw new TypeError(`${what} must be a function`);
@@ -86,7 +87,7 @@ export class Callbacks {
     this.#releases.delete(user);
   }
 
-  /** The module's function that, called with a user pointer, forgets its function and calls `then`. */
+  /** Returns the address of a release function.  Called with `user`, it forgets the function and calls `then`. */
   releaseOf(user, then) {
     this.#releases.set(user, then);
     if (!this.#addresses.has("release"))
@@ -113,7 +114,7 @@ export class Callbacks {
     return this.#addFunction(run, signature.replaceAll("p", "i"));
   }
 
-  /** What a callback threw since the last time, in a box. */
+  /** Returns { error } with the first exception since the last call of this method; undefined if there was none. */
   takeThrown() {
     const thrown = this.#thrown;
     this.#thrown = undefined;

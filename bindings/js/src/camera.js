@@ -3,7 +3,7 @@ import { Call } from "./call.js";
 
 const NAME = "hrbfnpr_camera";
 
-/** Where a scene is seen from: plain data, { depthConvention, view, projection, viewport }, and ways to set it. */
+/** A camera: plain data, { depthConvention, view, projection, viewport }, with methods that set it. */
 export class Camera {
   #library;
 

@@ -11,17 +11,17 @@ import { PointSet } from "./point_set.js";
 import { Renderer } from "./renderer.js";
 import { Settings } from "./settings.js";
 
-/** A source whose triangles, as a list of numbers or of lists of three, are whole numbers as the library takes them. */
+/** Returns a source whose triangles, numbers or lists of three, are an Int32Array, which the library accepts. */
 const withIndices = (source) =>
   Array.isArray(source.triangles) ? { ...source, triangles: Int32Array.from(source.triangles.flat()) } : source;
 
-/** Threads, memory and log; everything else is made from one. */
+/** Holds the threads, the memory and the log.  Everything else is made from a context. */
 export class Context extends Handle {
-  /** Use Library.createContext. */
+  /** Private: use Library.createContext. */
   constructor(library, options) {
     const pointer = Call.with(library, (call) => {
       const made = call.made("hrbfnpr_context_create", call.structOf(options, "hrbfnpr_context_desc", "context"));
-      call.keepCallbacks(); // the log's: it may be called as long as anything of this context lives
+      call.keepCallbacks(); // the log function may run as long as an object of this context exists
       return made;
     });
     super(library, "hrbfnpr_context", pointer);
@@ -85,7 +85,7 @@ export class Context extends Handle {
       const { user, release: at } = OFFSETS.hrbfnpr_custom_desc;
       call.setPointer(desc + at, this.library.callbacks.releaseOf(call.getPointer(desc + user), release));
       const model = new Model(this, call.made("hrbfnpr_model_create_custom", this.pointer, desc));
-      call.keepCallbacks(); // until the library releases it
+      call.keepCallbacks(); // the library releases it with the model
       return model;
     });
   }
@@ -110,7 +110,7 @@ export class Context extends Handle {
   orient(options, control) {
     return Call.with(this.library, (call) => {
       const desc = call.structOf(options, "hrbfnpr_orient_desc", "orient");
-      const { data } = this.library.views; // of the struct just written
+      const { data } = this.library.views; // of the struct that was just written
       const normals = new Float64Array(3 * Number(data.getBigInt64(desc + 16, true)));
       const out = call.arrayOut(normals, 3);
       const info = call.struct("hrbfnpr_orient_info", {});
@@ -123,7 +123,7 @@ export class Context extends Handle {
   smoothDepthImage(options, control) {
     return Call.with(this.library, (call) => {
       const desc = call.structOf(options, "hrbfnpr_depth_image_desc", "depthImage");
-      const { data } = this.library.views; // of the struct just written
+      const { data } = this.library.views; // of the struct that was just written
       const count = Number(data.getBigInt64(desc + 24, true));
       const points = new Float64Array(3 * count);
       const normals = new Float64Array(3 * count);

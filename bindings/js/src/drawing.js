@@ -5,12 +5,12 @@ import { Made } from "./model.js";
 import { constant } from "./structs.js";
 
 const CHANNELS = { [FORMAT.RGBA32F]: Float32Array, [FORMAT.RGBA32F_PREMULTIPLIED]: Float32Array };
-// Of each vertex attribute: its scalar and how many.
+// The scalar type and the number of scalars of each vertex attribute.
 const VERTICES = { POSITION: [1, 3], WINDOW: [1, 3], RADIUS: [1, 1], COLOR: [1, 4], NORMAL: [1, 3], DIRECTION: [1, 3],
                    ID: [4, 1], CLASS: [4, 1], IS_PAPER: [4, 1], LAYER: [4, 1], LENGTH: [1, 1], HIDDEN_LAYERS: [4, 1],
                    HIDDEN_BY: [4, 1], LINE: [4, 1] };
 
-/** A picture as a value. */
+/** A picture as a value: dots and strokes. */
 export class Drawing extends Made {
   constructor(context, pointer, viewport) {
     super(context, "hrbfnpr_drawing", pointer);
@@ -30,7 +30,7 @@ export class Drawing extends Made {
     return this.readInfo("hrbfnpr_drawing_identify", "hrbfnpr_mark_identity", id);
   }
 
-  /** { width, height, data } as an ImageData takes it, and the wanted ones of depth, id and markClass. */
+  /** Draws an image: { width, height, data } for an ImageData, with depth, id and markClass if they are wanted. */
   rasterize({ width = this.width, height = this.height, format = "rgba8", image, linearLight = false, hostDepth,
               depth = false, id = false, markClass = false } = {}) {
     const number = constant("FORMAT", format, "format");
@@ -55,7 +55,7 @@ export class Drawing extends Made {
     });
   }
 
-  /** Vertices of a primitive: { vertices: Uint8Array, stride, offsets, indices }. */
+  /** Returns the vertices of a primitive: { vertices: Uint8Array, stride, offsets, indices }. */
   vertices(primitive, attributes) {
     const number = constant("PRIMITIVE", primitive, "primitive");
     const offsets = {};
@@ -83,7 +83,7 @@ export class Drawing extends Made {
     });
   }
 
-  /** How each mark of a layer of an item's point set is drawn. */
+  /** Returns how each mark of a layer of an item's point set is drawn. */
   markResults(item, layer, count) {
     const result = { shown: new Uint8Array(count), radius: new Float32Array(count),
                      opacity: new Float32Array(count) };
@@ -94,7 +94,7 @@ export class Drawing extends Made {
     });
   }
 
-  /** Numbers of the marks of a layer that are drawn. */
+  /** Returns the numbers of the marks of a layer that are drawn. */
   markIndices(item, layer, { markClass = "front", primitive = PRIMITIVE.POINTS } = {}) {
     const chosen = [constant("CLASS", markClass, "markClass"), constant("PRIMITIVE", primitive, "primitive")];
     return Call.with(this.library, (call) => {
@@ -109,7 +109,7 @@ export class Drawing extends Made {
     });
   }
 
-  /** The drawing alone on a page of its size as SVG text. */
+  /** Returns the drawing alone, on a page of its size, as SVG text. */
   toSVG(options = {}) {
     const { bytes } = this.context.writePage({ ...options, format: "svg", items: [{ drawing: this }] });
     return new TextDecoder().decode(bytes);

@@ -3,17 +3,17 @@ import { STATUS } from "./generated/constants.js";
 
 const NAMES = new Map(Object.entries(STATUS).map(([name, value]) => [value, name]));
 
-/** A call of the library that failed.  Its message names the argument and the remedy. */
+/** A call of the library failed.  The message names the wrong argument and says what to do. */
 export class HrbfnprError extends Error {
   /**
-   * @param {number} status one of STATUS
+   * @param {number} status a number of STATUS
    * @param {string} message
    */
   constructor(status, message) {
     super(message);
     this.name = "HrbfnprError";
     this.status = status;
-    /** Such as "INVALID_ARGUMENT". */
+    /** The name of the status, such as "INVALID_ARGUMENT". */
     this.statusName = NAMES.get(status) ?? "UNKNOWN";
   }
 

@@ -2,7 +2,7 @@
 
 const registry = new FinalizationRegistry(({ library, kind, pointer }) => library.raw[`${kind}_release`](pointer));
 
-/** What the library keeps until it is freed: by free(), by `using`, or some time after nothing refers to it any more. */
+/** An object of the library.  free() or `using` frees it, or the garbage collector at some time after its last use. */
 export class Handle {
   #pointer;
 
@@ -13,7 +13,7 @@ export class Handle {
     registry.register(this, { library, kind, pointer }, this);
   }
 
-  /** Its address, for Library.raw. */
+  /** The address of the object, for Library.raw. */
   get pointer() {
     if (this.#pointer === 0) throw new Error(`this ${this.kind.replace("hrbfnpr_", "")} has been freed`);
     return this.#pointer;
@@ -23,7 +23,7 @@ export class Handle {
     return this.#pointer === 0;
   }
 
-  /** Gives it back; what was made from it lives on. */
+  /** Frees the object.  Objects that were made from it stay alive. */
   free() {
     if (this.#pointer === 0) return;
     registry.unregister(this);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Types of the package.  Options and results have the names of the C structs' fields in camelCase; their comments, with
-// units, ranges and defaults, are in generated/options.d.ts.
+// Types of the package.  Options and results have the names of the fields of C structs, in camelCase.  Their comments,
+// with units, ranges and defaults, are in generated/options.d.ts.
 import type * as C from "./generated/constants.js";
 import type { Functions, Pointer } from "./generated/functions.js";
 import type * as O from "./generated/options.js";
@@ -19,241 +19,287 @@ export type {
 export type Numbers = ArrayLike<number>;
 export type TypedArray = Float32Array | Float64Array | Uint8Array | Uint8ClampedArray | Uint32Array | Int32Array
   | BigInt64Array;
-/** Elements one after the other (x y z x y z ...), or rows of them; or with another number of components. */
+/** Numbers of all elements, one element after the other (x y z x y z ...), or rows of numbers. */
 export type Elements = TypedArray | readonly number[] | readonly (readonly number[])[];
+/** Elements with the usual number of components, or with another one. */
 export type ArrayInput = Elements | { data: Elements; components: number };
-/** Filled by the call. */
+/** An array that the call fills. */
 export type ArrayOutput = TypedArray | { data: TypedArray; components: number };
 
-/** Progress in [0, 1]; false cancels. */
+/** Receives the progress, from 0 to 1.  Return false to cancel the call. */
 export type ProgressFn = (progress: number) => boolean | void;
-/** A stage of a picture that runs or ends, or a note. */
+/** Receives events of a picture: the progress of a stage, or a note. */
 export type PictureEventFn = (event: O.PictureEvent & { note?: O.Note }) => void;
+/** Receives messages of the library's log. */
 export type LogFn = (message: string, level: "debug" | "info" | "warning") => void;
+/** Not available in JavaScript, and neither are the two types below. */
 export type AllocateFn = never;
 export type DeallocateFn = never;
 export type RunTasksFn = never;
-/** Fills `value` (n) and, where they are not null, `gradient` (3 n) and `hessian` (6 n: xx xy xz yy yz zz). */
+/** Fills `value` (n numbers) and, if they are not null, `gradient` (3 n) and `hessian` (6 n: xx xy xz yy yz zz). */
 export type ImplicitFn = (points: Float64Array, out: {
   value: Float64Array; gradient: Float64Array | null; hessian: Float64Array | null }) => void;
+/** Fills `density` (n numbers): 1 where marks lie closest, 0 where there are none. */
 export type DensityFn = (positions: Float64Array, normals: Float64Array, density: Float64Array) => void;
+/** Fills `directions` (3 n numbers); (0, 0, 0) = no direction. */
 export type DirectionFn = (positions: Float64Array, normals: Float64Array, directions: Float64Array) => void;
+/** Fills `tau` (n numbers): 1 = light, 0 = dark. */
 export type ToneFn = (positions: Float32Array, normals: Float32Array, tau: Float32Array) => void;
 
-/** Of a long call.  It runs on the calling thread: a page makes it in a worker. */
+/** Progress and cancelling of a long call.  The call runs on the calling thread, so a web page makes it in a worker. */
 export interface Control {
+  /** Receives the progress; return false to cancel. */
   onProgress?: ProgressFn;
-  /** Looked at with each progress; another task can abort it only where the call itself lets it, as in onProgress. */
+  /** Checked with each progress.  While the call runs, only its own callbacks, such as onProgress, can abort it. */
   signal?: AbortSignal;
-  /** On shared memory: any thread cancels by a number other than 0 in its first element. */
+  /** An array in shared memory.  Any thread cancels the call by writing a number other than 0 to its first element. */
   cancelFlag?: Int32Array;
 }
 
 export interface LoadOptions {
-  /** 1 (default); a larger number, or "auto" for all processors where the page may: the build with threads. */
+  /** Number of threads; 1 to 256; default 1.  More than 1 loads the build with threads.  "auto" = one for each
+   *  processor, or 1 if threads cannot be used. */
   threads?: number | "auto";
-  /** The module's bytes, or Library.wasm of another worker's, instead of fetching them. */
+  /** The bytes of the module, or Library.wasm of another worker; default: they are fetched. */
   wasm?: WebAssembly.Module | BufferSource;
-  /** An address in the folder "src" of the package, where that has been moved; import.meta.url. */
+  /** An address in the package's folder "src", if that was moved; default import.meta.url. */
   base?: string | URL;
 }
 
 /** Compiles and starts the module. */
 export function load(options?: LoadOptions): Promise<Library>;
-/** Whether the build with threads can run here: a page has to be cross-origin isolated. */
+/** Whether the build with threads can run here.  A web page must be cross-origin isolated. */
 export function canUseThreads(): boolean;
 
-/** A call that failed.  The message names the argument and the remedy. */
+/** A call failed.  The message names the wrong argument and says what to do. */
 export class HrbfnprError extends Error {
   constructor(status: number, message: string);
-  /** One of STATUS. */
+  /** A number of STATUS. */
   readonly status: number;
-  /** Such as "INVALID_ARGUMENT". */
+  /** The name of the status, such as "INVALID_ARGUMENT". */
   readonly statusName: string;
+  /** Whether the caller cancelled the call. */
   readonly isCancelled: boolean;
 }
 
-/** One instance of the module. */
+/** One instance of the WebAssembly module. */
 export class Library {
   private constructor();
-  /** Threads that a context uses unless told otherwise. */
+  /** Default number of threads of a context, the calling one included. */
   readonly threads: number;
+  /** The compiled module, for load() in another worker. */
   readonly wasm: WebAssembly.Module;
-  /** The C interface itself. */
+  /** The functions of the C interface, by their names in C. */
   readonly raw: Functions;
+  /** The library's version, "major.minor.patch". */
   readonly version: string;
+  /** The names of the presets, in the order of their numbers. */
   readonly presetNames: C.PresetName[];
-  /** The module's memory as it is now: a call that makes it grow makes views useless. */
+  /** Views of the module's memory.  A call that makes the memory grow invalidates them. */
   readonly views: { readonly bytes: Uint8Array; readonly data: DataView; readonly buffer: ArrayBufferLike };
-  /** Bytes in the module's memory, for `raw`; 0 where there are none. */
+  /** Allocates bytes in the module's memory, for `raw`; 0 if there are none left. */
   malloc(bytes: number): Pointer;
+  /** Frees bytes that malloc allocated. */
   free(address: Pointer): void;
-  /** The text at an address. */
+  /** The text at an address; undefined for NULL. */
   text(address: Pointer): string | undefined;
+  /** Describes the build: version, abi, compiler, instruction_sets, thread_backends, dependencies. */
   buildInfo(): Record<string, unknown>;
+  /** How the module lays out a struct, such as "hrbfnpr_fit_desc"; undefined for an unknown name. */
   layout(name: string): { name: string; size: number; align: number;
                           fields: { name: string; type: string; offset: number; size: number }[] } | undefined;
-  /** Throws if the module is of another version than the package. */
+  /** Throws if the package and the module lay out structs differently, because their versions differ. */
   checkLayouts(): void;
+  /** Creates a context, from which everything else is made. */
   createContext(options?: O.ContextDesc): Context;
+  /** Creates a camera. */
   createCamera(options?: O.Camera): Camera;
-  /** A style as plain data, to be changed and given to Renderer.draw. */
+  /** A style as plain data, which can be changed and passed to Renderer.draw; without a preset the default style. */
   style(preset?: C.PresetName | number): O.Style;
-  /** The layers that a preset draws. */
+  /** The layers that a preset draws, for `generate`. */
   presetLayers(preset: C.PresetName | number): O.LayerDesc[];
   /** The defaults of a struct of options, such as "hrbfnpr_fit_desc". */
   defaults(name: string): Record<string, unknown>;
 }
 
-/** What the library keeps until it is freed: by free(), by `using`, or some time after nothing refers to it any more. */
+/** An object of the library.  free() or `using` frees it, or the garbage collector at some time after its last use. */
 export class Handle {
   protected constructor();
   readonly library: Library;
+  /** The address of the object, for Library.raw. */
   readonly pointer: Pointer;
   readonly isFreed: boolean;
-  /** Gives it back; what was made from it lives on. */
+  /** Frees the object.  Objects that were made from it stay alive. */
   free(): void;
 }
 
-/** Threads, memory and log; everything else is made from one. */
+/** Holds the threads, the memory and the log.  Everything else is made from a context. */
 export class Context extends Handle {
   info(): O.ContextInfo;
-  /** Draws anything: points (n x 3, with or without normals), a mesh (points and triangles), a model or a point set, or
-   *  several of these.  All that is left open is chosen, and told in the picture's notes. */
+  /** Draws one or several sources: points (n x 3, with or without normals), a mesh (points and triangles), a model or a
+   *  point set.  The picture chooses what the options leave open, and tells its choices in its notes. */
   draw(source: PictureInput | readonly PictureInput[], options?: PictureOptions, control?: Control): Picture;
-  /** Reads a file of settings, for the option `settings`. */
+  /** Reads the text of a settings file, for the option `settings`. */
   loadSettings(text: string | Uint8Array): Settings;
-  /** Fits a surface to points (n x 3) and outward normals (n x 3); without normals set normalMode. */
+  /** Fits a surface to points (n x 3) and outward normals (n x 3).  Without normals, set normalMode. */
   fit(options: O.FitDesc, control?: Control): Model;
-  /** Fits a surface to a mesh; `fit` are options of the fits. */
+  /** Fits a surface to a mesh.  `fit` has kernel, solver, regularization and trim. */
   fitMesh(mesh: Mesh, options?: O.MeshFitDesc & { fit?: O.FitDesc }, control?: Control): Model;
-  /** A solid put together from others: a list of nodes, each with the number of its parent. */
+  /** Makes a solid from a list of nodes, each with the index of its parent. */
   createCsg(nodes: readonly O.CsgNode[], options?: Omit<O.CsgDesc, "nodes">): Model;
-  /** Any implicit function.  `release` is called when nothing needs it any more. */
+  /** Makes a model of any implicit function.  `release` is called when the model is released. */
   createCustom(options: O.CustomDesc & { release?: () => void }): Model;
+  /** Makes a mesh from triangles, and repairs it. */
   createMesh(options: O.MeshDesc, control?: Control): Mesh;
+  /** Makes a point set from marks of the caller. */
   createPointSet(options: O.PointSetDesc): PointSet;
+  /** Makes the line set of a model, from which its lines are drawn for every camera. */
   createLineSet(model: Model, options?: O.LineSetDesc, control?: Control): LineSet;
-  /** Places marks; `preset` gives the layers that are not in `layers`. */
+  /** Places marks on the surface of a model.  `preset` gives the layers if `layers` is missing. */
   generate(model: Model, options?: O.GenerateDesc & { preset?: C.PresetName | number }, control?: Control): PointSet;
+  /** Loads what Model.save returned. */
   loadModel(bytes: Uint8Array): Model;
+  /** Loads what PointSet.save returned. */
   loadPointSet(bytes: Uint8Array): PointSet;
+  /** Creates a renderer. */
   createRenderer(): Renderer;
-  /** Finds or repairs outward unit normals, n x 3. */
+  /** Removes the sensor's noise from the image of a depth camera, and finds normals. */
   smoothDepthImage(options: O.DepthImageDesc, control?: Control): {
     points: Float64Array; normals: Float64Array; info: O.DepthImageInfo;
   };
+  /** Finds outward unit normals for points, or repairs given normals, n x 3. */
   orient(options: O.OrientDesc, control?: Control): { normals: Float64Array; info: O.OrientInfo };
+  /** Orders points so that each is the farthest from those before it. */
   farthestPoints(points: ArrayInput, count: number, control?: Control): { indices: Uint32Array; distances: Float64Array };
-  /** SVG, PDF, HPGL or G-code of drawings, lines and texts. */
+  /** Writes drawings, lines and texts as SVG, PDF, HPGL or G-code. */
   writePage(options: O.PageDesc, control?: Control): { bytes: Uint8Array; info: O.PageInfo };
-  /** Squares of twice the initial step, 12 numbers each [NPAR 5.1]. */
+  /** Makes squares with sides of two initial steps; 12 numbers each [NPAR 5.1]. */
   stepPatches(model: Model, count: number, options?: O.GenerateDesc, control?: Control): {
     corners: Float64Array; step: number };
 }
 
-/** An implicit surface f = 0: f < 0 inside.  Points are n x 3. */
+/** An implicit surface f = 0; f is negative inside.  Points are n x 3. */
 export class Model extends Handle {
   readonly context: Context;
-  /** What a fit to a mesh came to; undefined of other models. */
+  /** The result of a fit to a mesh; undefined for other models. */
   readonly meshFit?: O.MeshFitInfo;
+  /** What the fit found and did. */
   info(): O.ModelInfo;
+  /** What the last trim left out. */
   trimInfo(): O.TrimInfo;
+  /** What a solid is made of. */
   csgInfo(): O.CsgInfo;
-  /** A copy of the centres, their normals, or the solver's residuals. */
+  /** Copies the centres, their normals, or the residuals of the solver. */
   view(attribute: C.ModelAttributeName | number): Float64Array;
+  /** Evaluates f, its gradient and its Hessian (xx xy xz yy yz zz). */
   evaluate(points: ArrayInput, wanted?: { gradient?: boolean; hessian?: boolean }, control?: Control): {
     value: Float64Array; gradient?: Float64Array; hessian?: Float64Array };
+  /** Projects points onto the surface. */
   project(points: ArrayInput, options?: O.ProjectDesc, control?: Control): {
     position: Float64Array; normal: Float64Array; status: Uint8Array; converged: number };
+  /** Computes the principal curvatures and directions of the level set through each point. */
   curvature(points: ArrayInput, control?: Control): {
     k1: Float64Array; k2: Float64Array; d1: Float64Array; d2: Float64Array; confidence: Float64Array };
+  /** Finds where rays origin + t direction meet the surface. */
   castRays(origins: ArrayInput, directions: ArrayInput, options?: O.CastDesc, control?: Control): {
     count: Uint32Array; t: Float64Array; position: Float64Array; normal: Float64Array; entering: Uint8Array;
     status: Uint8Array; hitRays: number };
-  /** A bound on |grad f| for castRays. */
+  /** Computes the bound on |grad f| that castRays uses if none is given. */
   lipschitz(control?: Control): number;
-  /** 1 for each point inside. */
+  /** Returns 1 for each point inside, else 0. */
   contains(points: ArrayInput, control?: Control): Uint8Array;
+  /** Makes the same model with a surface that ends where its samples end. */
   trim(options?: O.TrimDesc, control?: Control): Model;
+  /** Measures how near the surface and a mesh are to each other, both ways. */
   compareMesh(mesh: Mesh, options?: O.CompareDesc, control?: Control): O.Comparison;
+  /** Places marks on the surface.  `preset` gives the layers if `layers` is missing. */
   generate(options?: O.GenerateDesc & { preset?: C.PresetName | number }, control?: Control): PointSet;
+  /** Makes the line set of the model, from which its lines are drawn for every camera. */
   createLineSet(options?: O.LineSetDesc, control?: Control): LineSet;
   save(): Uint8Array;
 }
 
-/** Layers of marks on a surface. */
+/** A set of marks on a surface, in layers. */
 export class PointSet extends Handle {
   readonly context: Context;
   info(): O.PointSetInfo;
   layerInfo(layer: number): O.LayerInfo;
+  /** What became of the seeds. */
   seedPlacement(): O.PlacementInfo;
+  /** What became of the candidates of one level of one layer. */
   placement(layer: number, level: number): O.PlacementInfo;
-  /** A copy of one attribute of one layer. */
+  /** Copies one attribute of one layer. */
   view(layer: number, attribute: C.MarkAttributeName | number): TypedArray;
   save(): Uint8Array;
 }
 
-/** What the lines of a surface are drawn from. */
+/** Holds what the lines of one model are drawn from, for every camera. */
 export class LineSet extends Handle {
   readonly context: Context;
   info(): O.LineSetInfo;
 }
 
-/** Triangles, made usable. */
+/** Triangles that have been repaired. */
 export class Mesh extends Handle {
   readonly context: Context;
   info(): O.MeshInfo;
   view(attribute: C.MeshAttributeName | number): TypedArray;
-  /** Even samples with their normals, each count x 3. */
+  /** Samples the mesh evenly; points and unit normals are count x 3 each. */
   sample(count: number, options?: O.SampleDesc, control?: Control): { points: Float64Array; normals: Float64Array };
-  /** Sharp edges (3 numbers for each face: 1 = the edge from that corner to the next is sharp), and patches of faces. */
+  /** Finds sharp edges (3 numbers for each face: 1 = the edge from that corner to the next is sharp) and the number of
+   *  each face's patch. */
   edges(options?: O.MeshEdgesDesc, control?: Control): { patches: Int32Array; sharp: Int32Array };
 }
 
+/** The size of a picture, in pixels. */
 export interface PictureSize {
   width: number;
   height: number;
 }
 
 export interface FitView extends PictureSize {
-  /** From the eye into the scene; (0, 0, -1). */
+  /** Direction from the eye into the scene; default (0, 0, -1). */
   direction?: Numbers;
-  /** (0, 1, 0). */
+  /** Direction roughly upward in the picture; default (0, 1, 0). */
   up?: Numbers;
-  /** Radians; 0 = orthographic; 0.6. */
+  /** Vertical angle of view, in radians; 0 = orthographic; default 0.6. */
   verticalAngle?: number;
-  /** Share of the picture on each side, 0 .. 0.45; 0.05. */
+  /** Share of the picture that stays free on each side; 0 to 0.45; default 0.05. */
   margin?: number;
 }
 
-/** Where a scene is seen from. */
+/** A camera: plain data, with methods that set it. */
 export class Camera implements O.Camera {
   private constructor();
   depthConvention: C.DepthName | number;
-  /** 16 numbers, column by column. */
+  /** World to eye: 16 numbers, column-major. */
   view: number[];
+  /** Eye to clip: 16 numbers, column-major. */
   projection: number[];
-  /** x, y, width, height in pixels. */
+  /** x and y of the top-left corner, width and height, in pixels. */
   viewport: number[];
+  /** Looks from an eye towards a target. */
   lookAt(eye: Numbers, target: Numbers, up?: Numbers): this;
-  /** Angle in radians. */
+  /** Sets a perspective projection; the vertical angle of view is in radians. */
   perspective(verticalAngle: number, width: number, height: number, near: number, far: number): this;
+  /** Sets an orthographic projection; viewHeight is the height of what is seen, in world units. */
   orthographic(viewHeight: number, width: number, height: number, near: number, far: number): this;
+  /** Shows a box as large as the viewport and the margin allow. */
   fitBounds(min: Numbers, max: Numbers, view: FitView): this;
-  /** n x 3 points; `origin` is added to each. */
+  /** Shows points (n x 3) as large as the viewport and the margin allow; `origin` is added to each. */
   fitPoints(points: ArrayInput, view: FitView & { origin?: Numbers }): this;
 }
 
 export type PictureInput = O.PictureSource;
 export interface PictureOptions extends Omit<O.PictureDesc, "sources" | "style"> {
-  /** The name of a style, such as "engraving", or one that is used as it is. */
+  /** The name of a preset, such as "engraving", or a style to use as it is. */
   style?: C.PresetName | O.Style;
-  /** Fields that are changed by their names: { "style.tone_exponent": 1.5, "fit.kernel": "gaussian" }. */
+  /** Fields to change after everything was chosen: { "style.tone_exponent": 1.5, "fit.kernel": "gaussian" }. */
   set?: Record<string, string | number>;
-  /** A picture in which hardly anything can be seen is no error. */
+  /** Allows a drawing in which hardly anything can be seen; default false. */
   allowBlank?: boolean;
 }
+/** A note: something that was chosen, repaired, left out or measured, or that may be wrong. */
 export interface PictureNote {
   code: C.NoteName | number;
   severity: C.SeverityName | number;
@@ -264,95 +310,105 @@ export interface PictureNote {
 /** One surface of a picture. */
 export interface PicturePart {
   sides: C.SidesName | number;
-  /** Undefined of a point set. */
+  /** Undefined for a point set. */
   model?: Model;
   pointSet?: PointSet;
   /** Undefined without lines. */
   lineSet?: LineSet;
-  /** Of a mesh, as it was fitted to. */
+  /** The mesh that the surface was fitted to; undefined for other sources. */
   mesh?: Mesh;
 }
 
-/** What was planned for a source, ready to be drawn. */
+/** A picture: what was chosen for sources, and made of them. */
 export class Picture extends Handle {
   readonly context: Context;
-  /** By the camera that was planned; with allowBlank it is drawn when it is first asked for. */
+  /** The drawing for the planned camera.  With allowBlank it is made when it is first read. */
   readonly drawing: Drawing;
   readonly notes: PictureNote[];
   info(): O.PictureInfo;
-  /** The same surfaces in another style, size or view. */
+  /** Makes a picture of the same surfaces in another style, size or view. */
   restyle(options?: PictureOptions, control?: Control): Picture;
+  /** The planned camera. */
   camera(): Camera;
-  /** From another side; angles in degrees. */
+  /** A camera that looks from another side; angles in degrees. */
   look(from?: { azimuth?: number; elevation?: number; direction?: Numbers }): Camera;
-  /** The planned camera after some degrees around the up axis. */
+  /** The planned camera, turned about the up axis by an angle in degrees. */
   orbit(degrees: number): Camera;
+  /** Draws the picture for a camera; the default is the planned one. */
   draw(camera?: O.Camera, control?: Control): Drawing;
-  /** With a section and a scale bar where the picture has them. */
+  /** Draws an image of the plate: the drawing with the section and the scale bar beside it. */
   rasterize(options?: { drawing?: Drawing; camera?: O.Camera; format?: C.FormatName | number }): {
     width: number; height: number; data: Uint8ClampedArray };
-  /** SVG, PDF, HPGL or G-code. */
+  /** Writes the plate as SVG, PDF, HPGL or G-code. */
   write(options?: O.PicturePageDesc & { drawing?: Drawing; camera?: O.Camera }, control?: Control): {
     bytes: Uint8Array; info: O.PageInfo };
+  /** Writes the plate as SVG text. */
   toSVG(options?: O.PicturePageDesc & { drawing?: Drawing; camera?: O.Camera }): string;
-  /** Views and sections on a sheet, to scale. */
+  /** Writes a technical drawing: views and sections on a sheet, to scale. */
   writeViews(options?: O.ViewsDesc, control?: Control): { bytes: Uint8Array; info: O.ViewsInfo };
-  /** The text of a file of settings that draws the same. */
+  /** The text of a settings file that makes the same picture. */
   settings(): string;
-  /** The model of a part; undefined of a point set. */
+  /** The model of a part, by default of part 0; undefined for a point set. */
   model(number?: number): Model | undefined;
   /** The surfaces, the largest first, for Renderer.draw. */
   parts(): PicturePart[];
-  /** The style as it was planned, with lengths in pixels; what dabs paint is not in it. */
+  /** The planned style, with lengths in pixels.  It does not include what dabs paint. */
   style(): O.Style;
 }
 
-/** A file of settings that was read. */
+/** Settings that were read from a file. */
 export class Settings extends Handle {
   readonly context: Context;
 }
 
-/** From items and a camera to a drawing.  One call at a time. */
+/** Makes drawings of items for a camera. */
 export class Renderer extends Handle {
   readonly context: Context;
   draw(items: O.Item | readonly O.Item[], camera: O.Camera, control?: Control): Drawing;
 }
 
 export interface RasterOptions {
-  /** Pixels; the end of the camera's viewport. */
+  /** Width of the image, in pixels; default: the right edge of the camera's viewport. */
   width?: number;
+  /** Height of the image, in pixels; default: the bottom edge of the camera's viewport. */
   height?: number;
-  /** "rgba8" (default), "bgra8", "rgba32f", ... */
+  /** Format of the pixels, such as "bgra8"; default "rgba8". */
   format?: C.FormatName | number;
-  /** Laid under the drawing: its pixels in the same format. */
+  /** The pixels of an image over which the drawing is laid, in the same format. */
   image?: Uint8ClampedArray | Uint8Array | Float32Array;
+  /** Blends in linear light instead of in encoded values; default false. */
   linearLight?: boolean;
-  /** Ink behind it is not drawn: width x height. */
+  /** Depth of the host's scene, width x height; ink behind it is not drawn. */
   hostDepth?: Float32Array;
+  /** Whether to return the depth of the nearest surface of each pixel; default false. */
   depth?: boolean;
+  /** Whether to return the id of the nearest drawn mark of each pixel; default false. */
   id?: boolean;
+  /** Whether to return the class of that mark; default false. */
   markClass?: boolean;
 }
 
-/** A picture as a value. */
+/** A picture as a value: dots and strokes. */
 export class Drawing extends Handle {
   readonly context: Context;
   readonly width: number;
   readonly height: number;
   info(): O.DrawingInfo;
   layerInfo(number: number): O.DrawingLayerInfo;
-  /** What an id of rasterize({ id: true }) stands for. */
+  /** Finds the mark that has an id, as rasterize({ id: true }) returns it. */
   identify(id: number): O.MarkIdentity;
+  /** Draws an image, with the arrays that the options ask for. */
   rasterize(options?: RasterOptions): { width: number; height: number; data: Uint8ClampedArray | Float32Array;
                                         depth?: Float32Array; id?: Uint32Array; markClass?: Uint8Array };
-  /** Vertices for the graphics card: their bytes, and where each attribute is in one. */
+  /** Vertices for the graphics card: their bytes, and the offset of each attribute in a vertex. */
   vertices(primitive: C.PrimitiveName | number, attributes: readonly C.VertexAttributeName[]): {
     vertices: Uint8Array; stride: number; offsets: Record<string, number>; indices: Uint32Array };
   /** How each of the `count` marks of a layer is drawn. */
   markResults(item: number, layer: number, count: number): {
     shown: Uint8Array; radius: Float32Array; opacity: Float32Array };
+  /** Numbers of the marks of a layer that are drawn as one class. */
   markIndices(item: number, layer: number, options?: {
     markClass?: C.ClassName | number; primitive?: C.PrimitiveName | number }): Uint32Array;
-  /** The drawing alone, on a page of its size. */
+  /** Writes the drawing alone, on a page of its size, as SVG text. */
   toSVG(options?: Omit<O.PageDesc, "items" | "format">): string;
 }

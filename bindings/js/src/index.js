@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 import { Library } from "./library.js";
 
-const PAGES = 65536; // bytes of one
+const PAGES = 65536; // bytes of a page of WebAssembly memory
 const isNode = typeof process === "object" && process.versions?.node !== undefined && process.type !== "renderer";
 
-/** Whether the build with threads can run here: a page has to be cross-origin isolated. */
+/** Whether the build with threads can run here.  A web page must be cross-origin isolated. */
 export function canUseThreads() {
   return typeof SharedArrayBuffer === "function" && (isNode || globalThis.crossOriginIsolated === true);
 }
@@ -44,11 +44,11 @@ export async function load({ threads = 1, wasm, base } = {}) {
       WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled));
       return {};
     },
-    // Node starts workers by their path; only those of threads are looked for.
+    // Node starts workers by path, not by URL.  Only the worker of the build with threads is located here.
     locateFile: (name) => (isNode ? decodeURIComponent(new URL(name, folder).pathname).replace(/^\/([A-Z]:)/, "$1")
                                   : new URL(name, folder).href),
   });
-  if (isNode) module.PThread?.unusedWorkers.forEach((worker) => worker.unref()); // else node would never end
+  if (isNode) module.PThread?.unusedWorkers.forEach((worker) => worker.unref()); // else Node would not exit
   return new Library(module, memory, count, compiled);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One instance of the WebAssembly module: its functions, its memory, and what belongs to no context.
+// One instance of the WebAssembly module: its functions, its memory, and everything that needs no context.
 import { Call } from "./call.js";
 import { Callbacks } from "./callbacks.js";
 import { Camera } from "./camera.js";
@@ -8,7 +8,7 @@ import { FUNCTIONS } from "./generated/functions.js";
 import { OFFSETS } from "./generated/layout.js";
 import { constant, read } from "./structs.js";
 
-/** A function of the module that takes and gives numbers where C has 64-bit integers and addresses. */
+/** Wraps a function of the module, so that 64-bit integers and addresses are numbers. */
 function plain(native, signature) {
   const wide = [...signature.slice(1)].map((letter) => letter === "j");
   const call = wide.includes(true)
@@ -22,14 +22,14 @@ export class Library {
   #memory;
   #views = { buffer: undefined };
 
-  /** Use load(). */
+  /** Private: use load(). */
   constructor(module, memory, threads, compiled) {
     this.#memory = memory;
     /** The WebAssembly.Module, for load() in another worker. */
     this.wasm = compiled;
-    /** Threads that a context uses unless told otherwise, the calling one included. */
+    /** Default number of threads of a context, the calling one included. */
     this.threads = threads;
-    /** The functions of the C interface by their own names, for what the classes do not offer. */
+    /** The functions of the C interface by their names in C, for everything that the classes do not offer. */
     this.raw = {};
     for (const [name, signature] of Object.entries(FUNCTIONS)) this.raw[name] = plain(module[`_${name}`], signature);
     this.malloc = (bytes) => module._malloc(bytes) >>> 0;
@@ -37,7 +37,7 @@ export class Library {
     this.callbacks = new Callbacks(this, module.addFunction);
   }
 
-  /** Views of the module's memory as it is now: a call that makes it grow makes them useless. */
+  /** Views of the module's memory.  A call that makes the memory grow invalidates them. */
   get views() {
     const { buffer } = this.#memory;
     if (this.#views.buffer !== buffer)
@@ -45,19 +45,19 @@ export class Library {
     return this.#views;
   }
 
-  /** The text at an address, or undefined at NULL. */
+  /** Returns the text at an address; undefined for NULL. */
   text(address) {
     if (address === 0) return undefined;
     const { bytes } = this.views;
     return new TextDecoder().decode(bytes.slice(address, bytes.indexOf(0, address)));
   }
 
-  /** "major.minor.patch". */
+  /** The library's version, "major.minor.patch". */
   get version() {
     return this.text(this.raw.hrbfnpr_version_string());
   }
 
-  /** What this build is: version, abi, compiler, instruction_sets, thread_backends, dependencies. */
+  /** Describes the build: { version, abi, compiler, instruction_sets, thread_backends, dependencies }. */
   buildInfo() {
     return Call.with(this, (call) => {
       const needed = call.allocate(8);
@@ -69,7 +69,7 @@ export class Library {
     });
   }
 
-  /** How the module lays out a struct, such as "hrbfnpr_fit_desc"; undefined where there is none of that name. */
+  /** Returns how the module lays out a struct, such as "hrbfnpr_fit_desc"; undefined for an unknown name. */
   layout(name) {
     return Call.with(this, (call) => {
       const text = this.text(this.raw.hrbfnpr_layout(call.text(name)));
@@ -77,7 +77,7 @@ export class Library {
     });
   }
 
-  /** Fails with the names of structs that this package and the module lay out differently. */
+  /** Throws, with the names of the structs, if this package and the module lay out structs differently. */
   checkLayouts() {
     const wrong = Object.entries(OFFSETS).filter(([name, fields]) => {
       const found = Object.fromEntries(this.layout(name).fields.map((field) => [field.name, field.offset]));
@@ -87,7 +87,7 @@ export class Library {
       throw new Error(`the module is of another version than this package: ${wrong.map(([name]) => name).join(", ")}`);
   }
 
-  /** What threads, log and memory hang on, and everything else is made from. */
+  /** Creates a context, from which everything else is made. */
   createContext(options = {}) {
     return new Context(this, { threadCount: this.threads, ...options });
   }
@@ -96,7 +96,7 @@ export class Library {
     return new Camera(this, options);
   }
 
-  /** "stipple", "hatch", ... in the order of their numbers. */
+  /** The names of the presets, such as "stipple", in the order of their numbers. */
   get presetNames() {
     const names = [];
     for (let name; (name = this.text(this.raw.hrbfnpr_preset_name(names.length))) !== undefined;) names.push(name);
@@ -104,8 +104,8 @@ export class Library {
   }
 
   /**
-   * A style as plain data, to be changed and given to Renderer.draw.
-   * @param {string | number} [preset] "stipple", "hatch", ...; the default style without one
+   * Returns a style as plain data, which can be changed and passed to Renderer.draw.
+   * @param {string | number} [preset] a name such as "stipple"; without it, the default style is returned
    */
   style(preset) {
     return Call.with(this, (call) => {
@@ -118,7 +118,7 @@ export class Library {
   }
 
   /**
-   * The layers that a preset draws, as plain data for Model.generate.
+   * Returns the layers that a preset draws, as plain data for Model.generate.
    * @param {string | number} preset
    */
   presetLayers(preset) {
@@ -132,7 +132,7 @@ export class Library {
     });
   }
 
-  /** The defaults of a struct of options, such as "hrbfnpr_fit_desc", as plain data. */
+  /** Returns the defaults of a struct of options, such as "hrbfnpr_fit_desc", as plain data. */
   defaults(name) {
     return Call.with(this, (call) => read(this, call.struct(name, {}), name));
   }

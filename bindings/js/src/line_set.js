@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Made } from "./model.js";
 
-/** What the lines of a surface are drawn from. */
+/** Holds what the lines of one model are drawn from, for every camera. */
 export class LineSet extends Made {
   constructor(context, pointer) {
     super(context, "hrbfnpr_line_set", pointer);

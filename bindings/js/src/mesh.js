@@ -3,7 +3,7 @@ import { Call } from "./call.js";
 import { Made } from "./model.js";
 import { operated } from "./operation.js";
 
-/** Triangles, made usable. */
+/** Triangles that have been repaired. */
 export class Mesh extends Made {
   constructor(context, pointer) {
     super(context, "hrbfnpr_mesh", pointer);
@@ -29,7 +29,7 @@ export class Mesh extends Made {
     });
   }
 
-  /** Finds sharp edges, and the smooth patches between them: see hrbfnpr_mesh_edges. */
+  /** Finds sharp edges and the smooth patches between them: see hrbfnpr_mesh_edges. */
   edges(options = {}, control) {
     const faces = this.info().faces;
     const patches = new Int32Array(Number(faces));

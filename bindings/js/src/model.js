@@ -4,14 +4,14 @@ import { Handle } from "./handle.js";
 import { operated } from "./operation.js";
 import { constant } from "./structs.js";
 
-/** What all that is made from a context has in common. */
+/** The base of everything that is made from a context. */
 export class Made extends Handle {
   constructor(context, kind, pointer) {
     super(context.library, kind, pointer);
     this.context = context;
   }
 
-  /** A struct that a function of the handle and further arguments fills. */
+  /** Returns the struct that a function fills.  The function takes the handle and further arguments. */
   readInfo(name, struct, ...values) {
     return Call.with(this.library, (call) => {
       const info = call.struct(struct, {});
@@ -20,7 +20,7 @@ export class Made extends Handle {
     });
   }
 
-  /** What the library writes of this into memory. */
+  /** Returns the bytes that a save function of the library writes. */
   saved(name) {
     return Call.with(this.library, (call) => {
       const chunks = [];
@@ -30,7 +30,7 @@ export class Made extends Handle {
     });
   }
 
-  /** A copy of one of the arrays that the library keeps. */
+  /** Copies one of the arrays that the library keeps. */
   viewed(name, group, attribute, ...values) {
     return Call.with(this.library, (call) => {
       const view = call.struct("hrbfnpr_array", {});
@@ -42,7 +42,7 @@ export class Made extends Handle {
 
 const length3 = (points) => (Array.isArray(points) ? points.flat().length : points.length) / 3;
 
-/** An implicit surface f = 0. */
+/** An implicit surface f = 0; f is negative inside. */
 export class Model extends Made {
   constructor(context, pointer) {
     super(context, "hrbfnpr_model", pointer);
@@ -68,7 +68,7 @@ export class Model extends Made {
     return this.saved("hrbfnpr_model_save");
   }
 
-  /** Runs a function of (model, points, ...) with an operation behind `values`. */
+  /** Calls a function with the model, the points, `values`, and an operation. */
   #batch(points, control, work) {
     return Call.with(this.library, (call) => operated(call, this.context.pointer, control, (operation) =>
       work(call, call.array(points, 3, "points"), operation)));

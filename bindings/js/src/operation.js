@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Progress and cancelling of one long call.
 
-/** Runs `work(address)` with an operation that does what `control` says, or with NULL. */
+/** Runs `work(address)` with an operation for `control`; the address is NULL if `control` asks for nothing. */
 export function operated(call, context, control, work) {
   if (!control || !(control.onProgress || control.signal || control.cancelFlag)) return work(0);
   const { raw } = call.library;

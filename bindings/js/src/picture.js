@@ -14,7 +14,7 @@ const NAN = Number.NaN;
 const PART = { model: ["hrbfnpr_model", Model], point_set: ["hrbfnpr_point_set", PointSet],
                line_set: ["hrbfnpr_line_set", LineSet], mesh: ["hrbfnpr_mesh", Mesh] };
 
-/** The options of a picture as the fields of its descriptor: a style by its name, changes as { "style.paper": "#fff" }. */
+/** Turns the options of a picture into fields of its descriptor: style, set and allowBlank have other names there. */
 function descriptor({ style, set, allowBlank, ...rest }) {
   const given = { ...rest };
   if (typeof style === "string") given.styleName = style;
@@ -26,7 +26,7 @@ function descriptor({ style, set, allowBlank, ...rest }) {
   return given;
 }
 
-/** A style as plain data, with the levels of its lines, which `read` leaves out as it does all arrays. */
+/** Reads a style as plain data, with the levels of its lines; `read` leaves out arrays. */
 function styleAt(call, address) {
   const style = call.read(address, "hrbfnpr_style");
   const { lines, line_stride: stride } = OFFSETS.hrbfnpr_style;
@@ -39,7 +39,7 @@ function styleAt(call, address) {
   return style;
 }
 
-/** What was planned for a source, ready to be drawn. */
+/** A picture: what was chosen for sources, and made of them. */
 export class Picture extends Made {
   #drawing;
 
@@ -47,13 +47,13 @@ export class Picture extends Made {
     super(context, "hrbfnpr_picture", pointer);
   }
 
-  /** Use Context.draw. */
+  /** Private: use Context.draw. */
   static made(context, name, first, options, control) {
     return Call.with(context.library, (call) => {
       const desc = call.structOf(descriptor(options), "hrbfnpr_picture_desc", "picture");
       const picture = new Picture(context, operated(call, context.pointer, control,
         (operation) => call.made(name, first, desc, operation)));
-      // The first drawing finds out whether anything can be seen.  Where that is no error, it can wait.
+      // Only a drawing shows whether anything can be seen.  If a blank picture is no error, the drawing is made later.
       const { flags = 0 } = call.read(desc, "hrbfnpr_picture_desc");
       if ((flags & (PICTURE.ALLOW_BLANK | PICTURE.SURFACE_ONLY)) === 0)
         picture.#drawing = picture.draw(undefined, control);
@@ -61,13 +61,13 @@ export class Picture extends Made {
     });
   }
 
-  /** The drawing by the camera that was planned. */
+  /** The drawing for the planned camera. */
   get drawing() {
     this.#drawing ??= this.draw();
     return this.#drawing;
   }
 
-  /** The same surfaces in another style, size or view. */
+  /** Makes a picture of the same surfaces in another style, size or view. */
   restyle(options = {}, control) {
     return Picture.made(this.context, "hrbfnpr_picture_restyle", this.pointer, options, control);
   }
@@ -76,7 +76,7 @@ export class Picture extends Made {
     return this.readInfo("hrbfnpr_picture_get_info", "hrbfnpr_picture_info");
   }
 
-  /** What was chosen, repaired or left out: { code, severity, figures, text }. */
+  /** The notes about what was chosen, repaired or left out: { code, severity, figures, text } each. */
   get notes() {
     return Array.from({ length: this.info().notes }, (_, number) => {
       const { code, severity, figures, figureCount, text } =
@@ -85,12 +85,12 @@ export class Picture extends Made {
     });
   }
 
-  /** The camera that was planned, as Renderer.draw takes it. */
+  /** Returns the planned camera, for Renderer.draw. */
   camera() {
     return this.#camera("hrbfnpr_picture_get_camera");
   }
 
-  /** A camera from another side: { azimuth, elevation } in degrees, or { direction }. */
+  /** Returns a camera that looks from another side: { azimuth, elevation } in degrees, or { direction }. */
   look({ azimuth = NAN, elevation = NAN, direction } = {}) {
     return Call.with(this.library, (call) => {
       const along = direction === undefined ? 0 : call.doubles(direction, 3, "direction");
@@ -98,7 +98,7 @@ export class Picture extends Made {
     });
   }
 
-  /** The planned camera after it went some degrees around the up axis. */
+  /** Returns the planned camera, turned about the up axis by an angle in degrees. */
   orbit(degrees) {
     return this.#camera("hrbfnpr_picture_orbit", degrees);
   }
@@ -113,7 +113,7 @@ export class Picture extends Made {
     return this.library.createCamera(call.read(camera, "hrbfnpr_camera"));
   }
 
-  /** A drawing by a camera, or by the planned one. */
+  /** Draws the picture for a camera; the default is the planned one. */
   draw(camera, control) {
     return Call.with(this.library, (call) => operated(call, this.context.pointer, control, (operation) => {
       const seen = call.structOf(camera && { ...camera }, "hrbfnpr_camera", "camera");
@@ -122,7 +122,7 @@ export class Picture extends Made {
     }));
   }
 
-  /** { width, height, data } of a drawing with what stands beside it, as an ImageData takes it. */
+  /** Draws an image of the plate: { width, height, data } for an ImageData. */
   rasterize({ drawing = this.drawing, camera, format = "rgba8" } = {}) {
     const number = constant("FORMAT", format, "format");
     return Call.with(this.library, (call) => {
@@ -139,7 +139,7 @@ export class Picture extends Made {
     });
   }
 
-  /** SVG, PDF, HPGL or G-code of a drawing with what stands beside it: { bytes, info }. */
+  /** Writes the plate as SVG, PDF, HPGL or G-code: { bytes, info }. */
   write({ drawing = this.drawing, camera, ...page } = {}, control) {
     return Call.with(this.library, (call) => {
       const seen = call.structOf(camera && { ...camera }, "hrbfnpr_camera", "camera");
@@ -157,7 +157,7 @@ export class Picture extends Made {
     return new TextDecoder().decode(this.write(options).bytes);
   }
 
-  /** A technical drawing on a sheet: { bytes, info }. */
+  /** Writes a technical drawing on a sheet: { bytes, info }. */
   writeViews(options = {}, control) {
     return Call.with(this.library, (call) => {
       const desc = call.structOf(options, "hrbfnpr_views_desc", "views");
@@ -170,17 +170,17 @@ export class Picture extends Made {
     });
   }
 
-  /** What the picture was made with, as the text of a file of settings. */
+  /** Returns what the picture was made with, as the text of a settings file. */
   settings() {
     return new TextDecoder().decode(this.saved("hrbfnpr_picture_write_settings"));
   }
 
-  /** The surfaces, the largest first: { sides, model, pointSet, lineSet, mesh }; what a part lacks is undefined. */
+  /** Returns the surfaces, the largest first: { sides, model, pointSet, lineSet, mesh }, without absent objects. */
   parts() {
     return Array.from({ length: this.info().parts }, (_, number) => this.#part(number, Object.keys(PART)));
   }
 
-  /** The style as it was planned, as plain data for Renderer.draw.  What dabs paint is not in it. */
+  /** Returns the planned style, as plain data for Renderer.draw.  It does not include what dabs paint. */
   style() {
     return Call.with(this.library, (call) => {
       const out = call.allocate(4);
@@ -189,7 +189,7 @@ export class Picture extends Made {
     });
   }
 
-  /** The model of a part, 0 by default; undefined of a point set. */
+  /** Returns the model of a part, by default of part 0; undefined for a point set. */
   model(number = 0) {
     return this.#part(number, ["model"]).model;
   }

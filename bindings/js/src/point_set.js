@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Made } from "./model.js";
 
-/** Layers of marks on a surface. */
+/** A set of marks on a surface, in layers. */
 export class PointSet extends Made {
   constructor(context, pointer) {
     super(context, "hrbfnpr_point_set", pointer);

@@ -5,7 +5,7 @@ import { Made } from "./model.js";
 import { operated } from "./operation.js";
 import { sizeOf, write } from "./structs.js";
 
-/** From items and a camera to a drawing.  One call at a time. */
+/** Makes drawings of items for a camera. */
 export class Renderer extends Made {
   constructor(context, pointer) {
     super(context, "hrbfnpr_renderer", pointer);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { Made } from "./model.js";
 
-/** A file of settings that was read: the option `settings` of Context.draw. */
+/** Settings that were read from a file, for the option `settings` of Context.draw. */
 export class Settings extends Made {
   constructor(context, pointer) {
     super(context, "hrbfnpr_settings", pointer);

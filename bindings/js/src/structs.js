@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Structs of the C interface from and to plain objects, by the layouts of generated/layout.js.
+// Writes structs of the C interface from plain objects, and reads them, by the layouts of generated/layout.js.
 import { GROUPS } from "./generated/constants.js";
 import { STRUCTS } from "./generated/layout.js";
 
@@ -12,7 +12,7 @@ const word = (name) => name.toLowerCase().replaceAll("_", "-");
 const WORDS = Object.fromEntries(Object.entries(GROUPS).map(([group, constants]) => [
   group, new Map(Object.entries(constants).map(([name, value]) => [word(name), value]))]));
 
-/** The number of a constant by its group, such as "KERNEL", and its number or its name ("wendland-c2"). */
+/** Returns the number of a constant of a group, such as "KERNEL", from its number or its name ("wendland-c2"). */
 export function constant(group, value, what) {
   if (typeof value === "number") return value;
   const found = WORDS[group].get(word(String(value)));
@@ -86,7 +86,7 @@ function setField(call, base, layout, value, what) {
   return setNumber(data, base + offset, kind, group ? constant(group, value, what) : value, what);
 }
 
-/** Sets up the struct at an address, all defaults, and changes what `options` names. */
+/** Sets up the struct at an address with all defaults, and changes the fields that `options` names. */
 export function write(call, address, name, options, what = name) {
   const { size, sized, fields } = layoutOf(name);
   if (sized) call.library.raw[`${name}_init`](address, size);
@@ -117,7 +117,7 @@ function readField(library, address, layout) {
   if (kind === "list") return readList(library, address, layout);
   if (kind === "text") return library.text(data.getUint32(address + offset, true));
   if (kind === "chars") return library.text(address + offset);
-  if (!GET[kind]) return undefined; // arrays, callbacks and handles are the caller's own
+  if (!GET[kind]) return undefined; // the caller reads arrays, callbacks and handles
   if (count)
     return Array.from({ length: count }, (_, at) => readNumber(data, address + offset + at * SIZES[kind], kind));
   const value = readNumber(data, address + offset, kind);
@@ -125,7 +125,7 @@ function readField(library, address, layout) {
   return Object.keys(GROUPS[group]).filter((name) => GROUPS[group][name] === value).map(word)[0] ?? value;
 }
 
-/** The struct at an address as a plain object. */
+/** Reads the struct at an address as a plain object. */
 export function read(library, address, name) {
   const result = {};
   for (const [key, layout] of Object.entries(layoutOf(name).fields)) {
