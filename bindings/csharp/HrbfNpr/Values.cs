@@ -93,7 +93,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Reads a colour from "#rrggbb" or "#rrggbbaa".</summary>
-        /// <exception cref="FormatException">The text has another form.</exception>
+        /// <exception cref="FormatException">The text has neither form.</exception>
         public static Color Parse(string text)
         {
             if (text == null)
