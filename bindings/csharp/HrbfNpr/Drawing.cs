@@ -124,7 +124,8 @@ namespace HrbfNpr
         /// <summary>Writes the results of <c>MarkResults</c> into the caller's memory.</summary>
         /// <param name="item">The number of the item.</param>
         /// <param name="layer">The number of the layer in the item's point set.</param>
-        /// <param name="shown">Receives the class of each mark (<see cref="MarkClass"/>), a byte each; optional.</param>
+        /// <param name="shown">Receives the class of each mark (<see cref="MarkClass"/>), a byte each;
+        /// optional.</param>
         /// <param name="radius">Receives the radius of each mark in pixels, a float each; optional.</param>
         /// <param name="opacity">Receives the opacity of each mark, a float each; optional.</param>
         /// <exception cref="InvalidArgumentException">There is no such item or layer, or an array has another size or

@@ -34,7 +34,9 @@ namespace HrbfNpr
             get { return (int)NativeMethods.hrbfnpr_abi_version(); }
         }
 
-        /// <summary>What the library's build is, as one JSON object: version, compiler, instruction sets and so on.</summary>
+        /// <summary>
+        /// What the library's build is, as one JSON object: version, compiler, instruction sets and so on.
+        /// </summary>
         public static string BuildInfo
         {
             get

@@ -366,7 +366,8 @@ namespace HrbfNpr
         /// <param name="stream">The stream, which is read on this thread, not beyond the model's end, and is not
         /// closed.</param>
         /// <param name="context">The context; null = the default context.</param>
-        /// <exception cref="CorruptDataException">The data is not a saved model, or is truncated or damaged.</exception>
+        /// <exception cref="CorruptDataException">The data is not a saved model, or is truncated or
+        /// damaged.</exception>
         /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static Model Load(Stream stream, Context context = null)
@@ -388,7 +389,8 @@ namespace HrbfNpr
         /// <summary>Loads a model from the data that <see cref="ToBytes"/> returned.</summary>
         /// <param name="data">The whole data.</param>
         /// <param name="context">The context; null = the default context.</param>
-        /// <exception cref="CorruptDataException">The data is not a saved model, or is truncated or damaged.</exception>
+        /// <exception cref="CorruptDataException">The data is not a saved model, or is truncated or
+        /// damaged.</exception>
         /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         public static Model Load(byte[] data, Context context = null)
         {

@@ -279,7 +279,8 @@ namespace HrbfNpr
         /// <param name="stream">The stream, which is read on this thread, not beyond the point set's end, and is not
         /// closed.</param>
         /// <param name="context">The context; null = the default context.</param>
-        /// <exception cref="CorruptDataException">The data is not a saved point set, or is truncated or damaged.</exception>
+        /// <exception cref="CorruptDataException">The data is not a saved point set, or is truncated or
+        /// damaged.</exception>
         /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         /// <exception cref="StreamException">The stream threw an exception, which is the InnerException.</exception>
         public static PointSet Load(Stream stream, Context context = null)
@@ -301,7 +302,8 @@ namespace HrbfNpr
         /// <summary>Loads a point set from the data that <see cref="ToBytes"/> returned.</summary>
         /// <param name="data">The whole data.</param>
         /// <param name="context">The context; null = the default context.</param>
-        /// <exception cref="CorruptDataException">The data is not a saved point set, or is truncated or damaged.</exception>
+        /// <exception cref="CorruptDataException">The data is not a saved point set, or is truncated or
+        /// damaged.</exception>
         /// <exception cref="VersionMismatchException">A newer library wrote the data.</exception>
         public static PointSet Load(byte[] data, Context context = null)
         {
