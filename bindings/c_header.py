@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""Reads a C header in the plain style of include/hrbfnpr.h: what it declares, with the comments.
+"""Reads a C header in the style of include/hrbfnpr.h: its declarations and their comments.
 
-What this module does not know is a HeaderError that names the line; nothing is skipped.  It knows
-`enum { NAME = value, ... };`, `typedef struct name { fields } name;`, `typedef struct name name;` (a handle), typedefs
-of scalars and of function pointers, and functions behind HRBFNPR_API.  Comments belong to what they stand directly
-above of or behind; those at the top level with an empty line below belong to the section, which a comment with a number and a
-title between lines of `=` begins.
+The parser knows `enum { NAME = value, ... };`, `typedef struct name { fields } name;`, `typedef struct name name;` (a
+handle), typedefs of scalars and of function pointers, and functions after HRBFNPR_API.  Anything else raises a HeaderError
+that names the line; nothing is skipped.  A comment belongs to the declaration directly below it, or to the one before it on
+the same line.  A comment at the top level that an empty line follows belongs to the section.  A section begins with a
+comment that has a number and a title between lines of `=`.
 """
 import re
 from typing import NamedTuple
 
 SCALARS = {
     "char": 1, "int8_t": 1, "uint8_t": 1, "int16_t": 2, "uint16_t": 2, "int32_t": 4, "uint32_t": 4, "int64_t": 8,
-    "uint64_t": 8, "float": 4, "double": 8, "size_t": None,  # None: as large as a pointer
+    "uint64_t": 8, "float": 4, "double": 8, "size_t": None,  # None: the size of a pointer
 }
 EXPORT = "HRBFNPR_API"
 GUARD = ("#ifndef HRBFNPR_H", "#define HRBFNPR_H")
@@ -38,10 +38,10 @@ class Token(NamedTuple):
 
 
 class Parsed(NamedTuple):
-    """Lists of plain dictionaries, as api.json has them but for what make_api.py computes."""
+    """Lists of plain dictionaries, as in api.json but without the entries that make_api.py computes."""
     doc: str
     sections: list
-    order: list  # [kind, name] of all declarations, in the header's order; an enum by its first constant
+    order: list  # [kind, name] of all declarations, in the header's order; an enum has the name of its first constant
     enums: list
     structs: list
     callbacks: list
@@ -68,14 +68,14 @@ def scan(text):
 
 
 def comment_text(comment):
-    """Without the frame of stars; lines keep what they are indented by behind their star."""
+    """The text of a comment without its stars.  Lines keep their indentation after the star."""
     first, *others = comment.text[2:-2].split("\n")
     lines = [first.strip()] + [re.sub(r"^\s*(\* ?)?", "", line).rstrip() for line in others]
     return "\n".join(lines).strip("\n")
 
 
 class Comments:
-    """Finds the comments of each token, and knows at the end whether each was asked for."""
+    """Finds the comments of each token.  At the end it knows which comments were never asked for."""
 
     def __init__(self, tokens):
         self.above, self.behind, self.free = {}, {}, []
@@ -104,12 +104,12 @@ class Comments:
         return "\n\n".join(comment_text(comment) for comment in self.above.pop(index, []))
 
     def take_behind(self, first, last):
-        """Of tokens first ... last, on one line."""
+        """The comments after the tokens `first` to `last`, on one line."""
         found = [comment for index in range(first, last + 1) for comment in self.behind.pop(index, [])]
         return " ".join(" ".join(comment_text(comment).split()) for comment in found)
 
     def take_free(self, index):
-        """Those before token `index`; one from the midst of what has been read is left over."""
+        """The free comments before token `index`.  A free comment inside a declaration is never taken, and so is left over."""
         while self.free and self.free[0][0] == index:
             yield self.free.pop(0)[1]
 
@@ -130,12 +130,12 @@ class Parser:
         self.at = 0
         self.parsed = Parsed("", [], [], [], [], [], [], [], [])
         self.file_doc = []
-        self.kinds = {**dict.fromkeys(SCALARS, "scalar"), "void": "void"}  # of types
-        self.values = {}  # of constants
+        self.kinds = {**dict.fromkeys(SCALARS, "scalar"), "void": "void"}  # the kind of each type
+        self.values = {}  # the value of each constant
         self.names = set()
-        self.last_function = None  # and the line that it ends in
+        self.last_function = None  # the last function, and the line on which it ends
 
-    # Tokens.
+    # ---- Tokens
 
     def fail(self, message, line=None):
         raise HeaderError(line or (self.token or self.tokens[-1]).line, message)
@@ -175,10 +175,10 @@ class Parser:
         self.names.add(name)
         return name
 
-    # Types, as dictionaries.
+    # ---- Types, as dictionaries
 
     def type(self):
-        """`const base* const*`.  pointers: for each star, from the name outward, what it points to."""
+        """A type such as `const base* const*`.  `pointers` says for each star, from the name outward, what it points to."""
         constant = self.accept("const")
         line = self.token.line if self.token else None
         base = self.word("a type")
@@ -232,7 +232,7 @@ class Parser:
         return result
 
     def number(self, *ends):
-        """The value of an expression of constants up to one of `ends`, which stays."""
+        """The value of a constant expression.  It ends before one of `ends`."""
         line, words = self.token.line if self.token else None, []
         while self.token is not None and self.token.text not in ends:
             token = self.token
@@ -245,7 +245,7 @@ class Parser:
             else:
                 self.fail(f"no constant expression: {token.text}")
             self.at += 1
-        try:  # integers and operators that C and Python read alike
+        try:  # C and Python read integers and these operators alike
             value = eval(" ".join(words), {"__builtins__": {}})
         except (SyntaxError, TypeError, ValueError):
             self.fail(f"no constant expression: {' '.join(words)}", line)
@@ -253,7 +253,7 @@ class Parser:
             self.fail(f"{value} is no int", line)
         return value
 
-    # Declarations.
+    # ---- Declarations
 
     def directive(self):
         text = self.token.text
@@ -270,7 +270,7 @@ class Parser:
             self.fail(f"a directive that is not known: {text}")
 
     def export_mark(self):
-        """#if ... #endif with definitions of HRBFNPR_API and nothing else."""
+        """Skips #if ... #endif that only defines HRBFNPR_API."""
         depth = 0
         while True:
             token = self.token
@@ -287,7 +287,7 @@ class Parser:
         target.append(entry)
 
     def body(self, end, item):
-        """Items up to `end`; each with the comment above it and the one behind it."""
+        """Items up to `end`, each with the comment above it and the comment after it."""
         result, line = [], None
         while not self.next_is(end):
             first = self.at
@@ -298,7 +298,7 @@ class Parser:
             line = self.tokens[first].line
             entry["doc"] = behind or above
             if behind and above:
-                entry["heading"] = above  # of this one and those that follow
+                entry["heading"] = above  # of this item and the items that follow
             result.append(entry)
         return result
 
@@ -322,7 +322,7 @@ class Parser:
         return joined(self.comments.take_above(first), self.comments.take_behind(self.at - 1, self.at - 1))
 
     def function_pointer(self, result, name):
-        """From behind `result (* name`."""
+        """The rest of a function pointer, after `result (* name`."""
         self.take(")")
         return {"returns": result, "parameters": self.parameters()}
 
@@ -385,7 +385,7 @@ class Parser:
         entry = {"name": name, "returns": result, "parameters": self.parameters()}
         self.take(";")
         entry["doc"] = self.doc(first)
-        # One comment may serve several functions that follow each other without an empty line.
+        # Consecutive functions without an empty line between them share one comment.
         if self.last_function and not entry["doc"] and self.tokens[first].line == self.last_function[1] + 1:
             above = self.last_function[0]
             entry["see"] = above["name"] if above["doc"] else above.get("see")

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Make api.json, the description of the C interface that all bindings are made from, from include/hrbfnpr.h.
+"""Make api.json, the description of the C interface from which all bindings are made, from include/hrbfnpr.h.
 
     make_api.py            write it
-    make_api.py --check    fail if it is not what the header says
+    make_api.py --check    fail if it is out of date
 
-bindings/generate does this and makes the bindings.  README.md beside this file says what stands in api.json.
+bindings/generate does this, and makes the bindings too.  README.md in this folder describes api.json.
 """
 import json
 import os
@@ -20,11 +20,11 @@ from outputs import API, ROOT, write  # noqa: E402
 HEADER = ROOT / "include" / "hrbfnpr.h"
 SCHEMA = 1
 WIDTH = 160
-# What C's layout rules leave to the platform, of what the header uses.
+# C leaves these properties of a layout to the platform.
 MODELS = {
     "lp64": {"pointer": 8, "alignment_of_8": 8, "where": "64-bit pointers: Linux, macOS, Windows"},
     "ilp32": {"pointer": 4, "alignment_of_8": 8, "where": "32-bit pointers: ARM, WebAssembly, Windows"},
-    "i386": {"pointer": 4, "alignment_of_8": 4, "where": "32-bit pointers: x86 but Windows"},
+    "i386": {"pointer": 4, "alignment_of_8": 4, "where": "32-bit pointers: x86 except Windows"},
 }
 
 
@@ -74,7 +74,7 @@ def add_layouts(parsed):
 
 
 def prefix(names, mentioned):
-    """What the names have in common; less of it where the header says HRBFNPR_LESS_... for them."""
+    """What the names have in common, shortened to a prefix that the header mentions as HRBFNPR_..._... if it mentions one."""
     common = os.path.commonprefix([name + "_" for name in names]).rpartition("_")[0]
     if len(names) == 1:
         common = common.rpartition("_")[0]
@@ -86,7 +86,7 @@ def prefix(names, mentioned):
 
 
 def add_prefixes(parsed, text):
-    """Each enum's, and for each field that of the constants which its comment names."""
+    """Adds the prefix of each enum.  Adds to each field the prefix of the constants that its comment names."""
     mentioned = set(re.findall(r"\b(HRBFNPR_\w+)_\.\.\.", text))
     first_to_prefix = {}
     for enum in parsed.enums:
@@ -107,7 +107,7 @@ def add_prefixes(parsed, text):
 
 
 def add_uses(parsed):
-    """Each function's noun, and whether several threads may call it with the same handles."""
+    """Adds each function's noun, and whether several threads may call it with the same handles at the same time."""
     nouns = [entry["name"] for group in (parsed.handles, parsed.structs, parsed.typedefs) for entry in group]
     for function in parsed.functions:
         mine = [noun for noun in nouns if function["name"].startswith(noun + "_")]
@@ -118,7 +118,7 @@ def add_uses(parsed):
 
 
 def ordered(entry):
-    """Keys in one order: short ones first, lists last."""
+    """The entry with its keys in a fixed order: short ones first, lists last."""
     keys = ["prefix", "name", "section", "noun", "concurrent", "value", "type", "array", "returns", "constants",
             "layout", "see", "doc", "heading", "parameters", "fields"]
     return {key: ordered(entry[key]) if isinstance(entry[key], dict) else
@@ -152,7 +152,7 @@ def make(text):
 
 
 def dump(value, indent="", before=0):
-    """JSON in which what fits into a line, behind as much as stands before it there, is not broken."""
+    """JSON in which a value stays on one line if it fits there."""
     flat = json.dumps(value, ensure_ascii=False)
     if not isinstance(value, (dict, list)) or not value or len(indent) + before + len(flat) < WIDTH:
         return flat
@@ -165,7 +165,7 @@ def dump(value, indent="", before=0):
 
 
 def outputs():
-    """The text of each file."""
+    """The text of each file, by path."""
     try:
         return {API: dump(make(HEADER.read_text(encoding="utf-8"))) + "\n"}
     except c_header.HeaderError as error:

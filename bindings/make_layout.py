@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""src/api/struct_fields.h: what hrbfnpr_layout tells of each struct, from api.json; and src/picture/field_names.h: the
-fields of some structs by their names, for settings and for hrbfnpr_change.
+"""Makes src/api/struct_fields.h and src/picture/field_names.h from api.json.
 
-bindings/generate runs it.  The results are committed; the compiler fills in sizes and offsets.
+The first holds what hrbfnpr_layout reports of each struct.  The second holds the fields of some structs by name, for
+settings and for hrbfnpr_change.  bindings/generate runs this module.  The results are committed; the compiler fills in
+sizes and offsets.
 """
 import re
 import textwrap
@@ -37,7 +38,7 @@ def type_of(field):
 
 
 def packed(items, end=""):
-    """The items, separated by commas or spaces, side by side in lines of 120 columns."""
+    """The items, separated by commas or spaces, wrapped into lines of 120 columns."""
     fill = textwrap.TextWrapper(width=120 - len(end), initial_indent="    ", subsequent_indent="    ",
                                 break_long_words=False, break_on_hyphens=False)
     return f"{end}\n".join(line.replace("\0", " ") for line in fill.wrap(items))
@@ -70,22 +71,22 @@ NAMED = ("style", "layer_style", "line_style", "fit_desc", "mesh_fit_desc", "gen
          "line_set_desc", "line_desc", "page_desc")
 SCALARS = {"float": "float32", "double": "float64", "int32_t": "int32", "uint32_t": "uint32", "int64_t": "int64",
            "uint64_t": "uint64", "const char*": "text"}
-# Constants that want a function or an array beside them, which a text cannot give.
+# Constants that need a function or an array in another field.  A text cannot give that.
 WANT_MORE = ("HRBFNPR_TONE_CALLBACK", "HRBFNPR_DENSITY_CALLBACK", "HRBFNPR_KERNEL_CUSTOM", "HRBFNPR_KERNEL_CSG",
              "HRBFNPR_LINE_KIND_OWN")
-# ... though lines of the caller's are drawn by a style.
+# In these structs they are allowed: a line style also draws lines that the caller gave.
 BUT_IN = ("hrbfnpr_line_style",)
 
 
 def is_named(field):
-    """Whether a text can be the field's value, and it is one that a user would change."""
+    """Whether a text can be the field's value, and a user would change the field."""
     name = field["name"]
     return (field["type"]["c"] in SCALARS and name != "struct_size"
             and not name.startswith("reserved") and not name.endswith(("_count", "_stride")))
 
 
 def choices_of(field, struct, constants):
-    """(name, value) of all that the field's comment says it can be; empty of a number."""
+    """(name, value) of every choice that the field's comment lists; empty for a number."""
     bits = re.findall(r"\bbit (\d+) the (\w+)", field["doc"])
     if bits:
         return tuple((name, 1 << int(bit)) for bit, name in bits)
@@ -146,3 +147,5 @@ def outputs(api):
              f"\n// X(name) of all structs, in the header's order.\n#define HRBFNPR_STRUCTS(X) \\\n{table}\n",
              "\n} // namespace hrbfnpr::api\n"]
     return {PATH: "".join(parts), NAMES_PATH: names(api)}
+
+# ---- Fields by name

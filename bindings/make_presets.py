@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Everything that lists the named styles, from the table in presets.py: the constants of include/hrbfnpr.h, the library's
-src/api/preset_table.h, the C# enumeration, docs/presets.md and the list of the tests.
+"""Makes everything that lists the named styles from the table in presets.py: the constants of include/hrbfnpr.h, the
+library's src/api/preset_table.h, the C# enumeration, docs/presets.md and the list of the tests.
 
-bindings/generate runs it.  The results are committed.
+bindings/generate runs this module.  The results are committed.
 """
 import re
 import textwrap
@@ -42,7 +42,7 @@ def enum():
 
 
 def header():
-    """include/hrbfnpr.h with the constants of the table, for everything that is made from the header."""
+    """include/hrbfnpr.h with the constants of the table.  It is made first, because everything else is made from the header."""
     text = HEADER.read_text(encoding="utf-8")
     if len(ENUM.findall(text)) != 1:
         raise SystemExit("include/hrbfnpr.h has no enum of HRBFNPR_PRESET_...")
@@ -77,7 +77,7 @@ template <std::size_t count>
 
 
 class Structs:
-    """The C structs that the elements of a row are written in."""
+    """The C structs whose fields the table's rows set."""
 
     def __init__(self, api):
         self.constants = {group["prefix"]: {one["name"]: one["value"] for one in group["constants"]}
@@ -85,7 +85,7 @@ class Structs:
         self.fields = {struct["name"]: {field["name"]: field for field in struct["fields"]} for struct in api["structs"]}
 
     def named(self, struct, field, words, where):
-        """The value of constants that are written by their names, as C++ has it."""
+        """The C++ expression of a field that is given by the names of its constants."""
         choices = dict(choices_of(field, struct, self.constants))
         unknown = [word for word in words if word not in choices]
         if unknown or not words:
@@ -95,7 +95,7 @@ class Structs:
         return full[0] if len(words) == len(full) == 1 else str(sum(choices[word] for word in words))
 
     def statements(self, struct, fields, where):
-        """C++ statements that set fields of `to`."""
+        """C++ statements that set the fields of `to`."""
         for name, value in fields.items():
             field, place = self.fields[struct].get(name), f"{where}.{name}"
             if field is None or name == "struct_size" or name.startswith("reserved"):
@@ -117,7 +117,7 @@ class Structs:
                 yield f"to.{name} = {number(kind, value)};"
 
     def arrays(self, struct, fields, where):
-        """The numbers that a field of the type hrbfnpr_array refers to."""
+        """C++ arrays with the numbers of the fields of type hrbfnpr_array."""
         for name, value in fields.items():
             if name in self.fields[struct] and self.fields[struct][name]["type"]["c"] == "hrbfnpr_array":
                 numbers = ", ".join(number("double", each) for each in value)
@@ -129,14 +129,14 @@ def array_name(where, name):
 
 
 def number(kind, value):
-    """A number as C++ writes it, of a C type."""
+    """A number of a C type, as C++ writes it."""
     if kind in ("float", "double"):
         return repr(float(value)) + ("F" if kind == "float" else "")
     return str(int(value))
 
 
 def changed(start, statements, indent):
-    """An expression: a struct of defaults with some fields set."""
+    """A C++ expression: a struct of defaults with some fields changed."""
     statements = [statement.replace(" ", "\0") for statement in statements]
     flat = f"{indent}changed({start}(), [](auto& to) {{ {' '.join(statements)} }})"
     if len(flat) < WIDTH:
@@ -169,12 +169,12 @@ def table(api):
             if name != "marks":
                 style.append(f"to.{name} = {word}_{name}; to.{name[:-1]}_count = std::ssize({word}_{name});")
         rows.append(f'    {{"{preset.name}",\n{changed("default_style", style, "     ")},\n     {word}_marks}}')
-    parts.append("\n// ---- All of them, in the order of their numbers\n\ninline constexpr Preset presets[] = {\n"
+    parts.append("\n// ---- All named styles, in the order of their numbers\n\ninline constexpr Preset presets[] = {\n"
                  + ",\n".join(rows) + "};\n\n} // namespace hrbfnpr::api::preset_table\n")
     return "".join(parts)
 
 
-# ---- The list of the tests
+# ---- The tests' list
 
 def test_list():
     rows = "".join(f'    {{{constant(preset)}, "{preset.name}"}},\n' for preset in PRESETS)
@@ -203,26 +203,27 @@ def csharp():
 
 PAGE_HEAD = """# The named styles
 
-Each is a full set of fields to go on from: `hrbfnpr_style_init_preset`, in Python `hrbfnpr.Style("engraving")`, in C#
-`Style.Preset`. All are drawn here from 1100 samples of one model, by the command below the picture; `python3 -m hrbfnpr
-sheet model.ply styles.png` draws them of yours. What the fields mean is in [frames.md](frames.md),
-[hatching.md](hatching.md) and [lines.md](lines.md).
+Each named style sets all fields of a style. Use it as it is, or change fields afterwards. You get it from
+`hrbfnpr_style_init_preset` in C, `hrbfnpr.Style("engraving")` in Python and `Style.Preset` in C#. Below, each style draws
+the same model, fitted to 1100 samples; the command is below its picture. To see your own model in all styles, run
+`python3 -m hrbfnpr sheet model.ply styles.png`.
 
-`bindings/generate` writes this page from the table of styles, `bindings/presets.py`; `docs/preset_pictures.py` draws its
-pictures. Fields that a table does not name have their defaults.
+[frames.md](frames.md), [hatching.md](hatching.md) and [lines.md](lines.md) explain the fields. A field that a table below
+does not name has its default. `bindings/generate` writes this page from the table `bindings/presets.py`, and
+`docs/preset_pictures.py` draws the pictures.
 
 """
 PAGE_FOOT = """## The model
 
 The bunny is a scan by the Stanford Computer Graphics Laboratory
-([Stanford 3D Scanning Repository](http://graphics.stanford.edu/data/3Dscanrep/)); its pictures are shown here for
-scholarly use. `bunny.obj` in the commands is the file that `scripts/fetch_bunny` fetches.
+([Stanford 3D Scanning Repository](http://graphics.stanford.edu/data/3Dscanrep/)). Its pictures are shown here for
+scholarly use. `scripts/fetch_bunny` fetches the file `bunny.obj` of the commands.
 """
 PICTURE_OPTIONS = "--samples 1100 --azimuth 20 --elevation 15 --size 480"
 
 
 def layer_of(preset, mark):
-    """How a generated layer is drawn: the first element that is for it."""
+    """How a generated layer is drawn: the first layer style that fits it."""
     return next((layer for layer in preset.layers if layer["kind"] in (mark["kind"], "any")
                  and layer.get("name") in (mark.get("name"), None)), {})
 
@@ -266,7 +267,7 @@ def section(preset):
 
 
 def outputs(api):
-    """The text of each file but the header."""
+    """The text of each file except the header, by path."""
     return {
         ROOT / "src/api/preset_table.h": table(api),
         ROOT / "tests/support/preset_names.h": test_list(),

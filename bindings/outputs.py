@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""api.json, and how files that are made from it are written or compared."""
+"""Loads api.json, and writes or compares the files that are made from it."""
 import json
 import sys
 from pathlib import Path
@@ -15,7 +15,7 @@ def load(path=API):
 
 
 def declarations(api):
-    """(kind, entry) of all declarations in the header's order; kind is "enum", "struct" and so on."""
+    """(kind, entry) of all declarations in the header's order.  The kind is "enum", "struct", "callback" and so on."""
     kinds = {"enum": "constants", "struct": "structs", "callback": "callbacks", "handle": "handles",
              "typedef": "typedefs", "function": "functions"}
     entries = {(kind, entry.get("name", entry.get("prefix"))): entry
@@ -25,7 +25,7 @@ def declarations(api):
 
 
 def declaration(entry):
-    """`double view[16]`, `void (*release)(void* user)`: a field or a parameter as C writes it."""
+    """A field or a parameter as C writes it: `double view[16]`, `void (*release)(void* user)`."""
     kind, name = entry["type"], entry["name"]
     if kind["kind"] == "function":
         return kind["c"].replace("(*)", f"(*{name})", 1)
@@ -33,13 +33,13 @@ def declaration(entry):
 
 
 def signature(entry, name=None):
-    """`hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, ...)`, of a function or a callback."""
+    """A function or a callback as C writes it: `hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, ...)`."""
     parameters = ", ".join(map(declaration, entry["parameters"])) or "void"
     return f"{entry['returns']['c']} {name or entry['name']}({parameters})"
 
 
 def write(files, check=False):
-    """Writes the texts by path, where they differ; or only says so, and returns how many do."""
+    """Writes the texts that differ from their files.  With `check` it only reports them.  Returns their number."""
     stale = 0
     for path, text in files.items():
         if path.is_file() and path.read_text(encoding="utf-8") == text:

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""The options of a drawing, for languages that let their users name them: one table, as plain data.
+"""The table of a drawing's options, as plain data, for languages that let users name options.
 
-A row is what a user writes, and the field of the C interface that it sets.  What an option means, which names it takes
-and what its default is come from the header's comments, where a row has no words of its own.
+A row holds what a user writes, and the field of the C interface that it sets.  A row without words takes its description
+from the header's comment.  The names that an option takes, and its default, come from the header, too.
 
     name     with underscores: mark_radius is --mark-radius of the command line
     target   pen                    a field of hrbfnpr_picture_desc
-             flags.FLIP             a flag of it
+             flags.FLIP             a flag of hrbfnpr_picture_desc
              style.halo_width       the path of a hrbfnpr_change; marks.*.budget is one for each kind of layers
-             page.tolerance         a field of hrbfnpr_page_desc, or of hrbfnpr_picture_page_desc, or a flag of the page
-             (empty)                several of these, which each binding knows
-    kind     how a value is written: "number", "count LOW HIGH", "choice NAMES" ...; each binding reads them
-    metavar  of a value in a list of options
-    words    in place of the header's comment
-    alias    another name, that of the field
+             page.tolerance         a field of hrbfnpr_page_desc or hrbfnpr_picture_page_desc, or a flag of the page
+             (empty)                several fields; each binding knows which
+    kind     how a value is written: "number", "count LOW HIGH", "choice NAMES" and so on; each binding reads them
+    metavar  the placeholder for a value in a list of options
+    words    a description that replaces the header's comment
+    alias    a second name: the name of the field
 """
 from typing import NamedTuple
 
@@ -36,7 +36,7 @@ def count(name, target, low, high=None, words="", alias=""):
 
 
 def choice(name, target, words, only=None, alias=""):
-    """only: the names, where not all of the constants are to be had."""
+    """A choice between constants.  only: the allowed names, if not all constants are allowed."""
     return Option(name, target, "choice" + (f" {only}" if only else ""), "NAME", words, alias)
 
 
@@ -201,7 +201,7 @@ GROUPS = {
 }
 
 
-# ---- What the header says of an option
+# ---- What the header says about an option
 
 import re  # noqa: E402
 
@@ -210,7 +210,7 @@ _STRUCTS = {"style": "style", "fit": "fit_desc", "mesh_fit": "mesh_fit_desc", "m
 
 
 def field_of(target, api):
-    """The field, or the constant, that a target names; None of what the header has none for."""
+    """The field or the constant that a target names; None if the header has no single one."""
     section, _, rest = target.rpartition(".")
     if section == "flags":
         flags = next(group for group in api["constants"] if group["prefix"] == "HRBFNPR_PICTURE")
@@ -225,7 +225,7 @@ def field_of(target, api):
 
 
 def choices_of(option, api):
-    """The names that an option takes; empty of what is no choice."""
+    """The names that an option takes; empty for an option that is not a choice."""
     if not option.kind.startswith("choice"):
         return ()
     only = option.kind.split()[1:]
@@ -237,7 +237,7 @@ def choices_of(option, api):
 
 
 def words_of(option, api):
-    """What an option is, in a few words."""
+    """A short description of an option."""
     if option.words:
         return option.words
     doc = field_of(option.target, api)["doc"].split("\n")[0]

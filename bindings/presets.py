@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
-"""The named styles: one row each.  bindings/generate makes everything else that lists them from these rows.
+"""The table of named styles, one row each.  bindings/generate makes everything that lists them from these rows.
 
-    name    as users write it; also HRBFNPR_PRESET_..., in the order of this table.  New rows go to the end, because a
-            style's number never changes
-    draws   the constant's comment: which lines and marks are drawn
+    name    the name as users write it, and HRBFNPR_PRESET_... in the order of this table.  Add new rows at the end, because
+            the number of a style never changes
+    draws   the comment of the constant: which lines and marks the style draws
     use     a sentence for docs/presets.md: what the style is good for
-    marks   the layers that are generated for it (hrbfnpr_layer_desc)
-    layers  how layers of marks are drawn (hrbfnpr_layer_style); a layer takes the first that is for it
+    marks   the layers of marks that are generated for the style (hrbfnpr_layer_desc)
+    layers  how layers of marks are drawn (hrbfnpr_layer_style); a layer takes the first element that fits it
     lines   how lines are drawn (hrbfnpr_line_style)
     style   the other fields (hrbfnpr_style)
 
-Elements are dictionaries of the C struct's fields; a field that is left out keeps the struct's default.  Constants are
-written by their names: "dashed" is HRBFNPR_HIDDEN_PARTS_DASHED.  Lengths are in pixels of a picture of 800 pixels, and
-tones and coverages are shares.
+An element is a dictionary of the C struct's fields.  A field that is not in it keeps the struct's default.  A constant is
+written by its name: "dashed" is HRBFNPR_HIDDEN_PARTS_DASHED.  Lengths are in pixels, for a picture of 800 pixels.  Tones and
+coverages are shares, 0 to 1.
 """
 from typing import NamedTuple, Sequence
 
@@ -27,18 +27,18 @@ class Preset(NamedTuple):
     style: dict
 
 
-# ---- Colours, sRGB with alpha, and light
+# ---- Colours (sRGB with alpha) and light
 
 GRAPHITE = (0.20, 0.20, 0.22, 1.0)
 CHALK = (0.91, 0.95, 1.0, 1.0)
 WARM_PAPER = (0.98, 0.96, 0.915, 1.0)
 BLUE_PAPER = (0.09, 0.25, 0.47, 1.0)
-UPPER_LEFT = (-0.5, 0.5, 0.7071067811865476)  # at 45 degrees, as scientific drawings have it
+UPPER_LEFT = (-0.5, 0.5, 0.7071067811865476)  # 45 degrees from the view, the convention of scientific drawings
 
 
 # ---- Layers of marks that are generated
 
-# Styles of lines alone have stipples as well: they tell where the surface is, and so what it hides.
+# Styles that draw only lines have stipples, too: stipples show where the surface is, and so what it hides.
 STIPPLES = {"kind": "stipples"}
 
 
@@ -48,7 +48,7 @@ def hatching(angle=0.0, name=None, **fields):
 
 # ---- How layers are drawn
 
-# Without contours marks are a little larger, to reach the rim.
+# A style without contours draws its marks a little larger, so that they reach the rim.
 FULL_RADIUS = 1.1
 
 
@@ -61,37 +61,37 @@ def hidden(kind, **fields):
 
 
 def swelling(begin, end, coverage, name=None, **fields):
-    """Lines that swell with the tone: from the tone `begin` to the tone `end`, where they cover `coverage`."""
+    """Lines that swell with the tone: from the darkness `begin` to the darkness `end`, where they cover the share `coverage`."""
     return {"kind": "hatch", "name": name, "shape": "hatch", "contours": False, "hatch_tone_begin": begin,
             "hatch_tone_end": end, "hatch_coverage_end": coverage, "hatch_spacing": 2.8, "hatch_pen": 0.45,
             "hatch_white": 0.68, "hatch_taper": 12.0, "hatch_shortest": 7.0, **fields}
 
 
 def even(begin, end, coverage, name=None, **fields):
-    """Lines of nearly one width: where it is darker there are more of them."""
+    """Lines of nearly one width.  Darker places have more of them."""
     return swelling(begin, end, coverage, name, **{"hatch_taper": 8.0, "hatch_shortest": 8.0, **fields})
 
 
 def crossed(begin, end, coverage, name=None):
-    """One of several sets of lines that cross at 30 to 65 degrees.  Each begins where the set before it is full."""
+    """One of several sets of lines that cross at 30 to 65 degrees.  Each set begins where the set before it is full."""
     return even(begin, end, coverage, name, hatch_pen=0.6, hatch_spacing=2.6, hatch_coverage_begin=0.09)
 
 
 def pencilled(begin, end, coverage, seed, name=None):
-    """Lines that stray, and run on past the tone that they end at."""
+    """Lines that wobble, and run past the tone at which they end."""
     return swelling(begin, end, coverage, name, hatch_coverage_begin=0.08, hatch_pen=0.7, hatch_spacing=2.8,
                     hatch_white=0.6, hatch_taper=4.0, hatch_shortest=9.0, hatch_wobble=1.2, hatch_overshoot=16.0,
                     hatch_seed=seed, ink=GRAPHITE)
 
 
-# ---- How lines are drawn, of items with a line set
+# ---- How lines are drawn, for items with a line set
 
 def contour(width, **fields):
     return {"kind": "contour", "width": width, **fields}
 
 
 def with_creases(line, width):
-    """A contour, and the creases of a surface that has some: they are finer, and no outlines."""
+    """A contour style, and a style for the creases of a surface that has them: thinner, and not heavier on outlines."""
     return [line, {**line, "kind": "crease", "width": width, "outline_factor": 1.0}]
 
 
@@ -107,14 +107,14 @@ def blueprint(kind, width, outline, name=None):
 
 PLAIN_LINES = with_creases(contour(2.2), 1.4)
 
-# Hidden contours stay visible through a layer or two of surface, but pale.
+# Hidden contours are pale, but visible through one or two layers of surface.
 PALE = {"attenuation_front": 0.2, "attenuation_back": 0.1}
 
 PRESETS = [
     Preset(
         "stipple",
         draws="stipples, denser where it is darker, without contours",
-        use="Soft forms and fine tones without any line: the classic of scientific drawing.",
+        use="Soft forms and fine tones without any line: the classic look of scientific drawing.",
         marks=[STIPPLES],
         layers=[shown("stipples", radius=FULL_RADIUS, contours=False), shown("any", contours=False)],
         lines=[],
@@ -123,7 +123,7 @@ PRESETS = [
     Preset(
         "hatch",
         draws="lines of one width, denser where it is darker, and contours",
-        use="Lines around the form, more of them where it is darker: tone and shape with one set.",
+        use="Lines around the form, closer together where it is darker: tone and shape from one set of lines.",
         marks=[STIPPLES, hatching()],
         layers=[hidden("stipples"), even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9)],
         lines=PLAIN_LINES,
@@ -132,7 +132,7 @@ PRESETS = [
     Preset(
         "cross-hatch",
         draws="up to three sets of lines of one width, at 0, 35 and -30 degrees, each for a darker tone, and contours",
-        use="Up to three sets of lines at 30 to 65 degrees to each other, darker where they cross.",
+        use="Up to three sets of lines that cross at 30 to 65 degrees; dark places have more sets.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(35.0, "hatch-2"), hatching(-30.0, "hatch-3")],
         layers=[hidden("stipples"), crossed(0.12, 0.45, 0.24, "hatch-1"), crossed(0.38, 0.66, 0.24, "hatch-2"),
                 crossed(0.60, 0.90, 0.30, "hatch-3"), crossed(0.12, 0.90, 0.30)],
@@ -142,7 +142,7 @@ PRESETS = [
     Preset(
         "combing",
         draws="lines along Stark's combing direction, with a second set in the darks, and contours",
-        use="Lines that do not follow curvature: for surfaces that bend much and irregularly.",
+        use="Lines that do not follow the curvature: for surfaces that bend strongly and irregularly.",
         marks=[STIPPLES, hatching(0.0, "hatch-1", guide="combing"), hatching(40.0, "hatch-2", guide="combing")],
         layers=[hidden("stipples"), crossed(0.10, 0.60, 0.32, "hatch-1"), crossed(0.50, 0.92, 0.34, "hatch-2"),
                 crossed(0.10, 0.92, 0.34)],
@@ -152,10 +152,10 @@ PRESETS = [
     Preset(
         "silhouette",
         draws="contours only; hidden ones are paler",
-        use="Contours alone, hidden ones pale: icons, instructions, a base to paint over.",
+        use="Contours only, with pale hidden ones: icons, instructions, a base to paint over.",
         marks=[STIPPLES],
         layers=[hidden("any")],
-        # Where there are lines alone, those that bound the drawing are heavier.
+        # In a drawing of lines only, the outline is heavier.
         lines=with_creases(contour(2.2, hidden="attenuated", outline_factor=1.5), 1.4),
         style={"silhouette_radius": 1.2, **PALE},
     ),
@@ -171,7 +171,7 @@ PRESETS = [
     Preset(
         "xray",
         draws="contours only; hidden ones are dashed",
-        use="Contours alone, hidden ones dashed: technical drawings, assemblies.",
+        use="Contours only, with dashed hidden ones: technical drawings, assemblies.",
         marks=[STIPPLES],
         layers=[hidden("any")],
         lines=with_creases(contour(2.0, hidden="dashed", outline_factor=1.5), 1.4),
@@ -180,9 +180,9 @@ PRESETS = [
     Preset(
         "full",
         draws="stipples, cross hatching in the darks, contours and halos [NPAR, Figure 1 (e)]",
-        use="Contours with a white halo, stipples, and lines in the darks: as the article's most finished drawing.",
+        use="Contours with a white halo, stipples, and lines in the darks, like the article's most finished drawing.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
-        # Stipples are in the lights and between lines, lines in the darks.
+        # The lights have stipples only.  The darks have lines with stipples between them.
         layers=[shown("stipples", radius=0.7, share=0.45), crossed(0.40, 0.75, 0.34, "hatch-1"), crossed(0.62, 0.95, 0.34, "hatch-2"),
                 crossed(0.40, 0.95, 0.34)],
         lines=PLAIN_LINES,
@@ -200,8 +200,8 @@ PRESETS = [
     Preset(
         "etching",
         draws="up to three sets of thin lines, at 0, 50 and -40 degrees, each for a darker tone, and contours",
-        use="Thin lines in up to three layers that cross each other, a darker tone each.",
-        # Illustrators leave highlights empty, and cross their lines at 30 to 60 degrees.
+        use="Up to three sets of thin lines that cross each other; dark places have more sets.",
+        # Illustrators leave highlights empty, and let their lines cross at 30 to 60 degrees.
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(50.0, "hatch-2"), hatching(-40.0, "hatch-3")],
         layers=[swelling(0.15, 0.55, 0.36, "hatch-1"), swelling(0.40, 0.75, 0.36, "hatch-2"),
                 swelling(0.66, 0.92, 0.36, "hatch-3"), hidden("any")],
@@ -222,7 +222,7 @@ PRESETS = [
         "scientific-stipple",
         draws="fine stipples lit from the upper left, and outlines that swell in the shade; lights stay empty",
         use="Stipples in even tones with fine contours, as in plates of biology and palaeontology.",
-        marks=[{**STIPPLES, "tone_begin": 0.08, "tone_end": 1.0}],  # lights are left empty
+        marks=[{**STIPPLES, "tone_begin": 0.08, "tone_end": 1.0}],  # the lights stay empty
         layers=[shown("stipples", radius=0.6, share=0.85), hidden("any")],
         lines=with_creases(contour(1.3, outline_factor=1.6, lit_factor=0.55, taper=16.0), 0.9),
         style={"silhouette_radius": 0.8, "light": UPPER_LEFT, "tone_exponent": 0.8},
@@ -230,7 +230,7 @@ PRESETS = [
     Preset(
         "sketch",
         draws="pencil on warm paper: two sets of lines that stray and run past their ends, and contours drawn twice",
-        use="Lines that overshoot and wobble, contours drawn twice: first ideas, things not yet decided.",
+        use="Lines that wobble and overshoot, and contours drawn twice: first ideas, unfinished designs.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
         layers=[pencilled(0.20, 0.70, 0.26, 1, "hatch-1"), pencilled(0.50, 0.92, 0.28, 2, "hatch-2"),
                 pencilled(0.20, 0.92, 0.28, 3), hidden("any", ink=GRAPHITE)],
@@ -242,7 +242,7 @@ PRESETS = [
         "blueprint",
         draws="pale lines on blue without tone: contours, borders, creases and lines called \"crease\"; hidden ones "
               "are dashed",
-        use="Light lines on dark paper, hidden ones dashed: plans.",
+        use="Pale lines on dark paper, hidden ones dashed: plans.",
         marks=[STIPPLES],
         layers=[hidden("any", ink=CHALK)],
         lines=[blueprint("contour", 1.5, 1.6), blueprint("border", 1.5, 1.6), blueprint("own", 1.1, 1.0, "crease"),
@@ -253,12 +253,12 @@ PRESETS = [
         "archaeological",
         draws="short lines along the curvature that taper to the light from the upper left, heavy outlines, and the "
               "RIDGE lines of a line set",
-        use="The conventions of finds: light from the upper left, scars along the curvature.",
+        use="The conventions for drawing finds: light from the upper left, scars along the curvature.",
         marks=[STIPPLES, hatching(smoothing=0.03, axis_weight=0.02)],
-        # Lines are short, and thin away from the shade.
+        # Lines are short, and get thinner towards the light.
         layers=[swelling(0.28, 0.92, 0.45, hatch_coverage_begin=0.08, hatch_taper=26.0, hatch_shortest=6.0,
                          hatch_spacing=3.2), hidden("any")],
-        # The outline is heavy; ridges between scars are fine lines.
+        # The outline is heavy.  Ridges between scars are thin lines.
         lines=[contour(1.8, outline_factor=1.8), {"kind": "ridge", "width": 1.2, "taper": 20.0, "shortest": 12.0},
                {"kind": "crease", "width": 1.2}],
         style={"silhouette_radius": 1.2, "light": UPPER_LEFT, "hidden_lines": "hide"},

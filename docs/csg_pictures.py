@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/csg.md: its first script, and examples/blends.csg.
+"""Draws the pictures of docs/csg.md: one of its first script, and one of examples/blends.csg.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/csg_pictures.py [FOLDER]
 
-FOLDER is docs if it is not given.  Pictures have 16 greys, to be small.
+FOLDER is docs by default.  Pictures have 16 greys, so that their files are small.
 """
 
 import re
@@ -20,7 +20,7 @@ STYLE = ["--style", "engraving", "--up", "z", "--quiet"]
 
 
 def script_of(page, name):
-    """The code block that begins with this comment."""
+    """The code block that begins with the comment `# name`."""
     blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
     found = [block for block in blocks if block.startswith(f"# {name}\n")]
     if len(found) != 1:

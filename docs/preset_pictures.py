@@ -4,8 +4,8 @@
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/preset_pictures.py MESH [FOLDER [STYLE...]]
 
-MESH is that of scripts/fetch_bunny; FOLDER is docs if it is not given, and STYLEs are all.  Pictures have 16 colours, to be
-small.  bindings/generate writes the page itself.
+MESH is the file that scripts/fetch_bunny fetches.  FOLDER is docs by default.  By default all STYLEs are drawn.  Pictures have
+16 colours, so that their files are small.  bindings/generate writes the page.
 """
 
 import sys
@@ -18,12 +18,12 @@ import hrbfnpr
 from hrbfnpr import cli
 
 SIZE = 480
-LARGEST = 1_500_000  # bytes of all pictures
+LARGEST = 1_500_000  # largest size of all pictures together, in bytes
 VIEW = ["--azimuth", "20", "--elevation", "15", "--size", str(SIZE)]
 
 
 def draw(model, name, target):
-    """One picture, in few colours."""
+    """Draws one picture in few colours."""
     if cli.main(["draw", str(model), str(target), "--style", name, *VIEW, "--quiet"]) != 0:
         raise SystemExit(f"the style {name} could not be drawn")
     picture = Image.open(target).convert("RGB")

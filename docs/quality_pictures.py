@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of docs/quality.md: PUBLISHED, white noise and BLUE_NOISE beside each other.
+"""Draws the pictures of docs/quality.md: PUBLISHED, white noise and BLUE_NOISE side by side.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so docs/quality_pictures.py MESH.obj docs/images
 
-Rows of quality.png: a flat patch, a ramp of tones, a torus, the mesh.  spectrum.png: the power spectrum of prefixes.
+The rows of quality.png are a flat patch, a ramp of tones, a torus and the mesh.  spectrum.png is the power spectrum of
+prefixes of the progressive order.
 """
 
 import sys
@@ -29,14 +30,14 @@ def plane() -> hrbfnpr.Model:
 
 
 def torus() -> hrbfnpr.Model:
-    """A torus about z, lying."""
+    """A torus around the z axis."""
     return hrbfnpr.Model.from_function(
         lambda p: np.hypot(np.hypot(p[:, 0], p[:, 1]) - 1.0, p[:, 2]) - 0.4, bounds=((-1.4, -1.4, -0.4), (1.4, 1.4, 0.4))
     )
 
 
 def white(model: hrbfnpr.Model) -> hrbfnpr.PointSet:
-    """Independent marks: a random part of far more."""
+    """Independent marks: a random subset of 16 times as many."""
     many = model.generate(budget=16 * MARKS)
     chosen = np.random.default_rng(1).choice(len(many), MARKS, replace=False)
     positions = np.asarray(many.layers[0].positions, dtype=float)[chosen] + np.asarray(many.origin)
@@ -45,18 +46,18 @@ def white(model: hrbfnpr.Model) -> hrbfnpr.PointSet:
 
 
 def schemes(model: hrbfnpr.Model) -> list:
-    """The same number of marks by each scheme."""
+    """The same number of marks, placed by each scheme."""
     published = model.generate(distribution="published", seed_source="box", box_resolution=6, levels=6, budget=MARKS)
     return [published, white(model), model.generate(budget=MARKS)]
 
 
 def panel(marks: hrbfnpr.PointSet, style: hrbfnpr.Style, camera: hrbfnpr.Camera) -> Image.Image:
-    """One drawing."""
+    """A drawing of the marks."""
     return hrbfnpr.Renderer().draw((marks, style), camera).to_pil()
 
 
 def rows(mesh: str) -> list:
-    """Panels, row by row."""
+    """The panels of quality.png, row by row."""
     flat = schemes(plane())
     above = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0), (0, 1, 0)).orthographic(1.2, PANEL, 1.0, 10.0)
     even = hrbfnpr.Style("stipple", tone="none", hidden_lines="show")
@@ -78,7 +79,7 @@ def rows(mesh: str) -> list:
 
 
 def spectrum(points: np.ndarray, radius: int) -> np.ndarray:
-    """The periodogram of points in a square of side 1.8 under a Hann window, around the frequency 0; 1: white noise."""
+    """The periodogram around frequency 0 of the points in a square of side 1.8, with a Hann window.  White noise gives 1."""
     pixels = 1024
     inside = points[(np.abs(points) < 0.9).all(axis=1)]
     image = np.histogramdd(inside, bins=(pixels, pixels), range=((-0.9, 0.9), (-0.9, 0.9)))[0]
@@ -89,7 +90,7 @@ def spectrum(points: np.ndarray, radius: int) -> np.ndarray:
 
 
 def spectra() -> Image.Image:
-    """Mean spectra of the first quarter, six tenths and all of 40 000 marks on a tilted plane, over eight orders."""
+    """Spectra of the first 25 %, 60 % and 100 % of 40 000 marks on a tilted plane, each the mean of eight progressive orders."""
     normal = np.array([0.35, 0.2, 1.0]) / np.linalg.norm([0.35, 0.2, 1.0])
     u = np.cross([0.0, 1.0, 0.0], normal)
     u /= np.linalg.norm(u)

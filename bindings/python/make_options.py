@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""hrbfnpr/_options.json, the table of a drawing's options, and hrbfnpr/_draw_call.pyi, the call that takes them by name.
+"""Makes hrbfnpr/_options.json, the table of a drawing's options, and hrbfnpr/_draw_call.pyi, the call that takes them by name.
 
-bindings/generate runs it.  Both are made from ../picture_options.py and the header's comments, and are committed.
+bindings/generate runs this module.  Both files are made from ../picture_options.py and the header's comments, and are
+committed.
 """
 import json
 import textwrap
@@ -44,5 +45,5 @@ def stub(api):
 
 
 def outputs(api):
-    """The text of each file."""
+    """The text of each file, by path."""
     return {HERE / "hrbfnpr/_options.json": table(api), HERE / "hrbfnpr/_draw_call.pyi": stub(api)}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wheels with the library inside, for any Python 3 on this platform.
+"""Builds wheels that contain the library, for any Python 3 on this platform.
 
 The library is the one that HRBFNPR_LIBRARY names, or else the newest release build of the checkout.
 """
@@ -36,7 +36,7 @@ class BuildWithLibrary(build_py):
     def run(self) -> None:
         super().run()
         source = library().resolve()
-        # Under its plain name: libhrbfnpr.so.1.0.1.0 as libhrbfnpr.so.
+        # Without version numbers: libhrbfnpr.so.1.0.1.0 becomes libhrbfnpr.so.
         name = re.sub(r"(\.so|\.dylib|\.dll).*", r"\1", source.name)
         shutil.copy2(source, Path(self.build_lib) / "hrbfnpr" / name)
 

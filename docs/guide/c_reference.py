@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The C interface as pages of reStructuredText, from bindings/api.json: every symbol is there, by the header's sections."""
+"""Pages in reStructuredText for every symbol of the C interface, from bindings/api.json, one for each section of the header."""
 
 import json
 import re
@@ -9,7 +9,7 @@ ROLES = {"function": "func", "struct": "struct", "callback": "type", "handle": "
 
 
 class Names:
-    """Which symbols there are, of which kind."""
+    """The symbols of the C interface, with the kind of each."""
 
     def __init__(self, api):
         self.kinds = {one["name"]: "function" for one in api["functions"]}
@@ -20,7 +20,7 @@ class Names:
         self.kinds.update({one["name"]: "constant" for group in api["constants"] for one in group["constants"]})
 
     def linked(self, text):
-        """Plain text as reStructuredText, with links to symbols."""
+        """Plain text as reStructuredText, with links to the symbols that it names."""
         parts = re.split(r"(`[^`]+`)|" + LINKED, text)
         made = ""
         for code, name, plain in zip(parts[1::3] + [None], parts[2::3] + [None], parts[0::3]):
@@ -33,7 +33,7 @@ class Names:
 
 
 def paragraphs(text):
-    """Blocks of a comment, and whether each is prose; formulas and tables are indented or have columns."""
+    """The blocks of a comment, each with whether it is prose.  Formulas and tables are not: they are indented or have columns."""
     text = re.sub(r"^-{8,}$", "", text, flags=re.MULTILINE)
     for block in re.split(r"\n\s*\n", text.strip("\n")):
         lines = block.splitlines()
@@ -54,7 +54,7 @@ def prose(names, text, indent=""):
 
 
 def declared(kind, name):
-    """A type of C with the name that is declared in its place: behind it, or within that of a pointer to a function."""
+    """A C declaration: the name after its type, or inside the parentheses of a pointer to a function."""
     return kind.replace("(*)", f"(*{name})", 1) if "(*)" in kind else f"{kind} {name}"
 
 
@@ -90,7 +90,7 @@ def function(names, one):
 
 
 def handle(names, one):
-    yield f".. c:type:: struct {one['name']} {one['name']}\n\n   A handle; what it points to is the library's.\n\n"
+    yield f".. c:type:: struct {one['name']} {one['name']}\n\n   A handle: an opaque pointer to an object of the library.\n\n"
     yield from prose(names, one["doc"], "   ")
 
 
@@ -103,14 +103,14 @@ WRITERS = {"enum": enum, "struct": struct, "callback": callback, "function": fun
 
 
 def heading(section):
-    """The title of a section in small letters, and what stands behind its colon."""
+    """The title of a section in lower case, and the text after its colon."""
     title, _, rest = re.sub(r"\s*\[NPAR[^]]*\]", "", section["title"]).partition(":")
     short = re.match(r"[A-Z]+(?: [A-Z]+)*", title).group(0)
     return short.capitalize(), (title[len(short) :] + (": " + rest if rest else "")).strip(": ")
 
 
 def pages(path):
-    """Names and texts of the pages."""
+    """The name and the text of each page."""
     api = json.loads(path.read_text(encoding="utf-8"))
     names = Names(api)
     of_kind = {
@@ -133,8 +133,8 @@ def pages(path):
     intro = f"""The C interface
 ===============
 
-``hrbfnpr.h``, version {api['version']}, ABI version {api['abi_version']}: usable from C99 and C++11 on.  What holds for every function
-is on the first page.  Each other one is a section of the header.
+``hrbfnpr.h``, version {api['version']}, ABI version {api['abi_version']}, for C99, C++11 and later.  The first page holds the contracts of all
+functions.  Each other page is a section of the header.
 
 .. toctree::
    :maxdepth: 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The public members of the C# assembly with their summaries, as a page of Markdown, from its sources' XML comments."""
+"""A Markdown page of the public members of the C# assembly, with the summaries from the XML comments of its sources."""
 
 import re
 from html import unescape
@@ -10,7 +10,7 @@ HIDDEN = re.compile(r"(?:(?:internal|private|protected|static|sealed|abstract|un
 
 
 def words(comment):
-    """The summary of a comment as Markdown."""
+    """The summary in an XML comment, as Markdown."""
     found = re.search(r"<summary>(.*?)</summary>", comment, re.DOTALL)
     text = found.group(1) if found else ""
     text = re.sub(r"<see cref=\"(?:\w:)?([^\"]+)\"\s*/>", lambda m: f"`{m.group(1).partition('(')[0]}`", text)
@@ -22,14 +22,14 @@ def words(comment):
 
 
 def signature(lines):
-    """A declaration as far as its body, in one line."""
+    """A declaration up to its body, on one line."""
     text = " ".join(line.strip() for line in lines)
     text = re.split(r"\s*(?:\{|=>|;)|\s(?::|where)\s", text)[0]
     return re.sub(r"\s*=\s*[^,()]+$", "", text) if "(" not in text else text
 
 
 def declarations(source):
-    """(depth, comment, declaration) of all that is public in a file; no declaration where a type begins that is not."""
+    """(depth, comment, declaration) of everything public in a file.  The declaration is None where a hidden type begins."""
     lines, comment, number = source.splitlines(), [], 0
     in_enum = None
     while number < len(lines):
@@ -40,7 +40,7 @@ def declarations(source):
         if text.startswith("///"):
             comment.append(text[3:].strip())
         elif re.match(r"\[|#|//", text) or not text:
-            pass  # an attribute, a condition: between a comment and what it is of
+            pass  # an attribute or a condition, between a comment and its declaration
         elif text.startswith("public ") or (in_enum is not None and re.match(r"\w+(?: = [^,]+)?,?$", text)):
             parts = [text]
             while not re.search(r"[{;]|=>|\)$", " ".join(parts)) and in_enum is None and number + 1 < len(lines):
@@ -64,12 +64,12 @@ def name_of(declaration):
 
 
 def types(folder):
-    """By type: (its declaration, its comment, its members); parts of a type are put together."""
+    """For each type: its declaration, its comment and its members.  The parts of a partial type are joined."""
     found = {}
     for path in sorted(folder.rglob("*.cs")):
         if {"bin", "obj"} & set(path.parts):
             continue
-        around = []  # the types that a line is within: their depth, and their name if they are public
+        around = []  # the types around a line, each with its depth and its name; None for the name of a hidden type
         for depth, comment, declaration in declarations(path.read_text(encoding="utf-8-sig")):
             while around and around[-1][0] >= depth:
                 around.pop()
@@ -88,8 +88,8 @@ def types(folder):
 def page(folder):
     text = """# The C# assembly: every member
 
-Public types of `HrbfNpr` and their members, with the summaries of their XML comments; editors show the rest: parameters, ranges,
-exceptions. An overview with examples is [here](csharp.md).
+The public types of `HrbfNpr` and their members, with the summaries of their XML comments. Editors show the rest of the
+comments: parameters, ranges, exceptions. [The C# assembly](csharp.md) gives an overview with examples.
 
 """
     for name, (declaration, comment, members) in sorted(types(folder).items()):

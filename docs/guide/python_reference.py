@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The Python package as pages for Sphinx's autodoc: every public name is on one of them."""
+"""Pages for Sphinx's autodoc that together hold every public name of the Python package."""
 
 import inspect
 
@@ -19,19 +19,19 @@ MODULES = ("csg", "datasets", "shapes", "batch")
 
 
 def public(package):
-    """All public names but those of modules."""
+    """All public names, except those of modules."""
     names = {*package.__all__, *package._ON_DEMAND}
     return sorted(name for name in names if not inspect.ismodule(getattr(package, name)))
 
 
 def entry(package, name):
     thing = getattr(package, name)
-    if inspect.isclass(thing) and hasattr(thing, "_fields"):  # a named tuple: what its fields are is in its docstring
+    if inspect.isclass(thing) and hasattr(thing, "_fields"):  # a named tuple, whose docstring describes its fields
         fields = "".join(f"   .. py:attribute:: {field}\n\n" for field in thing._fields)
         return f".. autoclass:: hrbfnpr.{name}\n   :exclude-members: __new__, __init__\n\n{fields}"
     if inspect.isclass(thing):
         more = "" if issubclass(thing, BaseException) else "   :inherited-members:\n"
-        if "handle" in getattr(thing.__init__, "__code__", entry.__code__).co_varnames:  # which only other calls of the package have
+        if "handle" in getattr(thing.__init__, "__code__", entry.__code__).co_varnames:  # only the package calls this constructor
             more += "   :exclude-members: __init__, __new__\n"
         return f".. autoclass:: hrbfnpr.{name}\n   :members:\n{more}\n"
     if callable(thing):
@@ -44,7 +44,7 @@ def titled(title, text):
 
 
 def pages(package):
-    """Names and texts of the pages."""
+    """The name and the text of each page."""
     left, entries = public(package), []
     for page, title, names in GROUPS:
         text = "".join(entry(package, name) for name in names)
@@ -67,6 +67,6 @@ def pages(package):
     rest = [name for name in left if name not in errors]
     yield "errors", titled("Errors", "".join(entry(package, name) for name in errors))
     yield "others", titled("The library, contexts and names", "".join(entry(package, name) for name in rest))
-    intro = titled("The Python package", "What each class and function takes and gives.  An overview with examples is "
-                   ":doc:`here </python>`.\n\n.. toctree::\n   :maxdepth: 1\n\n")  # fmt: skip
+    intro = titled("The Python package", "The public classes and functions, with their parameters and results.  "
+                   ":doc:`/python` gives an overview with examples.\n\n.. toctree::\n   :maxdepth: 1\n\n")  # fmt: skip
     yield "index", intro + "".join(f"   {name}\n" for name in (*entries, "errors", "others"))

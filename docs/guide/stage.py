@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Puts the pages of the guide together in a folder that Sphinx reads: docs/*.md as they are, and pages of every symbol.
+"""Puts the pages of the guide together in a folder for Sphinx: the pages of docs/, and a page of every symbol.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so stage.py FOLDER
 
-Pages in docs/ stay plain Markdown that a forge shows.  Here pictures in HTML become Sphinx's, and links to files that are no
-pages become plain text.
+The pages of docs/ are Markdown for a forge.  In the copies, HTML images become Sphinx's images, and links to files that are
+not pages become plain text.
 """
 
 import json
@@ -21,7 +21,7 @@ import hrbfnpr
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
-# Pages that do not stand in docs/, and what they are called here.
+# Pages from outside docs/, and their names in the guide.
 OTHERS = {
     "CONTRIBUTING.md": "contributing", "SECURITY.md": "security", "CHANGELOG.md": "changelog", "examples/README.md": "examples",
 }  # fmt: skip
@@ -29,7 +29,7 @@ QUICKSTARTS = (("c", "C", "c"), ("cpp", "C++", "cpp"), ("csharp", "C#", "cs"))
 
 
 def figure(match):
-    """Pictures of HTML as Sphinx's own, which are copied into the guide; several in one paragraph become tiles."""
+    """Turns HTML images into Sphinx's images, which are copied into the guide.  Several images in one paragraph become tiles."""
     tags = [dict(re.findall(r'(\w+)="([^"]*)"', tag)) for tag in re.findall(r"<img [^>]*>", match.group(0))]
     if len(tags) > 1:
         tiles = "\n".join(f"![{of.get('alt', '')}]({of['src']})" for of in tags)
@@ -47,7 +47,7 @@ def title_of(page):
 
 
 def relink(text, page, names):
-    """Links to pages by their names here; links to other files of the project as text."""
+    """Turns links to pages into links to their names in the guide, and links to other files of the project into text."""
 
     def one(match):
         label, link = match.groups()
@@ -69,7 +69,7 @@ def relink(text, page, names):
 
 
 def outside_code(change, text):
-    """Changes all but blocks of code."""
+    """Applies `change` to everything except blocks of code."""
     parts = re.split(r"(^```.*?^```$)", text, flags=re.DOTALL | re.MULTILINE)
     return "".join(part if part.startswith("```") else change(part) for part in parts)
 
@@ -89,7 +89,7 @@ def write(path, text):
 
 
 def index(names):
-    """The first page: README.md, and the lists of contents.  The list of how-to pages ends with pages that no list names."""
+    """The first page: README.md and the lists of contents.  Pages that no list names are added to the end of the how-to list."""
     lists = (HERE / "index.md").read_text(encoding="utf-8")
     left = sorted(name for name in names.values() if not re.search(rf"^{re.escape(name)}$", lists, re.MULTILINE))
     lists = lists.replace("\nbuilding\n", "\n" + "\n".join(["building", *left]) + "\n")
@@ -97,7 +97,7 @@ def index(names):
 
 
 def quickstarts(target):
-    """Pages of the examples in other languages."""
+    """Writes the pages of the quick starts in other languages."""
     for file, language, suffix in QUICKSTARTS:
         shutil.copy(ROOT / f"examples/quickstart.{suffix}", target)
         shown = f"```{{literalinclude}} quickstart.{suffix}\n:language: {file}\n:lines: 2-\n```\n"
@@ -108,8 +108,8 @@ def quickstarts(target):
 def main():
     target = Path(sys.argv[1]).resolve()
     if target.exists() and not (target / "conf.py").is_file():
-        raise SystemExit(f"stage.py: {target} is not a folder that it has made: name one that is not there")
-    shutil.rmtree(target, ignore_errors=True)  # pages that are no more
+        raise SystemExit(f"stage.py: {target} is not a folder that stage.py made: name a new one")
+    shutil.rmtree(target, ignore_errors=True)  # also removes pages that no longer exist
     target.mkdir(parents=True)
     shutil.copy(HERE / "conf.py", target)
     names = {path.relative_to(ROOT).as_posix(): path.stem for path in (ROOT / "docs").glob("*.md")}

@@ -417,7 +417,7 @@ inline constexpr hrbfnpr_line_style archaeological_lines[] = {
     }),
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CREASE; to.width = 1.2F; })};
 
-// ---- All of them, in the order of their numbers
+// ---- All named styles, in the order of their numbers
 
 inline constexpr Preset presets[] = {
     {"stipple",

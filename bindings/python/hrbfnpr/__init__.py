@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
 """Hermite RBF implicit surfaces, drawn in pen and ink.
 
-A few point-and-normal samples become a smooth implicit surface (`Model`); marks are placed on it
-(`PointSet`), drawn (`Renderer`) with a `Camera` and a `Style`, and become an image or vertices
-(`Drawing`).  The method is that of Vital Brazil, Macedo, Sousa, Velho, de Figueiredo: "A Few Good Samples: Shape & Tone
-Depiction for Hermite RBF Implicits", NPAR 2010, cited as [NPAR] with a section number.
+A `Model` is a smooth implicit surface that is fitted to points with normals.  A `PointSet` holds marks on the surface.  A
+`Renderer` draws marks and lines with a `Camera` and a `Style`.  The resulting `Drawing` becomes an image or vertices.
+`draw` does all of this in one call.  The method is that of Vital Brazil, Macedo, Sousa, Velho, de Figueiredo: "A Few Good
+Samples: Shape & Tone Depiction for Hermite RBF Implicits", NPAR 2010, cited as [NPAR] with a section number.
 
 >>> model = hrbfnpr.Model.fit(points, normals)
 >>> marks = model.generate(preset="contour-and-stipple", budget=60000)
 >>> style = hrbfnpr.Style("contour-and-stipple")
 >>> hrbfnpr.Renderer().draw((marks, style), hrbfnpr.Camera.fit(model)).save("drawing.png")
 
-Arrays are NumPy arrays.  NumPy is optional: without it anything with the buffer protocol, or
-nested sequences, is taken, and memoryviews of the same shape are returned.  Long calls release the
-interpreter lock, report progress and can be cancelled (`Operation`, Ctrl-C).
+Arrays are NumPy arrays.  NumPy is optional: without it, arguments may be nested sequences or objects with the buffer
+protocol, and results are memoryviews of the same shape.  Long calls release the interpreter lock, report their progress
+and can be cancelled (`Operation`, Ctrl-C).  Objects that never change, such as models, point sets and drawings, may be used
+by several threads at the same time.
 """
 from typing import TYPE_CHECKING, Any, List
 
@@ -97,7 +98,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-# Only on demand: they need NumPy, and some of them other packages.
+# Imported on demand, because these modules need NumPy, and some of them other packages.
 _MODULES = ("shapes", "datasets", "batch")
 _ON_DEMAND = {
     "Animation": "_animate", "DrawingWarning": "_report", "Note": "_report", "Picture": "_picture", "animate": "_animate",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turntables: an orbit about what is drawn.  Needs NumPy and Pillow."""
+"""Turntables: the camera goes around what is drawn.  This module needs NumPy and Pillow."""
 from __future__ import annotations
 
 import base64
@@ -17,22 +17,25 @@ from ._report import CallReport, Progress
 from ._scene import Scene
 from ._style import Style
 
-SIZE = 480  # longer side
+SIZE = 480  # longer side, in pixels
 
 
 class Animation:
-    """Frames of an orbit, each drawn when it is asked for.  Shows itself in a notebook, as a GIF.
+    """The frames of a turntable, as `animate` makes them.
+
+    A frame is drawn when it is asked for: ``animation[0]`` is a `Picture`, and ``len(animation)`` the number of frames.
+    In a notebook, an animation shows itself as a GIF.
 
     Attributes
     ----------
     cameras : list of Camera
-        Of the frames.
+        The camera of each frame.
     fps : float
-        Frames in a second.
+        Frames per second.
     loops : int
-        How often a GIF or a PNG is shown, 0 = without end.
+        How often a GIF or an animated PNG is played; 0 = without end.
     notes : tuple of str
-        As `Picture` has them.
+        Remarks on the drawing, as in `Picture`.
     """
 
     def __init__(self, scene: Scene, cameras: List[Camera], fps: float, loops: int, notes: Any = ()) -> None:
@@ -46,7 +49,7 @@ class Animation:
         return Picture(self._scene, self._scene.draw(camera), camera, self.notes)
 
     def images(self, progress: Progress = None) -> Iterator[Array]:
-        """The frames one by one: straight RGBA, uint8 (height, width, 4), without section and scale bar."""
+        """Draw the frames one by one, as straight RGBA, uint8 (height, width, 4), without section and scale bar."""
         with CallReport(progress).stage("frames", "drawing frames") as stage:
             for camera in self.cameras:
                 yield self._scene.draw(camera).image()
@@ -54,22 +57,22 @@ class Animation:
                     stage.bar.update(1 / len(self))
 
     def save(self, path: Union[str, "os.PathLike[str]"], *, progress: Progress = None) -> None:
-        """Draw all frames and write them.
+        """Draw all frames and write them to one or several files.
 
         Parameters
         ----------
         path : path
-            Ends in .gif, .png or .apng (an animated PNG), .mp4 (by the program ffmpeg); or has a number, such as
-            "frame-%03d.png": a picture for each frame, from 0.
-        progress
+            Its ending chooses the format: .gif, .png or .apng (an animated PNG), or .mp4 (which needs the program
+            ffmpeg).  A name with a number, such as "frame-%03d.png", writes one picture for each frame, numbered from 0.
+        progress : callable, tqdm bar or True, optional
             As in `draw`.
 
         Raises
         ------
         ValueError
-            For an ending that is none of these.
+            If the ending is not one of these, or the format does not allow this number of frames per second.
         OSError
-            If ffmpeg is not there, or fails.
+            If ffmpeg is not installed or fails, or a file cannot be written.
         """
         _movies.check_movie(path, self.fps)
         _movies.write(path, self.images(progress), self.fps, self.loops, self._scene.style.paper)
@@ -99,25 +102,36 @@ def animate(
     context: Optional[Context] = None,
     **options: Any,
 ) -> Animation:
-    """A turntable: the camera goes around what is drawn.
+    """Draw a turntable: the camera goes around what is drawn.
 
-    The model is fitted, its marks are placed and its lines are looked for once; one renderer draws all frames, so that
-    lines keep their numbers, and wobble the same, from one frame to the next.  The picture has room for the whole turn.
+    The model is fitted, its marks are placed and its lines are found once.  One renderer draws all frames, so that lines
+    keep their numbers and their wobble from frame to frame.  The picture has room for the whole turn.
 
     Parameters
     ----------
     source, style, camera, progress, context, **options
-        As in `draw`; `size` is 480 by default.  A camera, or `eye`, is that of the first frame.
+        As in `draw`, except that `size` is 480 by default.  A given camera, or `eye`, is that of the first frame.
     path : path, optional
-        Where the frames go, as in `Animation.save`; nowhere yet if omitted.
+        The file to write, as in `Animation.save`; None: no file.
     frames : int
+        Number of frames, at least 1.
     fps : float
-        Frames in a second.
+        Frames per second, above 0 and at most 1000.
     turn : float
-        Degrees about the up axis, through the middle of the model.  After a whole turn the first frame follows the last
-        as any other; a part of one ends with its last frame.
+        Angle in degrees by which the camera turns about the up axis, through the middle of the model.  With a whole turn,
+        the last frame leads on to the first.  With a part of a turn, the last frame is at its end.
     loops : int
-        How often a GIF or a PNG is shown, 0 = without end.
+        How often a GIF or an animated PNG is played; 0 = without end.
+
+    Returns
+    -------
+    Animation
+        The frames.
+
+    Raises
+    ------
+    ValueError
+        If `frames` or `fps` is out of its range, or for the reasons of `draw` and `Animation.save`.
 
     Examples
     --------
@@ -138,8 +152,8 @@ def turntable_of(
     source: Any, style: Any, frames: int, turn: float, camera: Optional[Camera], context: Optional[Context], options: Any,
     report: CallReport,
 ) -> Scene:  # fmt: skip
-    """What is drawn, by a camera with room for the whole turn; its warnings are raised."""
+    """The scene of a turntable, with a camera that has room for the whole turn.  Its warnings are raised."""
     scene = asked(source, style, options, camera, context, report, turn=(turn, frames))
-    scene.draw(report=report)  # says if it would be blank
+    scene.draw(report=report)  # warns if the picture would be blank
     report.finish()
     return scene

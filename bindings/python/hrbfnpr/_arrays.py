@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays in and out without copies: NumPy where it is installed, the buffer protocol otherwise."""
+"""Arrays for the library and from it, without copies: NumPy arrays if NumPy is installed, else the buffer protocol."""
 from __future__ import annotations
 
 import array
@@ -15,7 +15,7 @@ from ._numpy import np
 Array = Any
 """A NumPy array; without NumPy, a memoryview of the same shape and type."""
 
-# Type code of the buffer protocol -> HRBFNPR_SCALAR_..., bytes.
+# For each type code of the buffer protocol: HRBFNPR_SCALAR_..., and its size in bytes.
 _SCALARS = {
     "f": (ffi.integer_const("HRBFNPR_SCALAR_FLOAT32"), 4),
     "d": (ffi.integer_const("HRBFNPR_SCALAR_FLOAT64"), 8),
@@ -32,18 +32,18 @@ INDICES = "iIq"
 
 @dataclass(frozen=True)
 class Block:
-    """Elements of caller's memory."""
+    """Elements in the caller's memory."""
 
     address: int
     count: int
     stride: int
     code: str
     components: int
-    shape: Tuple[int, ...]  # of the elements: the input's without its last axis
-    keep: Any  # owns the memory
+    shape: Tuple[int, ...]  # the input's shape without its last axis
+    keep: Any  # the owner of the memory
 
     def fill(self, target: Any) -> Any:
-        """Write a hrbfnpr_array or hrbfnpr_array_out; returns what must be kept alive with it."""
+        """Write a hrbfnpr_array or hrbfnpr_array_out.  The result must be kept alive as long as the struct is used."""
         target.data = ffi.cast("void *", self.address)
         target.count = self.count
         target.stride = self.stride
@@ -52,14 +52,14 @@ class Block:
         return self.keep
 
     def view(self, kind: str = "hrbfnpr_array") -> Any:
-        """A struct of its own."""
+        """A new struct that describes the block."""
         struct = ffi.new(f"{kind} *")
         self.fill(struct)
         return struct
 
 
 def _element_shape(argument: str, shape: Sequence[int], components: int) -> Tuple[int, ...]:
-    """The shape without its last axis; a flat run of 3 n numbers counts as n elements."""
+    """The shape without its last axis.  A flat array of `components` * n numbers counts as n elements."""
     if components == 1:
         return tuple(shape)
     if len(shape) == 1 and shape[0] % components == 0:
@@ -77,7 +77,7 @@ def _product(shape: Iterable[int]) -> int:
 
 
 def _numpy_code(dtype: Any) -> str:
-    """The type code, whatever the platform calls the type; "" for a foreign type or byte order."""
+    """The type code of a dtype on every platform; "" for another type or byte order."""
     return _NUMPY_CODES.get(f"{dtype.kind}{dtype.itemsize}", "") if dtype.isnative else ""
 
 
@@ -91,7 +91,7 @@ def _numpy_block(argument: str, value: Any, components: int, codes: str) -> Bloc
     rows = data.reshape((_product(shape), components))
     packed = components * rows.itemsize
     stride = rows.strides[0] if len(rows) > 1 else packed
-    # A stride of 0 (a broadcast row) means "packed" to the library, so such rows are copied.
+        # The library reads a stride of 0 as "packed", so rows with a stride of 0 (broadcast rows) are copied.
     if stride == 0 or (components > 1 and rows.strides[1] != rows.itemsize):
         rows = np.ascontiguousarray(rows)
         stride = packed
@@ -100,7 +100,7 @@ def _numpy_block(argument: str, value: Any, components: int, codes: str) -> Bloc
 
 
 def _flatten(argument: str, value: Any) -> Tuple[List[float], List[int]]:
-    """Nested sequences of numbers, as numbers and shape."""
+    """The numbers and the shape of nested sequences."""
     if not isinstance(value, Iterable) or isinstance(value, (str, bytes)):
         try:
             return [float(value)], []
@@ -135,16 +135,16 @@ def _buffer_block(argument: str, value: Any, components: int, codes: str) -> Blo
 
 
 def block_in(argument: str, value: Any, components: int = 3, codes: str = FLOATS) -> Block:
-    """Input elements of `components` numbers each; copied only if their type or layout forces it.
+    """Input elements of `components` numbers each.  They are copied only if their type or layout requires it.
 
-    `codes` are the types that the library takes; what is not one of them is converted to the last.
+    `codes` are the types that the library takes; other types are converted to the last of them.
     """
     make = _buffer_block if np is None else _numpy_block
     return make(argument, value, components, codes)
 
 
 def store(argument: str, value: Any, count: int, components: int, code: str, target: Any) -> None:
-    """Copy what a callback returned to the library's packed memory."""
+    """Copy the result of a callback to the library's packed memory."""
     block = block_in(argument, value, components, code)
     if block.count != count:
         raise ValueError(f"{argument} must have {count} elements, not {block.count}")
@@ -165,7 +165,7 @@ def new_array(shape: Sequence[int], code: str) -> Array:
 
 
 def reshaped(data: Array, shape: Sequence[int]) -> Array:
-    """A new array of the library's in another shape of as many elements; nothing is copied."""
+    """A new array from the library in another shape with the same number of elements, without a copy."""
     if np is not None:
         return data.reshape(tuple(shape))
     if _product(shape) == 0 or not shape:
@@ -174,7 +174,7 @@ def reshaped(data: Array, shape: Sequence[int]) -> Array:
 
 
 def block_out(argument: str, value: Any, shape: Sequence[int], components: int, codes: str) -> Block:
-    """Caller's array to write to: it must have just this shape and one of these types."""
+    """The caller's array to write to.  It must have exactly this shape and one of these types."""
     if np is not None and isinstance(value, np.ndarray):
         if not _numpy_code(value.dtype) or _numpy_code(value.dtype) not in codes:
             raise TypeError(f"{argument} must have a dtype of {' or '.join(codes)}, not {value.dtype}")
@@ -202,7 +202,7 @@ def _same_memory(block: Block, value: Any) -> bool:
 
 
 def output(argument: str, given: Any, shape: Sequence[int], components: int, code: str) -> Tuple[Array, Any]:
-    """An output array, new or the caller's, and the hrbfnpr_array_out for it."""
+    """An output array, new or given by the caller, and the hrbfnpr_array_out for it."""
     if given is None:
         given = new_array(shape if components == 1 else (*shape, components), code)
         block = block_in(argument, given, components, code)
@@ -212,14 +212,14 @@ def output(argument: str, given: Any, shape: Sequence[int], components: int, cod
 
 
 def output_field(result: Any, field: str, shape: Sequence[int], components: int, code: str) -> Array:
-    """A new output array, as the field of a result struct."""
+    """Create an output array and put it into a field of a result struct."""
     array, view = output(field, None, shape, components, code)
     setattr(result, field, view[0])
     return array
 
 
 def wrap(view: Any, owner: Any) -> Array:
-    """A read-only array on the library's memory, which `owner` keeps alive; nothing is copied."""
+    """A read-only array on the library's memory, without a copy.  It keeps `owner` alive."""
     code = _CODES[view.scalar]
     size = _SCALARS[code][1]
     count, components = view.count, view.components
@@ -239,9 +239,9 @@ def wrap(view: Any, owner: Any) -> Array:
 
 
 def view(kind: str, attribute: str, doc: str) -> Any:
-    """A property: a read-only array on memory of the library's, by HRBFNPR_(kind)_ATTRIBUTE_(attribute).
+    """A property that is a read-only array on the library's memory, for HRBFNPR_(kind)_ATTRIBUTE_(attribute).
 
-    Its class has `_handle`, and `_view`: the function that views, and what it takes before the attribute.
+    Its class has `_handle` and `_view`: the function that gives the view, and its arguments before the attribute.
     """
     constant = ffi.integer_const(f"HRBFNPR_{kind}_ATTRIBUTE_{attribute}")
 
@@ -254,7 +254,7 @@ def view(kind: str, attribute: str, doc: str) -> Any:
 
 
 def matrix_in(argument: str, value: Any) -> List[float]:
-    """A 4 x 4 matrix given as rows, in the library's column-major order."""
+    """A 4 x 4 matrix that is given as rows, in the library's column-major order."""
     block = block_in(argument, value, 1, "d")
     if block.shape != (4, 4):
         raise ValueError(f"{argument} must be a 4 x 4 matrix, not of shape {block.shape}")
@@ -264,7 +264,7 @@ def matrix_in(argument: str, value: Any) -> List[float]:
 
 
 def matrix_out(numbers: Any) -> Array:
-    """A column-major matrix of the library's as a 4 x 4 array (without NumPy, a memoryview)."""
+    """A column-major matrix from the library as a 4 x 4 array; without NumPy, a memoryview."""
     matrix = new_array((4, 4), "d")
     for row in range(4):
         for column in range(4):
@@ -273,7 +273,7 @@ def matrix_out(numbers: Any) -> Array:
 
 
 def vector(argument: str, value: Any, length: int = 3) -> List[float]:
-    """A few numbers."""
+    """A list of `length` floats."""
     try:
         numbers = [float(number) for number in value]
     except (TypeError, ValueError):
@@ -284,12 +284,12 @@ def vector(argument: str, value: Any, length: int = 3) -> List[float]:
 
 
 def scalar(values: Array, shape: Tuple[int, ...]) -> Any:
-    """A number for a single point."""
+    """The number, if the values are those of a single point; else the array."""
     return values[()] if np is not None and shape == () else values
 
 
 def float_code(dtype: Any) -> str:
-    """The type code of a dtype or its name."""
+    """The type code of a float dtype or of its name."""
     name = dtype if isinstance(dtype, str) else np.dtype(dtype).name
     codes = {"float64": "d", "float32": "f", "d": "d", "f": "f"}
     if name not in codes:

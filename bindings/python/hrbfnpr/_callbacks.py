@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Python functions called by the library: exceptions are carried across it and raised on return."""
+"""Python functions that the library calls.  Their exceptions are kept, and raised when the library returns."""
 from __future__ import annotations
 
 from typing import Any, Callable, Optional
@@ -9,10 +9,10 @@ from ._library import ffi
 
 
 class CallbackState:
-    """What a callback works with, and where it leaves its exception.
+    """The Python function of a callback, and the exception that it raised.
 
-    A callback must not raise into C.  It leaves its exception here and returns a failure; the call
-    then fails, and `check` raises what the callback had raised.
+    A callback must not raise into C.  It leaves its exception here and returns a failure.  The call then fails, and
+    `check` raises the exception.
     """
 
     def __init__(self, function: Optional[Callable[..., Any]] = None) -> None:
@@ -20,13 +20,13 @@ class CallbackState:
         self.exception: Optional[BaseException] = None
 
     def new_handle(self) -> Any:
-        """The `user` pointer; it must be kept as long as the library may call back."""
+        """The `user` pointer.  Keep it as long as the library may call back."""
         return ffi.new_handle(self)
 
 
 def _keep_exception(kind: Any, exception: BaseException, traceback: Any) -> None:
-    # cffi calls this for an exception that leaves the callback, also for a KeyboardInterrupt
-    # that struck before its first line.  The first argument of each callback is called `user`.
+    # cffi calls this function for every exception that leaves a callback, even for a KeyboardInterrupt before the callback's
+    # first line.  The first argument of each callback must be named `user`.
     if traceback is not None:
         state = ffi.from_handle(traceback.tb_frame.f_locals["user"])
         if state.exception is None:
@@ -34,9 +34,9 @@ def _keep_exception(kind: Any, exception: BaseException, traceback: Any) -> None
 
 
 def callback(signature: str, failure: Any) -> Callable[[Callable[..., Any]], Any]:
-    """Decorator: makes a C function whose first parameter, `user`, is the handle of a `CallbackState`.
+    """Decorator that makes a C function, whose first parameter `user` is the handle of a `CallbackState`.
 
-    `failure` is what it returns when the Python function raises.
+    The C function returns `failure` if the Python function raises.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
@@ -46,7 +46,7 @@ def callback(signature: str, failure: Any) -> Callable[[Callable[..., Any]], Any
 
 
 def plain_callback(signature: str) -> Callable[[Callable[..., Any]], Any]:
-    """Decorator: makes a C function that cannot fail; what it raises is printed."""
+    """Decorator that makes a C function that cannot fail.  An exception is printed."""
 
     def decorate(function: Callable[..., Any]) -> Any:
         return ffi.callback(signature, function)
@@ -60,17 +60,17 @@ def check(
     *states: Optional[CallbackState],
     shared: Optional[CallbackState] = None,
 ) -> None:
-    """Raise if the call failed, or if a callback of this call raised.
+    """Raise if the call failed, or if a callback of this call raised an exception.
 
-    KeyboardInterrupt and its like, and CancelledError, are raised as they are; any other exception
-    becomes the cause of a CallbackError.
+    CancelledError, and exceptions such as KeyboardInterrupt, are raised as they are.  Any other exception becomes the cause
+    of a CallbackError.
 
     Parameters
     ----------
     states
-        Of callbacks that served this call alone.
+        The states of callbacks that served only this call.
     shared
-        Of a callback that may serve several calls at a time: asked only if the call failed.
+        The state of a callback that may serve several calls at the same time.  It is looked at only if the call failed.
     """
     exception: Optional[BaseException] = None
     for state in (*states, shared if status != 0 else None):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Cameras."""
+"""Cameras: where a picture is seen from."""
 from __future__ import annotations
 
 import math
@@ -16,25 +16,28 @@ def _vector(argument: str, value: Sequence[float]) -> Any:
 
 
 def corners(bounds: Any) -> Tuple[Sequence[float], Sequence[float]]:
-    """Two corners of a box: given as such, or of anything that has `bounds`."""
+    """Two corners of a box: `bounds` itself, or its attribute `bounds`."""
     low, high = getattr(bounds, "bounds", bounds)
     return vector("bounds", low), vector("bounds", high)
 
 
 class Camera:
-    """Where a picture is seen from.  Plain data: a camera is not changed by any method.
+    """A camera: two matrices, a viewport and a depth convention.
 
-    Frames are right-handed and the eye looks along -z; pixels count from the top-left corner.
+    A camera never changes: its methods return new cameras.  Coordinate systems are right-handed, the eye looks along -z,
+    and pixels count from the top-left corner.
 
     Parameters
     ----------
-    view, projection : array of float, shape (4, 4), optional
-        World to eye and eye to clip, acting on column vectors; the identity by default.
+    view : array of float, shape (4, 4), optional
+        The matrix from world to eye, which acts on column vectors; invertible; the identity by default.
+    projection : array of float, shape (4, 4), optional
+        The matrix from eye to clip coordinates; invertible; the identity by default.
     viewport : (x, y, width, height), optional
-        In pixels.
+        The top-left corner and the size of the picture, in pixels.  The default size is 0, with which nothing can be drawn.
     depth_convention : str
-        Range of clip-space depth from near to far plane: ``"negative_one_to_one"`` (OpenGL),
-        ``"zero_to_one"`` (Direct3D, Vulkan, Metal) or ``"reversed"`` (1 to 0).
+        Range of clip-space depth from the near to the far plane: ``"negative_one_to_one"`` (OpenGL), ``"zero_to_one"``
+        (Direct3D, Vulkan, Metal) or ``"reversed"`` (1 to 0).
 
     Examples
     --------
@@ -72,9 +75,23 @@ class Camera:
         *,
         depth_convention: str = "negative_one_to_one",
     ) -> Camera:
-        """From an eye towards a target, up roughly along `up`.
+        """Make a camera that looks from an eye towards a target.
 
-        Choose the lens with `perspective` or `orthographic` on the result.
+        The result has no lens yet: call its `perspective` or `orthographic`.
+
+        Parameters
+        ----------
+        eye, target : sequence of float
+            Places in the world; they must differ.
+        up : sequence of float
+            The direction that is roughly upward in the picture; not parallel to the view.
+        depth_convention : str
+            As in `Camera`.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If eye and target are the same, or `up` is 0 or parallel to the view.
         """
         camera = cls(depth_convention=depth_convention)
         vectors = _vector("eye", eye), _vector("target", target), _vector("up", up)
@@ -83,23 +100,33 @@ class Camera:
         return camera
 
     def perspective(self, vertical_angle: float, size: Tuple[float, float], near: float, far: float) -> Camera:
-        """This camera with a perspective projection.
+        """Return a copy of this camera with a perspective projection.
 
         Parameters
         ----------
         vertical_angle : float
-            Radians, in (0, pi).
+            Vertical angle of view in radians, above 0 and below pi.  A larger angle shows more, and smaller.
         size : (width, height)
-            Pixels.
+            Size of the viewport in pixels.
         near, far : float
-            Distances of the planes, 0 < near < far.
+            Distances of the near and the far plane from the eye, 0 < near < far.
         """
         camera, error = self._copy(), new_error()
         check(lib.hrbfnpr_camera_perspective(camera._struct, vertical_angle, *size, near, far, error), error)
         return camera
 
     def orthographic(self, view_height: float, size: Tuple[float, float], near: float, far: float) -> Camera:
-        """This camera with a parallel projection; `view_height` is the visible height in world units."""
+        """Return a copy of this camera with a parallel projection.
+
+        Parameters
+        ----------
+        view_height : float
+            Height of the visible part of the world, in world units, above 0.
+        size : (width, height)
+            Size of the viewport in pixels.
+        near, far : float
+            Distances of the near and the far plane from the eye, near < far; either may be negative.
+        """
         camera, error = self._copy(), new_error()
         check(lib.hrbfnpr_camera_orthographic(camera._struct, view_height, *size, near, far, error), error)
         return camera
@@ -116,20 +143,24 @@ class Camera:
         margin: float = 0.05,
         depth_convention: str = "negative_one_to_one",
     ) -> Camera:
-        """A camera that sees a box so that it fills the picture.
+        """Make a camera in which a box fills the picture.
 
         Parameters
         ----------
         bounds : Model, PointSet, or (minimum, maximum)
+            The box: two corners, or any object with `bounds`.
         direction : sequence of float
-            From the eye into the scene.
+            The direction from the eye into the scene.
         up : sequence of float
+            The direction that is roughly upward in the picture; not parallel to `direction`.
         size : (width, height)
-            Pixels.
+            Size of the picture in pixels.
         vertical_angle : float
-            Radians; 0 = orthographic.
+            Vertical angle of view in radians, 0 or more and below pi; 0 = orthographic.
         margin : float
-            Share of the picture that is left free on each side, 0 to 0.45.
+            Share of the picture that stays free on each side, 0 to 0.45.
+        depth_convention : str
+            As in `Camera`.
         """
         camera = cls(depth_convention=depth_convention)
         low, high = corners(bounds)
@@ -153,14 +184,16 @@ class Camera:
         margin: float = 0.05,
         depth_convention: str = "negative_one_to_one",
     ) -> Camera:
-        """As `fit`, but the points themselves fill the picture, not the corners of their box.
+        """Make a camera in which points fill the picture.
+
+        The points themselves fill the picture, not the corners of their box.  Other parameters are those of `fit`.
 
         Parameters
         ----------
         points : array of float, shape (n, 3)
-            Such as the positions of a layer of marks, with the set's origin.
+            The points, such as the positions of a layer of marks.
         origin : sequence of float
-            Added to each point.
+            This is added to each point.  For marks, give `PointSet.origin`.
         """
         camera, block = cls(depth_convention=depth_convention), block_in("points", points)
         vectors = [_vector("origin", origin), _vector("direction", direction), _vector("up", up)]
@@ -173,29 +206,29 @@ class Camera:
 
     @property
     def view(self) -> Array:
-        """World to eye, float64 (4, 4); a copy."""
+        """The matrix from world to eye, float64 (4, 4); a copy."""
         return matrix_out(self._struct.view)
 
     @property
     def projection(self) -> Array:
-        """Eye to clip, float64 (4, 4); a copy."""
+        """The matrix from eye to clip coordinates, float64 (4, 4); a copy."""
         return matrix_out(self._struct.projection)
 
     @property
     def viewport(self) -> Tuple[float, float, float, float]:
-        """x, y of the top-left corner, width, height, in pixels."""
+        """x and y of the top-left corner, width and height, in pixels."""
         x, y, width, height = self._struct.viewport
         return x, y, width, height
 
     @property
     def size(self) -> Tuple[int, int]:
-        """Width and height of an image that holds the viewport."""
+        """Width and height of an image that holds the viewport, in pixels."""
         x, y, width, height = self.viewport
         return math.ceil(x + width), math.ceil(y + height)
 
     @property
     def depth_convention(self) -> str:
-        """Range of clip-space depth from near to far plane."""
+        """Range of clip-space depth from the near to the far plane, by name."""
         return name_of(DEPTH_CONVENTIONS, self._struct.depth_convention)
 
     def __eq__(self, other: object) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The context: threads, instruction set, log."""
+"""The context: threads, instruction set and log."""
 from __future__ import annotations
 
 import json
@@ -32,42 +32,42 @@ def _on_run_tasks(user: Any, task: Any, task_context: Any, count: int) -> None:
     try:
         ffi.from_handle(user).function(run, count)
     finally:
-        # The library cannot go on without them: a runner that fails is made good here.
+        # The library cannot go on without these tasks, so this thread runs those that a failed runner left.
         for index in range(count):
             if not started[index]:
                 run(index)
 
 
 class Context(Owner):
-    """Threads, instruction set and log of everything that is made with it.
+    """The threads, the instruction set and the log of everything that is made with it.
 
-    Most programs need none: where a context can be given, the default is one that all calls share
-    (`default_context`).  Any number of threads may use one context at a time.
+    Most programs need no context: calls without one share a default (`default_context`).  Several threads may use one
+    context at the same time.
 
     Parameters
     ----------
     thread_count : int, optional
-        0 = all processors (default), 1 = serial.  Results are the same bits for any number.
+        Number of threads; 0 = all processors (default), 1 = only the calling thread; at most 256 are used.  Results have
+        the same bits for every number.
     thread_backend : str, optional
-        Who runs the library's work: ``"auto"`` (default: `run_tasks` where that is given, else the pool),
-        ``"pool"`` (threads of the context's own, which a processor that is busy elsewhere hardly hurts),
-        ``"openmp"`` (the OpenMP runtime's), ``"run_tasks"`` or ``"serial"``.
+        What runs the library's tasks: ``"auto"`` (default: `run_tasks` if it is given, else the pool), ``"pool"`` (threads
+        of the context, which a busy processor hardly slows down), ``"openmp"`` (threads of the OpenMP runtime),
+        ``"run_tasks"`` or ``"serial"`` (the calling thread).
     instruction_set : str, optional
-        The highest to use: ``"auto"`` (default), ``"baseline"``, ``"avx2"``, ``"avx512"``, ``"neon"``.
+        The highest instruction set to use: ``"auto"`` (default), ``"baseline"``, ``"avx2"``, ``"avx512"`` or ``"neon"``.
     log : callable, optional
-        Called as ``log(level, message)`` with a level of ``"debug"``, ``"info"`` or ``"warning"``.
+        Called as ``log(level, message)``; the level is ``"debug"``, ``"info"`` or ``"warning"``.
     log_level : str, optional
-        Less important lines than this are not reported: ``"debug"`` (default), ``"info"`` or ``"warning"``.
+        The lowest level that is reported: ``"debug"`` (default), ``"info"`` or ``"warning"``.
     run_tasks : callable, optional
-        Runs the library's work in place of its own threads.  Called as ``run_tasks(task, count)``
-        it must call ``task(i)`` once for each i in ``range(count)``, on any threads, and return
-        when all have ended.  The tasks release the interpreter lock.
+        Runs the library's tasks instead of the context's own threads.  It is called as ``run_tasks(task, count)``.  It
+        must call ``task(i)`` once for each i in ``range(count)``, on any threads, and return when all have ended.  The
+        tasks release the interpreter lock.
 
     Raises
     ------
     InvalidArgumentError
-        For a negative thread count, a `thread_backend` that contradicts `run_tasks`, or ``"openmp"`` in a build
-        without it.
+        If the thread count is negative, `thread_backend` contradicts `run_tasks`, or the library has no ``"openmp"``.
 
     Examples
     --------
@@ -103,7 +103,7 @@ class Context(Owner):
 
     @property
     def info(self) -> ContextInfo:
-        """Threads, backend and instruction set really used, memory now and at peak."""
+        """The threads, the backend and the instruction set in use, and the memory now and at its peak."""
         return get(ContextInfo, lib.hrbfnpr_context_get_info, self._handle)
 
     def __repr__(self) -> str:
@@ -115,7 +115,7 @@ _default_lock = threading.Lock()
 
 
 def default_context() -> Context:
-    """The context that is used where none is given: all processors, made on first use."""
+    """Return the context of calls that are given none.  It uses all processors, and is made on first use."""
     global _default
     with _default_lock:
         if _default is None or _default.closed:
@@ -124,7 +124,7 @@ def default_context() -> Context:
 
 
 def set_default_context(context: Optional[Context]) -> None:
-    """Let `context` be the default; None makes a new one on next use."""
+    """Make `context` the default.  None: the next use makes a new one."""
     global _default
     with _default_lock:
         _default = context
@@ -135,7 +135,7 @@ def resolve(context: Optional[Context]) -> Context:
 
 
 def build_info() -> "dict[str, Any]":
-    """What the loaded library is: version, compiler, instruction sets, thread backends, dependencies, and its path."""
+    """Return facts about the loaded library: version, compiler, instruction sets, thread backends, dependencies and path."""
     needed = ffi.new("int64_t *")
     lib.hrbfnpr_build_info(ffi.NULL, 0, needed)
     text = ffi.new("char[]", needed[0])

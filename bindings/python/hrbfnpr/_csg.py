@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Solids put together from others."""
+"""Solids that are built from other models."""
 from __future__ import annotations
 
 import math
@@ -45,7 +45,7 @@ def _functions_of(models: Sequence[Combining]) -> Any:
 
 
 def affine(matrix: Any) -> Matrix:
-    """Rows of 3 x 4 or 4 x 4 numbers."""
+    """The four rows of an affine map, from rows of 3 x 4 or 4 x 4 numbers."""
     rows = [vector("matrix", row, 4) for row in matrix]
     if len(rows) == 3:
         rows.append([0.0, 0.0, 0.0, 1.0])
@@ -55,13 +55,13 @@ def affine(matrix: Any) -> Matrix:
 
 
 def frame(center: Triple, axis: Triple) -> Matrix:
-    """Puts the origin at the centre, and turns the z axis to the axis by the shortest way."""
+    """The map that puts the origin at the centre and turns the z axis to the axis by the smallest angle."""
     at, along = vector("center", center), vector("axis", axis)
     length = math.sqrt(sum(c * c for c in along))
     if not 0.0 < length < math.inf:
         raise ValueError("axis must have a length")
     x, y, z = (c / length for c in along)
-    if z < 0.0:  # by way of a half turn about the x axis, which is never far from it
+    if z < 0.0:  # first a half turn about the x axis; the rest of the turn is then at most a quarter turn
         k = 1.0 / (1.0 - z)
         turn = [[1.0 - k * x * x, k * x * y, x], [-k * x * y, k * y * y - 1.0, y], [x, -y, z]]
     else:
@@ -71,7 +71,7 @@ def frame(center: Triple, axis: Triple) -> Matrix:
 
 
 def node(kind: str, parent: int = -1, matrix: Optional[Matrix] = None, **numbers: Any) -> Dict[str, Any]:
-    """Fields of a node of the tree."""
+    """The fields of a node of the tree."""
     fields: Dict[str, Any] = {"kind": CSG_KINDS[kind], "parent": parent, **numbers}
     if matrix is not None:
         fields["transform"] = [matrix[row][column] for column in range(4) for row in range(4)]
@@ -79,7 +79,7 @@ def node(kind: str, parent: int = -1, matrix: Optional[Matrix] = None, **numbers
 
 
 def create(cls: Type[Self], context: Any, nodes: List[Dict[str, Any]], leaves: Sequence[Combining], box: Box) -> Self:
-    """A model of class `cls` in the context, a handle, from the nodes, whose models the leaves are."""
+    """A solid of class `cls`, made from nodes in the context (a handle).  `leaves` are the models of the nodes."""
     array = ffi.new("hrbfnpr_csg_node[]", len(nodes))
     for struct, fields in zip(array, nodes):
         lib.hrbfnpr_csg_node_init(ffi.addressof(struct), ffi.sizeof("hrbfnpr_csg_node"))
@@ -98,7 +98,7 @@ def create(cls: Type[Self], context: Any, nodes: List[Dict[str, Any]], leaves: S
 
 
 class Combining(Owner):
-    """The part of `Model` that puts solids together."""
+    """The part of `Model` that makes solids from models."""
 
     _context: Any
     _function: Any
@@ -119,34 +119,46 @@ class Combining(Owner):
     def union(
         self: Self, *others: Combining, radius: float = 0.0, exponent: float = 0.0, bounds: Box = None
     ) -> Self:
-        """What is in this or in another: also ``a | b``.
+        """Make the union: everything inside this model or another one; also ``a | b``.
+
+        Models of any kind may be combined, except trimmed ones: fit those with ``trim="never"``.  A fitted model ends at
+        its search box.  Without a blend, the surfaces meet in creases.
 
         Parameters
         ----------
+        *others : Model
+            The other models.
         radius : float
-            Of a blend, which rounds where parts meet; 0 = a crease.
+            Radius of the blend that rounds the places where the models meet, in the model's unit, 0 or more; 0 = a
+            crease.  A larger radius rounds more.
         exponent : float
-            0: a blend that is twice differentiable everywhere, and ends at the radius; 2 to 64: a super-ellipse,
-            2 an arc of the radius where parts meet at a right angle.
+            Shape of the blend.  0: twice continuously differentiable everywhere; at a right angle it begins at the
+            distance `radius` from the edge.  2 to 64: a super-ellipse; 2 gives an arc of the radius at a right angle, and
+            larger exponents are sharper.
         bounds : (minimum, maximum), optional
-            Two corners of the box that the surface lies in; by default found from the solids.
+            Two corners of the box in which the surface is looked for; None: found from the models.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If the surface may have no end (give bounds), or nothing is left of the solid.
         """
         return self._several("union", others, radius, exponent, bounds)
 
     def intersection(
         self: Self, *others: Combining, radius: float = 0.0, exponent: float = 0.0, bounds: Box = None
     ) -> Self:
-        """What is in all of them: also ``a & b``.  See `union`."""
+        """Make the intersection: everything inside all models; also ``a & b``.  Parameters are those of `union`."""
         return self._several("intersection", others, radius, exponent, bounds)
 
     def difference(
         self: Self, *others: Combining, radius: float = 0.0, exponent: float = 0.0, bounds: Box = None
     ) -> Self:
-        """What is in this and in no other: also ``a - b``.  See `union`."""
+        """Make the difference: this model without the others; also ``a - b``.  Parameters are those of `union`."""
         return self._several("difference", others, radius, exponent, bounds)
 
     def blend(self: Self, other: Combining, radius: float, exponent: float = 0.0) -> Self:
-        """The union with a blend of this radius where the two meet: see `union`."""
+        """Make the union of two models with a blend of this radius where they meet.  Parameters are those of `union`."""
         return self.union(other, radius=radius, exponent=exponent)
 
     def __or__(self: Self, other: Any) -> Self:
@@ -165,31 +177,40 @@ class Combining(Owner):
         return NotImplemented
 
     def __invert__(self: Self) -> Self:
-        """The same surface, with inside and outside exchanged."""
+        """Exchange inside and outside; the surface stays the same."""
         return self._combined(node("complement"), (), None)
 
     def offset(self: Self, distance: float, *, bounds: Box = None) -> Self:
-        """The surface f = distance: outside the surface by so much, or inside if negative; exact where f is the
-        distance."""
+        """Move the surface outward by a distance, or inward if it is negative.
+
+        The new surface is where f equals `distance`, in the model's unit.  It is exact where f is the distance from the
+        old surface.  `bounds` is that of `union`.
+        """
         return self._combined(node("offset", distance=distance), (), bounds)
 
     def shell(self: Self, thickness: float, *, bounds: Box = None) -> Self:
-        """A wall of this thickness inside of the surface, which stays."""
+        """Make a hollow body: a wall of this thickness (above 0, in the model's unit) inside the surface, which stays."""
         return self._combined(node("shell", distance=thickness), (), bounds)
 
     def transformed(self: Self, matrix: Any) -> Self:
-        """Moved by an affine map: 3 x 4 or 4 x 4 numbers, rows, for column vectors.
+        """Move the model by an affine map.
 
-        Where it stretches unevenly f is measured by its least stretch, so that the length of grad f does not grow.
+        The map may turn, mirror and stretch.  Its largest stretch may be 1e4 times its least.  If it stretches unevenly, f
+        is measured by the least stretch, so that the length of grad f does not grow.
+
+        Parameters
+        ----------
+        matrix : array of float, shape (3, 4) or (4, 4)
+            The rows of the matrix, which acts on column vectors.
         """
         return self._moved(affine(matrix))
 
     def translated(self: Self, x: float, y: float, z: float) -> Self:
-        """Moved by a vector."""
+        """Move the model by the vector (x, y, z)."""
         return self._moved([[1.0, 0.0, 0.0, x], [0.0, 1.0, 0.0, y], [0.0, 0.0, 1.0, z], [0.0, 0.0, 0.0, 1.0]])
 
     def rotated(self: Self, angle: float, axis: Triple = (0.0, 0.0, 1.0)) -> Self:
-        """Turned about an axis through the origin by an angle in degrees."""
+        """Turn the model about an axis through the origin, by an angle in degrees, by the right-hand rule."""
         direction = vector("axis", axis)
         length = math.sqrt(sum(c * c for c in direction))
         if not 0.0 < length < math.inf:
@@ -207,9 +228,9 @@ class Combining(Owner):
         )
 
     def scaled(self: Self, factor: Union[float, Triple]) -> Self:
-        """Made larger about the origin, by one factor or by one along each axis; they are not 0.
+        """Scale the model about the origin, by one factor or by one for each axis.
 
-        Unequal factors are a `transformed`, with what is said there of f.
+        Factors may be negative, which mirrors, but not 0.  For unequal factors, see `transformed`.
         """
         if isinstance(factor, numbers.Real):
             factor = [float(factor)] * 3
@@ -221,5 +242,5 @@ class Combining(Owner):
 
     @property
     def csg_info(self) -> CsgInfo:
-        """What the solid is made of."""
+        """What the solid consists of, as `CsgInfo`."""
         return get(CsgInfo, lib.hrbfnpr_model_get_csg_info, self._handle)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Images of depth cameras: points without the sensor's noise, and their normals."""
+"""Images of depth cameras: remove the sensor's noise, and find normals."""
 from __future__ import annotations
 
 from typing import NamedTuple, Optional
@@ -13,7 +13,7 @@ from ._records import DepthImageInfo, read
 
 
 class SmoothedDepthImage(NamedTuple):
-    """Result of `smooth_depth_image`."""
+    """Result of `smooth_depth_image`: `points`, `normals` and `info`, a `DepthImageInfo`."""
 
     points: Array
     normals: Array
@@ -30,36 +30,38 @@ def smooth_depth_image(
     operation: Optional[Operation] = None,
     context: Optional[Context] = None,
 ) -> SmoothedDepthImage:
-    """Take the sensor's noise off the image of a depth camera, and find normals.
+    """Remove the sensor's noise from the image of a depth camera, and find normals.
 
-    The sensor's errors are as large everywhere in 1 / z, and planes are linear in it: one is fitted to the pixels around
-    each, but for those beyond an edge; the point moves along its ray onto the plane.
+    A plane is fitted to the pixels around each point, without those beyond an edge, and the point moves along its ray onto
+    the plane.  The planes are fitted in 1 / z, where the sensor's error is about the same everywhere.
 
     Parameters
     ----------
     points : array of float, shape (rows, columns, 3)
-        8 to 65535 rows and columns.  The camera is in the origin and looks along z, or against it; NaN, infinity or
-        z = 0 where nothing was seen.  Of an image of depths with focal lengths f and a centre c, in pixels, they are
-        x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
+        One point for each pixel, with 8 to 65535 rows and columns.  The camera is at the origin and looks along +z or -z.
+        NaN, infinity or z = 0 means that nothing was seen.  For an image of depths z with the focal lengths f and the
+        centre c in pixels, x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
     keep_points : bool
-        Points stay where they are, and get normals.
+        True: points stay where they are, and only get normals.
     noise : float
-        Standard deviation of 1 / z; 0 measures it.
+        Standard deviation of 1 / z, in 1 / (unit of the points); 0 = measure it.
     smoothing : float
-        Factor of the radius, above 0 and up to 100.
+        Factor of the radius over which pixels are averaged, above 0 and at most 100.  Larger values remove more noise and
+        more small shapes.
     progress, operation, context
-        See `Model.fit`.
+        As in `Model.fit`.
 
     Returns
     -------
     SmoothedDepthImage
-        `points` and `normals` of shape (rows, columns, 3), of the type of `points`; NaN and 0 where nothing was seen, or
-        the point is left out; normals look to the camera.  `info` is a `DepthImageInfo`.
+        `points` and `normals`, each of shape (rows, columns, 3) and of the type of the given points, and `info`, a
+        `DepthImageInfo`.  Where nothing was seen, and where a point is left out, the point is NaN and the normal 0.
+        Normals point to the camera.
 
     Raises
     ------
     InvalidArgumentError
-        If the points are no image of such a camera.
+        If the points are not the image of such a camera.
     OutOfMemoryError, CancelledError
     """
     context = resolve(context)

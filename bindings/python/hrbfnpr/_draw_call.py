@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A drawing of anything in one call.  Needs NumPy.  `_draw_call.pyi` has all arguments with their types."""
+"""`draw`: a drawing from any source in one call.  Needs NumPy.  `_draw_call.pyi` has all arguments with their types."""
 from __future__ import annotations
 
 import inspect
@@ -25,46 +25,48 @@ def draw(
     context: Optional[Context] = None,
     **others: Any,
 ) -> Picture:
-    """Draw a file, arrays, or a mesh or cloud of another package, in one call.
+    """Draw a file, arrays, or a mesh or point cloud of another package, in one call.
 
-    Options are those of ``python3 -m hrbfnpr draw`` that are not about files, as Python's values:
+    The options are those of ``python3 -m hrbfnpr draw``, except those about files, with values of Python:
     ``size=(800, 600)``, ``samples=2000``, ``lines=["contour", "ridges"]``, ``ink="#203040"``,
-    ``marks={"stipples": 20000}``, ``flip=True``, ``set={"hatch.ink": "#800000"}``; None stands for the default.
+    ``marks={"stipples": 20000}``, ``flip=True``, ``set={"hatch.ink": "#800000"}``.  None means the default.
 
     Parameters
     ----------
-    source : path, arrays, Shape, Mesh, Model, PointSet, or a mesh or cloud of PyVista, trimesh or Open3D
-        A path is that of any file that the command line reads.  Arrays are points of shape (n, 3), whose normals are
-        found, (points, normals) with an array of floats, or (points, triangles) with an array of integers.
+    source : path, arrays, Shape, Mesh, Model, PointSet, or a mesh or point cloud of PyVista, trimesh or Open3D
+        What to draw.  A path names any file that the command line reads.  Arrays are points of shape (n, 3), whose normals
+        are found; (points, normals), if the second array holds floats; or (points, triangles), if it holds integers.
     style : str or Style
-        A named style (`hrbfnpr.PRESETS`), whose marks are sized for the picture, or one that is used as it is.
+        A named style (`hrbfnpr.PRESETS`), whose marks are sized for the picture, or a `Style`, which is used as it is.
     camera : Camera, optional
-        By default one that sees all, from `azimuth` and `elevation`.
+        The camera; by default one that sees everything from `azimuth` and `elevation`.
     progress : callable, tqdm bar or True, optional
-        Called with what is done and a fraction in [0, 1] of it; True makes a bar of tqdm's.
+        A function that is called with the present step and the fraction of it that is done, 0 to 1; or a bar of tqdm; True
+        makes such a bar.
     context : Context, optional
-        A new one if omitted.
+        The threads to use; by default a new context.
     {options}
     **others
-        Other names of these: those of the fields that they set, such as ``budget`` of ``marks``.
+        Options under other names: those of the fields that they set, such as ``budget`` for ``marks``.
 
     Returns
     -------
     Picture
-        Shows itself in a notebook; ``save``, ``image``, ``seen`` from another side.
+        The drawing.  It shows itself in a notebook.  ``save`` writes it, ``image`` gives its pixels, and ``seen`` draws it
+        from another side.
 
     Raises
     ------
     TypeError
-        For a source or an option that is unknown.
+        If the source or an option is unknown.
     ValueError
-        For a source that cannot be drawn, a value out of its range, and a picture that would be blank
-        (``allow_blank=True`` lets it be).
+        If the source cannot be drawn, a value is out of its range, or the picture would be blank (unless
+        ``allow_blank=True``).
 
     Warns
     -----
     DrawingWarning
-        Where the command line prints a warning.
+        In the cases in which the command line prints a warning.
 
     Examples
     --------
@@ -75,7 +77,7 @@ def draw(
 
 
 def _signature() -> inspect.Signature:
-    """That of `draw`, with the options by their names: what help and editors show."""
+    """The signature of `draw` with all options by name, for help and editors."""
     signature = inspect.signature(draw)
     *named, others = signature.parameters.values()
     options = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Drawings: a picture as a value."""
+"""Drawings: pictures as values."""
 from __future__ import annotations
 
 import io
@@ -19,11 +19,11 @@ from ._numpy import np
 from ._records import DrawingInfo, DrawingLayerFields, MarkIdentity, PageInfo, get, read
 from ._vertices import layout_of, vertex_array
 
-_MOST_IN_NOTEBOOK = 20_000  # dots and strokes
+_MOST_IN_NOTEBOOK = 20_000  # largest number of dots and strokes that a notebook shows as SVG
 
 
 class Raster(NamedTuple):
-    """Result of `Drawing.raster`; what was not asked for is None."""
+    """Result of `Drawing.raster`: `image`, `depth`, `id` and `class_`, as in `Drawing.image`; None for unwanted arrays."""
 
     image: Array
     depth: Optional[Array]
@@ -32,14 +32,14 @@ class Raster(NamedTuple):
 
 
 class Vertices(NamedTuple):
-    """Result of `Drawing.vertices`."""
+    """Result of `Drawing.vertices`: `vertices` and `indices`."""
 
     vertices: Array
     indices: Array
 
 
 class MarkResults(NamedTuple):
-    """Result of `Drawing.mark_results`."""
+    """Result of `Drawing.mark_results`: `shown`, `radius` and `opacity`, with one element for each mark."""
 
     shown: Array
     radius: Array
@@ -53,40 +53,40 @@ class DrawingLayerInfo(DrawingLayerFields):
 
     @property
     def polylines(self) -> List[Array]:
-        """Its strokes, far to near: float32 (n, 2) each, pixel x and y; with more of them by `Drawing.polylines`."""
+        """The strokes of the layer, far to near: float32 (n, 2) each, pixel x and y.  `Drawing.polylines` gives more."""
         return [np.array(line["window"][:, :2]) for line in self._lines()]
 
 
 def _read_layer(struct: Any) -> DrawingLayerInfo:
-    """From a filled hrbfnpr_drawing_layer_info."""
+    """A record from a filled hrbfnpr_drawing_layer_info."""
     of_lines = {"kind": name_of(LINE_KINDS, struct.kind)} if struct.layer < 0 else {}
     return read(DrawingLayerInfo, struct, **of_lines)
 
 
 class Drawing(Owner):
-    """Dots and strokes in window coordinates, as `Renderer.draw` made them; shows itself in a notebook.
+    """Dots and strokes in window coordinates, as `Renderer.draw` makes them.
 
-    Immutable: any number of threads may read one drawing at a time.
+    A drawing never changes, and several threads may read it at the same time.  It shows itself in a notebook.
     """
 
     def __init__(self, handle: Any, size: Tuple[int, int], layers: Sequence[Tuple[MarkLayer, ...]]) -> None:
         super().__init__(handle)
         self._size = size
-        self._marks = tuple(layers)  # of each item's point set
+        self._marks = tuple(layers)  # the layers of marks of each item
 
     @property
     def size(self) -> Tuple[int, int]:
-        """Width and height of an image that just holds the camera's viewport."""
+        """Width and height of the smallest image that holds the camera's viewport, in pixels."""
         return self._size
 
     @property
     def info(self) -> DrawingInfo:
-        """What it holds, and what making it did."""
+        """What the drawing holds, and what making it did."""
         return get(DrawingInfo, lib.hrbfnpr_drawing_get_info, self._handle)
 
     @property
     def layers(self) -> Tuple[DrawingLayerInfo, ...]:
-        """Its layers: ink of one layer of marks each, of the front or of contours."""
+        """The layers of the drawing.  Each holds the ink of one layer of marks, of front marks or of contours, or of lines."""
         handle, result = self._handle, []
         info, error = new_struct("hrbfnpr_drawing_layer_info"), new_error()
         for number in range(self.info.layers):
@@ -110,32 +110,41 @@ class Drawing(Owner):
         id: Optional[Array] = None,
         class_: Optional[Array] = None,
     ) -> Array:
-        """The drawing as pixels.
+        """Draw into an array of pixels.
 
         Parameters
         ----------
         width, height : int, optional
-            Of the image; by default it just holds the camera's viewport.
+            Size of the image in pixels; by default the `size` of the drawing.
         out : array of uint8 or float32, shape (height, width, 4) or (height, width), optional
-            The image to draw into, for instance a mapped texture; rows may have any stride.
+            The image to draw into, such as a mapped texture.  It must have the type and shape of `format`; its rows may
+            have any stride.  By default a new array.
         format : str
-            "rgba8", "bgra8", "rgba8_premultiplied", "bgra8_premultiplied": uint8 (height, width, 4);
-            "rgba32f", "rgba32f_premultiplied": float32 in [0, 1] of this shape; "coverage8": uint8
-            (height, width), how much of a pixel ink covers, whatever its colour.
+            "rgba8", "bgra8", "rgba8_premultiplied" or "bgra8_premultiplied": uint8 (height, width, 4).  "rgba32f" or
+            "rgba32f_premultiplied": float32 in [0, 1] of this shape.  "coverage8": uint8 (height, width), the share of
+            each pixel that ink covers, whatever its colour.
         over : bool
-            Lay the drawing over the image's contents; wants a style with transparent paper.
+            True: lay the drawing over the contents of `out`.  This needs a style with transparent paper.
         linear_light : bool
-            Blend in linear light (sRGB decoded), not in encoded values.
+            True: blend in linear light (sRGB decoded); False: blend encoded values.
         host_depth : array of float32, shape (height, width), optional
-            Depth buffer of the host's scene, in the camera's convention: hides ink behind it.
-        depth, id, class_ : arrays, shape (height, width), optional
-            To be filled: float32 depth of the nearest surface; uint32 id of the nearest drawn mark, 0 = none
-            (see `identify`); uint8 or uint32 class of that mark (`hrbfnpr.CLASSES`).
+            The depth buffer of another scene, in the camera's depth convention.  Ink behind that scene is not drawn.
+        depth : array of float32, shape (height, width), optional
+            An array to fill with the depth of the nearest surface.
+        id : array of uint32, shape (height, width), optional
+            An array to fill with the identity of the nearest drawn mark; 0 = none (see `identify`).
+        class_ : array of uint8 or uint32, shape (height, width), optional
+            An array to fill with the class of that mark, a number of `hrbfnpr.CLASSES`.
 
         Returns
         -------
         array
-            `out`, or a new array.
+            `out`, or the new array.
+
+        Raises
+        ------
+        ValueError
+            If an array has another shape, layout or type than needed.
         """
         if (width is None) != (height is None):
             raise TypeError("give both width and height, or neither")
@@ -174,16 +183,16 @@ class Drawing(Owner):
         class_: bool = True,
         **options: Any,
     ) -> Raster:
-        """The image, and what is known of each pixel, as new arrays.
+        """Draw the image, and the depth, identity and class of each pixel, as new arrays.
 
         Parameters
         ----------
         width, height : int, optional
             As in `image`.
         depth, id, class_ : bool
-            Which arrays to make beside the image.
+            Which arrays to make besides the image.
         **options
-            `format`, `out`, `over`, `linear_light` and `host_depth` of `image`.
+            `format`, `out`, `over`, `linear_light` and `host_depth`, as in `image`.
         """
         out = options.get("out")
         if out is not None:
@@ -199,28 +208,29 @@ class Drawing(Owner):
         primitive: str = "points",
         attributes: Sequence[str] = ("position", "radius", "color", "is_paper"),
     ) -> Vertices:
-        """The dots or the strokes as vertices, far to near.
+        """Write the dots or the strokes as vertices for a graphics card, from far to near.
 
-        Points, painted in this order as round ones with "source over" blending, give the dots of `image`.
+        Points, painted in this order as round points with "source over" blending, give the dots of `image`.
 
         Parameters
         ----------
         primitive : {"points", "line_strips", "triangle_strips"}
-            The dots, of paper and of ink; or the strokes, with one vertex for each of their points, or two,
-            on their left and right side.
+            "points": the dots of paper and of ink, one vertex each.  "line_strips": the strokes, one vertex for each of
+            their points.  "triangle_strips": the strokes, two vertices for each point, on its left and right side.
         attributes : sequence of str
-            Of "position" (3 float32), "window" (pixel x, y and depth: 3 float32), "radius" (pixels:
-            float32), "color" (straight RGBA: 4 uint8), "normal", "direction" (3 float32), "id" (uint32),
-            "class", "is_paper" (uint8), "layer" (of the drawing: uint32), "length" (along its stroke,
-            pixels: float32), "hidden_layers" (of surface before that part of a line, 0 = it is visible: uint32),
-            "hidden_by" (item of the nearest of them, 0xFFFFFFFF = none: uint32) and "line" (of lines, as `polylines`
-            says: uint32).
+            The fields of a vertex: "position" (in the world, 3 float32), "window" (pixel x, y and depth, 3 float32),
+            "radius" (of a dot, or half the width of a stroke, in pixels, float32), "color" (straight RGBA, 4 uint8),
+            "normal" and "direction" (in the world, 3 float32), "id" (of the mark, uint32), "class" and "is_paper" (uint8),
+            "layer" (number of the layer in the drawing, uint32), "length" (along the stroke, in pixels, float32),
+            "hidden_layers" (number of layers of surface in front of this part of a line; 0 = visible; uint32),
+            "hidden_by" (number of the item whose surface is the nearest of these; 0xFFFFFFFF = none; uint32) and "line"
+            (number of the line, as in `polylines`; uint32).
 
         Returns
         -------
         Vertices
-            A structured array, shape (n,), with the attributes as fields (without NumPy a memoryview of
-            bytes, shape (n, stride)); and the indices of the vertices, uint32, where 0xFFFFFFFF ends a strip.
+            `vertices`, a structured array of shape (n,) with the attributes as fields (without NumPy, a memoryview of
+            bytes, shape (n, stride)), and `indices`, the numbers of the vertices, uint32, where 0xFFFFFFFF ends a strip.
         """
         number = number_of("primitive", PRIMITIVES, primitive)
         layout, fields, keep = layout_of(number, attributes)
@@ -237,18 +247,19 @@ class Drawing(Owner):
         return Vertices(array[: counts[0]], indices[: counts[1]])
 
     def polylines(self, layer: Optional[int] = None) -> List[Array]:
-        """The strokes as structured arrays, far to near: one for each, a row for each of its points.  Needs NumPy.
+        """Return the strokes as structured arrays, from far to near.  Needs NumPy.
 
-        Fields are "window" (pixel x, y and depth), "position" (world), "radius" (half the width, pixels),
-        "color" (straight RGBA, uint8), "length" (along the stroke, pixels), "hidden_layers" (of surface before it,
-        0 = visible), "hidden_by" (item of the nearest of them, 0xFFFFFFFF = none) and "line" (a number that a line
-        keeps from one drawing of a renderer to the next, where the camera moves little; 0 of marks), these three the
-        same along each stroke.
+        Each stroke is an array with a row for each of its points.  The fields are "window" (pixel x, y and depth),
+        "position" (in the world), "radius" (half the width, in pixels), "color" (straight RGBA, uint8), "length" (along the
+        stroke, in pixels), "layer" (number of the layer in the drawing), "hidden_layers" (number of layers of surface in
+        front of the stroke; 0 = visible), "hidden_by" (number of the item whose surface is the nearest of these;
+        0xFFFFFFFF = none) and "line" (number of the line; 0 for strokes of marks).  A line keeps its number from one drawing
+        of a renderer to the next if the camera moves little.  The last four are the same along a stroke.
 
         Parameters
         ----------
         layer : int, optional
-            Number of a layer in `layers`; those of all if omitted.
+            Number of a layer in `layers`; None: the strokes of all layers.
         """
         fields = ("window", "position", "radius", "color", "length", "layer", "hidden_layers", "hidden_by", "line")
         vertices, indices = self.vertices("line_strips", fields)
@@ -258,7 +269,7 @@ class Drawing(Owner):
         return [line for line in lines if layer is None or line["layer"][0] == layer]
 
     def _layer(self, item: int, layer: Union[int, str]) -> MarkLayer:
-        """A layer of marks by its number or name."""
+        """The layer of marks with a number or a name."""
         if not 0 <= item < len(self._marks):
             raise IndexError(f"item must be 0 to {len(self._marks) - 1}, not {item}")
         layers = self._marks[item]
@@ -272,20 +283,22 @@ class Drawing(Owner):
         return layers[layer]
 
     def mark_results(self, item: int = 0, layer: Union[int, str] = 0) -> MarkResults:
-        """How each mark of a layer is drawn, in the order of the set: to be uploaded frame by frame.
+        """Tell how each mark of a layer is drawn, in the order of the point set.
+
+        A program that keeps the marks on a graphics card uploads only these numbers for each frame.
 
         Parameters
         ----------
         item : int
-            Number of the item, in the order of `Renderer.draw`.
+            Number of the item, in the order of `Renderer.draw`, from 0.
         layer : int or str
-            Number or name of a layer of its point set; it need not be drawn.
+            Number or name of a layer of the item's point set.  It need not be drawn.
 
         Returns
         -------
         MarkResults
-            shown (n,), uint8: the class that a mark is drawn as, 0 = it is not; radius (n,), float32,
-            pixels; opacity (n,), float32: the ink's alpha times what is let through.
+            `shown` (n,), uint8: the class as which the mark is drawn, 0 = it is not drawn.  `radius` (n,), float32: in
+            pixels.  `opacity` (n,), float32: the ink's alpha times the transmittance of the surface in front.
         """
         marks = self._layer(item, layer)
         results, error, shape = new_struct("hrbfnpr_mark_results"), new_error(), (len(marks),)
@@ -302,16 +315,17 @@ class Drawing(Owner):
         class_: str = "front",
         primitive: str = "points",
     ) -> Array:
-        """Which marks of a layer are drawn: their numbers, uint32.
+        """Return the numbers of the marks of a layer that are drawn, uint32.
 
         Parameters
         ----------
         item, layer
             As in `mark_results`.
         class_ : {"front", "silhouette"}
+            The class of the marks.
         primitive : {"points", "line_strips", "triangle_strips"}
-            The marks far to near; or runs of shown marks along strokes, each ended by 0xFFFFFFFF; or the
-            same with 2 number and 2 number + 1 for each mark.
+            "points": the marks from far to near.  "line_strips": runs of shown marks along strokes, each ended by
+            0xFFFFFFFF.  "triangle_strips": the same runs, with 2 * number and 2 * number + 1 for each mark.
         """
         marks = self._layer(item, layer)
         handle, error, count = self._handle, new_error(), ffi.new("int64_t *")
@@ -326,37 +340,40 @@ class Drawing(Owner):
         return indices
 
     def identify(self, id: int) -> MarkIdentity:
-        """What an id stands for: of a pixel, or of a vertex.
+        """Find the mark that an identity of a pixel or of a vertex refers to.
 
         Raises
         ------
         InvalidArgumentError
-            For an id that is no mark's.
+            If no mark has this identity.
         """
         return get(MarkIdentity, lib.hrbfnpr_drawing_identify, self._handle, int(id))
 
     def to_pil(self) -> Any:
-        """A PIL.Image.  Needs Pillow."""
+        """Return the drawing as a PIL.Image.  Needs Pillow."""
         return _pictures.to_pil(self.image())
 
     def save(
         self, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str] = None, **options: Any
     ) -> Optional[PageInfo]:
-        """Write a picture, or vectors, to a path (atomically) or a binary file object.  Pictures need Pillow.
+        """Write the drawing to a path or to a binary file object, as a picture or as vectors.
+
+        A file is written whole or not at all.  Pictures need Pillow; vectors do not.
 
         Parameters
         ----------
         target : path or file object
+            Where to write.
         format : str, optional
-            "svg", "pdf", "hpgl", "gcode", or one of Pillow's, such as "PNG"; by default as the path's ending says, or
-            PNG.
+            "svg", "pdf", "hpgl" or "gcode" for vectors, or a format of Pillow, such as "PNG".  By default the path's
+            ending chooses it, and PNG is used for file objects.
         **options
-            Of vectors: `scale`, millimetres of a pixel, and those of `write_page`.
+            For vectors: `scale`, the size of a pixel in mm (default 25.4 / 96), and the options of `write_page`.
 
         Returns
         -------
         PageInfo, optional
-            Of vectors.
+            For vectors, what was written; else None.
         """
         as_page = format.lower() if format is not None else _page.format_of(target)
         if as_page in PAGE_FORMATS:
@@ -368,13 +385,13 @@ class Drawing(Owner):
         return None
 
     def to_svg(self, **options: Any) -> str:
-        """The text of an SVG file; options are those of `save`."""
+        """Return the text of an SVG file.  Options are those of `save` for vectors."""
         buffer = io.BytesIO()
         self.save(buffer, "svg", **options)
         return buffer.getvalue().decode()
 
     def to_png(self) -> bytes:
-        """The bytes of a PNG file.  Needs Pillow."""
+        """Return the bytes of a PNG file.  Needs Pillow."""
         buffer = io.BytesIO()
         self.save(buffer, "PNG")
         return buffer.getvalue()
@@ -383,11 +400,11 @@ class Drawing(Owner):
         return self.to_png()
 
     def _repr_svg_(self) -> Optional[str]:
-        info = self.info  # a browser takes long for more
+        info = self.info  # a browser takes long for larger drawings
         if info.dots + info.strokes > _MOST_IN_NOTEBOOK:
             return None
         text = self.to_svg()
-        return text[text.index("<svg"):]  # nbconvert refuses texts with a declaration of their encoding
+        return text[text.index("<svg"):]  # nbconvert refuses text that declares its encoding
 
     def __repr__(self) -> str:
         if self.closed:

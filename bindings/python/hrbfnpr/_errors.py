@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One exception for each status of the library."""
+"""Exceptions: one class for each status of the library."""
 from __future__ import annotations
 
 from typing import Any, Dict, Type
@@ -8,14 +8,14 @@ from ._library import ffi, lib
 
 
 class Error(Exception):
-    """A call of the library failed.
+    """Base class of the package's errors: a call of the library failed.
 
     Attributes
     ----------
     status : int
-        The library's status, such as -1; fixed for ever.
+        The library's status, a negative number that never changes its meaning, such as -1.
     status_name : str
-        Its name, such as ``"INVALID_ARGUMENT"``.
+        The name of the status, such as ``"INVALID_ARGUMENT"``.
     """
 
     default_status = -99
@@ -26,42 +26,42 @@ class Error(Exception):
 
     @property
     def status_name(self) -> str:
-        """The status in words."""
+        """The name of the status, such as ``"INVALID_ARGUMENT"``."""
         return str(ffi.string(lib.hrbfnpr_status_name(self.status)).decode())
 
 
 class InvalidArgumentError(Error, ValueError):
-    """An argument was wrong; the message names it and says what would be right."""
+    """An argument is wrong.  The message names it and says what to give instead."""
 
     default_status = -1
 
 
 class OutOfMemoryError(Error, MemoryError):
-    """There was not enough memory."""
+    """There is not enough memory."""
 
     default_status = -2
 
 
 class BufferTooSmallError(Error):
-    """A destination was too small.  The classes of this package size their own, so it is not expected."""
+    """A destination is too small.  This package sizes its buffers itself, so you should never see this error."""
 
     default_status = -3
 
 
 class UnsupportedStructError(Error):
-    """The library is older than this package and does not know a field that was set."""
+    """The library is older than this package and does not know a field that is set."""
 
     default_status = -4
 
 
 class SingularSystemError(Error, ArithmeticError):
-    """The fit has no (numerically) unique solution."""
+    """The linear system of a fit has no unique solution within rounding.  The message says how to change the fit."""
 
     default_status = -5
 
 
 class NotConvergedError(Error, ArithmeticError):
-    """An iteration ended short of its goal."""
+    """A computation ended before it reached its goal.  The message says which, and what was reached."""
 
     default_status = -6
 
@@ -73,7 +73,7 @@ class CancelledError(Error):
 
 
 class StreamError(Error, OSError):
-    """A file object failed while a model or point set was saved or loaded."""
+    """A file object failed while a model or a point set was saved or loaded."""
 
     default_status = -8
 
@@ -82,25 +82,25 @@ class StreamError(Error, OSError):
 
 
 class CorruptDataError(Error, ValueError):
-    """The data is not a saved model or point set, or is cut short or damaged."""
+    """The data is not a saved model or point set, or it is truncated or damaged."""
 
     default_status = -9
 
 
 class VersionMismatchError(Error):
-    """The data was written by a newer version of the library."""
+    """A newer version of the library wrote the data."""
 
     default_status = -10
 
 
 class CallbackError(Error, RuntimeError):
-    """A callback failed; its exception is the ``__cause__``."""
+    """A callback failed.  The exception that it raised is the ``__cause__``."""
 
     default_status = -11
 
 
 class InternalError(Error, RuntimeError):
-    """A bug in the library: please report it."""
+    """The library has a bug.  Please report it."""
 
 
 _CLASSES: Dict[int, Type[Error]] = {
@@ -134,7 +134,7 @@ def check(status: int, error: Any = None) -> None:
 
 
 def new_struct(name: str) -> Any:
-    """A struct of the library's, set up by its `_init` function."""
+    """A struct of the library, set up by its `_init` function."""
     struct = ffi.new(f"{name} *")
     check(getattr(lib, f"{name}_init")(struct, ffi.sizeof(name)))
     return struct

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Attributes that are fields of a struct."""
+"""Attributes that are fields of a C struct."""
 from __future__ import annotations
 
 from typing import Any, Callable, Dict, Generic, Tuple, TypeVar, Union
@@ -28,7 +28,7 @@ def color(argument: str, value: Color) -> Tuple[float, float, float, float]:
 
 
 class Field(Generic[Get, Set]):
-    """An attribute that is a field of the struct."""
+    """An attribute that is a field of the object's struct."""
 
     def __init__(self, write: Callable[[str, Set], Any], read: Callable[[Any], Get], doc: str) -> None:
         self._write, self._read = write, read
@@ -51,7 +51,7 @@ def choice(numbers: Dict[str, int], doc: str) -> Field[str, str]:
 
 
 def field_of(kind: str, doc: str) -> Field[Any, Any]:
-    """An attribute of a kind that `_records.json` has."""
+    """An attribute for a kind of field in `_records.json`."""
     if kind in NAMES:
         return choice(NAMES[kind], doc)
     return Field(*_KINDS[kind], doc)
@@ -67,7 +67,7 @@ _KINDS: Dict[str, Tuple[Callable[[str, Any], Any], Callable[[Any], Any]]] = {
 
 
 class Attributes:
-    """Refuses attributes that are not fields: a misspelt name must not pass silently."""
+    """Base class that refuses attributes that are not fields, so that a misspelt name is an error."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_") and not hasattr(type(self), name):
@@ -76,7 +76,7 @@ class Attributes:
 
     @classmethod
     def fields(cls) -> Tuple[str, ...]:
-        """Names of all fields."""
+        """Return the names of all fields."""
         own = {name: None for kind in reversed(cls.__mro__) for name, value in vars(kind).items() if isinstance(value, Field)}
         return tuple(own)
 

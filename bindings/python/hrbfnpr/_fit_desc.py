@@ -11,7 +11,7 @@ from ._names import KERNELS, NORMALS, REPAIRS, SOLVERS, TRIMS, number_of
 
 
 def fill_normals(desc: Any, points: Array, normals: Optional[Array]) -> List[Any]:
-    """Put points, and normals if there are any, into a descriptor; returns what must be kept alive with it."""
+    """Put points, and normals if they are given, into a descriptor.  The result must be kept alive with it."""
     keep = [block_in("points", points).fill(desc.points)]
     if normals is not None:
         keep.append(block_in("normals", normals).fill(desc.normals))
@@ -19,7 +19,7 @@ def fill_normals(desc: Any, points: Array, normals: Optional[Array]) -> List[Any
 
 
 def normal_mode_number(normals: Optional[Array], normal_mode: Optional[str]) -> int:
-    """The number of a mode; None is "given", or "none" without normals."""
+    """The number of a normal mode.  None means "given", or "none" without normals."""
     if normal_mode is None:
         normal_mode = "none" if normals is None else "given"
     return number_of("normal_mode", NORMALS, normal_mode)
@@ -30,7 +30,7 @@ def fit_desc(
     regularization: Union[float, str], outliers: str, flipped_normals: str, solver: str, trim: str,
     **numbers: Any,
 ) -> Tuple[Any, List[Any]]:  # fmt: skip
-    """A hrbfnpr_fit_desc, and what must be kept alive with it.  numbers: fields of the same names."""
+    """A hrbfnpr_fit_desc, and the objects to keep alive with it.  `numbers` are fields of the same names."""
     desc = new_struct("hrbfnpr_fit_desc")
     keep = fill_normals(desc, points, normals)
     desc.normal_mode = normal_mode_number(normals, normal_mode)

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Meshes and clouds of other packages, known by their documented attributes; none of these is imported.
+"""Meshes and point clouds of other packages, recognized by their documented attributes.  The packages are not imported.
 
-PyVista: `points`, and `faces` as counts and corners in one row, `point_data["Normals"]`, `extract_surface()` of grids.
-trimesh: `vertices`, `faces` (m, 3) of a mesh and none of a cloud, `to_geometry()` or `dump(concatenate=True)` of a scene.
-Open3D: `vertices` and `triangles`, or `points` and `normals`; `to_legacy()` of tensors.
+PyVista: `points`; `faces`, one row in which each face is its number of corners and then the corners;
+`point_data["Normals"]`; `extract_surface()` of grids.
+trimesh: `vertices`; `faces` (m, 3) of a mesh, which a cloud does not have; `to_geometry()` or `dump(concatenate=True)` of a
+scene.
+Open3D: `vertices` and `triangles`, or `points` and `normals`; `to_legacy()` of its tensor geometry.
 """
 from __future__ import annotations
 
@@ -17,12 +19,12 @@ from .shapes._shape import Floats, Integers
 
 
 def shape_of(thing: Any) -> Shape:
-    """The points, normals and triangles of whatever has some.
+    """The points, normals and triangles of arrays, or of a mesh or point cloud.
 
     Raises
     ------
     TypeError
-        For what is neither arrays nor a mesh or cloud that is known.
+        If the object is neither.
     """
     if isinstance(thing, Shape):
         return thing
@@ -45,7 +47,7 @@ def _floats(name: str, values: Any) -> Floats:
 
 
 def _normals_for(points: Floats, values: Any) -> Optional[Floats]:
-    """None for none, as packages have empty arrays for it."""
+    """The normals, or None if the array is empty: some packages have empty arrays instead of None."""
     if values is None or np.size(values) == 0:
         return None
     normals = _floats("normals", values)
@@ -76,7 +78,7 @@ def _corners(faces: Any) -> Integers:
 
 
 def _of_scene(thing: Any) -> Optional[Shape]:
-    """trimesh's scenes, as one mesh."""
+    """A scene of trimesh, as one mesh."""
     if not isinstance(getattr(thing, "geometry", None), dict):
         return None
     if hasattr(thing, "to_geometry"):
@@ -85,7 +87,7 @@ def _of_scene(thing: Any) -> Optional[Shape]:
 
 
 def _of_tensors(thing: Any) -> Optional[Shape]:
-    """Open3D's newer geometry, by way of its older one."""
+    """A tensor geometry of Open3D, converted to its legacy geometry."""
     return shape_of(thing.to_legacy()) if callable(getattr(thing, "to_legacy", None)) else None
 
 
@@ -105,7 +107,7 @@ def _of_pyvista(thing: Any) -> Optional[Shape]:
 
 
 def _unpacked(row: Any, points: Floats) -> Optional[Integers]:
-    """Triangles of a row of polygons, each its number of corners and then these."""
+    """Triangles from a row in which each polygon is its number of corners and then the corners."""
     if len(row) == 0:
         return None
     if len(row) % 4 == 0 and (row[::4] == 3).all():
@@ -142,5 +144,5 @@ def _of_points(thing: Any) -> Optional[Shape]:
 
 
 def name_of(thing: Any) -> str:
-    """What messages and metadata call it."""
+    """The name of an object in messages and metadata."""
     return type(thing).__name__ if not isinstance(thing, (tuple, list, np.ndarray)) else "arrays"

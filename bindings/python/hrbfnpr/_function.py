@@ -11,7 +11,7 @@ from ._numpy import np
 
 Function = Callable[[Any], Any]
 
-# The `user` handles of the functions whose models are alive.
+# The `user` handles of the functions whose models are alive, by address.
 _alive: Dict[int, Any] = {}
 
 
@@ -38,7 +38,7 @@ class FunctionState(CallbackState):
 
 
 def points_of(address: Any, count: int) -> Any:
-    """The points as an array of the callee's own: it may keep or change it."""
+    """The points as a new array, which the function may keep or change."""
     data = bytearray(ffi.buffer(address, count * 24))
     if np is not None:
         return np.frombuffer(data).reshape(count, 3)

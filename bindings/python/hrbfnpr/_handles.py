@@ -11,7 +11,7 @@ Self = TypeVar("Self", bound="Owner")
 
 
 def own(raw: Any, release: Callable[[Any], None], *keep: Any) -> Any:
-    """`raw`, released with its last Python reference; `keep` stays alive as long."""
+    """Own the handle `raw`: it is released with its last Python reference, and `keep` stays alive until then."""
 
     def destroy(pointer: Any, keep: Any = keep) -> None:
         release(pointer)
@@ -20,10 +20,10 @@ def own(raw: Any, release: Callable[[Any], None], *keep: Any) -> Any:
 
 
 class Owner:
-    """A Python object that holds one reference of a handle of the library.
+    """Base class of Python objects that hold a reference to a handle of the library.
 
-    The handle is given back with the last Python reference to it, by `close`, or at the end of a
-    ``with`` block.  What was made from it, views of its memory included, goes on working.
+    The handle is released by `close`, at the end of a ``with`` block, or with the last Python reference.  Objects that were
+    made from it, and views of its memory, stay valid.
     """
 
     def __init__(self, handle: Any) -> None:
@@ -37,11 +37,11 @@ class Owner:
 
     @property
     def closed(self) -> bool:
-        """Whether `close` was called."""
+        """Whether `close` has been called."""
         return self._owned is None
 
     def close(self) -> None:
-        """Let go of the handle.  Calls that are running on other threads keep theirs."""
+        """Release the handle.  Calls that run on other threads keep it until they end."""
         self._owned = None
 
     def __enter__(self: Self) -> Self:

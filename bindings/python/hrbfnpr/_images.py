@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Images of the caller's, and new ones."""
+"""Images to draw into: given by the caller, or new."""
 from __future__ import annotations
 
 from typing import Any, Dict, Optional, Tuple
@@ -10,7 +10,7 @@ from ._library import ffi
 from ._names import FORMATS, number_of
 from ._numpy import np
 
-# Type code, bytes, channels (0: no axis for them).
+# The type code, the bytes of a channel, and the number of channels; 0: the array has no axis for channels.
 _EIGHT_BITS = ("B", 1, 4)
 _LAYOUTS: Dict[int, Tuple[str, int, int]] = {
     FORMATS["rgba32f"]: ("f", 4, 4),
@@ -46,7 +46,7 @@ def _check(out: Any, layout: Tuple[str, int, int], size: Optional[Tuple[int, int
 def image_for(
     format: str, out: Optional[Array], size: Optional[Tuple[int, int]], default: Tuple[int, int]
 ) -> Tuple[Array, Any]:
-    """The pixels, the caller's `out` or new ones of `size` (or else `default`), and a hrbfnpr_image on them."""
+    """The pixels and a hrbfnpr_image on them.  The pixels are `out`, or a new array of `size`, or else of `default`."""
     image = new_struct("hrbfnpr_image")
     image.format = number_of("format", FORMATS, format)
     layout = _LAYOUTS.get(image.format, _EIGHT_BITS)

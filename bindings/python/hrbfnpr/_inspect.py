@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the library finds out about a source without drawing it."""
+"""Findings of the library about a source, without drawing it."""
 from __future__ import annotations
 
 from typing import Any, List, Optional, Tuple
@@ -15,7 +15,7 @@ from ._scene import on_event
 
 
 def inspect(source: Any, wording: int, context: Optional[Context] = None) -> Tuple[Any, List[Note]]:
-    """A hrbfnpr_source_info of a Shape, a Model or a PointSet, and the findings."""
+    """A hrbfnpr_source_info of a Shape, a Model or a PointSet, and the library's findings."""
     notes: List[Note] = []
     state = CallbackState(lambda event: notes.append(Note.of(event.note)) if event.note != ffi.NULL else None)
     user, struct = state.new_handle(), new_struct("hrbfnpr_picture_source")

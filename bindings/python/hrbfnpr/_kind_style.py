@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What styles of one kind of layers or lines have in common."""
+"""The common part of layer styles and line styles."""
 from __future__ import annotations
 
 from typing import Any, Dict, List, Mapping, Optional, Type, TypeVar
@@ -13,7 +13,7 @@ Made = TypeVar("Made", bound="KindStyle")
 
 
 class KindStyle(Attributes):
-    """A value that names what it is for by a kind and a name."""
+    """A style for the layers or lines of one kind and name."""
 
     _c_type: str
     kind: Field[str, str]
@@ -27,7 +27,7 @@ class KindStyle(Attributes):
 
     @property
     def name(self) -> Optional[str]:
-        """Only those that are called so; None: whatever they are called."""
+        """The name of the layers or lines that this style is for; None: any name."""
         return self._name
 
     @name.setter
@@ -44,14 +44,14 @@ class KindStyle(Attributes):
         return made
 
     def copy(self: Made, **fields: Any) -> Made:
-        """Another one like this, with some fields changed."""
+        """Return a copy with some fields changed."""
         return type(self)(**{**self._values(), **fields})
 
     def _values(self) -> Dict[str, Any]:
         return {"name": self.name, **{name: getattr(self, name) for name in self.fields()}}
 
     def _fill(self, target: Any) -> Any:
-        """Write the C struct; returns what must be kept alive."""
+        """Write the C struct.  The result must be kept alive with it."""
         keep: List[Any] = []
         target[0] = self._struct[0]
         target.name = text_in(keep, self._name)

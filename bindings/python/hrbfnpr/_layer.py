@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Layers of marks to be made, and layers of the caller's own marks."""
+"""Layers of marks to make, and layers of ready-made marks."""
 from __future__ import annotations
 
 from dataclasses import fields, replace
@@ -47,7 +47,7 @@ class Layer(LayerFields):
         return 0 if unlimited else default
 
     def _fill(self, desc: Any, distribution: int) -> Tuple[List[Optional[CallbackState]], List[Any]]:
-        """The states of its functions, and what must be kept alive."""
+        """Fill the descriptor.  Returns the states of its functions, and the objects to keep alive."""
         kinds = {name: LAYER_KINDS[name] for name in MADE_KINDS}
         desc.kind = number_of("the kind of a layer", kinds, self.kind)
         desc.budget = self._budget(desc.budget, distribution)
@@ -78,7 +78,7 @@ class Layer(LayerFields):
 LayersToMake = Union[str, Layer, Iterable[Union[str, Layer]]]
 
 _FIELDS = tuple(field.name for field in fields(Layer) if field.name not in ("kind", "name"))
-# Fields that mean something to layers of some kinds only.
+# The kinds of layers for which a field has a meaning; fields that are not listed have one for all kinds.
 _OF_KINDS: Dict[str, Tuple[str, ...]] = {
     **{name: ("stipples",) for name in ("density", "density_strength")},
     **{name: ("hatch",) for name in ("second_tone", "separation", "step", "start", "start_level", "direction")},
@@ -87,15 +87,32 @@ _OF_KINDS: Dict[str, Tuple[str, ...]] = {
 }
 
 
-# What the strokes follow that the published recursion has in the place of a preset's lines.
+# What the strokes of the distribution "published" follow instead of the lines of a preset.
 _PUBLISHED = {"hatch": "curvature", "cross-hatch": "curvature", "combing": "combing", "full": "curvature"}
 
 
 def preset_layers(preset: str, distribution: str = "blue_noise") -> List[Layer]:
-    """The layers that a preset draws, to be changed and given to `PointSet.generate`.
+    """Return the layers of marks of a named style, for `PointSet.generate`; you may change them first.
 
-    Of the distribution "published" hatch, cross-hatch and full draw strokes along the principal directions,
-    combing those along the combing directions.
+    With the distribution "published", the styles "hatch", "cross-hatch" and "full" have strokes along the principal
+    directions, and "combing" has strokes along the combing directions.
+
+    Parameters
+    ----------
+    preset : str
+        A name of `hrbfnpr.PRESETS`.
+    distribution : {"blue_noise", "published"}
+        The distribution with which the layers will be generated.
+
+    Returns
+    -------
+    list of Layer
+        New layers.
+
+    Raises
+    ------
+    ValueError
+        If there is no such style.
     """
     if preset not in PRESETS:
         raise ValueError(f"preset must be one of {', '.join(map(repr, PRESETS))}, not {preset!r}")
@@ -129,7 +146,7 @@ def _from_struct(desc: Any) -> Layer:
 def layers_to_make(
     layers: Optional[LayersToMake], preset: Optional[str], distribution: str, shared: Any
 ) -> List[Layer]:
-    """The layers that are meant; `shared` are fields of those that are given by name, or of a preset."""
+    """The layers to make.  `shared` are fields of layers that are given by name, or that come from a preset."""
     for name in shared:
         if name not in _FIELDS:
             raise TypeError(f"unexpected argument {name!r}")
@@ -162,7 +179,7 @@ class OwnLayer(OwnLayerFields):
     __doc__ = OwnLayerFields.__doc__
 
     def _fill(self, arrays: Any) -> List[Any]:
-        """What must be kept alive."""
+        """Fill the struct.  Returns the objects to keep alive."""
         kinds = {name: LAYER_KINDS[name] for name in MARK_KINDS}
         arrays.kind = number_of("the kind of a layer", kinds, self.kind)
         keep: List[Any] = []

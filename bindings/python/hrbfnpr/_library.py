@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Finds and loads the C library, and checks that it is the one this package was made for."""
+"""Finds and loads the C library, and checks that its version fits this package."""
 from __future__ import annotations
 
 import ctypes.util
@@ -24,7 +24,7 @@ def _file_names() -> Tuple[str, ...]:
 
 
 def _build_tree_candidates(package: Path) -> List[Path]:
-    """Libraries built in the checkout that this package lies in: a release build before others."""
+    """Libraries that were built in the checkout of this package, release builds first."""
     root = package.parents[2]
     if not (root / "include" / "hrbfnpr.h").is_file():
         return []
@@ -43,7 +43,7 @@ def _candidates() -> List[str]:
     paths = [package / name for name in _file_names() if (package / name).is_file()]
     paths += _build_tree_candidates(package)
     names = [str(path) for path in paths]
-    names += _file_names()  # as the system's loader finds it
+    names += _file_names()  # for the system's loader
     by_linker = ctypes.util.find_library("hrbfnpr")
     return names + ([by_linker] if by_linker else [])
 
@@ -60,15 +60,15 @@ def _open(name: str) -> Any:
 
 
 def load() -> Tuple[Any, str]:
-    """The library and the name under which it was found.
+    """Load the library.  Returns it and the name under which it was found.
 
-    The environment variable ``HRBFNPR_LIBRARY`` names one library and no other is tried; otherwise
-    the package's own folder, the build tree of the checkout, and the system's loader are tried.
+    If the environment variable ``HRBFNPR_LIBRARY`` is set, only the library that it names is tried.  Otherwise these are
+    tried in turn: the folder of this package, the build tree of the checkout, and the system's loader.
 
     Raises
     ------
     ImportError
-        With the reason for each candidate that did not load.
+        If no library can be loaded.  The message gives the reason for each that was tried.
     """
     chosen = os.environ.get("HRBFNPR_LIBRARY")
     failures = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Line sets: what the contours and feature lines of a surface are drawn from."""
+"""Line sets, from which the contours and feature lines of a surface are drawn."""
 from __future__ import annotations
 
 from typing import Any, Iterable, List, Optional, Union
@@ -18,7 +18,7 @@ class Lines(LinesFields):
     __doc__ = LinesFields.__doc__
 
     def _fill(self, target: Any) -> List[Any]:
-        """Write a hrbfnpr_line_desc; returns what must be kept alive."""
+        """Write a hrbfnpr_line_desc.  The result must be kept alive with it."""
         keep: List[Any] = []
         fill(target, self, keep)
         target.plane = vector("plane", self.plane)
@@ -35,27 +35,43 @@ class Lines(LinesFields):
 
 
 class LineSet(Owner):
-    """What the lines of a model's surface are drawn from, whatever the camera; see `Item.line_set`.
+    """The data from which the lines of a model's surface are drawn, for every camera.
+
+    An `Item` with a line set, and a style with `lines`, is drawn with contours and feature lines as curves.  A line set is
+    made once for a model.  It never changes, and several threads may use it at the same time.
 
     Parameters
     ----------
     model : Model
+        The model whose surface is drawn.
     lines : Lines, kind, or an iterable of these, optional
-        Lines to find once: ridges, valleys, parabolic lines, sections, own ones.
+        Lines to find once: ridges, valleys, parabolic lines, sections and lines of your own.
     with_curvature : bool
-        Measure curvatures and their derivatives: for suggestive contours, apparent ridges and isophotes.
+        True: measure curvatures and their derivatives, which suggestive contours, apparent ridges and isophotes need.
     cell_size : float
-        Of the mesh that curves are looked for on; 0 = half the samples' spacing, and finer where walls are thin.
+        Size of the cells in which curves are looked for, in the model's unit; 0 = half the spacing of the samples, and
+        smaller where walls are thin.  Smaller cells find smaller details, in more time.
     seed_points : array of float, shape (n, 3), optional
-        Near each part of the surface; the model's samples if omitted.
+        Points near each part of the surface, where the search begins; None: the model's samples.
     support : float
-        Where the surface ends for want of samples, as an open scan or a terrain does, with a line of the kind
-        "border": 1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9; 0 = at the search box only.
-    support_points, support_normals : array of float, shape (n, 3), optional
-        The samples that this is judged by; the centres of the model if omitted. All points of a scan tell better
-        where it ends. Normals may be of any length; those of the surface at the points if omitted.
+        Where the surface ends because samples are missing, as for an open scan or a terrain.  1.5 ends it about 0.7
+        spacings beyond the last samples, 3 about 0.9 spacings; the end is a line of the kind "border".  0 (default): the
+        surface ends where its model ends.
+    support_points : array of float, shape (n, 3), optional
+        The samples for `support`; None: the centres of the model.  All points of a scan show better where it ends.
+    support_normals : array of float, shape (n, 3), optional
+        Normals of `support_points`, of any length except 0; None: the normals of the surface there.
     progress, operation, context
         As in `Model.fit`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        If a parameter is out of its range, the mesh would have more than 4 000 000 triangles (give a larger
+        `cell_size`), or `support` has no samples.
+    NotConvergedError
+        If no surface is found, or none near the samples.
+    OutOfMemoryError, CancelledError
 
     Examples
     --------
@@ -104,7 +120,7 @@ class LineSet(Owner):
 
     @classmethod
     def _of(cls, handle: Any, model: Model, curved: bool) -> LineSet:
-        """One that the library made for a picture."""
+        """A line set that the library made for a picture."""
         made = cls.__new__(cls)
         Owner.__init__(made, handle)
         made._function, made._curved = model._function, curved
@@ -112,10 +128,10 @@ class LineSet(Owner):
 
     @property
     def info(self) -> LineSetInfo:
-        """What making it did."""
+        """What making the line set found and did."""
         return get(LineSetInfo, lib.hrbfnpr_line_set_get_info, self._handle)
 
     @property
     def has_curvature(self) -> bool:
-        """Whether suggestive contours, apparent ridges and isophotes can be drawn of it."""
+        """Whether suggestive contours, apparent ridges and isophotes can be drawn from this line set."""
         return self._curved

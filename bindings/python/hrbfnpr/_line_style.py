@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Styles of lines: contours and feature lines as curves."""
+"""Styles of lines: how contours and feature lines are drawn as curves."""
 from __future__ import annotations
 
 from typing import Any, Dict, Optional, Sequence, Tuple
@@ -10,16 +10,17 @@ from ._records import LineStyleFields
 
 
 class LineStyle(LineStyleFields, KindStyle):
-    """How the lines of one kind are drawn, of items that have a `LineSet`; an element of `Style.lines`.
+    """How the lines of one kind are drawn, for items that have a `LineSet`; an element of `Style.lines`.
 
     Parameters
     ----------
     kind : {"contour", "suggestive_contour", "ridge", "valley", "apparent_ridge", "parabolic", "isophote", "section", \
             "border", "own", "crease"}
+        The kind of lines that the style is for.
     name : str, optional
-        Of lines that are found once: those that are called so; None: whatever they are called.
+        For lines that are found once: the name of the lines that the style is for; None: any name.
     levels : sequence of float, optional
-        Of isophotes: n . l, from -1 to 1.
+        For isophotes: the values of n . l, -1 to 1, where n is the normal and l the direction to the light.
     **fields
         Other fields to change.  Lengths are in pixels.
     """
@@ -34,7 +35,7 @@ class LineStyle(LineStyleFields, KindStyle):
 
     @property
     def levels(self) -> Tuple[float, ...]:
-        """Of isophotes: n . l, from -1 to 1."""
+        """For isophotes: the values of n . l, -1 to 1."""
         return self._levels
 
     @levels.setter
@@ -42,9 +43,9 @@ class LineStyle(LineStyleFields, KindStyle):
         self._levels = tuple(float(level) for level in value)
 
     def scale(self, factor: float) -> None:
-        """Multiply all lengths that are in pixels, as for a picture so many times as large.
+        """Multiply the lengths in pixels by a factor, for a picture that is larger by this factor.
 
-        The others are in widths.  Of a `Style`, `halo_width` belongs to them.
+        Other lengths are in widths of the line and follow.  Multiply `Style.halo_width` by the same factor.
         """
         for field in ("width", "hidden_width", "taper", "shortest"):
             setattr(self, field, getattr(self, field) * factor)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Layers of a point set: read-only arrays of their marks."""
+"""The layers of a point set, as read-only arrays of marks."""
 from __future__ import annotations
 
 from typing import Any, List, Optional, Tuple
@@ -13,8 +13,7 @@ from ._records import LayerInfo, PlacementInfo, get
 class MarkLayer:
     """A layer of a point set.
 
-    Its attributes are read-only arrays on the set's own memory: nothing is copied, and they stay valid
-    after the set is gone.
+    Its arrays are read-only views of the set's memory, without a copy.  They stay valid when the set is closed.
     """
 
     def __init__(self, handle: Any, number: int) -> None:
@@ -24,30 +23,30 @@ class MarkLayer:
 
     @property
     def number(self) -> int:
-        """Its place in the set, from 0."""
+        """The number of the layer in the set, from 0."""
         return self._number
 
     @property
     def info(self) -> LayerInfo:
-        """What making it did."""
+        """What the layer holds, and how long it took."""
         if self._info is None:
             self._info = get(LayerInfo, lib.hrbfnpr_point_set_get_layer_info, self._handle, self._number)
         return self._info
 
     @property
     def placement(self) -> Tuple[PlacementInfo, ...]:
-        """What became of candidates for marks, level by level."""
+        """What became of the candidates for marks, for each level."""
         asked = lib.hrbfnpr_point_set_get_placement, self._handle, self._number
         return tuple(get(PlacementInfo, *asked, level) for level in range(self.info.levels + 1))
 
     @property
     def kind(self) -> str:
-        """"stipples", "hatch" or "own"."""
+        """The kind of the layer: "stipples", "hatch" or "own"."""
         return self.info.kind
 
     @property
     def name(self) -> str:
-        """As it was given, or its kind."""
+        """The name of the layer, as given or that of its kind."""
         return self.info.name
 
     def __len__(self) -> int:
@@ -57,27 +56,27 @@ class MarkLayer:
     def _view(self) -> Tuple[Any, ...]:
         return lib.hrbfnpr_point_set_view, self._handle, self._number
 
-    positions = view("MARK", "POSITION", "float32 (n, 3), relative to the set's `origin`.")
-    normals = view("MARK", "NORMAL", "float32 (n, 3), unit, outward.")
-    directions = view("MARK", "DIRECTION", "float32 (n, 3), unit, tangent: along the stroke; for a mark of none the u of its "
-                      "basis [NPAR 5.2].")  # fmt: skip
-    curvatures = view("MARK", "CURVATURE", "float32 (n, 3): k1, k2, confidence; empty where not known (see "
+    positions = view("MARK", "POSITION", "The places, float32 (n, 3), relative to the set's `origin`.")
+    normals = view("MARK", "NORMAL", "The normals, float32 (n, 3), unit, outward.")
+    directions = view("MARK", "DIRECTION", "The directions along the strokes, float32 (n, 3), unit, tangent.  For a mark "
+                      "without a stroke: the u of its basis [NPAR 5.2].")  # fmt: skip
+    curvatures = view("MARK", "CURVATURE", "k1, k2 and confidence, float32 (n, 3); empty if not known (see "
                       "`Layer.with_curvature`).")  # fmt: skip
-    ranks = view("MARK", "RANK", "float32 (n,): the u of [NPAR 6.2] in [0, 1); a mark is shown where u >= tau.")
-    levels = view("MARK", "LEVEL", "uint8 (n,): the refinement step, or the pass of strokes, that placed the mark.")
-    stroke_places = view("MARK", "STROKE", "uint32 (n, 2): 2 number + direction (0 or 1) of the stroke, and the mark's place "
-                         "along it.\n\nFor a mark of no stroke twice its number (or that of its seed), and 0.")  # fmt: skip
-    widths = view("MARK", "WIDTH", "float32 (n,): of the ink, relative, in (0, 1]; of tapered strokes only, else empty: all 1.")
-    tone_normals = view("MARK", "TONE_NORMAL", "float32 (n, 3), unit: the normals that tone goes by (see "
-                        "`Layer.tone_smoothing`); empty: `normals`.")  # fmt: skip
-    stroke_first = view("MARK", "STROKE_FIRST", "uint32 (s + 1,): stroke s has the marks from stroke_first[s] up to "
-                        "stroke_first[s + 1] - 1, in the order of `stroke_order` if that is not empty.  Empty: a layer "
-                        "without strokes.")  # fmt: skip
-    stroke_order = view("MARK", "STROKE_ORDER", "uint32 (n,): numbers of marks, stroke by stroke; empty where they stand so "
-                        "already.")  # fmt: skip
+    ranks = view("MARK", "RANK", "The ranks u of [NPAR 6.2], float32 (n,), in [0, 1).  A mark is shown where u >= tone.")
+    levels = view("MARK", "LEVEL", "The refinement steps that placed the marks, or the levels of their lines, uint8 (n,).")
+    stroke_places = view("MARK", "STROKE", "2 * number + direction (0 or 1) of the stroke, and the mark's place along it, uint32 "
+                         "(n, 2).\n\nFor a mark without a stroke: 2 * its number (or that of its seed), and 0.")  # fmt: skip
+    widths = view("MARK", "WIDTH", "The widths of the ink as factors of the style's radius, float32 (n,), in (0, 1].  Empty: all 1.")
+    tone_normals = view("MARK", "TONE_NORMAL", "The normals that set the tone, float32 (n, 3), unit (see "
+                        "`Layer.tone_smoothing`).  Empty: `normals`.")  # fmt: skip
+    stroke_first = view("MARK", "STROKE_FIRST", "Where the strokes begin, uint32 (s + 1,): stroke s has the marks "
+                        "stroke_first[s] to stroke_first[s + 1] - 1, in the order of `stroke_order` if that is not empty.  "
+                        "Empty: a layer without strokes.")  # fmt: skip
+    stroke_order = view("MARK", "STROKE_ORDER", "The numbers of marks, stroke by stroke, uint32 (n,).  Empty: the marks "
+                        "themselves are in this order.")  # fmt: skip
 
     def strokes(self) -> List[Array]:
-        """The numbers of the marks of each stroke, from end to end; without NumPy, ranges or memoryviews."""
+        """Return the numbers of the marks of each stroke, from end to end; without NumPy, as ranges or memoryviews."""
         first, order = self.stroke_first, self.stroke_order
         numbers = order if len(order) else range(len(self)) if np is None else np.arange(len(self), dtype="I")
         return [numbers[first[i] : first[i + 1]] for i in range(len(first) - 1)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Triangle meshes: made usable, sampled, and what a surface is compared with."""
+"""Triangle meshes: repaired, sampled, and compared with surfaces."""
 from __future__ import annotations
 
 from typing import Any, NamedTuple, Optional, Tuple
@@ -15,7 +15,7 @@ from ._records import MeshEdgesInfo, MeshInfo, get, read
 
 
 class MeshSamples(NamedTuple):
-    """Points on a mesh and their unit normals, float64 (n, 3) each."""
+    """Result of `Mesh.sample`: points on the mesh and their unit normals, float64 (n, 3) each."""
 
     points: Array
     normals: Array
@@ -27,10 +27,11 @@ class MeshEdges(NamedTuple):
     Attributes
     ----------
     sharp : array of int32, shape (m, 3)
-        1 where the edge from corner k of a face to the next corner is sharp, else 0.
+        1 if the edge from corner k of a face to the next corner is sharp, else 0.
     patches : array of int32, shape (m,)
         The number of each face's patch, from 0 in the order of their first faces.
     info : MeshEdgesInfo
+        Numbers and lengths of the edges.
     """
 
     sharp: Array
@@ -39,27 +40,34 @@ class MeshEdges(NamedTuple):
 
 
 class Mesh(Owner):
-    """A triangle mesh, welded, oriented, and without the parts that lie inside others; immutable.
+    """A triangle mesh, repaired and oriented.
+
+    Vertices at the same place are joined.  Faces without area, repeated faces and unused vertices are left out.  Faces are
+    turned to agree, and closed components to face outward.  `info` counts all this.  A mesh never changes, and several
+    threads may use it at the same time.
 
     Parameters
     ----------
     vertices : array of float, shape (n, 3)
+        The places of the vertices; coordinates up to 1e60.
     triangles : array of int, shape (m, 3)
         Numbers of vertices, from 0, counter-clockwise as seen from outside.
     parts : {"outer", "all", "largest"}
-        Which components are kept: all but those inside a closed one; all; that of the largest area.
+        Which components are kept: all except those inside a closed one; all; the one of the largest area.
     crease_angle : float
-        Degrees: faces that meet at a sharper angle do not share their normals.
+        Angle between the normals of two faces, in degrees, 0 to 180; faces that meet at a larger angle do not share
+        corner normals.
     faces : {"turn", "keep"}
-        Whether faces are turned to agree with their component, and closed components outward.
+        Whether faces are turned to agree with their component, and closed components to face outward.
     progress, operation, context
         As in `Model.fit`.
 
     Raises
     ------
     InvalidArgumentError
-        For an index that is no vertex's (the message names the face and the index), a corner that is not
-        finite, and a mesh that has no face with an area.
+        If an index is not that of a vertex (the message names the face and the index), a corner is not finite, or no face
+        has an area.
+    OutOfMemoryError, CancelledError
 
     Examples
     --------
@@ -96,22 +104,22 @@ class Mesh(Owner):
 
     @property
     def info(self) -> MeshInfo:
-        """What making it found, and did."""
+        """What making the mesh found and did."""
         return get(MeshInfo, lib.hrbfnpr_mesh_get_info, self._handle)
 
     @property
     def _view(self) -> Tuple[Any, ...]:
         return lib.hrbfnpr_mesh_view, self._handle
 
-    vertices = view("MESH", "VERTEX", "Those that are kept, float64 (n, 3): a read-only view, nothing is copied.")
-    triangles = view("MESH", "TRIANGLE", "Numbers of vertices, int32 (m, 3): a read-only view.")
-    components = view("MESH", "COMPONENT", "Of each face, from 0, int32 (m,): a read-only view.")
-    given_faces = view("MESH", "GIVEN_FACE", "The number that each face was given by, int32 (m,): a read-only view.")
-    _corner_normals = view("MESH", "CORNER_NORMAL", "Shape (3 m, 3).")
+    vertices = view("MESH", "VERTEX", "The vertices that are kept, float64 (n, 3); a read-only view, without a copy.")
+    triangles = view("MESH", "TRIANGLE", "The numbers of the vertices of each face, int32 (m, 3); a read-only view.")
+    components = view("MESH", "COMPONENT", "The number of each face's component, from 0, int32 (m,); a read-only view.")
+    given_faces = view("MESH", "GIVEN_FACE", "The number of each face among the given ones, int32 (m,); a read-only view.")
+    _corner_normals = view("MESH", "CORNER_NORMAL", "The normals of all corners, shape (3 m, 3).")
 
     @property
     def corner_normals(self) -> Array:
-        """Unit normals of the corners of each face, float64 (m, 3, 3); with NumPy, a read-only view."""
+        """The unit normals of the corners of each face, float64 (m, 3, 3); with NumPy, a read-only view."""
         flat = self._corner_normals
         return reshaped(flat, (flat.shape[0], 3, 3))
 
@@ -124,15 +132,24 @@ class Mesh(Owner):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> MeshSamples:
-        """Points with normals, even over the mesh's area; every prefix is even.
+        """Choose points with normals that are evenly spread over the mesh; every prefix of them is even, too.
 
         Parameters
         ----------
         count : int
+            Number of samples, 1 to 10 000 000.
         candidates : int
-            Random places to choose from; 0 = 40 for each sample, 1000000 at most; as many as samples: all
-            of them, in random order.
+            Number of random places to choose from, up to 1 000 000; 0 = 40 for each sample.  More candidates give more
+            even samples, in more time.  If there are only `count` candidates, all are taken, in random order.
         random_seed : int
+            Start of the random numbers.
+        progress, operation
+            As in `Model.fit`.
+
+        Returns
+        -------
+        MeshSamples
+            Points and unit normals, which are interpolated between those of the corners.
         """
         desc = new_struct("hrbfnpr_sample_desc")
         desc.candidates, desc.random_seed = candidates, random_seed
@@ -151,20 +168,29 @@ class Mesh(Owner):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> MeshEdges:
-        """Sharp edges and the smooth patches between them, as `Model.fit_mesh` finds them.
+        """Find the sharp edges and the smooth patches between them, as `Model.fit_mesh` does.
 
-        Edges that bend by more than `crease_angle` are sharp.  Where one ends, it goes on along edges that bend by 8
-        degrees or more and keep its direction.  Short sharp edges that part nothing are dropped as noise.
+        An edge that bends by more than `crease_angle` is sharp.  If a sharp edge ends within a patch, it goes on along
+        edges that bend by 8 degrees or more and keep its direction.  Short sharp edges that separate nothing are dropped as
+        noise.
 
         Parameters
         ----------
         edges : {"auto", "smooth", "sharp"}
-            With "auto" an edge is sharp only if the mesh stands for a shape with edges.
+            "auto": an edge is sharp if it stands out from the faces beside it, as the edges of machine parts do.
+            "smooth": no edge is sharp.  "sharp": every edge that bends by more than `crease_angle` is sharp.
         crease_angle : float
-            Degrees between the normals of two faces, 1 to 179.
+            Angle between the normals of two faces, in degrees, 1 to 179.
         far : float
-            Coarse faces that a round surface would leave by four fifths of this stay flat, with sharp edges; in units
-            of the mesh, 0 = 0.01 diagonals.
+            Distance that decides about coarse faces, in the mesh's unit; 0 = 0.01 diagonals.  If a round surface would
+            leave such faces by more than four fifths of it, they stay flat, with sharp edges.
+        progress, operation
+            As in `Model.fit`.
+
+        Returns
+        -------
+        MeshEdges
+            The sharp edges, the patches and an info.
         """
         desc, info = new_struct("hrbfnpr_mesh_edges_desc"), new_struct("hrbfnpr_mesh_edges_info")
         desc.edges, desc.crease_angle, desc.far = number_of("edges", EDGES, edges), crease_angle, far
@@ -190,22 +216,24 @@ def farthest_points(
     operation: Optional[Operation] = None,
     context: Optional[Context] = None,
 ) -> Tuple[Array, Array]:
-    """Farthest-point order: each point the farthest from those before it, so that every prefix is even.
+    """Choose points so that each is the farthest from those before it; every prefix is evenly spread.
 
     Parameters
     ----------
     points : array of float, shape (n, 3)
+        The points to choose from; finite.
     count : int
-        From 1 to n.
+        Number of points to choose, 1 to n.
     progress, operation, context
         As in `Model.fit`.
 
     Returns
     -------
     indices : array of int64, shape (count,)
-        The first is the point nearest to the middle of the bounding box; of equals the one of lower number.
+        The numbers of the chosen points.  The first is the point nearest to the middle of the bounding box.  If two points
+        are equally far, the one with the lower number comes first.
     distances : array of float64, shape (count,)
-        Of each from those before it; infinite for the first.
+        The distance of each chosen point from those before it; infinite for the first.
     """
     context = resolve(context)
     block = block_in("points", points)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Models by meshes: fitted to them, and compared with them."""
+"""Models and meshes: fit a model to a mesh, and compare the two."""
 from __future__ import annotations
 
 from typing import Any, Optional, Type, TypeVar
@@ -15,14 +15,14 @@ M = TypeVar("M", bound="MeshFits")
 
 
 class MeshFits:
-    """What a `Model` does with a `Mesh`."""
+    """The part of `Model` that deals with a `Mesh`."""
 
     _handle: Any
     _context: Any
     _run: Any
 
     mesh_fit: Optional[MeshFitInfo] = None
-    """What `fit_mesh` came to; None for other models, and for a loaded one."""
+    """What `fit_mesh` reached; None for models that were made or loaded in another way."""
 
     @classmethod
     def fit_mesh(
@@ -46,41 +46,52 @@ class MeshFits:
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> M:
-        """Fit a surface to a mesh with as many samples as that takes; see `mesh_fit` for what was reached.
+        """Fit a surface to a mesh, with as many samples as the tolerance needs.
+
+        A fit that does not reach the tolerance is no error: `mesh_fit` says what was reached.
 
         Parameters
         ----------
         mesh : Mesh
+            The mesh to fit.
         tolerance : float
-            How near the surface and the mesh are to be to each other, in units of the mesh; 0 = 0.002 of its
-            diagonal.
+            Largest distance between the surface and the mesh, in the mesh's unit, 1e-6 diagonals or more; 0 = 0.002
+            diagonals.  A smaller tolerance needs more samples and time.
         share : float
-            Of both that has to be within the tolerance, above 0, at most 1.
+            Share of both the surface and the mesh that must be within the tolerance, above 0, at most 1.
         far : float
-            What no part may be beyond; 0 = five times the tolerance.
+            Distance that no part may exceed, in the mesh's unit, not below the tolerance; 0 = five times the tolerance.
         maximum_centres : int
-            An end there, short of the tolerance, is no error: `mesh_fit.reached` is False.
+            Largest number of centres, 16 to 1 000 000.  If the fit ends there, `mesh_fit.reached` is False.
         candidates : int
-            Places on the mesh to choose from; 0 = by its area and its details.
+            Number of places on the mesh to choose samples from; 0 = by its area and its details.
         random_seed : int
+            Start of the random numbers.
         edges : {"auto", "smooth", "sharp"}
-            What becomes of the mesh's edges: sharp where they stand out, as those of machine parts do; never; or wherever
-            it bends by more than `crease_angle`. With "auto" closed parts that cross are fitted apart.
+            Which edges of the mesh stay sharp.  "auto": those that stand out, as on machine parts; closed parts that cross
+            are fitted separately.  "smooth": none.  "sharp": all that bend by more than `crease_angle`.
         crease_angle : float
-            Degrees between the normals of two faces, 5 to 175: what bends more is an edge, and what rounding would take
-            four fifths of `far` off the mesh.
-        trim : {"auto", "never"}
-            Whether the surface ends where an open mesh does, and what lies more than 0.009 diagonals (of coarse faces
-            up to 0.015) off a mesh that was not reached is left out.
-        kernel, kernel_radius, polynomial_degree, regularization, solver, progress, operation
+            Angle between the normals of two faces, in degrees, 5 to 175.  An edge that bends more is sharp.  So is an edge
+            of coarse faces, if rounding it would move the surface off the mesh by four fifths of `far`.
+        kernel, kernel_radius, polynomial_degree, regularization, solver
             As in `fit`.
+        trim : {"auto", "never"}
+            "auto": the surface of an open mesh ends where the mesh ends; if the tolerance was not reached, surface that is
+            more than 0.009 diagonals (up to 0.015 with coarse faces) from the mesh is left out.
+        progress, operation
+            As in `fit`.
+
+        Returns
+        -------
+        Model
+            The model, with `mesh_fit`.
 
         Notes
         -----
-        Where the surface goes on far from a mesh with an inside, f is held to the signed distance from the mesh at a few
-        places off it: these are the last `mesh_fit.off_surface_centres` of `points`.
+        If the surface would go on far from a mesh that has an inside, the fit holds f to the signed distance from the mesh
+        at a few places off it.  These places are the last `mesh_fit.off_surface_centres` of `points`.
 
-        With sharp edges the model is made of `mesh_fit.sheets` smooth fits, and its `points` are places all over the
+        With sharp edges, the model consists of `mesh_fit.sheets` smooth fits, and its `points` are places all over the
         mesh.
         """
         desc, options = new_struct("hrbfnpr_mesh_fit_desc"), new_struct("hrbfnpr_fit_desc")
@@ -113,21 +124,32 @@ class MeshFits:
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> Comparison:
-        """How near the surface is to a mesh, and the mesh to the surface.
+        """Measure how near the surface is to a mesh, and the mesh to the surface.
 
         Parameters
         ----------
         mesh : Mesh
-            In the same coordinates.
-        tolerance, far : float
-            That shares are counted for, in units of the mesh; 0 = 0.002 and 0.01 of its diagonal.
+            The mesh, in the same coordinates as the model.
+        tolerance : float
+            Distance within which shares are counted, in the mesh's unit; 0 = 0.002 diagonals.
+        far : float
+            Distance beyond which surface counts as invented and mesh as missed, in the mesh's unit; 0 = 0.01 diagonals.
         support : float
-            Above 0: what the samples do not bear out by this limit is left out, as by `LineSet`.
+            Above 0: surface that the samples do not support up to this limit is left out, as in `LineSet`.
         points : int
-            On each side; 0 = 20000.
+            Number of places to measure at, on the surface and on the mesh each, 100 to 10 000 000; 0 = 20 000.
         cell_size : float
-            Of the cells that the surface is looked for in; 0 = 1/128 of the diagonal, and finer where it is thin.
+            Size of the cells in which the surface is looked for, in the mesh's unit; 0 = 1/128 of the diagonal, and
+            smaller where the surface is thin.  Thinner and smaller parts may be missed.
         random_seed : int
+            Start of the random numbers.
+        progress, operation
+            As in `fit`.
+
+        Returns
+        -------
+        Comparison
+            Distances and shares, both ways.
         """
         desc, result = new_struct("hrbfnpr_compare_desc"), new_struct("hrbfnpr_comparison")
         desc.tolerance, desc.far, desc.support = tolerance, far, support

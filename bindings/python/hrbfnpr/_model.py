@@ -34,14 +34,14 @@ def _load(data: bytes) -> Model:
 
 
 class Model(MeshFits, Trimming, Combining):
-    """An implicit surface: f < 0 inside, f > 0 outside, with a gradient near 1 at the surface [NPAR 4].
+    """An implicit surface: f < 0 inside, f > 0 outside, and grad f has a length near 1 at the surface [NPAR 4].
 
-    Immutable: any number of threads may use one model at a time.  Made by `fit`, `from_function`,
-    `load`, or from others by operators (``a | b``, ``a & b``, ``a - b``, ``~a``; see `hrbfnpr.csg`); can be pickled
-    (but for one from a function), and is then loaded in the default context.
+    Make a model with `fit`, `fit_mesh`, `from_function` or `load`, or from other models with operators (``a | b``,
+    ``a & b``, ``a - b``, ``~a``; see `hrbfnpr.csg`).  A model never changes, and several threads may use it at the same
+    time.  It can be pickled, except if it comes from a function; it is then loaded in the default context.
 
-    A call that is given a single point (three numbers) returns results without the first axis;
-    arrays of points may have any shape (..., 3).  float32 and float64 arrays are used in place.
+    Arrays of points may have any shape (..., 3).  For a single point (three numbers), results have no first axis.  float32
+    and float64 arrays are used without a copy.
     """
 
     def __init__(self, handle: Any, context: Context, function: Optional[FunctionState] = None) -> None:
@@ -74,59 +74,74 @@ class Model(MeshFits, Trimming, Combining):
         operation: Optional[Operation] = None,
         context: Optional[Context] = None,
     ) -> Model:
-        """Fit f with f(x_i) = 0 and grad f(x_i) = n_i to N samples [NPAR 4.1].
+        """Fit a surface to N samples, so that f(x_i) = 0 and grad f(x_i) = n_i [NPAR 4.1].
 
         Parameters
         ----------
-        points, normals : array of float, shape (N, 3)
-            Samples and their outward normals, in any unit.  Normals that are not of unit length are
-            normalised; samples that coincide and agree are merged.  One sample is a plane.
-            Without normals they are found first: see `orient`, as with every mode but "given".
+        points : array of float, shape (N, 3)
+            The samples, in any unit.  Samples that coincide and agree are merged.  One sample is enough: its surface is a
+            plane.
+        normals : array of float, shape (N, 3), optional
+            The outward normals, of any length except 0.  None: they are found first, as by `orient`.
         normal_mode : {"given", "none", "unoriented", "mixed", "inward", "auto"}, optional
-            What is known of the normals; "given", or "none" without any.
+            How far the normals can be trusted, as in `orient`; with a mode other than "given", they are repaired or made
+            first.  The default is "given", or "none" without normals.
         kernel : {"triharmonic", "gaussian", "wendland_c2"}
-            r^3 (default), exp(-r^2 / 2 radius^2), or (1 - r/radius)^4 (4 r/radius + 1).
+            The radial function: r^3 (default), exp(-r^2 / 2 radius^2), or (1 - r/radius)^4 (4 r/radius + 1) for r < radius.
         kernel_radius : float
-            Radius of the last two, in the unit of the points; 0 = from the sample spacing.
+            Radius of "gaussian" and "wendland_c2", in the unit of the points; 0 = from the sample spacing.  A larger
+            radius fills larger gaps, but makes the system worse conditioned.
         polynomial_degree : int
-            -1 (none) to 3.
+            Degree of the added polynomial, -1 (none) to 3.  With "triharmonic" and a degree below 1, the fit may fail.
         regularization : float or "auto"
-            0 interpolates (default); more is smoother; "auto" takes it from the noise of the samples.
+            Smoothing of the fit, 0 or more.  0 (default): the surface passes through every sample.  Larger values give a
+            smoother surface that keeps a distance from noisy samples.  "auto": from the noise of the samples.
         outliers : {"keep", "drop"}
-            What becomes of samples far from all others, or from the plane of those around them.
+            What to do with samples far from all others, or far from the plane of their neighbours.
         flipped_normals : {"keep", "drop", "reorient"}
-            What becomes of samples whose normal is against those around them.
+            What to do with samples whose normal is opposite to those of their neighbours.
         tolerance : float
-            Choose samples as centres until all lie this near to the surface; 0 = no such end.
+            The fit chooses some samples as centres until all samples are within this distance of the surface, in the unit
+            of the points; 0 = no such limit.  A smaller tolerance needs more centres.
         maximum_centres : int
-            Choose no more samples than this as centres; 0 = no limit.  With tolerance 0, too, every
-            sample is a centre.
+            Largest number of samples that are chosen as centres; 0 = no limit.  If `tolerance` is 0, too, every sample is a
+            centre.
         solver : {"auto", "direct", "iterative"}
-            "direct" is a dense factorisation: about 64 N^2 bytes, time N^3.
+            How the linear system is solved.  "direct" needs about 64 N^2 bytes, and time that grows with N^3.  "auto" takes
+            "iterative" for many samples.
         refinement_steps : int
-            Of iterative refinement after a direct solve, 0 to 20.
+            Steps of iterative refinement after a direct solve, 0 to 20.
         solver_tolerance : float
-            Relative residual at which the iterative solver ends; 0 = automatic.
+            Relative residual at which the iterative solver ends, 0 to 0.1; 0 = automatic.
         iteration_limit : int
-            Most iterations of the iterative solver.
+            Largest number of iterations of the iterative solver, 1 to 1 000 000.
         preconditioner_neighbours : int
-            Size of the iterative solver's local problems, 1 to 48; 0 = automatic.
+            Number of neighbours of each sample in the preconditioner of the iterative solver, 1 to 48; 0 = automatic.
         trim : {"auto", "never"}
-            Whether the surface ends where the samples of an open one do, as by `Model.trim` with all samples: marks,
-            lines and rays do; `trim_info` tells.  A closed one stays as it is.
+            "auto": an open surface ends where the samples end, as after `trim` with all samples; a closed one stays whole.
+            Marks, lines and rays end there; `trim_info` says what was left out.  "never": the surface goes on to the end
+            of the search box.
         progress : callable or progress bar, optional
-            See `Operation`.
+            Receives the progress; see `Operation`.
         operation : Operation, optional
-            To poll or cancel the fit from another thread; instead of `progress`.
+            An operation, to poll or cancel the fit from another thread.  Give it instead of `progress`.
         context : Context, optional
+            The threads and the log to use; None: the default context.
+
+        Returns
+        -------
+        Model
+            The model.  `info` says how the fit went.
 
         Raises
         ------
         InvalidArgumentError
-            For NaN, infinity, zero normals, coincident samples that disagree (the message names the
-            index), and mismatched or empty arrays.
+            If there are NaN, infinity, zero normals or samples at the same place with different normals (the message names
+            the index), or the arrays are empty or do not match.
         SingularSystemError
-            If there is no (numerically) unique solution.
+            If the linear system has no unique solution within rounding.
+        NotConvergedError
+            If the iterative solver does not reach its tolerance.
         OutOfMemoryError, CancelledError
         """
         context = resolve(context)
@@ -153,29 +168,36 @@ class Model(MeshFits, Trimming, Combining):
         thread_safe: bool = False,
         context: Optional[Context] = None,
     ) -> Model:
-        """Any implicit function in place of a fit: every operator works on it [NPAR 8].
+        """Make a model from an implicit function; every method works on it as on a fit [NPAR 8].
 
         Parameters
         ----------
         value : callable
-            Takes points of shape (n, 3) and returns n values, negative inside, finite within twice
-            the bounds.
-        gradient, hessian : callable, optional
-            Return shapes (n, 3) and (n, 3, 3) or (n, 6) (xx xy xz yy yz zz); differenced if omitted.
-            The gradient should be near 1 in length at the surface.
+            The function.  It gets points of shape (n, 3) and returns n values, negative inside.  They must be finite in a
+            box twice as wide as the bounds.
+        gradient : callable, optional
+            Returns the gradients, shape (n, 3).  Their length should be near 1 at the surface.  None: from differences.
+        hessian : callable, optional
+            Returns the Hessians, shape (n, 3, 3) or (n, 6) (xx xy xz yy yz zz).  None: from differences.
         bounds : (minimum, maximum)
-            Two corners of the box that the surface lies in.
+            Two corners of the box that holds the surface.  Choose it as small as you can: tolerances and steps are shares
+            of its diagonal.
         difference_step : float
-            For differences; 0 = 1e-4 of the box's diagonal (1e-3 for the Hessian).
+            Step of the differences, in the unit of the points; 0 = 1e-4 diagonals for gradients, 1e-3 for Hessians.
         thread_safe : bool
-            Whether the functions may be called from several threads at once.  Python code gains
-            little by it; code that releases the interpreter lock does.
+            Whether several threads may call the functions at the same time.  This helps functions that release the
+            interpreter lock; plain Python code gains little.
         context : Context, optional
+            As in `fit`.
+
+        Returns
+        -------
+        Model
+            The model.
 
         Notes
         -----
-        An exception in a function makes the call that evaluates it raise CallbackError, with the
-        exception as its cause.
+        If a function raises an exception, the call that evaluates it raises CallbackError, with the exception as its cause.
         """
         context = resolve(context)
         function = FunctionState(value, gradient, hessian)
@@ -203,22 +225,25 @@ class Model(MeshFits, Trimming, Combining):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> Evaluation:
-        """f at points, and, if asked for, its gradient and Hessian.
+        """Evaluate f at points, and its gradient and Hessian if asked for.
 
         Parameters
         ----------
         points : array of float, shape (..., 3)
+            The points; finite.
         gradient, hessian : bool
-            Whether to compute them too.
+            Whether to compute the gradient and the Hessian.
         dtype : {"float64", "float32"}
-            Type of the results; the arithmetic is float64.
+            Type of the results.  The arithmetic is float64.
         out : Evaluation, optional
-            Arrays to write to; a field that is None is not computed, whatever the flags say.
+            Arrays to write to.  A field that is None is not computed; `gradient` and `hessian` are then ignored.
+        progress, operation
+            As in `fit`.
 
         Returns
         -------
         Evaluation
-            value (...), gradient (..., 3) or None, hessian (..., 6) or None: xx xy xz yy yz zz.
+            `value` (...), `gradient` (..., 3) or None, and `hessian` (..., 6) or None: xx xy xz yy yz zz.
         """
         block = block_in("points", points)
         code = float_code(dtype)
@@ -246,24 +271,28 @@ class Model(MeshFits, Trimming, Combining):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> Projection:
-        """Project points on the surface by steepest descent on f^2 with Armijo's rule [NPAR 4.2].
+        """Project points onto the surface by steepest descent on f^2 with Armijo's rule [NPAR 4.2].
 
         Parameters
         ----------
         points : array of float, shape (..., 3)
+            The points; finite.
         evaluation_limit : int
-            Evaluations of f at each point, 1 to 1000.
+            Largest number of evaluations of f for each point, 1 to 1000.
         tolerance : float
-            A point has converged when abs(f) / abs(grad f) is at most this share of the diagonal.
+            A point has converged if abs(f) / abs(grad f) is at most this number of diagonals; above 0.
         armijo_slope, armijo_factor : float
-            sigma in (0, 0.5) and beta in (0, 1) of the rule.
+            sigma, between 0 and 0.5, and beta, between 0 and 1, of Armijo's rule.
         dtype : {"float64", "float32"}
+            Type of the results.
+        progress, operation
+            As in `fit`.
 
         Returns
         -------
         Projection
-            position (..., 3), normal (..., 3), status (...) and the number of points that
-            converged.  A point that fails keeps its last iterate.
+            `position` (..., 3), `normal` (..., 3), `status` (...), and `converged`, the number of points that converged.  A
+            point that fails keeps its last place.
         """
         block = block_in("points", points)
         desc = new_struct("hrbfnpr_project_desc")
@@ -285,19 +314,23 @@ class Model(MeshFits, Trimming, Combining):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> Curvature:
-        """Principal curvatures and directions of the level set through each point [NPAR 5.3].
+        """Compute the principal curvatures and directions of the level set through each point [NPAR 5.3].
 
         Parameters
         ----------
         points : array of float, shape (..., 3)
+            The points; finite.
         dtype : {"float64", "float32"}
+            Type of the results.
+        progress, operation
+            As in `fit`.
 
         Returns
         -------
         Curvature
-            k1 >= k2 (...): negative where the surface bends away from its normal, -1/radius on a
-            sphere; d1, d2 (..., 3): unit, orthogonal, tangent, of arbitrary sign; confidence (...)
-            in [0, 1]: 0 at umbilics and on planes, where d1 and d2 fall back to a smooth field.
+            `k1` >= `k2` (...), in 1 / unit of length; they are negative where the surface bends away from its normal:
+            -1/radius on a sphere.  `d1` and `d2` (..., 3): the directions, unit, tangent, perpendicular, of arbitrary sign.
+            `confidence` (...), 0 to 1: it is 0 at umbilics and on planes, where `d1` and `d2` follow a smooth field.
         """
         block = block_in("points", points)
         code = float_code(dtype)
@@ -324,37 +357,41 @@ class Model(MeshFits, Trimming, Combining):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> RayHits:
-        """Where rays origin + t direction meet the surface [Hart 1996, "Sphere tracing"].
+        """Find where rays origin + t direction meet the surface [Hart 1996, "Sphere tracing"].
+
+        The surface is looked for in the model's bounds, enlarged by 0.05 diagonals on every side.
 
         Parameters
         ----------
         origins, directions : array of float, shape (..., 3)
-            A direction may have any length but zero; rays may start inside.  One origin, or one
-            direction, serves all rays.
+            The rays.  A direction may have any length except 0.  Rays may start inside.  One origin, or one direction, may
+            serve all rays.
         maximum_hits : int, optional
-            Find up to so many hits of each ray, 1 to 256; None finds the first.
+            Largest number of hits to find on each ray, 1 to 256; None: only the first hit.
         t_min, t_max : float
-            Where rays begin and end, in lengths of the direction.  To leave a surface that a ray
-            starts on, begin behind it.
+            Where rays begin and end, in lengths of the direction.  If a ray starts on the surface, begin beyond it.
         lipschitz : float
-            Bound on the length of grad f in the bounds grown by 0.05 diagonals, beyond which no
-            surface is looked for; 0 = `lipschitz()` at each call.
+            A bound on the length of grad f; 0 = that of `lipschitz()`, which each call then computes.  If the bound is too
+            small, hits may be missed; if it is too large, the call only takes longer.
         smallest_step : float
-            In diagonals, at most 0.1.  What is met for a shorter length than this may be missed:
-            grazing rays, and thinner sheets.
+            Smallest step along a ray, in diagonals, above 0, at most 0.1.  Two hits that are closer than this, as on
+            grazing rays and thin sheets, may be missed.
         tolerance : float
-            On the place of a hit along the ray, in diagonals.
+            Accuracy of the place of a hit along the ray, in diagonals, above 0.
         evaluation_limit : int
-            Evaluations of f on each ray, 1 to 1000000.
+            Largest number of evaluations of f on each ray, 1 to 1 000 000.
         dtype : {"float64", "float32"}
+            Type of the results.
+        progress, operation
+            As in `fit`.
 
         Returns
         -------
         RayHits
-            hits (...): how many; t (...), position (..., 3), normal (..., 3) and entering (...), 1
-            where f goes from + to -; status (...), and the number of rays that hit.  With
-            maximum_hits they have an axis for the hits, in order: t (..., h), position (..., h, 3).
-            Where there is no hit t is infinite and the rest 0.
+            `hits` (...): number of hits.  `t` (...), `position` (..., 3), `normal` (..., 3) and `entering` (...): 1 if the
+            ray enters the inside.  `status` (...), and `hit_rays`, the number of rays that hit.  With `maximum_hits`, they
+            have an axis for the hits, in the order of t: t (..., h), position (..., h, 3).  Without a hit, t is infinite
+            and the other numbers are 0.
         """
         start, along = pairs(origins, directions)
         room = 1 if maximum_hits is None else maximum_hits
@@ -368,10 +405,11 @@ class Model(MeshFits, Trimming, Combining):
         return RayHits(**made.shaped(start.shape, each), hit_rays=made.struct.hit_rays)
 
     def lipschitz(self, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None) -> float:
-        """The bound that `cast_rays` takes: the largest length of grad f at 24^3 points, times 1.5.
+        """Compute the bound on the length of grad f that `cast_rays` uses.
 
-        An estimate, and no proof; of solids of primitives a bound that holds.  Pass it to `cast_rays` if you cast few
-        rays at a time: otherwise each call evaluates those points.
+        For a solid of primitives it is a true bound.  For other models it is an estimate: 1.5 times the largest length of
+        grad f at 24^3 points.  If you cast few rays in each call, compute it once and pass it to `cast_rays`, because each
+        call without it evaluates these points.
         """
         bound = ffi.new("double *")
         self._run(lib.hrbfnpr_model_lipschitz, (bound,), operation, progress)
@@ -380,9 +418,19 @@ class Model(MeshFits, Trimming, Combining):
     def contains(
         self, points: Array, *, progress: Optional[Progress] = None, operation: Optional[Operation] = None
     ) -> Array:
-        """Which points, of shape (..., 3), lie inside the surface; of shape (...), bool (without NumPy: 0 or 1).
+        """Tell which points lie inside the surface: where f < 0, in the bounds enlarged by 0.05 diagonals on every side.
 
-        That is, where f < 0, and in the bounds grown by 0.05 diagonals on every side.
+        Parameters
+        ----------
+        points : array of float, shape (..., 3)
+            The points; finite.
+        progress, operation
+            As in `fit`.
+
+        Returns
+        -------
+        array of bool, shape (...)
+            Whether each point is inside; without NumPy, 0 or 1.
         """
         block = block_in("points", points)
         inside, inside_out = output("inside", None, block.shape, 1, "B")
@@ -390,19 +438,19 @@ class Model(MeshFits, Trimming, Combining):
         return scalar(inside if np is None else inside.view(bool), block.shape)
 
     def generate(self, layers: Optional[LayersToMake] = None, **options: Any) -> PointSet:
-        """Place marks on the surface: `PointSet.generate` with this model, as `model.generate(preset="full")`."""
+        """Place marks on the surface, as `PointSet.generate` does with this model: ``model.generate(preset="full")``."""
         from ._point_set import PointSet
 
         return PointSet.generate(self, layers, **options)
 
     @property
     def info(self) -> ModelInfo:
-        """What the fit did."""
+        """What the fit found and did."""
         return get(ModelInfo, lib.hrbfnpr_model_get_info, self._handle)
 
     @property
     def bounds(self) -> Tuple[Vector, Vector]:
-        """Two corners of the box of the samples, or of the function's bounds."""
+        """Two corners of the box of the samples, or the bounds of a function."""
         info = self.info
         return info.bounds_min, info.bounds_max
 
@@ -410,34 +458,35 @@ class Model(MeshFits, Trimming, Combining):
     def _view(self) -> Tuple[Any, ...]:
         return lib.hrbfnpr_model_view, self._handle
 
-    points = view("MODEL", "POSITION", "The centres, or, with sharp edges, places all over the surface, float64 (n, 3): a "
-                  "read-only view, nothing is copied.  Empty for a function.")  # fmt: skip
-    normals = view("MODEL", "NORMAL", "The unit normals of the centres, as `points`.")
-    residual_history = view("MODEL", "RESIDUAL_HISTORY", "Relative residual after each iteration of the iterative solver, "
-                            "float64 (iterations,).\n\nEmpty after a direct solve, for a loaded model and for a "
+    points = view("MODEL", "POSITION", "The centres or, with sharp edges, places all over the surface, float64 (n, 3); a "
+                  "read-only view, without a copy.  Empty for a function and for a solid.")  # fmt: skip
+    normals = view("MODEL", "NORMAL", "The unit normals at `points`, float64 (n, 3); a read-only view.")
+    residual_history = view("MODEL", "RESIDUAL_HISTORY", "The relative residual after each iteration of the iterative "
+                            "solver, float64 (iterations,).\n\nEmpty after a direct solve, for a loaded model and for a "
                             "function.")  # fmt: skip
 
     def save(self, target: _streams.Target) -> None:
-        """Write to a path (atomically) or a binary file object.  A function cannot be saved.
+        """Write the model to a path or to a binary file object.
 
-        The data is versioned and checksummed; a loaded model evaluates to the same bits.
+        A file is written whole or not at all.  The data has a version and a checksum, and a loaded model evaluates to the
+        same bits.  A model with a function cannot be saved.
         """
         _streams.save(lib.hrbfnpr_model_save, self._handle, target)
 
     def to_bytes(self) -> bytes:
-        """What `save` writes."""
+        """Return the bytes that `save` writes."""
         return _streams.to_bytes(lib.hrbfnpr_model_save, self._handle)
 
     @classmethod
     def load(cls, source: _streams.Source, *, context: Optional[Context] = None) -> Model:
-        """Read from a path, a binary file object or bytes.
+        """Read a model from a path, a binary file object or bytes.
 
         Raises
         ------
         CorruptDataError
-            If the data is not a saved model, or cut short or damaged.
+            If the data is not a saved model, or is truncated or damaged.
         VersionMismatchError
-            If it was written by a newer library.
+            If a newer library wrote it.
         """
         context = resolve(context)
         out = ffi.new("hrbfnpr_model **")
@@ -457,5 +506,5 @@ class Model(MeshFits, Trimming, Combining):
         return f"<hrbfnpr.Model {info.kernel}, {info.centres} centres>"
 
     def _run(self, function: Any, arguments: Tuple[Any, ...], operation: Any, progress: Any) -> None:
-        """A long call with this model."""
+        """Make a long call with this model."""
         run(function, (self._handle, *arguments), operation, progress, self._context, shared=self._function)

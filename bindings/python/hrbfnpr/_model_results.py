@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the operators of a model return."""
+"""Results of a model's methods."""
 from __future__ import annotations
 
 from typing import NamedTuple, Optional
@@ -9,23 +9,23 @@ from ._numpy import np
 
 
 class Evaluation(NamedTuple):
-    """Result of `Model.evaluate`; what was not asked for is None."""
+    """Result of `Model.evaluate`: `value`, `gradient` and `hessian`; None for what was not asked for."""
 
     value: Array
     gradient: Optional[Array]
     hessian: Optional[Array]
 
     def hessian_matrix(self) -> Array:
-        """The Hessians as symmetric matrices, shape (..., 3, 3); a copy.  Needs NumPy."""
+        """Return the Hessians as symmetric matrices, shape (..., 3, 3); a copy.  Needs NumPy."""
         if self.hessian is None:
             raise ValueError("the Hessian was not asked for: use evaluate(points, hessian=True)")
         return np.asarray(self.hessian)[..., [[0, 1, 2], [1, 3, 4], [2, 4, 5]]]
 
 
 class Projection(NamedTuple):
-    """Result of `Model.project`.
+    """Result of `Model.project`: `position`, `normal`, `status` and `converged`.
 
-    `status` is 0 where a point converged; see `PROJECTION_STATUS` for the other numbers.
+    `status` is 0 for a point that converged.  `hrbfnpr.PROJECTION_STATUS` names the other numbers.
     """
 
     position: Array
@@ -35,7 +35,7 @@ class Projection(NamedTuple):
 
 
 class Curvature(NamedTuple):
-    """Result of `Model.curvature`."""
+    """Result of `Model.curvature`: `k1`, `k2`, `d1`, `d2` and `confidence`."""
 
     k1: Array
     k2: Array
@@ -45,10 +45,10 @@ class Curvature(NamedTuple):
 
 
 class RayHits(NamedTuple):
-    """Result of `Model.cast_rays`.
+    """Result of `Model.cast_rays`: `hits`, `t`, `position`, `normal`, `entering`, `status` and `hit_rays`.
 
-    `hits` is how many were found on a ray; `status` is 0 on one that is hit, 1 on one that is not; see
-    `RAY_STATUS` for the other numbers.
+    `hits` is the number of hits on each ray.  `status` is 0 for a ray with a hit and 1 for a ray without one.
+    `hrbfnpr.RAY_STATUS` names the other numbers.
     """
 
     hits: Array

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Frames as a GIF, an animated PNG, a film or a row of pictures.  Needs Pillow; films need the program ffmpeg."""
+"""Writes frames as a GIF, an animated PNG, a film or a series of pictures.  Needs Pillow; films need the program ffmpeg."""
 from __future__ import annotations
 
 import io
@@ -20,9 +20,9 @@ from ._arrays import Array
 from ._pictures import format_of, save, to_pil
 from ._streams import write_atomically
 
-_COLOURS = 64  # of a GIF
-_EXACT = 8  # of these
-_APART = 8  # the least difference of two of them, in any channel
+_COLOURS = 64  # number of colours of a GIF
+_EXACT_COLOURS = 8  # number of these that are exact
+_LEAST_DIFFERENCE = 8  # least difference of two of them in any channel
 _NUMBERED = re.compile(r"%0?\d*d")
 FORMATS = (".gif", ".png", ".apng", ".mp4")
 
@@ -30,7 +30,7 @@ Path_ = Union[str, "os.PathLike[str]"]
 
 
 def check_movie(path: Path_, fps: float) -> None:
-    """An error if frames cannot be written as this path's ending wants."""
+    """Raise an error if frames cannot be written in the format of this path's ending."""
     if not 0 < fps <= 1000:
         raise ValueError(f"fps must be above 0 and at most 1000, not {fps:g}")
     ending = Path(path).suffix.lower()
@@ -53,16 +53,16 @@ def _ffmpeg() -> str:
 
 
 def write(path: Path_, frames: Iterable[Array], fps: float, loops: int, paper: Sequence[float]) -> None:
-    """Write frames as they come; a file is there, whole, when all are.
+    """Write frames as they come.  The file appears when all frames are written.
 
     Parameters
     ----------
     frames : iterable of array of uint8, shape (height, width, 4)
-        Straight RGBA, all of one size.
+        The frames, straight RGBA, all of the same size.
     loops : int
-        How often a GIF or a PNG is shown, 0 = without end.
+        How often a GIF or an animated PNG is played; 0 = without end.
     paper : (red, green, blue, alpha)
-        What transparent frames are laid on, where the format has no transparency; white where it is transparent.
+        The colour on which transparent frames are laid, in formats without transparency; white if it is transparent.
     """
     check_movie(path, fps)
     ending = Path(path).suffix.lower()
@@ -85,15 +85,15 @@ def _pictures_of(path: Path_, frames: Iterable[Array]) -> None:
 
 def _gif(file: BinaryIO, pictures: Iterable[Any], fps: float, loops: int) -> None:
     first, *others = pictures
-    delay = max(10 * round(100 / fps), 20)  # hundredths of a second; browsers slow down shorter ones
-    options: Dict[str, Any] = {} if loops == 1 else {"loop": max(loops - 1, 0)}  # a GIF counts repetitions
-    # Pillow joins frames that are the same, and adds their times where each has its own.
+    delay = max(10 * round(100 / fps), 20)  # milliseconds; GIF counts hundredths of a second, and browsers slow down below two
+    options: Dict[str, Any] = {} if loops == 1 else {"loop": max(loops - 1, 0)}  # GIF counts repetitions
+    # Pillow joins equal frames.  It adds their times only if each frame has its own time.
     times = [delay] * (1 + len(others))
     first.save(file, "GIF", append_images=others, save_all=True, duration=times, optimize=False, disposal=1, **options)
 
 
 def _animated_png(file: BinaryIO, frames: Iterable[Array], fps: float, loops: int) -> None:
-    """Every frame whole: Pillow would leave out those that differ in transparency alone."""
+    """Write every frame whole.  Pillow would leave out frames that differ only in transparency."""
     header, pixels = b"", []
     for frame in frames:
         buffer = io.BytesIO()
@@ -130,7 +130,7 @@ def _write_chunk(file: BinaryIO, kind: bytes, data: bytes) -> None:
 
 
 def _opaque(frame: Array, paper: Sequence[float]) -> Array:
-    """RGB, shape (height, width, 3)."""
+    """A frame on its paper, as RGB, shape (height, width, 3)."""
     if (frame[..., 3] == 255).all():
         return np.ascontiguousarray(frame[..., :3])
     ground = np.asarray(paper[:3] if paper[3] > 0 else (1.0, 1.0, 1.0)) * 255
@@ -140,7 +140,7 @@ def _opaque(frame: Array, paper: Sequence[float]) -> Array:
 
 
 def _indexed(frames: Iterable[Array]) -> Iterator[Any]:
-    """With one palette for all, that of the first frame: inks and paper are the same on all."""
+    """Frames with one palette, that of the first frame: inks and paper are the same in all."""
     from PIL import Image
 
     palette: Any = None
@@ -151,16 +151,16 @@ def _indexed(frames: Iterable[Array]) -> Iterator[Any]:
 
 
 def _palette(picture: Any) -> Any:
-    """The most frequent colours, paper and ink, as they are, and others between them."""
+    """A palette with the most frequent colours, which are paper and ink, exactly, and with colours between them."""
     from PIL import Image
 
     found = sorted(picture.getcolors(picture.width * picture.height), reverse=True)
     row = picture.quantize(_COLOURS, dither=Image.Dither.NONE).getpalette()
     between = list(zip(*(row[i::3][:_COLOURS] for i in range(3))))
     kept: List[Any] = []
-    # Pillow takes colours that are nearly the same for each other.
-    for colour in [*(colour for _, colour in found[:_EXACT]), *between]:
-        if all(max(abs(x - y) for x, y in zip(colour, other)) >= _APART for other in kept):
+    # Pillow confuses colours that are nearly the same.
+    for colour in [*(colour for _, colour in found[:_EXACT_COLOURS]), *between]:
+        if all(max(abs(x - y) for x, y in zip(colour, other)) >= _LEAST_DIFFERENCE for other in kept):
             kept.append(colour)
     values = [value for colour in kept for value in colour]
     palette = Image.new("P", (1, 1))
@@ -169,7 +169,7 @@ def _palette(picture: Any) -> Any:
 
 
 def _film(path: Path_, frames: Iterator[Array], fps: float) -> None:
-    """H.264 in MP4, by ffmpeg; sides are made even by more of the first pixel."""
+    """Write H.264 in MP4 with ffmpeg.  Odd sides are padded with the colour of the first pixel, because sides must be even."""
     program, first = _ffmpeg(), next(frames)
     height, width = first.shape[:2]
     with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryFile() as said:
@@ -190,7 +190,7 @@ def _film(path: Path_, frames: Iterator[Array], fps: float) -> None:
 
 
 def _fed(process: Any, first: Array, frames: Iterator[Array]) -> bool:
-    """Whether the program took all frames; it is ended if drawing one fails."""
+    """Feed all frames to the program.  False if it closed its input.  If drawing a frame fails, the program is ended."""
     try:
         process.stdin.write(first.tobytes())
         for frame in frames:

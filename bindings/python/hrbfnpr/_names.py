@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Names of the library's numbers: every choice is a lower-case string in Python."""
+"""Names for the library's constants: in Python, every choice is a lower-case string."""
 from __future__ import annotations
 
 import json
@@ -9,10 +9,10 @@ from typing import Any, Dict, List, Tuple
 from ._library import ffi, lib
 
 TABLE: Any = json.loads(Path(__file__).with_name("_records.json").read_text(encoding="utf-8"))
-"""What bindings/generate made of the header for this package; see `_records.py`."""
+"""What bindings/generate made from the header for this package; see `_records.py`."""
 
 NAMES: Dict[str, Dict[str, int]] = TABLE["names"]
-"""By the prefix of constants, without HRBFNPR_: their names and numbers."""
+"""For each prefix of constants, without HRBFNPR_: their names and numbers."""
 
 
 INSTRUCTION_SETS = NAMES["INSTRUCTION_SET"]
@@ -61,7 +61,7 @@ CLASSES = NAMES["CLASS"]
 
 
 def number_of(argument: str, numbers: Dict[str, int], name: str) -> int:
-    """The number of a name; hyphens and underscores are alike."""
+    """The number of a name.  Hyphens and underscores are equivalent."""
     key = name.replace("-", "_").lower() if isinstance(name, str) else name
     if key not in numbers:
         choices = ", ".join(repr(choice) for choice in numbers)
@@ -70,7 +70,7 @@ def number_of(argument: str, numbers: Dict[str, int], name: str) -> int:
 
 
 def name_of(numbers: Dict[str, int], number: int) -> str:
-    """The name of a number; the number in words if a newer library knows more names than we."""
+    """The name of a number, or the number as text if only a newer library knows its name."""
     for name, value in numbers.items():
         if value == number:
             return name
@@ -78,7 +78,7 @@ def name_of(numbers: Dict[str, int], number: int) -> str:
 
 
 def preset_names() -> Tuple[str, ...]:
-    """Names of the presets that the library knows, by number."""
+    """The names of the library's presets (named styles), in the order of their numbers."""
     names: List[str] = []
     while (name := lib.hrbfnpr_preset_name(len(names))) != ffi.NULL:
         names.append(ffi.string(name).decode())
@@ -86,8 +86,8 @@ def preset_names() -> Tuple[str, ...]:
 
 
 PRESETS = preset_names()
-"""Names of the presets that `Style` and `PointSet.generate` know."""
+"""The names of the presets (named styles) for `Style` and `PointSet.generate`."""
 
-# Kinds that layers of marks have, and those of strokes that the library makes.
+# The kinds of layers of marks, and the kinds that the library can make.
 MARK_KINDS = tuple(name for name in LAYER_KINDS if name != "any")
 MADE_KINDS = tuple(name for name in MARK_KINDS if name != "own")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures in matplotlib's axes, and a viewer of ipywidgets.  Both are imported when they are used."""
+"""Pictures in matplotlib axes, and a viewer with ipywidgets.  Both packages are imported on first use."""
 from __future__ import annotations
 
 from typing import Any, Optional, Union
@@ -14,28 +14,30 @@ from ._picture import Picture
 from ._report import Progress
 from ._style import Style
 
-SIZE = 480  # longer side
+SIZE = 480  # longer side, in pixels
 
 
 def matplotlib_show(picture: Any, ax: Optional[Any] = None, **options: Any) -> Any:
-    """Show a picture in matplotlib's axes, without ticks.
+    """Show a picture in matplotlib axes, without ticks.
 
     Parameters
     ----------
     picture : Picture, Drawing or array of uint8, shape (height, width, 4)
+        What to show.
     ax : matplotlib.axes.Axes, optional
-        Where; pyplot's current axes if omitted.
+        The axes to draw in; None: pyplot's current axes.
     **options
-        Of `Axes.imshow`.
+        Options of `Axes.imshow`.
 
     Returns
     -------
     matplotlib.image.AxesImage
+        The result of `Axes.imshow`.
 
     Raises
     ------
     ImportError
-        Without axes and without matplotlib.
+        If no axes are given and matplotlib is not installed.
 
     Examples
     --------
@@ -59,16 +61,16 @@ def matplotlib_show(picture: Any, ax: Optional[Any] = None, **options: Any) -> A
 
 
 class Viewer:
-    """A drawing with sliders for its camera and a choice of styles, for notebooks.  Needs ipywidgets.
+    """A drawing with sliders for its camera and a list of styles, for notebooks.  Needs ipywidgets.
 
     Attributes
     ----------
     picture : Picture
-        What is seen now.
+        The picture that is shown now.
     azimuth, elevation, style, image, message
         The widgets.
     box
-        What holds them all, to be put beside others.
+        The widget that contains all of them, to put beside other widgets.
     """
 
     def __init__(self, picture: Picture) -> None:
@@ -105,7 +107,7 @@ class Viewer:
         self._show(make)
 
     def _show(self, make: Any) -> None:
-        """What fails is said below the picture: a notebook does not show it elsewhere."""
+        """Show the picture that `make` returns, or its error below the old picture: a notebook hides errors of callbacks."""
         try:
             self.picture = make()
             self.image.value, self.message.value = self.picture.to_png(), ""
@@ -126,12 +128,22 @@ def widget(
     context: Optional[Context] = None,
     **options: Any,
 ) -> Viewer:
-    """A drawing to turn and to restyle in a notebook.  Needs ipywidgets.
+    """Draw a source with controls to turn and to restyle it in a notebook.  Needs ipywidgets.
 
     Parameters
     ----------
     source, style, progress, context, **options
-        As in `draw`; `size` is 480 by default.
+        As in `draw`, except that `size` is 480 by default.
+
+    Returns
+    -------
+    Viewer
+        The drawing with its controls; it shows itself in a notebook.
+
+    Raises
+    ------
+    ImportError
+        If ipywidgets is not installed.
 
     Examples
     --------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""NumPy, or None where it is not installed."""
+"""NumPy, or None if it is not installed."""
 from __future__ import annotations
 
 from typing import Any

@@ -15,11 +15,11 @@ from ._handles import Owner, own
 from ._library import ffi, lib
 
 Progress = Any
-"""A function of a fraction in [0, 1], or a progress bar such as tqdm's."""
+"""A function that gets a fraction in [0, 1], or a progress bar such as tqdm's."""
 
 
 def _reporter(progress: Progress) -> Callable[[float], Any]:
-    """What to call with a fraction: `progress` itself, or the update of a tqdm bar."""
+    """The function that receives the fraction: `progress` itself, or an update of a tqdm bar."""
     if callable(progress):
         return cast("Callable[[float], Any]", progress)
     if not hasattr(progress, "update") or not hasattr(progress, "n"):
@@ -27,9 +27,9 @@ def _reporter(progress: Progress) -> Callable[[float], Any]:
 
     if getattr(progress, "bar_format", "") is None and getattr(progress, "total", None) in (None, 1):
         progress.total = 1.0
-        progress.bar_format = "{l_bar}{bar}| {elapsed}"  # percent; a count would be a fraction with all its digits
+        progress.bar_format = "{l_bar}{bar}| {elapsed}"  # shows percent; a count would be a fraction with all its digits
         if getattr(progress, "ncols", None) == 0:
-            progress.ncols = 80  # of a terminal without a width, for which the format would not be used
+            progress.ncols = 80  # a terminal without a width: tqdm would ignore the format
 
     def update(fraction: float) -> None:
         total = progress.total if getattr(progress, "total", None) else 1.0
@@ -40,7 +40,7 @@ def _reporter(progress: Progress) -> Callable[[float], Any]:
 
 @callback("int32_t(void *, double)", failure=1)
 def _on_progress(user: Any, fraction: float) -> int:
-    # Runs even where nobody wants progress: it is here that Python notices Ctrl-C.
+    # This runs even without a progress function, because Python notices Ctrl-C here.
     function = ffi.from_handle(user).function
     if function is not None:
         function(fraction)
@@ -48,24 +48,25 @@ def _on_progress(user: Any, fraction: float) -> int:
 
 
 class Operation(Owner):
-    """Progress and cancelling of one long call at a time, and of further calls one after another.
+    """A handle through which one long call reports its progress and is cancelled.
 
-    Every long call takes an `operation`, or just a `progress` and makes an operation of its own.
-    Ctrl-C during a long call on the main thread cancels it and raises KeyboardInterrupt.
+    Every long call takes an `operation`, or a `progress`, for which it makes an operation.  An operation serves one call at
+    a time, and may serve other calls afterwards.  Ctrl-C during a long call on the main thread cancels the call and raises
+    KeyboardInterrupt.
 
     Parameters
     ----------
     progress : callable or progress bar, optional
-        Called with a fraction in [0, 1] that never falls within a call, on the thread that made
-        the call.  What it returns is ignored; what it raises cancels the call.  A tqdm bar is taken
-        too and is filled up to its `total` (1 if it has none).
+        A function that gets a fraction in [0, 1], which never falls within a call.  It runs on the thread that made the
+        call.  Its result is ignored; an exception cancels the call.  A tqdm bar is filled up to its `total` (1 if it has
+        none).
     context : Context, optional
-        The default context if omitted.
+        The context of the calls; None: the default context.
 
     Notes
     -----
-    `cancel`, `cancelled` and `fraction` may be used from any thread while a call runs.  A cancelled
-    operation stays cancelled: each further call that gets it raises CancelledError at once.
+    `cancel`, `cancelled` and `fraction` may be used from any thread while a call runs.  A cancelled operation stays
+    cancelled: every further call that gets it raises CancelledError at once.
 
     Examples
     --------
@@ -78,7 +79,7 @@ class Operation(Owner):
         self._init(progress, resolve(context)._handle)
 
     def _init(self, progress: Optional[Progress], context: Any) -> None:
-        """`context` is a handle: an operation of a model's works even if the context was closed."""
+        """Create the operation.  `context` is a handle, so that a model's operation works after its context is closed."""
         self._state = CallbackState(None if progress is None else _reporter(progress))
         user = self._state.new_handle()
         out, error = ffi.new("hrbfnpr_operation **"), new_error()
@@ -89,12 +90,12 @@ class Operation(Owner):
         check_status(status, error)
 
     def cancel(self) -> None:
-        """Make the running call, and every later one, raise CancelledError.  Any thread, any time."""
+        """Make the running call, and every later one, raise CancelledError.  May be called from any thread at any time."""
         lib.hrbfnpr_operation_cancel(self._handle)
 
     @property
     def cancelled(self) -> bool:
-        """Whether `cancel` was called, or a progress callback raised."""
+        """Whether `cancel` was called, or a progress function raised an exception."""
         return bool(lib.hrbfnpr_operation_is_cancelled(self._handle))
 
     @property
@@ -109,7 +110,7 @@ def running(
 ) -> Iterator[Tuple[Any, CallbackState]]:
     """The handle to pass to a long call, and the state of its progress callback.
 
-    `context` is a handle; every call gets an operation, so that Ctrl-C can cancel it.
+    `context` is a handle.  Every call gets an operation, so that Ctrl-C can cancel it.
     """
     if operation is not None and progress is not None:
         raise TypeError("give either operation or progress, not both")
@@ -128,7 +129,7 @@ def run(
     function: Callable[..., int], arguments: Sequence[Any], operation: Optional[Operation], progress: Optional[Progress],
     context: Any, *, results: Sequence[Any] = (), states: Sequence[Optional[CallbackState]] = (), shared: Any = None,
 ) -> None:  # fmt: skip
-    """Make a long call, which takes its arguments, an operation, what it writes results to, and an error.
+    """Make a long call.  Its arguments are `arguments`, an operation, `results` (which it writes), and an error.
 
     `states` and `shared` are those of `_callbacks.check`.
     """
@@ -141,7 +142,7 @@ def make(
     kind: str, function: Callable[..., int], arguments: Sequence[Any], operation: Optional[Operation],
     progress: Optional[Progress], context: Any, keep: Any, **more: Any,
 ) -> Any:  # fmt: skip
-    """The handle that a long call makes, "model" or of another kind; `keep` stays alive as long.  Else as `run`."""
+    """Make a long call that creates a handle of a `kind` such as "model".  The handle keeps `keep` alive.  See `run`."""
     out = ffi.new(f"hrbfnpr_{kind} **")
     run(function, arguments, operation, progress, context, results=(out,), **more)
     return own(out[0], getattr(lib, f"hrbfnpr_{kind}_release"), keep)

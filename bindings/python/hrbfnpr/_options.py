@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""The options of a drawing: the rows of `_options.json`, which bindings/generate makes of ../../picture_options.py."""
+"""The options of a drawing: the rows of `_options.json`, which bindings/generate makes from ../../picture_options.py."""
 import json
 from pathlib import Path
 from typing import NamedTuple, Optional, Tuple
 
 
 class Option(NamedTuple):
-    """A row; ../../picture_options.py says what its columns are.  `type` is that of its argument of `draw`."""
+    """A row of the table.  ../../picture_options.py explains its columns; `type` is the type of `draw`'s argument."""
 
     name: str
     target: str
@@ -20,7 +20,7 @@ class Option(NamedTuple):
 
     @property
     def default(self) -> Optional[bool]:
-        """Of the argument of `draw`."""
+        """The default of `draw`'s argument."""
         return False if self.kind == "flag" else None
 
 

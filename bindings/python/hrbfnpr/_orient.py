@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Normals for points that have none, or wrong ones."""
+"""Normals for points that have none or wrong ones."""
 from __future__ import annotations
 
 from typing import Any, NamedTuple, Optional
@@ -15,7 +15,7 @@ from ._records import OrientInfo, read
 
 
 class Oriented(NamedTuple):
-    """Result of `orient`."""
+    """Result of `orient`: `normals` and `info`, an `OrientInfo`."""
 
     normals: Array
     info: OrientInfo
@@ -33,40 +33,41 @@ def orient(
     operation: Optional[Operation] = None,
     context: Optional[Context] = None,
 ) -> Oriented:
-    """Find the outward unit normals of points, or repair given ones.
+    """Find outward unit normals for points, or repair given normals.
 
-    Normals are those of least energy of a Hermite fit (Huang, Carr, Ju 2019), found from several starts; noise is
-    measured first.  Outward is where the winding number of a closed surface is 0; of an open one the convex side; and
-    where that tells nothing, as of terrain, the side of `up` or of the viewpoint.
+    The normals are those of least bending energy of a Hermite fit (Huang, Carr, Ju 2019), found from several starts.  The
+    noise of the points is measured first.  For a closed surface, outward is the side that it does not enclose.  For an open
+    surface it is the side of the viewpoint, if one is given; else the convex side, if the surface encloses one side more
+    than the other; else, as for a terrain, the side of `up`.
 
     Parameters
     ----------
     points : array of float, shape (N, 3)
-        At least 4 different ones that are not all on a line.
+        At least 4 different points that are not all on one line.
     normals : array of float, shape (N, 3), optional
-        Of any length; a zero one is not known, and is made.  Those that stay are returned as they are.
+        Normals of any length.  A zero normal is unknown and is made.  Normals that stay are returned unchanged.
     mode : {"auto", "none", "unoriented", "mixed", "inward", "given"}
-        What is known of the normals: "auto" finds it out, and leaves consistent outward ones alone; "none" makes all
-        anew; "unoriented": directions are right, signs are not; "mixed": most signs are right, some patches are
-        turned; "inward": all are turned; "given" only looks, and changes nothing.
+        How far the normals can be trusted.  "auto": find out, and leave correct ones alone.  "none": make all normals.
+        "unoriented": the directions are correct, the signs are not.  "mixed": most signs are correct, some patches are
+        turned.  "inward": all point inward.  "given": only look, and change nothing.
     up : three numbers
-        Of any length.
+        The direction that decides for surfaces like a terrain, of any length except 0.
     viewpoint : three numbers, optional
-        Where the points were seen from: open surfaces are turned to it.
+        The place from which the points were seen.  Normals of open surfaces point to its side.
     dtype : {"d", "f"}
-        Of the result, if no normals are given: theirs otherwise.
+        Type of the result, if no normals are given; otherwise it is the type of the normals.
     progress, operation, context
-        See `Model.fit`.
+        As in `Model.fit`.
 
     Returns
     -------
     Oriented
-        `normals` of shape (N, 3) and `info`, an `OrientInfo`.  A low `info.confidence` is no error.
+        `normals`, shape (N, 3), and `info`, an `OrientInfo`.  A low `info.confidence` is no error.
 
     Raises
     ------
     InvalidArgumentError
-        For NaN or infinity (the message names the index), too few points, or points on a line.
+        If there are NaN or infinity (the message names the index) or too few points, or all points are on one line.
     OutOfMemoryError, CancelledError
     """
     context = resolve(context)

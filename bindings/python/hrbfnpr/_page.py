@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from ._drawing import Drawing
 
 Target = Union[str, "os.PathLike[str]", BinaryIO]
-PIXEL = 25.4 / 96  # mm, as in CSS
-# Formats by the ending of a file's name.
+PIXEL = 25.4 / 96  # size of a pixel in mm, as in CSS
+# The format for each ending of a file's name.
 ENDINGS = {
     ".svg": "svg", ".pdf": "pdf", ".hpgl": "hpgl", ".plt": "hpgl", ".gcode": "gcode", ".nc": "gcode", ".ngc": "gcode",
 }  # fmt: skip
@@ -27,7 +27,7 @@ _STRINGS = ("title", "description", "metadata", "pen_down", "pen_up")
 
 
 def format_of(target: Target) -> Optional[str]:
-    """The format that a file's ending stands for; None if that is none of a page's."""
+    """The format of a file's ending, or None if it is not that of a page."""
     if not isinstance(target, (str, os.PathLike)):
         return None
     return ENDINGS.get(os.path.splitext(os.fspath(target))[1].lower())
@@ -50,38 +50,57 @@ def write_page(
     context: Optional[Context] = None,
     **options: Any,
 ) -> PageInfo:
-    """Write drawings as vectors, to a path (atomically) or a binary file object.
+    """Write drawings as vectors to a path or to a binary file object.
+
+    A file is written whole or not at all.  Memory grows with the largest stroke; in plot order, with the largest group.
 
     Parameters
     ----------
     target : path or file object
+        Where to write.
     items : Drawing, PageItem or sequence of PageItem
-        Where each drawing is; one alone has pixels of 1/96 inch.
+        The drawings, with their places on the page.  A single drawing has pixels of 1/96 inch.
     format : {"svg", "pdf", "hpgl", "gcode"}, optional
-        By default as the path's ending says: .svg, .pdf, .hpgl or .plt, .gcode, .nc or .ngc; else "svg".
+        By default the path's ending chooses it: .svg; .pdf; .hpgl or .plt; .gcode, .nc or .ngc.  Otherwise it is "svg".
     pens : sequence of Pen
-        Of plotters too, which draw with a pen of 0.3 mm where none is given.
+        The pens for groups of lines.  On plotters, a group without a pen is drawn with a pen of 0.3 mm.
     annotations : sequence of Annotation
+        Lines and texts beside the drawings.
     widths : {"outlines", "classes"}
-        Strokes of varying width: as filled outlines, or as lines of even widths `width_step` apart.
+        How strokes of varying width are written: as filled outlines, or as lines of even widths that differ by the factor
+        `width_step`.
     dots : {"circles", "lines", "spirals"}
-        Circles, which a pen fills too, unless `single_pass`; lines of no length with round ends, which a pen touches
-        the paper with; spirals that a pen fills the disc with.
+        How dots are written.  "circles": circles; plotters fill them, unless `single_pass`.  "lines": lines of no length
+        with round ends, at which a pen touches the paper.  "spirals": spirals with which a pen fills the dot.
     plot_order : bool
-        Sort each group so that a pen travels little, and leave out what it cannot resolve; plotters' formats do.
+        True: sort each group so that a pen travels little, and leave out what the pen cannot resolve.  HPGL and G-code are
+        always sorted.
     single_pass : bool
-        Draw a line that is wider than its pen once, along its centre, and circles as circles; else plotters, and pens in
-        plot order, fill them: several passes side by side, so that tone that widths carry is on paper.
+        True: draw a line that is wider than its pen once, along its centre, and circles as circles.  False: plotters, and
+        pens in plot order, fill such lines and circles by several passes, so that the paper shows their full width.
     paper : bool
-        Fill the page with the paper of the first drawing's style, and viewports with another.
+        True: fill the page with the paper of the first drawing's style, and viewports with their paper if it differs.
+    progress, operation, context
+        As in `Model.fit`.
     **options
-        width, height (mm of the page; 0 = as far as the drawings reach), tolerance (mm, 0.05), width_step (1.25),
-        join, shortest, dot_distance (mm; 0 = by the pen's width), draw_speed, travel_speed (mm/s), pen_seconds,
-        pen_down, pen_up (G-code), title, description, metadata (str).
+        width, height (size of the page in mm; 0 = as far as the drawings reach), tolerance (largest distance between
+        drawn and written lines in mm, 0.001 to 10; 0.05), width_step (1.01 to 4; 1.25), join, shortest, dot_distance (in mm;
+        0 = from the pen's width), draw_speed, travel_speed (in mm/s; 30 and 80), pen_seconds (0.15), pen_down, pen_up
+        (G-code; "G1 Z0" and "G0 Z5"), title, description, metadata (str).
 
     Returns
     -------
     PageInfo
+        What was written.
+
+    Raises
+    ------
+    InvalidArgumentError
+        If the page is empty, or a drawing with the visibility "published" is written for a plotter or in plot order.
+    TypeError
+        If an option is unknown.
+    OSError
+        If the file cannot be created.
     """
     if not isinstance(items, (list, tuple)):
         items = [items if isinstance(items, PageItem) else PageItem(items)]

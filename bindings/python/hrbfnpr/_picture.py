@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures: what `hrbfnpr.draw` makes.  Needs NumPy."""
+"""Pictures, the results of `hrbfnpr.draw`.  Needs NumPy."""
 from __future__ import annotations
 
 import io
@@ -23,19 +23,23 @@ from ._sources import scene_of
 from ._style import Style
 
 View = Tuple[Any, Optional[float], Optional[float]]
-"""Direction, azimuth and elevation of a camera; None where the picture's own are used."""
-_USUAL = 30.0, 20.0  # azimuth and elevation
+"""Direction, azimuth and elevation of a camera; None for those that the picture was made with."""
+_DEFAULT_ANGLES = 30.0, 20.0  # azimuth and elevation, in degrees
 
 
 class Picture:
-    """What `draw` made: a drawing, and what it was made of.  Shows itself in a notebook.
+    """Result of `draw`: a drawing, and the model, marks and lines that it shows.
+
+    In a notebook, a picture shows itself.
 
     Attributes
     ----------
     drawing : Drawing
+        The drawing.
     camera : Camera
+        The camera of the drawing.
     notes : tuple of Note
-        What was chosen or repaired on the way: sentences, each with its `code`, `severity` and `figures`.
+        What was chosen or repaired: sentences, each with a `code`, a `severity` and `figures`.
     """
 
     def __init__(
@@ -46,41 +50,41 @@ class Picture:
 
     @property
     def model(self) -> Optional[Model]:
-        """The surface, the largest where parts of a mesh are fitted apart; None of saved marks."""
+        """The surface, or the largest one if parts of a mesh were fitted separately; None for saved marks."""
         return self._scene.model
 
     @property
     def marks(self) -> PointSet:
-        """The marks on that surface."""
+        """The marks on the surface, or on the largest one if parts of a mesh were fitted separately."""
         marks = self._scene.parts[0].marks
         assert marks is not None
         return marks
 
     @property
     def line_set(self) -> Optional[LineSet]:
-        """What its lines are drawn from; None without lines."""
+        """The line set of that surface; None without lines."""
         return self._scene.parts[0].line_set
 
     @property
     def style(self) -> Style:
-        """How it is drawn, with marks sized for the picture; a copy."""
+        """The style of the drawing, with marks sized for the picture; a copy."""
         return self._scene.style
 
     @property
     def size(self) -> Tuple[int, int]:
-        """Width and height of the drawing, pixels; a section or a scale bar makes the image larger."""
+        """Width and height of the drawing, in pixels.  A section or a scale bar makes the image larger."""
         return self.drawing.size
 
     @property
     def image(self) -> Array:
-        """The pixels: straight RGBA, a new uint8 array of the shape (height, width, 4)."""
+        """The pixels, straight RGBA: a new uint8 array of the shape (height, width, 4)."""
         return self._scene.image(self.drawing, self.camera)
 
     @property
     def angles(self) -> Tuple[float, float]:
-        """Azimuth and elevation that it is seen from, degrees, as far as these were chosen."""
+        """Azimuth and elevation of the view, in degrees: those that were given, or else chosen."""
         found = {note.code: note.figures for note in self.notes if note.code.startswith("seen_from_")}
-        usual = (next(iter(found.values()))[0], 0.0 if "seen_from_camera" in found else _USUAL[1]) if found else _USUAL
+        usual = (next(iter(found.values()))[0], 0.0 if "seen_from_camera" in found else _DEFAULT_ANGLES[1]) if found else _DEFAULT_ANGLES
         options = self._scene.options
         azimuth, elevation = (self._view[i] if self._view[i] is not None else options.get(name)
                               for i, name in ((1, "azimuth"), (2, "elevation")))  # fmt: skip
@@ -94,16 +98,21 @@ class Picture:
         direction: Optional[Any] = None,
         camera: Optional[Camera] = None,
     ) -> Picture:
-        """The same model, marks and lines from another side; what is not given stays.
+        """Draw the same model, marks and lines from another side.  What is not given stays as it is.
 
         Parameters
         ----------
         azimuth, elevation : float, optional
-            Degrees, as in `draw`.
+            The angles of the view in degrees, as in `draw`.
         direction : sequence of float, optional
-            From the eye into the scene, instead of these.
+            The direction from the eye into the scene; it replaces the angles.
         camera : Camera, optional
-            Instead of all of these.
+            The camera; it replaces all others.
+
+        Returns
+        -------
+        Picture
+            A new picture.
         """
         view = self._view
         if camera is None and (direction is not None or azimuth is not None or elevation is not None):
@@ -113,7 +122,18 @@ class Picture:
         return Picture(self._scene, self._scene.draw(camera), camera, self.notes, view)
 
     def restyled(self, style: Union[str, Style]) -> Picture:
-        """The same surface from the same side in another style; marks are placed, and lines looked for, anew."""
+        """Draw the same surface from the same side in another style.  Marks are placed, and lines are found, again.
+
+        Parameters
+        ----------
+        style : str or Style
+            As in `draw`.
+
+        Returns
+        -------
+        Picture
+            A new picture.
+        """
         options, report = self._scene.options, CallReport()
         scene = self._scene.restyled(options, checked_style(style, options), report, camera=self.camera)
         drawing = scene.draw(report=report)
@@ -121,23 +141,26 @@ class Picture:
         return Picture(scene, drawing, self.camera, tuple(report.notes), self._view)
 
     def to_pil(self) -> Any:
-        """A PIL.Image.  Needs Pillow."""
+        """Return the image as a PIL.Image.  Needs Pillow."""
         return _pictures.to_pil(self.image)
 
     def to_png(self) -> bytes:
-        """The bytes of a PNG file.  Needs Pillow."""
+        """Return the bytes of a PNG file.  Needs Pillow."""
         buffer = io.BytesIO()
         _pictures.save(self.to_pil(), buffer, "PNG")
         return buffer.getvalue()
 
     def save(self, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str] = None) -> None:
-        """Write a picture, or vectors where the path ends in .svg, .pdf, .hpgl or .gcode; paths atomically.
+        """Write the picture to a file, as pixels or as vectors.
+
+        A file is written whole or not at all.
 
         Parameters
         ----------
         target : path or binary file object
+            Where to write.  Paths that end in .svg, .pdf, .hpgl or .gcode get vectors.
         format : str, optional
-            As in `Drawing.save`; by default as the path's ending says, or PNG.
+            As in `Drawing.save`; by default the path's ending chooses it, and PNG is used for file objects.
         """
         if format is not None and format.upper() not in _formats_of_pillow():
             self.drawing.save(target, format)
@@ -167,7 +190,7 @@ def _formats_of_pillow() -> Any:
 
 
 def checked_style(style: Any, options: Options) -> Union[str, Style]:
-    """A named style, or one that is used as it is."""
+    """The name of a named style, or a copy of a `Style`."""
     if not isinstance(style, Style):
         return chosen("style", str(style), PRESETS)
     if "mark_radius" in options:
@@ -179,7 +202,7 @@ def asked(
     source: Any, style: Any, options: Mapping[str, Any], camera: Optional[Camera], context: Optional[Context],
     report: CallReport, **more: Any,
 ) -> Scene:  # fmt: skip
-    """What is drawn of a source with options as Python's values."""
+    """The scene of a source, with options as values of Python."""
     read = options_of(options)
     wanted = checked_style(style, read)
     if camera is not None and not isinstance(camera, Camera):
@@ -191,7 +214,7 @@ def draw_of(
     source: Any, style: Any, options: Mapping[str, Any], camera: Optional[Camera], progress: Progress,
     context: Optional[Context],
 ) -> Picture:  # fmt: skip
-    """What `draw` does."""
+    """The work of `draw`."""
     report = CallReport(progress)
     scene = asked(source, style, options, camera, context, report)
     drawing = scene.draw(report=report)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures as files.  Needs Pillow."""
+"""Writes pictures as files.  Needs Pillow."""
 from __future__ import annotations
 
 import os
@@ -10,7 +10,7 @@ from ._streams import write_atomically
 
 
 def to_pil(image: Array) -> Any:
-    """A PIL.Image of straight RGBA, uint8 (height, width, 4)."""
+    """A PIL.Image from straight RGBA, uint8 (height, width, 4)."""
     try:
         from PIL import Image
     except ImportError as error:
@@ -20,7 +20,7 @@ def to_pil(image: Array) -> Any:
 
 
 def format_of(target: Union[str, "os.PathLike[str]", BinaryIO]) -> str:
-    """Pillow's name of the format that a file's ending stands for; PNG without an ending."""
+    """Pillow's name for the format of a file's ending; PNG without an ending."""
     from PIL import Image
 
     ending = os.path.splitext(os.fspath(target))[1].lower() if isinstance(target, (str, os.PathLike)) else ""
@@ -31,7 +31,7 @@ def format_of(target: Union[str, "os.PathLike[str]", BinaryIO]) -> str:
 
 
 def save(picture: Any, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str]) -> None:
-    """Write a PIL.Image to a path (atomically) or a binary file object."""
+    """Write a PIL.Image to a path or to a binary file object.  A file is written whole or not at all."""
     if format is None:
         format = format_of(target)
     if format == "JPEG":

@@ -20,7 +20,7 @@ from ._records import PlacementInfo, PointSetInfo, Vector, get
 
 
 class StepPatches(NamedTuple):
-    """Result of `PointSet.step_patches`."""
+    """Result of `PointSet.step_patches`: `corners` (count, 4, 3) and `step`, the initial step."""
 
     corners: Array
     step: float
@@ -46,9 +46,9 @@ def _generate_desc(
     random_seed: int = 1,
     **fields: Any,
 ) -> Tuple[Any, List[Optional[CallbackState]], Any]:
-    """The library's descriptor, the states of its functions, and what must be kept alive.
+    """The library's descriptor, the states of its functions, and the objects to keep alive.
 
-    Arguments as in `generate`.
+    The arguments are those of `generate`.
     """
     desc = new_struct("hrbfnpr_generate_desc")
     desc.distribution = number_of("distribution", DISTRIBUTIONS, distribution)
@@ -77,8 +77,9 @@ def _generate_desc(
 class PointSet(Owner):
     """Layers of marks on a surface: stipples, strokes, and marks of your own [NPAR 5].
 
-    Immutable: any number of threads may use one set at a time.  Made by `generate` (or `Model.generate`),
-    `create` or `load`; can be pickled, and is then loaded in the default context.
+    Make one with `generate` (or `Model.generate`), `create` or `load`.  A point set never changes, and several threads may
+    use it at the same time.  It can be pickled; it is then loaded in the default context.  ``len`` gives the number of
+    marks.
     """
 
     def __init__(self, handle: Any, context: Context) -> None:
@@ -88,7 +89,7 @@ class PointSet(Owner):
         self._layers: Optional[Tuple[MarkLayer, ...]] = None
 
     def close(self) -> None:
-        """Let go of the handle.  Layers and views that were taken go on working."""
+        """Release the handle.  Layers and views that were taken before stay valid."""
         super().close()
         self._layers = None
 
@@ -119,42 +120,55 @@ class PointSet(Owner):
         Parameters
         ----------
         model : Model
+            The model.
         layers : str, Layer, or an iterable of these
-            "stipples" (default), "hatch", or a `Layer` that says more.
+            The layers to make: "stipples" (default), "hatch", or `Layer` objects.
         preset : str, optional
-            The layers that one of `hrbfnpr.PRESETS` draws, instead.
-        **fields
-            Fields of `Layer` for the layers that are given by name, such as budget=20000 or
-            separation=0.05; each is used for the layers that it means something to.
+            A name of `hrbfnpr.PRESETS`, instead of `layers`: make the layers that this named style draws.
         distribution : {"blue_noise", "published"}
-            Evenly spread in a progressive order (default), or the published recursion.
+            "blue_noise" (default): evenly spread marks in a progressive order.  "published": the published recursion, with
+            random ranks.
         shared_budget : int
-            The most marks of all layers together, divided by their parts of the tones; 0 = each layer has
-            its own `budget`.
+            Largest number of marks of all layers together, which share it in proportion to their tone ranges; 0 = each
+            layer has its own `budget`.
         tone_ranges : {"full", "in_turn"}
-            Whether the ranks of each layer cover all tones, or one layer appears after the other from
-            light to dark, each direction of strokes by itself.
+            "full": each layer covers all tones.  "in_turn": the layers follow each other from light to dark; with
+            "published" strokes, the first direction comes before the second.
         seed_source : {"auto", "samples", "box", "points"}
-            The model's samples; a jittered grid in its box; or `seed_points`.
+            Where marks start.  "auto": at the model's samples, or as "box" if it has none.  "samples": at the samples.
+            "box": at a jittered grid in the model's bounds.  "points": at `seed_points`.
         seed_points : array of float, shape (n, 3), optional
-            Given, they are the seeds unless `seed_source` says otherwise.
-        box_resolution, box_jitter : int, float
-            Cells along the longest side (1 to 256) and jitter in cell sides (0 to 0.5) [NPAR 4.2].
+            The seeds.  If they are given, "auto" takes them.
+        box_resolution : int
+            For "box": number of cells along the longest side, 1 to 256 [NPAR 4.2].  More cells miss fewer parts.
+        box_jitter : float
+            For "box": largest random shift of the grid points, in sides of a cell, 0 to 0.5.
         initial_step : float
-            rho_0 of the "published" distribution, in the unit of the model; 0 = estimated.
+            rho_0, the first step of the distribution "published", in the model's unit; 0 = estimated.
         projection_tolerance : float
-            As in `Model.project`.
+            As `tolerance` of `Model.project`.
         random_seed : int
+            Start of the random numbers.  Another number gives other marks.
         progress, operation, context
             As in `Model.fit`.
+        **fields
+            Fields of `Layer` for the layers that are given by name, such as budget=20000 or separation=0.05.  Each is used
+            for the layers for which it has a meaning.
+
+        Returns
+        -------
+        PointSet
+            The marks.
 
         Raises
         ------
-        InvalidArgumentError, OutOfMemoryError, CancelledError
+        InvalidArgumentError
+            If an argument is out of its range.
         NotConvergedError
-            If all seeds were dropped.
+            If no seed or no mark could be placed.
         CallbackError
-            If a function of the model or of a layer raised.
+            If a function of the model or of a layer raised an exception.
+        OutOfMemoryError, CancelledError
         """
         context = resolve(context)
         desc, states, keep = _generate_desc(
@@ -187,15 +201,23 @@ class PointSet(Owner):
         random_seed: int = 1,
         context: Optional[Context] = None,
     ) -> PointSet:
-        """Ready-made marks, or another set's layers and then these.
+        """Make a point set from ready-made marks, or from the layers of another set followed by ready-made marks.
 
         Parameters
         ----------
         layers : OwnLayer or iterable of OwnLayer
+            The layers of ready-made marks.
         base : PointSet, optional
-            Its layers come first.
+            A set whose layers come first.  The result keeps its origin.
         random_seed : int
-            For ranks that are not given.
+            Start of the random numbers for ranks that are not given.
+        context : Context, optional
+            As in `Model.fit`.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If there is no mark, or a number is wrong; the message names the layer, the array and the index.
 
         Examples
         --------
@@ -227,20 +249,23 @@ class PointSet(Owner):
         context: Optional[Context] = None,
         **generate: Any,
     ) -> StepPatches:
-        """Squares that show how long the initial step is on the surface [NPAR 5.1, Figure 5].
+        """Make squares that show how long the initial step is on the surface [NPAR 5.1, Figure 5].
 
         Parameters
         ----------
         model : Model
+            The model.
         count : int
-            How many squares of side 2 rho_0, in tangent planes of randomly chosen seeds.
+            Number of squares.  They have sides of 2 rho_0 and lie in the tangent planes of random seeds.
+        progress, operation, context
+            As in `Model.fit`.
         **generate
-            What `generate` would be called with.
+            The arguments of `generate`.
 
         Returns
         -------
         StepPatches
-            corners (count, 4, 3), counter-clockwise seen from outside, and the step rho_0.
+            `corners` (count, 4, 3), counter-clockwise as seen from outside, and `step`, the step rho_0.
         """
         context = resolve(context)
         desc, _, keep = _generate_desc(**generate)
@@ -255,14 +280,14 @@ class PointSet(Owner):
 
     @property
     def info(self) -> PointSetInfo:
-        """Counts and seconds; those of a layer are in its own `info`."""
+        """Counts and times of the whole set.  Each layer has its own `info`."""
         if self._info is None:
             self._info = get(PointSetInfo, lib.hrbfnpr_point_set_get_info, self._handle)
         return self._info
 
     @property
     def seed_placement(self) -> PlacementInfo:
-        """What became of candidates for seeds."""
+        """What became of the candidates for seeds."""
         return get(PlacementInfo, lib.hrbfnpr_point_set_get_seed_placement, self._handle)
 
     @property
@@ -273,7 +298,7 @@ class PointSet(Owner):
         return self._layers
 
     def layer(self, which: Union[int, str]) -> MarkLayer:
-        """A layer by its number or its name."""
+        """Return a layer by its number, from 0, or by its name.  Raises KeyError if there is no such name."""
         if not isinstance(which, str):
             return self.layers[which]
         for layer in self.layers:
@@ -284,28 +309,31 @@ class PointSet(Owner):
 
     @property
     def origin(self) -> Vector:
-        """Add it to `positions` of a layer to get absolute coordinates."""
+        """Add this to the `positions` of a layer to get absolute places."""
         return self.info.origin
 
     @property
     def bounds(self) -> Tuple[Vector, Vector]:
-        """Two corners of the box of all marks."""
+        """Two corners of the box around all marks."""
         return self.info.bounds_min, self.info.bounds_max
 
     def __len__(self) -> int:
         return self.info.marks
 
     def save(self, target: _streams.Target) -> None:
-        """Write to a path (atomically) or a binary file object; versioned and checksummed."""
+        """Write the marks to a path or to a binary file object, with a version and a checksum.
+
+        A file is written whole or not at all.
+        """
         _streams.save(lib.hrbfnpr_point_set_save, self._handle, target)
 
     def to_bytes(self) -> bytes:
-        """What `save` writes."""
+        """Return the bytes that `save` writes."""
         return _streams.to_bytes(lib.hrbfnpr_point_set_save, self._handle)
 
     @classmethod
     def load(cls, source: _streams.Source, *, context: Optional[Context] = None) -> PointSet:
-        """Read from a path, a binary file object or bytes; raises as `Model.load`."""
+        """Read a point set from a path, a binary file object or bytes.  Errors are those of `Model.load`."""
         context = resolve(context)
         out = ffi.new("hrbfnpr_point_set **")
         functions = lib.hrbfnpr_point_set_load, lib.hrbfnpr_point_set_load_memory

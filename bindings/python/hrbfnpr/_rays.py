@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays of rays: pairs of origins and directions in, the hits of each ray out."""
+"""Arrays of rays: origins and directions for the library, and the hits of each ray from it."""
 from __future__ import annotations
 
 from dataclasses import replace
@@ -9,7 +9,7 @@ from ._arrays import Array, Block, block_in, output_field, reshaped
 from ._errors import new_struct
 from ._numpy import np
 
-# Of hrbfnpr_ray_hits: numbers for a hit (0: one for the ray), type ("": the caller's).
+# For each array of hrbfnpr_ray_hits: the numbers for each hit (0: one number for the ray), and the type ("": the caller's).
 _OUTPUTS = {
     "count": (0, "I"),
     "t": (1, ""),
@@ -26,7 +26,7 @@ def _repeated(argument: str, block: Block, like: Block) -> Block:
 
 
 def pairs(origins: Array, directions: Array) -> Tuple[Block, Block]:
-    """Origins and directions of one shape; a single one of either serves all rays."""
+    """Origins and directions of the same shape.  A single origin or direction is repeated for all rays."""
     start, along = block_in("origins", origins), block_in("directions", directions)
     if start.shape == along.shape:
         return start, along
@@ -40,7 +40,7 @@ def pairs(origins: Array, directions: Array) -> Tuple[Block, Block]:
 
 
 class HitArrays:
-    """The outputs for `count` rays with room for some hits of each."""
+    """The output arrays for `count` rays, with room for `room` hits of each."""
 
     def __init__(self, count: int, room: int, code: str) -> None:
         self.struct = new_struct("hrbfnpr_ray_hits")
@@ -50,7 +50,7 @@ class HitArrays:
         }
 
     def shaped(self, rays: Tuple[int, ...], hits: Tuple[int, ...]) -> Dict[str, Array]:
-        """By name: of shape `rays` what a ray has one of, of shape `hits` what each hit has."""
+        """The arrays by name.  Those with one number for a ray get the shape `rays`, the others `hits`."""
         result = {}
         for name, (size, _) in _OUTPUTS.items():
             shape = rays if size == 0 else hits if size == 1 else (*hits, size)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Classes with the fields of the library's structs, made of `_records.json`, which bindings/generate makes of the header.
+"""Makes the classes with the fields of structs from `_records.json`, which bindings/generate makes from the header.
 
-`_records.pyi` tells type checkers and editors what they are.
+`_records.pyi` describes them to type checkers and editors.
 """
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Interval = Tuple[float, float]
 Density = Union[str, Callable[[Array, Array], Array]]
 Direction = Callable[[Array, Array], Array]
 
-# By the kind of a field: its type, and what makes a value of Python of it.  Other kinds are prefixes of constants.
+# For each kind of field: its type, and the function that converts its value.  Other kinds are prefixes of constants.
 _KINDS: Dict[Any, Tuple[str, Callable[[Any], Any]]] = {
     "count": ("int", int),
     "number": ("float", float),
@@ -36,7 +36,7 @@ _KINDS: Dict[Any, Tuple[str, Callable[[Any], Any]]] = {
 
 def _named(prefix: str) -> Tuple[str, Callable[[Any], Any]]:
     names = NAMES[prefix]
-    if prefix == "LAYER_KIND":  # a kind that we do not know is to be treated like "own"
+    if prefix == "LAYER_KIND":  # the header says to treat an unknown kind like "own"
         return "str", lambda number: name_of(names, number) if number in names.values() else "own"
     return "str", lambda number: name_of(names, number)
 
@@ -50,23 +50,23 @@ def _record(name: str, struct: str, doc: str, fields: List[Any]) -> type:
 
 
 def read(kind: Type[T], struct: Any, /, **known: Any) -> T:
-    """Fill a record from its struct; `known` fields have these values instead."""
+    """Make a record from its struct.  `known` fields get these values instead."""
     values = {field: convert(getattr(struct, source)) for field, source, convert in kind._reads}
     return kind(**{**values, **known})
 
 
 def get(kind: Type[T], function: Callable[..., int], *arguments: Any) -> T:
-    """The record that a function of the library fills."""
+    """Make a record from the struct that a function of the library fills."""
     struct, error = new_struct(kind._struct), new_error()
     check(function(*arguments, struct, error), error)
     return read(kind, struct)
 
 
-# ---- What a caller describes
+# ---- Classes that the caller fills
 
 
 def _described(name: str, struct: str, doc: str, fields: List[Any], required: List[str], defaults: Dict[str, Any]) -> type:
-    """A dataclass; what has no default of its own has that of the library."""
+    """Make a dataclass.  A field without a default in Python gets the default of the library."""
     initial, types = new_struct(f"hrbfnpr_{struct}"), []
     for field, source, kind, of_python in fields:
         if field in required:
@@ -84,7 +84,7 @@ def _described(name: str, struct: str, doc: str, fields: List[Any], required: Li
 
 
 def text_in(keep: List[Any], text: Optional[str]) -> Any:
-    """A text for the library, NULL of None; `keep` gets what must be kept alive."""
+    """A text for the library; NULL for None.  Whatever must be kept alive is added to `keep`."""
     if text is None:
         return ffi.NULL
     keep.append(ffi.new("char[]", text.encode()))
@@ -98,9 +98,9 @@ def _rgba(ink: Sequence[float]) -> List[float]:
 
 
 def fill(target: Any, described: Any, keep: List[Any], about: str = "") -> None:
-    """Put what a caller describes into its struct; what is optional and None stays as the library has it.
+    """Copy an object that the caller filled into its struct.  An optional field that is None keeps the library's default.
 
-    `about` stands before names in messages.
+    `about` is put before names in messages.
     """
     for field, source, kind, optional in described._fills:
         value = getattr(described, field)
@@ -117,7 +117,7 @@ def fill(target: Any, described: Any, keep: List[Any], about: str = "") -> None:
 
 
 def fill_list(desc: Any, name: str, kind: Any, given: Sequence[Any], keep: List[Any]) -> None:
-    """The list of a descriptor, (name)s and (name)_count, of what a caller describes."""
+    """Fill the list (name)s and (name)_count of a descriptor from objects that the caller filled."""
     structs = new_list(kind._struct, len(given))
     for struct, one in zip(structs, given):
         fill(struct, one, keep)

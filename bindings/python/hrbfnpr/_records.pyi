@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Made by make_records.py from include/hrbfnpr.h; do not edit.
-"""Classes that _records.py makes of _records.json."""
+"""The classes that _records.py makes from _records.json."""
 from dataclasses import dataclass
 from typing import Any, Callable, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
@@ -22,16 +22,16 @@ def fill_list(desc: Any, name: str, kind: type, given: Sequence[Any], keep: List
 
 @dataclass(frozen=True)
 class ContextInfo:
-    """What a context really uses.
+    """What a context uses.
 
     Attributes
     ----------
     thread_count : int
         Number of threads that a large call uses.
     thread_backend : str
-        Who runs the tasks of a large call: "pool", "openmp", "run_tasks" or "serial".
+        What runs the tasks of a large call: "pool", "openmp", "run_tasks" or "serial".
     instruction_set : str
-        The one in use, such as "avx2".
+        The instruction set in use, such as "avx2".
     bytes_now : int
         Bytes that are allocated through this context now.
     bytes_peak : int
@@ -51,9 +51,9 @@ class ModelInfo:
     Attributes
     ----------
     kernel : str
-        As used.
+        The kernel used.
     polynomial_degree : int
-        As used.
+        The degree used; -1 = none.
     choice_rounds : int
         Number of fits that were made to choose the centres; 0 if all samples are centres.
     samples : int
@@ -67,9 +67,9 @@ class ModelInfo:
     rescaled_normals : int
         Number of normals whose length differed from 1 by more than 1e-4.
     outliers_found : int
-        Samples far from all others, or from the plane of those around them.
+        Number of samples far from all others, or far from the plane of their neighbours.
     outliers_dropped : int
-        Of these, left out.
+        Number of these that were left out.
     flipped_found : int
         Number of normals that are opposite to those of their neighbours.
     flipped_repaired : int
@@ -78,7 +78,7 @@ class ModelInfo:
         Lower corner of the samples' box. For up to 20 000 samples along curves, the box also holds the surface, if
         that closes within a third of a diagonal around the samples.
     bounds_max : tuple of float
-        The box's other corner.
+        Upper corner of the samples' box.
     spacing : float
         Mean distance of a sample to its nearest neighbour.
     kernel_radius : float
@@ -86,19 +86,19 @@ class ModelInfo:
     regularization : float
         The one used; with "auto", that of the values.
     noise_estimate : float or None
-        Standard deviation of the samples off their surface; 0 if none is seen, None if nobody asked.
+        Standard deviation of the samples from their surface; 0 if no noise is seen, None if it was not measured.
     value_residual_max : float
         Largest abs(f(x_i)) at the centres.
     value_residual_rms : float
-        Root mean square of the same.
+        Root mean square of abs(f(x_i)) at the centres.
     gradient_residual_max : float
         Largest abs(grad f(x_i) - n_i) at the centres.
     gradient_residual_rms : float
-        Root mean square of the same.
+        Root mean square of abs(grad f(x_i) - n_i) at the centres.
     input_distance_max : float
         Largest distance abs(f) / abs(grad f) of a sample from the surface; dropped ones do not count.
     input_distance_rms : float
-        Root mean square of the same.
+        Root mean square of the distances of the samples from the surface.
     input_share_within : float or None
         Share of all samples that lie within the tolerance; a dropped sample counts as outside; None with tolerance
         0.
@@ -134,7 +134,7 @@ class ModelInfo:
     normals_found : {"given", "none", "unoriented", "mixed", "inward", "auto"}
         `OrientInfo.found`, if the fit had a normal_mode; else "given".
     normals_inward : bool
-        Whether normals as given all point into a closed surface.
+        Whether the given normals all point into a closed surface.
     normals_turned : int
         `OrientInfo.turned`.
     normals_confidence : float or None
@@ -195,7 +195,7 @@ class TrimInfo:
     Attributes
     ----------
     is_trimmed : bool
-        Whether the surface ends somewhere; if not, all else is 0 but `samples` and `spacing`.
+        Whether the surface ends somewhere; if not, every other field except `samples` and `spacing` is 0.
     samples : int
         Number of samples that were looked at; 0 if trimming was not asked for, if the model is a fit to a closed
         mesh, or if the end could not be found.
@@ -206,9 +206,9 @@ class TrimInfo:
     share : float
         Share of the surface's area in the box that is left out; 0 to 1; accurate to some percent.
     farthest : float
-        Of the places left out from the samples, in units of the model.
+        Largest distance of a place that is left out from the samples, in the model's unit.
     spacing : float
-        Of the samples: the median of how far their sixth neighbours are.
+        Median distance of a sample to its sixth neighbour, in the model's unit.
     """
 
     is_trimmed: bool
@@ -303,7 +303,7 @@ class DepthImageInfo:
 
 @dataclass(frozen=True)
 class CsgInfo:
-    """What a solid is made of; all 0 for a model that is not put together from others.
+    """What a CSG solid consists of.  All fields are 0 for a model that is not a CSG solid.
 
     Attributes
     ----------
@@ -328,12 +328,12 @@ class CsgInfo:
 
 @dataclass(frozen=True)
 class PointSetInfo:
-    """A point set.
+    """What a point set holds.
 
     Attributes
     ----------
     distribution : str
-        As used.
+        The distribution used.
     seed_source : {"auto", "samples", "box", "points"}
         The seed source used.
     layers : int
@@ -341,11 +341,11 @@ class PointSetInfo:
     marks : int
         Number of marks in all layers.
     origin : tuple of float
-        Add it to positions.
+        Add it to a layer's positions to get absolute places.
     bounds_min : tuple of float
         Lower corner of the box around all marks, absolute.
     bounds_max : tuple of float
-        The box's other corner.
+        Upper corner of the box.
     spacing : float
         Square root of the area per mark of the largest layer, estimated. A frame takes it as the size of a mark's
         piece of surface.
@@ -371,17 +371,17 @@ class PointSetInfo:
 
 @dataclass(frozen=True)
 class LayerInfo:
-    """One layer of marks.
+    """What a layer of marks holds.
 
     Attributes
     ----------
     kind : {"any", "stipples", "hatch", "own"}
     name : str
-        As it was given, or its kind.
+        The layer's name, as given or that of its kind.
     marks : int
         Number of marks.
     strokes : int
-        That the marks form; 0 for stipples.
+        Number of strokes that the marks form; 0 for stipples.
     full_count : int
         Number of marks that there would be if none had been dropped.
     levels : int
@@ -403,7 +403,7 @@ class LayerInfo:
 
 @dataclass(frozen=True)
 class PlacementInfo:
-    """What became of candidates for marks: attempted = placed + all dropped.
+    """What became of the candidates for marks: attempted = placed + all dropped.
 
     Attributes
     ----------
@@ -436,14 +436,14 @@ class LineSetInfo:
     Attributes
     ----------
     triangles : int
-        Of the mesh that curves are looked for on.
+        Number of triangles of the mesh on which curves are looked for.
     turned : int
         Triangles of that mesh that face away from the surface. The surface is finer than the cells there, and
         curves may be missed.
     missed_seeds : int
         Seeds that no triangle is near. A part of the surface is too thin for the cells there.
     lines : int
-        Lines that were found once.
+        Number of lines that were found once, when the set was made.
     borders : int
         Curves where the surface ends.
     cell_size : float
@@ -453,8 +453,8 @@ class LineSetInfo:
     bytes : int
         Memory that the line set keeps.
     left_out : float
-        The share of the area that was looked at that lies beyond its samples, 0 to 1; 0 without `support`. Of a
-        trimmed model little beyond its end is looked at: see `Model.trim_info`.
+        Share of the examined area that lies beyond the samples, 0 to 1; 0 without `support`. For a trimmed model,
+        only a little of the area beyond its end is examined; see `Model.trim_info`.
     creases : int
         Creases at any angle, each from corner to corner or closed.
     """
@@ -477,9 +477,9 @@ class DrawingInfo:
     Attributes
     ----------
     items : int
-        Items drawn.
+        Number of items drawn.
     layers : int
-        Layers of the drawing, of one ink and one class each.
+        Number of layers of the drawing; each has one ink and one class of marks.
     dots : int
         Dots of ink.
     strokes : int
@@ -493,9 +493,9 @@ class DrawingInfo:
     front : int
         Marks of class front inside the frustum.
     back : int
-        Of those inside, too.
+        Number of marks of class back inside the frustum.
     silhouette : int
-        Of those inside, too.
+        Number of marks of class silhouette inside the frustum; "published" only.
     culled : int
         Marks without a class, because no tone could show them and they were skipped; "depth_layers" only.
     shown : int
@@ -575,23 +575,23 @@ class DrawingInfo:
 
 @dataclass(frozen=True)
 class DrawingLayerFields:
-    """A layer of a drawing: ink of one layer of marks, of the front or of contours.
+    """A layer of a drawing: the ink of one layer of marks, from front marks or from contours.
 
     Attributes
     ----------
     mark_class : str
         "front" or "silhouette".
     item : int
-        Number of the item.
+        Number of the item, from 0.
     layer : int
-        Number of the layer of its point set; -1: of lines.
+        Number of the layer in the item's point set; -1 for lines.
     kind : str
-        Of that layer, or the kind of lines.
+        The kind of the layer of marks, or of the lines.
     shape : {"dots", "strokes", "hatch"}
     name : str
-        Of that layer, or the name in the style of the lines.
+        The name of the layer of marks, or of the lines in the style.
     ink : tuple of float
-        Straight RGBA.
+        Straight RGBA, 0 to 1.
     dots : int
         Dots of the layer.
     strokes : int
@@ -610,22 +610,22 @@ class DrawingLayerFields:
 
 @dataclass(frozen=True)
 class MarkIdentity:
-    """The mark that an id stands for.
+    """The mark that an identity refers to.
 
     Attributes
     ----------
     id : int
         The id itself.
     item : int
-        Number of the item.
+        Number of the item, from 0.
     layer : int
-        Number of the layer of its point set.
+        Number of the layer in the item's point set.
     mark : int
-        Its number in that layer.
+        Number of the mark in that layer.
     stroke : int
-        Number of its stroke, -1 for none.
+        Number of its stroke; -1 if it has none.
     place : int
-        Its place along that.
+        Place of the mark along its stroke.
     """
 
     id: int
@@ -637,7 +637,7 @@ class MarkIdentity:
 
 @dataclass(frozen=True)
 class PageInfo:
-    """What was written.
+    """What was written to a page.
 
     Attributes
     ----------
@@ -688,7 +688,7 @@ class PageInfo:
 
 @dataclass(frozen=True)
 class MeshInfo:
-    """What making a mesh found, and did.
+    """What making a mesh found and did.
 
     Attributes
     ----------
@@ -784,7 +784,7 @@ class MeshInfo:
 
 @dataclass(frozen=True)
 class MeshEdgesInfo:
-    """The sharp edges of a mesh as a whole; lengths are in units of the mesh.
+    """The sharp edges of a mesh as a whole.  Lengths are in the mesh's unit.
 
     Attributes
     ----------
@@ -812,7 +812,7 @@ class MeshEdgesInfo:
 
 @dataclass(frozen=True)
 class MeshFitInfo:
-    """What a fit to a mesh came to: the last of the measurements that it went by.
+    """What a fit to a mesh reached, by the last of its measurements.  Lengths are in the mesh's unit.
 
     Attributes
     ----------
@@ -821,11 +821,11 @@ class MeshFitInfo:
     tolerance : float
         Tolerance as used.
     far : float
-        As used.
+        The distance `far` that was used.
     candidates : int
         Places on the mesh that samples were chosen from.
     centres : int
-        As many as the model has.
+        Number of centres of the model.
     off_surface_centres : int
         Centres off the surface, at which f is held to the distance from the mesh. They are the last ones.
     rounds : int
@@ -835,15 +835,15 @@ class MeshFitInfo:
     surface_share : float
         Share of the surface within the tolerance of the mesh, 0 to 1.
     surface_p99 : float
-        99 % of the surface are not farther from the mesh.
+        99 % of the surface is within this distance of the mesh.
     surface_max : float
-        The greatest distance of the surface from the mesh.
+        Largest distance of the surface from the mesh.
     mesh_share : float
         Share of the mesh within the tolerance of the surface, 0 to 1.
     mesh_p99 : float
-        Of the mesh: the same from the surface.
+        99 % of the mesh is within this distance of the surface.
     mesh_max : float
-        Of the mesh: the same from the surface.
+        Largest distance of the mesh from the surface.
     seconds_sample : float
         Time for choosing samples.
     seconds_fit : float
@@ -890,7 +890,7 @@ class MeshFitInfo:
 
 @dataclass(frozen=True)
 class Comparison:
-    """How near a surface is to a mesh, both ways; distances are in units of the mesh, NaN of no points.
+    """How near a surface and a mesh are to each other.  Distances are in the mesh's unit; NaN without points.
 
     Attributes
     ----------
@@ -899,9 +899,9 @@ class Comparison:
     surface_mean : float
         Mean of their distances from the mesh.
     surface_p99 : float
-        99 % are not farther.
+        99 % of these distances are not larger.
     surface_max : float
-        The greatest of them.
+        Largest of these distances.
     surface_share : float
         Share of the surface within the tolerance of the mesh, 0 to 1.
     invented_share : float
@@ -914,9 +914,9 @@ class Comparison:
     mesh_mean : float
         Mean of their distances from the surface.
     mesh_p99 : float
-        99 % are not farther.
+        99 % of these distances are not larger.
     mesh_max : float
-        The greatest of them.
+        Largest of these distances.
     mesh_share : float
         Share of the mesh within the tolerance of the surface, 0 to 1.
     missed_share : float
@@ -924,7 +924,7 @@ class Comparison:
     normal_mean : float
         Mean angle between the mesh's normals and those of the surface beside them, in degrees.
     normal_p99 : float
-        99 % are not above.
+        99 % of these angles are not larger.
     components : int
         Components of the surface.
     genus : int
@@ -960,36 +960,36 @@ class Comparison:
 
 @dataclass(frozen=True)
 class MeshFacts:
-    """What a mesh is like, counted after vertices at the same place are joined.
+    """Facts about a mesh, counted after vertices at the same place are joined.
 
     Attributes
     ----------
     components : int
-        Parts that no edge joins.
+        Number of connected parts.
     closed : bool
         Whether each edge has two faces, which run along it in opposite directions.
     boundary_edges : int
-        Edges of one triangle.
+        Number of edges with one triangle.
     holes : int
-        The lines that these make.
+        Number of closed lines that the boundary edges form.
     non_manifold_edges : int
-        Edges of more than two triangles.
+        Number of edges with more than two triangles.
     inconsistent_edges : int
-        Edges whose two triangles run the same way: one of them is turned over.
+        Number of edges whose two triangles run the same way, so that one of them is turned over.
     inside_out : bool
         Whether the mesh is closed, and its faces look inward.
     parts_inside_out : int
-        Closed parts whose faces look inward; one in another is a cavity.
+        Number of closed parts whose faces look inward; inside another part, such a part is a cavity.
     degenerate_triangles : int
-        Triangles without area.
+        Number of triangles without area.
     duplicate_triangles : int
-        Triangles with the corners of another.
+        Number of triangles with the same corners as another one.
     unused_vertices : int
-        Vertices of no triangle.
+        Number of vertices without a triangle.
     joined_vertices : int
-        Vertices at the place of another.
+        Number of vertices at the same place as another one.
     faces_not_finite : int
-        Triangles with a corner that is not finite.
+        Number of triangles with a corner that is not finite.
     area : float
         Area, in squared units of the source.
     volume : float
@@ -1019,15 +1019,15 @@ class PageItem:
     Attributes
     ----------
     drawing : Drawing
-        The drawing, not NULL; what lies beyond its viewport is cut off.
+        The drawing; what lies beyond its viewport is cut off.
     x : float
-        Millimetres from the page's left edge to the viewport's.
+        Distance from the page's left edge to the viewport's, in mm.
     y : float
-        Millimetres from the page's top edge to the viewport's.
+        Distance from the page's top edge to the viewport's, in mm.
     scale : float
         Millimetres of a pixel; above 0, up to 1e6; default 25.4 / 96.
     name : str, optional
-        Of the group around it.
+        The name of the group that holds the drawing.
     """
 
     drawing: Drawing
@@ -1038,24 +1038,25 @@ class PageItem:
 
 @dataclass
 class Pen:
-    """What some groups of a page are drawn with.
+    """The pen for some groups of a page.
 
     Attributes
     ----------
     groups : str
-        A group's name, or the beginning of names and a '*'. Of pens that fit a group the last one is taken.
+        A group's name, or the beginning of names and a '*'. If several pens fit a group, the last one is taken.
     width : float
         Width of all lines, in mm; 0 to 1e6; default 0 = as drawn. For plotters it is the width of the pen, 0.3 if
         it is 0.
     ink : tuple of float, optional
-        Red, green, blue and alpha, from 0 to 1; None = as drawn.
+        Red, green, blue and alpha, 0 to 1; None: as drawn.
     number : int
-        Of a plotter's pen, from 1 to 255.
-    line_type : {"as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted", "long_dashed_double_dotted",
-            "long_dashed_triple_dotted", "dotted", "long_dashed_short_dashed", "long_dashed_double_short_dashed",
-            "dashed_dotted", "double_dashed_dotted", "dashed_double_dotted", "double_dashed_double_dotted",
-            "dashed_triple_dotted", "double_dashed_triple_dotted"}
-        As drawn, or a type of ISO 128-2.
+        Number of a plotter's pen, 1 to 255.
+    line_type : str
+        As drawn, or a type of ISO 128-2. One of "as_drawn", "continuous", "dashed", "dashed_spaced",
+        "long_dashed_dotted", "long_dashed_double_dotted", "long_dashed_triple_dotted", "dotted",
+        "long_dashed_short_dashed", "long_dashed_double_short_dashed", "dashed_dotted", "double_dashed_dotted",
+        "dashed_double_dotted", "double_dashed_double_dotted", "dashed_triple_dotted",
+        "double_dashed_triple_dotted".
     """
 
     groups: str = ...
@@ -1071,20 +1072,22 @@ class Annotation:
     Attributes
     ----------
     points : array of float, shape (n, 2)
-        Millimetres: the line, or in its first row where the text's baseline begins.
+        The points of the line, in mm from the page's top left corner; for a text, the first row is the start of its
+        baseline.
     text : str, optional
-        None: the points are a line.
+        The text; None: the points are a line.
     group : str
-        Annotations of one group that follow each other are one layer, in the ink and line type of the first.
+        The name of the group. Consecutive annotations of one group form one layer, in the ink and line type of the
+        first.
     width : float
         Width of the line, or height of the text's capitals, in mm; above 0, up to 1e6; default 0.35.
     ink : tuple of float
-        Red, green, blue and alpha, from 0 to 1; black.
-    line_type : {"as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted", "long_dashed_double_dotted",
-            "long_dashed_triple_dotted", "dotted", "long_dashed_short_dashed", "long_dashed_double_short_dashed",
-            "dashed_dotted", "double_dashed_dotted", "dashed_double_dotted", "double_dashed_double_dotted",
-            "dashed_triple_dotted", "double_dashed_triple_dotted"}
-        As of `Pen`.
+        Red, green, blue and alpha, 0 to 1; default black.
+    line_type : str
+        As in `Pen`. One of "as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted",
+        "long_dashed_double_dotted", "long_dashed_triple_dotted", "dotted", "long_dashed_short_dashed",
+        "long_dashed_double_short_dashed", "dashed_dotted", "double_dashed_dotted", "dashed_double_dotted",
+        "double_dashed_double_dotted", "dashed_triple_dotted", "double_dashed_triple_dotted".
     """
 
     points: Array
@@ -1103,7 +1106,7 @@ class LinesFields:
     kind : str
         "ridge", "valley", "parabolic", "section" or "own".
     name : str
-        For `LineStyle.name`.
+        The name by which `LineStyle.name` refers to the lines.
     lower : float
         Least strength at which a line goes on; 0 or more; default 0. If `lower` and `upper` are 0, it is 6 for
         ridges and valleys, and 0 for other kinds.
@@ -1113,11 +1116,11 @@ class LinesFields:
     shortest : float
         Length below which a line is dropped, in diagonals; 0 or more; default 0.01.
     plane : sequence of float
-        Of sections: the normal of the planes.
+        For "section": the normal of the planes.
     levels : sequence of float
-        Of sections: where the planes are along the unit normal.
+        For "section": the positions of the planes along the unit normal, in the model's unit.
     polylines : sequence of array of float, shape (n, 3)
-        Of own lines: on the surface or near it; closed if the last point is the first.
+        For "own": the lines, on the surface or near it. A line is closed if its last point equals its first.
     """
 
     kind: str = ...
@@ -1136,28 +1139,29 @@ class OwnLayerFields:
     Attributes
     ----------
     positions : array of float, shape (n, 3)
-        Absolute places, not relative to an origin; N x 3.
+        Absolute places of the marks, in the model's unit.
     normals : array of float, shape (n, 3)
-        Outward normals of any length but 0; N x 3.
+        Outward normals, of any length except 0.
     name : str, optional
-        As styles and `PointSet.layer` call it; the kind if None.
+        The name by which styles and `PointSet.layer` refer to the layer; None: the kind.
     kind : str
         "own", "stipples" or "hatch".
     stroke_first : array of int, shape (s + 1,), optional
-        Rising from 0 to n: stroke s has the marks stroke_first[s] up to stroke_first[s + 1] - 1, from end to end.
-        None: no strokes.
+        Numbers that rise from 0 to n: stroke s has the marks stroke_first[s] to stroke_first[s + 1] - 1, from end
+        to end. None: no strokes.
     stroke_directions : array of int, shape (s,), optional
-        0 the first direction, 1 the second; 0 if None.
+        0 for the first direction, 1 for the second; None: all 0.
     directions : array of float, shape (n, 3), optional
-        Unit, tangent; along the stroke if None.
+        Directions of any length, not along the normal; None: along the stroke.
     curvatures : array of float, shape (n, 3), optional
-        k1, k2, confidence.
+        k1, k2 and confidence; None: not known.
     ranks : array of float, shape (n,), optional
-        In [0, 1); random, the same for all marks of a stroke, if None.
+        Ranks in [0, 1): a mark is shown where its rank is at least the tone. None: random, the same for all marks
+        of a stroke.
     levels : array of int, shape (n,), optional
-        The refinement step of each; 0 if None.
+        Refinement steps; None: all 0.
     widths : array of float, shape (n,), optional
-        In (0, 1]; 1 if None.
+        Widths in (0, 1], as factors of the style's radius; None: all 1.
     """
 
     positions: Array
@@ -1179,61 +1183,66 @@ class LayerFields:
     Attributes
     ----------
     kind : str
-        "stipples": scattered marks; "hatch": evenly spaced, nested lines along one smooth field of directions, or,
-        with the distribution "published", strokes along these directions and across them [NPAR 5].
+        "stipples": scattered marks. "hatch": evenly spaced, nested lines along one smooth field of directions; with
+        the distribution "published", strokes along these directions and across them [NPAR 5].
     name : str, optional
-        As styles and `PointSet.layer` call it; the kind if None.
+        The name by which styles and `PointSet.layer` refer to the layer; None: the kind.
     budget : int, optional
-        The most marks; 0 = no limit, for the distribution "published" and lines with a separation. None = no limit
-        for these, and 40000 for others.
+        Largest number of marks. 0: no limit, for the distribution "published" and for lines with a separation.
+        None: no limit for these, 40000 for others.
     tone : (begin, end), optional
-        The darkness at which the first mark is shown, and that at which all are: of stipples, lines, and
-        "published" strokes of the first direction; None: as `tone_ranges` says.
+        Darkness at which the first mark is shown, and darkness at which all marks are shown, 0 to 1 each, for
+        stipples, lines, and "published" strokes of the first direction. None: as `tone_ranges` says.
     second_tone : (begin, end), optional
-        The darkness at which the first mark is shown, and that at which all are: of "published" strokes of the
-        second direction; None: as `tone_ranges` says.
+        Darkness at which the first mark is shown, and darkness at which all marks are shown, 0 to 1 each, for
+        "published" strokes of the second direction. None: as `tone_ranges` says.
     with_curvature : bool
-        Whether its marks shall know their curvature; "published" strokes along curvature always do.
+        Whether the marks keep their curvature; "published" strokes along curvature always do.
     density : str or callable
-        "uniform", "curvature" or a function: where "blue_noise" stipples are denser. A function gets positions and
-        unit normals, shape (n, 3) each, and returns n numbers from 0 (none) to 1 (densest).
+        Where "blue_noise" stipples are denser: "uniform", "curvature" or a function. The function gets positions
+        and unit normals, shape (n, 3) each, and returns n numbers from 0 (no stipples) to 1 (densest).
     density_strength : float
         Strength of "curvature"; 0 to 1; default 0.5. 0 = uniform; larger values put more stipples where the surface
         bends.
     separation : float
-        Mean distance of neighbouring lines of "hatch", in the unit of the model; 0 = as many lines as make about
-        the budget's marks.
+        Mean distance between neighbouring lines of "hatch", in the model's unit; 0: the distance at which the lines
+        have about as many marks as the budget.
     step : float
-        Distance of the marks of a line; 0 = 0.4 of the separation.
+        Distance between the marks of a line, in the model's unit; 0: 0.4 of the separation.
     direction : callable, optional
-        What lines of "hatch" follow in place of `guide`. It gets positions and unit normals, shape (n, 3) each, and
-        returns directions of the same shape: their sign and length count nothing, 0 0 0 is none.
+        A function that gives the directions of "hatch" lines, instead of `guide`. It gets positions and unit
+        normals, shape (n, 3) each, and returns directions of the same shape. Their sign and length do not matter;
+        (0, 0, 0) means no direction.
     start : {"seeds", "stipples"}
-        What strokes of the distribution "published" start from.
+        Where strokes of the distribution "published" start.
     start_level : int
-        With "stipples", the last stippling level used.
+        For start "stipples": the last level of stipples at which strokes start, 0 to 12.
     levels : int, optional
-        Refinement steps of the distribution "published", 0 to 12; None = 4 for stipples and 3 for strokes, which
-        have 3^levels marks.
+        Number of refinement steps of the distribution "published", 0 to 12. None: 4 for stipples, 3 for strokes. A
+        stroke has 3^levels marks.
     angle : float
-        Degrees by which lines of "hatch" are turned in the tangent plane, counter-clockwise from outside.
+        Angle by which "hatch" lines are turned in the tangent plane, in degrees, counter-clockwise as seen from
+        outside, -360 to 360.
     smoothing : float
-        Over so long a way directions of "hatch" are smoothed; in diagonals of the model, 1 at most.
+        Distance over which the directions of "hatch" lines are smoothed, in diagonals of the model, 1e-6 to 1;
+        default 0.04. Larger values give calmer lines that follow the form less.
     axis : (x, y, z)
-        Where curvature says little lines of "hatch" run around this.
+        Axis around which "hatch" lines run where the confidence of the curvature is low; default (0, 1, 0).
     axis_weight : float
-        How much that counts against curvature.
+        Weight of the axis against the curvature, 0 to 1000; default 0.06.
     tone_smoothing : float, optional
-        Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one
-        makes no islands of light; in diagonals, 0.1 at most, 0 = not; None = 0.006 for "blue_noise" "hatch", 0 for
-        others.
+        Distance over which the normals that set the tone are averaged, in diagonals of the model, 0 to 0.1. Larger:
+        the grain of a rough surface makes fewer spots of light. 0: no averaging. None: 0.006 for "blue_noise"
+        "hatch", 0 for others.
     guide : {"curvature", "combing", "sections", "light", "silhouette"}
-        What lines of "hatch" follow where no `direction` is given: the direction in which the surface bends most,
-        Stark's first one, sections by planes across `axis`, away from a light, or as the silhouette.
+        The directions that "hatch" lines follow if there is no `direction`. "curvature": the direction in which the
+        surface bends most; "combing": Stark's combing direction; "sections": cuts by planes perpendicular to
+        `axis`; "light": the direction to the light, in the tangent plane; "silhouette": along the silhouette, for
+        places near it.
     guide_direction : (x, y, z)
-        Towards the light of "light", or the eye of "silhouette", in the model's own space.
+        Direction to the light ("light") or to the eye ("silhouette"), in the model's coordinates.
     guide_weight : float
-        0 to 1: of a guide other than "curvature"; what is left of 1 is curvature's.
+        Weight of a guide other than "curvature", 0 to 1; the curvature has the rest of 1.
 
     Examples
     --------

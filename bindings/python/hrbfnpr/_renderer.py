@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From point sets and a camera to a drawing."""
+"""Makes drawings from point sets and a camera."""
 from __future__ import annotations
 
 import threading
@@ -32,21 +32,24 @@ class Item:
     Attributes
     ----------
     point_set : PointSet
+        The marks to draw.
     style : Style, optional
-        The library's default style if None.
+        How they are drawn; None: the library's default style.
     transform : array of float, shape (4, 4), optional
-        Object to world, affine, invertible; the identity if None.
+        The matrix from the object to the world, affine and invertible; None: the identity.
     model : Model, optional
-        The surface that the marks lie on.  With the visibility "depth_layers", what hides a mark is then
-        found by casting a ray from it to the eye: exact, but some 10 microseconds a mark drawn.
+        The surface on which the marks lie.  With it, and the visibility "depth_layers", a ray from each mark to the eye
+        finds what hides the mark.  This is exact, but slow.  It must be None if there are poses.
     poses : mapping of layer to arrays, optional
-        Where the marks of some layers, by number or name, have moved: (positions, normals) or (positions,
-        normals, directions), of shape (n, 3) each, absolute, in the order of the layer's marks.
+        New places for the marks of some layers, by number or name: (positions, normals) or (positions, normals,
+        directions), of shape (n, 3) each, absolute, in the order of the layer's marks.
     line_set : LineSet, optional
-        What the style's lines are drawn from.  All items of a drawing that have one hide each other's lines.
+        The lines to draw.  All items of a drawing that have one hide each other's lines.  It must be None if there are
+        poses.
     sides : {"front", "both"}
-        "both" draws the marks on the inside of a surface that ends, such as a bowl or a leaf, too, where it looks to
-        the camera: with opposite normals for tone, the same ids, and in layers of their own behind all others.
+        "front": marks are drawn on the side to which the normals point.  "both": also on the other side, for a surface that
+        ends, such as a bowl or a leaf.  Where the other side faces the camera, marks have opposite normals and the same
+        identities, and are in separate layers after all others.
     """
 
     point_set: PointSet
@@ -70,7 +73,7 @@ def _as_items(items: Items) -> List[Item]:
 
 
 def _fill_poses(struct: Any, item: Item) -> List[Any]:
-    """What must be kept alive."""
+    """Write the poses of an item.  The result must be kept alive."""
     poses = item.poses or {}
     structs = new_list("hrbfnpr_layer_pose", len(poses))
     keep = [structs]
@@ -87,13 +90,16 @@ def _fill_poses(struct: Any, item: Item) -> List[Any]:
 class Renderer(Owner):
     """Draws point sets with a camera [NPAR 6].
 
-    It keeps its scratch memory, and that of drawings that nobody holds any more, from one drawing to the
-    next.  Calls from several threads wait for each other: give each thread a renderer of its own.
+    A renderer keeps its scratch memory, and the memory of drawings that are no longer used, for the next drawing.  If
+    several threads call one renderer, they wait for each other: give each thread its own renderer.
+
+    Where the camera moves little, contours are continued from the last drawing, so that lines keep their numbers and their
+    wobble.
 
     Parameters
     ----------
     context : Context, optional
-        The default context if omitted.
+        The threads and the log to use; None: the default context.
 
     Examples
     --------
@@ -109,7 +115,7 @@ class Renderer(Owner):
         check(lib.hrbfnpr_renderer_create(context._handle, out, error), error)
         super().__init__(own(out[0], lib.hrbfnpr_renderer_release, context))
         self._context = context
-        self._context_handle = context._handle  # works where the context was closed meanwhile, too
+        self._context_handle = context._handle  # works even after the context is closed
         self._lock = threading.RLock()
 
     def draw(
@@ -120,35 +126,38 @@ class Renderer(Owner):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> Drawing:
-        """Classify, shade and order the marks for one camera.
+        """Draw items with a camera.
 
         Parameters
         ----------
         items : PointSet, (PointSet, Style), Item, or an iterable of these
+            What to draw.  All styles must have the same paper and visibility.
         camera : Camera
+            The camera, with a viewport.
         progress, operation
-            As in `Model.fit`: for frames that take long, as with lines of a fine surface or millions of marks.
+            As in `Model.fit`.  Use them for drawings that take long: lines of a fine surface, or millions of marks.
 
         Returns
         -------
         Drawing
-            A value: pixels, vertices and more can be had of it, at any time and on any thread.
+            A value that never changes.  Any thread may make pixels or vertices from it at any time.
 
         Raises
         ------
-        CancelledError
-            After a cancel; the renderer can go on.
         InvalidArgumentError
-            For a camera without a viewport, a singular transform, or styles of different paper or
-            visibility.
+            If the camera has no viewport, a transform is singular, styles differ in paper or visibility, or lines need
+            curvatures that their line set does not have.
         CallbackError
-            If a tone function or the function of an item's model raised.
+            If a tone function, or the function of an item's model, raised an exception.
+        CancelledError
+            After a cancel.  The renderer can be used again.
+        OutOfMemoryError
         """
         chosen = _as_items(items)
         structs = new_list("hrbfnpr_item", len(chosen))
         keep: List[Any] = []
         states: List[Optional[CallbackState]] = []
-        functions: List[CallbackState] = []  # of the models
+        functions: List[CallbackState] = []  # the functions of the models
         for item, struct in zip(chosen, structs):
             struct.sides = number_of("sides", SIDES, item.sides)
             struct.point_set = item.point_set._handle

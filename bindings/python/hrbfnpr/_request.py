@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From options by their names to the descriptors of the library: what `_options.py` says of each."""
+"""Turns options, given by name, into descriptors of the library, as the table in `_options.py` says."""
 from __future__ import annotations
 
 import argparse
@@ -20,13 +20,13 @@ from ._point_set import PointSet
 from ._records import Pen, fill_list, text_in
 
 Options = Dict[str, Any]
-"""Values as `_values.py` reads them, by the names of the table; those that were not given are missing."""
+"""Values by option name, as `_values.py` reads them.  Options that are not given are missing."""
 
 BY_NAME: Dict[str, Option] = {row.alias: row for row in OPTIONS if row.alias}
 BY_NAME.update({row.name: row for row in OPTIONS})
-_ACROSS = ("size", "page")  # WIDTHxHEIGHT
+_WIDTH_BY_HEIGHT = ("size", "page")  # written as WIDTHxHEIGHT
 _PREFIXES = {"profile": "PROFILE", "parts": "PARTS", "sides": "PICTURE_SIDES"}
-_CHOICES = {"dots": "DOT_SHAPE", "widths": "WIDTHS"}  # of a page
+_CHOICES = {"dots": "DOT_SHAPE", "widths": "WIDTHS"}  # options of a page
 _PLOTTERS = ("hpgl", "gcode")
 
 
@@ -34,7 +34,7 @@ _PLOTTERS = ("hpgl", "gcode")
 
 
 def option_of(name: str) -> Option:
-    """The row of an option, by either of its names."""
+    """The row of an option, by its name or its alias."""
     found = BY_NAME.get(name)
     if found is None:
         near = difflib.get_close_matches(name, BY_NAME, 3)
@@ -44,14 +44,14 @@ def option_of(name: str) -> Option:
 
 
 def options_of(given: Mapping[str, Any]) -> Options:
-    """Python's values as the command line would have read them; None stands for the default.
+    """Convert values of Python to those that the command line reads.  None means the default.
 
     Raises
     ------
     TypeError
-        For an option that is none.
+        If there is no such option.
     ValueError
-        For a value that it cannot have.
+        If an option cannot have its value.
     """
     options: Options = {}
     for name, value in given.items():
@@ -64,12 +64,12 @@ def options_of(given: Mapping[str, Any]) -> Options:
 
 
 def parsed(name: str, row: Option, value: Any) -> Any:
-    """One value; `name` is for messages."""
+    """The value of one option.  `name` is for messages."""
     if row.kind == "flag":
         if not isinstance(value, (bool, np.bool_)):
             raise ValueError(f"{name} must be True or False, not {value!r}")
         return bool(value)
-    text = _words(value, "x" if row.kind in _ACROSS else ",")
+    text = _words(value, "x" if row.kind in _WIDTH_BY_HEIGHT else ",")
     if row.kind == "lines" and not text:
         text = "none"
     if row.choices:
@@ -81,7 +81,7 @@ def parsed(name: str, row: Option, value: Any) -> Any:
 
 
 def chosen(name: str, text: str, choices: Sequence[str]) -> str:
-    """One of these; hyphens and underscores are alike."""
+    """The choice that a text names.  Hyphens and underscores are equivalent."""
     names = {choice.replace("_", "-"): choice for choice in choices}
     if text.replace("_", "-") not in names:
         raise ValueError(f"{name} must be one of {', '.join(names)}, not {text!r}")
@@ -89,7 +89,7 @@ def chosen(name: str, text: str, choices: Sequence[str]) -> str:
 
 
 def _words(value: Any, between: str) -> str:
-    """A value as the command line has it."""
+    """A value as the command line writes it."""
     if isinstance(value, str):
         return value
     if isinstance(value, Mapping):
@@ -118,13 +118,13 @@ def _assignments(value: Any) -> Any:
 
 
 def constant(name: str) -> int:
-    """HRBFNPR_NAME."""
+    """The value of HRBFNPR_(name)."""
     number: int = ffi.integer_const(f"HRBFNPR_{name.replace('-', '_').upper()}")
     return number
 
 
 def describe(options: Options, flags: Sequence[str] = ()) -> Tuple[Any, List[Any]]:
-    """A hrbfnpr_picture_desc with these options, and what must be kept alive with it."""
+    """A hrbfnpr_picture_desc with these options, and the objects to keep alive with it."""
     desc = new_struct("hrbfnpr_picture_desc")
     keep: List[Any] = []
     for flag in flags:
@@ -142,14 +142,14 @@ def describe(options: Options, flags: Sequence[str] = ()) -> Tuple[Any, List[Any
 
 
 def _set(desc: Any, row: Option, value: Any, keep: List[Any]) -> List[Tuple[str, str]]:
-    """Set what an option means; returns the changes that it is."""
+    """Set the field of an option.  Returns the changes for an option that is written as changes."""
     section, _, field = row.target.rpartition(".")
     if section == "flags":
         desc.flags |= constant(f"PICTURE_{field}")
     elif row.target.startswith("marks.*."):
         return [(f"marks.{kind}.{field}", str(number)) for kind, number in value.items()]
     elif section == "page":
-        pass  # of what the drawing is written on
+        pass  # describe_page sets these
     elif section:
         return [(row.target, _text(value))]
     elif row.name in _SPECIAL:
@@ -165,7 +165,7 @@ def _set(desc: Any, row: Option, value: Any, keep: List[Any]) -> List[Tuple[str,
 
 
 def _text(value: Any) -> str:
-    """A value as a change has it."""
+    """A value as a change writes it."""
     if isinstance(value, (tuple, list)):
         return ",".join(map(_text, value))
     return repr(value) if isinstance(value, float) else str(value)
@@ -208,7 +208,7 @@ _SPECIAL: Dict[str, Any] = {
 
 
 def in_names(text: str, as_option: bool) -> str:
-    """An error of the library's on its descriptor in the words of a caller: picture_desc.pen is mark_radius."""
+    """The library's error about a descriptor, in the caller's words: picture_desc.pen becomes mark_radius."""
 
     def named(found: "re.Match[str]") -> str:
         target = found.group(1) or found.group(2)
@@ -224,7 +224,7 @@ def in_names(text: str, as_option: bool) -> str:
 
 
 def fill_source(struct: Any, thing: Any, name: Optional[str]) -> List[Any]:
-    """Write a hrbfnpr_picture_source of a Shape, a Model, a PointSet, or the two last; returns what must be kept alive."""
+    """Write a hrbfnpr_picture_source of a Shape, a Model, a PointSet, or a model with its marks.  Keep the result alive."""
     keep: List[Any] = []
     if name is not None:
         struct.name = text_in(keep, name)
@@ -262,7 +262,7 @@ def _fill_shape(struct: Any, shape: Any, keep: List[Any]) -> None:
 
 
 def describe_page(options: Options, format: str) -> Tuple[Any, List[Any]]:
-    """A hrbfnpr_picture_page_desc with these options."""
+    """A hrbfnpr_picture_page_desc with these options, and the objects to keep alive with it."""
     whole, page = new_struct("hrbfnpr_picture_page_desc"), new_struct("hrbfnpr_page_desc")
     whole.page, page.format = page, constant(f"PAGE_FORMAT_{format}")
     keep: List[Any] = [page]
@@ -300,7 +300,7 @@ _IN_WORDS = {
 
 
 def in_documentation(indent: str) -> str:
-    """The options as parameters of a docstring."""
+    """The options as the text of parameters in a docstring."""
     lines = []
     for row in OPTIONS:
         kind = row.kind.split()[0]

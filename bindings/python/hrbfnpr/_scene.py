@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is drawn, by any number of cameras: the library's pictures."""
+"""Scenes: what is drawn, with any number of cameras.  A scene is a picture (hrbfnpr_picture) of the library."""
 from __future__ import annotations
 
 import math
@@ -30,15 +30,15 @@ from ._style import Style
 from ._values import words_of
 
 Source = Union[Any, Model, PointSet, Tuple[Model, PointSet]]
-"""A Shape, a model, marks, or a model with its marks."""
+"""A Shape, a model, a point set, or a model with its point set."""
 
 
 class BlankError(ValueError):
-    """There is hardly anything to see in a drawing; the message says why."""
+    """A drawing shows hardly anything.  The message says why."""
 
 
 class Part(NamedTuple):
-    """A surface that is drawn, with its marks and lines; None of what it does not have."""
+    """A surface that is drawn, with its marks and lines; None for a missing one."""
 
     model: Optional[Model]
     marks: Optional[PointSet]
@@ -46,14 +46,14 @@ class Part(NamedTuple):
 
 
 class _Listener:
-    """Hears what pictures tell, and hands it to the reporter of the call that runs."""
+    """Receives the events of pictures and passes them to the reporter of the running call."""
 
     def __init__(self) -> None:
         self.state = CallbackState(self.hear)
         self.user = self.state.new_handle()
         self.report: Optional[Reporter] = None
         self.last_stage = 0
-        self.of_options = False  # whether what failed is the descriptor
+        self.of_options = False  # whether the last error was about the descriptor
 
     def hear(self, event: Any) -> None:
         self.last_stage = max(self.last_stage, event.stage)
@@ -61,13 +61,13 @@ class _Listener:
             self.report.take(event)
 
     def stop(self, fraction: float) -> None:
-        """Of an operation: what a listener raised ends the call."""
+        """The progress function of an operation: an exception of a listener ends the call."""
         if self.state.exception is not None:
             raise self.state.exception
 
     @contextmanager
     def telling(self, report: Reporter, context: Any) -> Iterator[Callable[..., None]]:
-        """The handle of an operation, for one call whose status is then to be checked."""
+        """Yields a function that makes one call with an operation and checks its status."""
         self.report = report
         report.failure = None
         try:
@@ -80,7 +80,7 @@ class _Listener:
     def _check(self, result: Tuple[int, Any], report: Reporter, *states: Any) -> None:
         status, error = result
         raised, self.state.exception = self.state.exception, None
-        if raised is not None:  # by who is told of progress
+        if raised is not None:  # an exception of a progress function
             raise raised
         try:
             check(status, error, *states)
@@ -102,12 +102,12 @@ def on_event(user: Any, event: Any) -> None:
 
 
 class Scene(Owner):
-    """A picture of the library's, which holds its surfaces, marks and lines.
+    """A picture of the library, which holds its surfaces, marks and lines.
 
     Attributes
     ----------
     options, style_given
-        What it was made with.
+        The options and the style with which it was made.
     """
 
     def __init__(
@@ -118,7 +118,7 @@ class Scene(Owner):
         self._lock = threading.RLock()
         self.options, self.style_given = options, style
         self.sources: Sequence[Source] = ()
-        self._kin: List[Any] = []  # what a picture that this shares its surfaces with has of them
+        self._shared: List[Any] = []  # the objects of a scene that shares its surfaces with this one
         self._parts: Optional[Tuple[Part, ...]] = None
 
     # ---- Making
@@ -129,19 +129,20 @@ class Scene(Owner):
         camera: Optional[Camera] = None, flags: Sequence[str] = (), name: Optional[str] = None, settings: Any = None,
         turn: Optional[Tuple[float, int]] = None, path: Optional[str] = None,
     ) -> Scene:  # fmt: skip
-        """Fits, places marks and looks for lines.
+        """Fit the surfaces, place marks and find lines.
 
         Parameters
         ----------
         style : str, Style or None
-            None: that of the settings, or the default.
+            None: the style of the settings, or the default.
         name : str, optional
-            For titles and metadata.
+            The name for titles and metadata.
         settings : Settings, optional
+            Settings from a file.
         turn : (degrees, frames), optional
-            The picture has room for this orbit.
+            An orbit for which the picture has room.
         path : str, optional
-            The file that errors of its contents name.
+            The file that errors about the contents name.
         """
         desc, keep = describe(options, flags)
         structs = new_list("hrbfnpr_picture_source", len(sources))
@@ -160,7 +161,7 @@ class Scene(Owner):
                 lambda *rest: lib.hrbfnpr_picture_create(handle, desc, *rest),
                 desc, keep, [structs, settings], options, style, camera, context, report, listener, functions)  # fmt: skip
         except (Error, ValueError) as error:
-            # From the end of the surface on it is what was asked for that fails.
+            # After the end of the surface was found, errors are about the options, not about the contents of the file.
             of_contents = path is not None and listener.last_stage < lib.HRBFNPR_STAGE_END and not listener.of_options
             if not of_contents or isinstance(error, (OutOfMemoryError, BlankError)):
                 raise
@@ -171,13 +172,13 @@ class Scene(Owner):
     def restyled(
         self, options: Options, style: Any, report: Reporter, *, camera: Optional[Camera] = None, flags: Sequence[str] = ()
     ) -> Scene:  # fmt: skip
-        """The same surfaces in another style, size or view."""
+        """A scene of the same surfaces in another style, size or view."""
         desc, keep = describe(options, flags)
         handle = self._handle
         made = self._made(
             lambda *rest: lib.hrbfnpr_picture_restyle(handle, desc, *rest),
             desc, keep, [self], options, style, camera, self._context, report, _Listener(), [])  # fmt: skip
-        made.sources, made._kin = self.sources, [one for part in self.parts for one in part if one is not None]
+        made.sources, made._shared = self.sources, [one for part in self.parts for one in part if one is not None]
         return made
 
     @classmethod
@@ -211,7 +212,7 @@ class Scene(Owner):
     # ---- Looking at it
 
     def _get(self, what: str, *arguments: Any) -> Any:
-        """A struct that a function of the library fills."""
+        """A struct that a getter of the library fills."""
         struct, error = new_struct(f"hrbfnpr_{what}"), new_error()
         getter = getattr(lib, f"hrbfnpr_picture_get_{what.replace('picture_', '')}")
         check(getter(self._handle, *arguments, struct, error), error)
@@ -219,7 +220,7 @@ class Scene(Owner):
 
     @property
     def info(self) -> Any:
-        """A hrbfnpr_picture_info."""
+        """The hrbfnpr_picture_info of the scene."""
         return self._get("picture_info")
 
     @property
@@ -231,7 +232,7 @@ class Scene(Owner):
 
     def _part(self, number: int) -> Part:
         struct = self._get("picture_part", number)
-        there = [part for source in self.sources for part in _parts_of(source)] + self._kin
+        there = [part for source in self.sources for part in _parts_of(source)] + self._shared
         handles: List[Any] = []
         for kind, field in (("model", struct.model), ("point_set", struct.point_set), ("line_set", struct.line_set)):
             if field == ffi.NULL:
@@ -249,12 +250,12 @@ class Scene(Owner):
 
     @property
     def model(self) -> Optional[Model]:
-        """The surface, the largest of several; None of saved marks."""
+        """The surface, or the largest of several; None for saved marks."""
         return self.parts[0].model if self.parts else None
 
     @property
     def style(self) -> Style:
-        """How it is drawn; a copy."""
+        """The style of the scene; a copy."""
         out, error = ffi.new("const hrbfnpr_style **"), new_error()
         check(lib.hrbfnpr_picture_get_style(self._handle, out, error), error)
         given = self.style_given
@@ -262,16 +263,16 @@ class Scene(Owner):
 
     @property
     def preset(self) -> str:
-        """The name of its style."""
+        """The name of the scene's named style."""
         return str(PRESETS[self.info.preset])
 
     @property
     def camera(self) -> Camera:
-        """As it was planned."""
+        """The planned camera."""
         return _camera_of(self._get("camera"))
 
     def look(self, direction: Any, azimuth: Optional[float], elevation: Optional[float]) -> Camera:
-        """From another side; None = as planned."""
+        """A camera that looks from another side; None: the planned direction or angle."""
         struct, error = new_struct("hrbfnpr_camera"), new_error()
         towards = ffi.NULL if direction is None else ffi.new("double[3]", [float(x) for x in direction])
         angles = (math.nan if angle is None else float(angle) for angle in (azimuth, elevation))
@@ -279,7 +280,7 @@ class Scene(Owner):
         return _camera_of(struct)
 
     def orbit(self, frames: int, turn: float) -> List[Camera]:
-        """Of an orbit from the planned camera on."""
+        """The cameras of an orbit that starts at the planned camera."""
         cameras = []
         for angle in angles_of(frames, turn):
             struct, error = new_struct("hrbfnpr_camera"), new_error()
@@ -290,7 +291,7 @@ class Scene(Owner):
     # ---- Drawing
 
     def draw(self, camera: Optional[Camera] = None, report: Optional[Reporter] = None) -> Drawing:
-        """The drawing alone, without what a plate adds; by the planned camera it must not be blank."""
+        """The drawing without the parts of a plate.  With the planned camera, a blank drawing is an error."""
         seen_by = ffi.NULL if camera is None else camera._struct
         report = Reporter() if report is None else report
         out, error, handle = ffi.new("hrbfnpr_drawing **"), new_error(), self._handle
@@ -310,13 +311,13 @@ class Scene(Owner):
         return self._context._handle
 
     def plate_size(self, camera: Camera) -> Tuple[int, int]:
-        """Of the drawing with what stands beside it."""
+        """Size of the plate: the drawing with a section and a scale bar beside it."""
         size, error = ffi.new("int32_t[2]"), new_error()
         check(lib.hrbfnpr_picture_plate_size(self._handle, camera._struct, size, size + 1, error), error)
         return size[0], size[1]
 
     def image(self, drawing: Drawing, camera: Camera) -> Array:
-        """The plate: straight RGBA, uint8 (height, width, 4)."""
+        """The plate as straight RGBA, uint8 (height, width, 4)."""
         pixels, image = image_for("rgba8", None, self.plate_size(camera), drawing.size)
         error = new_error()
         status = lib.hrbfnpr_picture_rasterize(self._handle, drawing._handle, camera._struct, image, error)
@@ -324,11 +325,11 @@ class Scene(Owner):
         return pixels
 
     def is_plate(self, drawing: Drawing, camera: Camera) -> bool:
-        """Whether there is more on the paper than the drawing."""
+        """Whether the plate shows more than the drawing."""
         return self.plate_size(camera) != drawing.size
 
     def write(self, target: Any, drawing: Drawing, camera: Camera, report: Reporter, format: Optional[str] = None) -> PageInfo:
-        """As vectors, by the options of the page."""
+        """Write the plate as vectors, with the options of the page."""
         desc, keep = describe_page(self.options, format or format_of(target) or "svg")
         info = new_struct("hrbfnpr_page_info")
         arguments = drawing._handle, camera._struct, desc
@@ -337,7 +338,7 @@ class Scene(Owner):
         return read(PageInfo, info)
 
     def write_views(self, target: Any, desc: Any, report: Reporter) -> Any:
-        """As a sheet of views; returns a hrbfnpr_views_info."""
+        """Write a sheet of views.  Returns a hrbfnpr_views_info."""
         info = new_struct("hrbfnpr_views_info")
         self._written(target, lib.hrbfnpr_picture_write_views, (desc,), info, report)
         return info
@@ -358,7 +359,7 @@ class Scene(Owner):
             to_file(target)
 
     def write_settings(self, path: Any, report: Reporter) -> None:
-        """What it was made with, for `Settings`; a note says what this does not hold."""
+        """Write the settings of the scene, for `Settings`.  A note says what the file does not hold."""
         self._listener.report = report
         try:
             _streams.save(lib.hrbfnpr_picture_write_settings, self._handle, path)
@@ -367,7 +368,7 @@ class Scene(Owner):
 
 
 class Settings(Owner):
-    """A file of settings, as the viewer or `Scene.write_settings` wrote it."""
+    """Settings from a file that the viewer or `Scene.write_settings` wrote."""
 
     def __init__(self, path: Any, context: Context) -> None:
         out = ffi.new("hrbfnpr_settings **")
@@ -379,19 +380,21 @@ class Settings(Owner):
 
 
 def angles_of(frames: int, turn: float) -> List[float]:
-    """Of the frames of an orbit, from 0: a whole turn comes back to its first frame after its last, a part ends at its
-    end."""
+    """The angles of the frames of an orbit, from 0.
+
+    In a whole turn, the first frame follows the last one.  In a part of a turn, the last frame is at its end.
+    """
     whole = math.isclose(abs(turn) % 360, 0, abs_tol=1e-9) and turn != 0
     return [turn * i / (frames if whole else max(frames - 1, 1)) for i in range(frames)]
 
 
 def _parts_of(source: Any) -> List[Any]:
-    """Models and point sets of a source."""
+    """The models and point sets of a source."""
     return [part for part in (source if isinstance(source, tuple) else (source,)) if isinstance(part, (Model, PointSet))]
 
 
 def _is_curved(style: Style) -> bool:
-    """Whether its lines want curvatures."""
+    """Whether the lines of a style need curvatures."""
     return any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Scripts of solids: the part of Python's grammar that docs/csg.md lists, walked, never executed.
+"""Scripts of solids, in the subset of Python's grammar that docs/csg.md describes.  They are interpreted, never executed.
 
-A script is lines of ``name = expression``; the last line's value is the solid.
+A script consists of lines ``name = expression``.  The value of the last line is the solid.
 """
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._context import Context
 from ._errors import Error
 from ._model import Model
 
-MOST_REPEATS = 10_000  # of a script's loops, in all
+MOST_REPEATS = 10_000  # largest number of repeats of all loops of a script
 METHODS = ("blend", "difference", "intersection", "offset", "rotated", "scaled", "shell", "transformed", "translated",
            "union")  # fmt: skip
 _NUMBERS: Dict[str, Any] = {"pi": math.pi}
@@ -33,11 +33,11 @@ _SIGNS: Dict[type, Callable[[Any], Any]] = {
 
 
 class ScriptError(ValueError):
-    """What is wrong with a script, and in which line."""
+    """A script is wrong.  The message names the line and the fault."""
 
 
 def run(text: str, load: Callable[[str], Model], context: Optional[Context] = None) -> Model:
-    """The solid that a script describes; `load` makes a model of a file that it names."""
+    """The solid that a script describes.  `load` makes a model from a file that the script names."""
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
@@ -67,7 +67,7 @@ class _Script:
         return value
 
     def _guarded(self, node: Any, work: Callable[[Any], Any]) -> Any:
-        """What is wrong gets its line."""
+        """Run a step, and add the line to its errors."""
         try:
             return work(node)
         except ScriptError:
@@ -124,7 +124,7 @@ class _Script:
         return work(self._value(node.operand))
 
     def _listcomp(self, node: Any) -> Any:
-        """``[... for i in range(6)]``."""
+        """A loop such as ``[... for i in range(6)]``."""
         loop = node.generators[0]
         simple = len(node.generators) == 1 and isinstance(loop.target, ast.Name) and not loop.ifs
         call = loop.iter

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is drawn: files, arrays, meshes of other packages, saved models and marks, scripts of solids."""
+"""Sources of drawings: files, arrays, meshes of other packages, saved models and marks, and scripts of solids."""
 from __future__ import annotations
 
 import os
@@ -24,7 +24,7 @@ _OF_SOLIDS = ("SURFACE_ONLY", "IS_SOLID", "CLOSE")
 
 
 def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
-    """A saved model or point set; None if the file is something else."""
+    """A saved model or point set, or None if the file is something else."""
     with open(path, "rb") as file:
         if file.read(len(_MAGIC)) != _MAGIC:
             return None
@@ -34,12 +34,12 @@ def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
         try:
             return PointSet.load(path, context=context)
         except CorruptDataError as as_points:
-            # The one that fails later knows more about what is wrong.
+            # The kind that fits the file gives the better message.
             raise as_points if "model" in str(as_points) else as_model from None
 
 
 def in_words(content: Any) -> str:
-    """What was read, in a line."""
+    """A line that says what was read."""
     if isinstance(content, Model):
         if content.csg_info.nodes:
             return f"a saved solid of {content.csg_info.nodes} nodes"
@@ -55,12 +55,12 @@ def in_words(content: Any) -> str:
 
 
 def read(path: Path, options: Options, context: Context, report: Reporter, is_script: bool = False) -> Any:
-    """The saved model or point set, the solid of a script, or the shape in a file.
+    """Read a file: a saved model or point set, the solid of a script, or a shape.
 
     Raises
     ------
     ValueError
-        For a file that cannot be used, which it names.
+        If the file cannot be used; the message names it.
     """
     try:
         if is_script or path.suffix.lower() == ".csg":
@@ -84,7 +84,7 @@ def _solid(path: Path, options: Options, context: Context, report: Reporter) -> 
         file = path.parent / name
         content = read(file, options, context, report)
         if not isinstance(content, Model) and not isinstance(content, PointSet):
-            # A solid has no end; how its file is drawn alone does not matter here.
+            # As a leaf of a solid, a surface must have no end, however its file would be drawn alone.
             content = Scene.create([content], options, None, context, report, flags=_OF_SOLIDS, path=str(file)).model
         if not isinstance(content, Model):
             raise ValueError(f"{file} holds a point set; solids are models")
@@ -101,7 +101,7 @@ def scene_of(
     source: Any, style: Any, options: Options, camera: Optional[Camera], context: Optional[Context], report: Reporter,
     is_script: bool = False, **more: Any,
 ) -> Scene:  # fmt: skip
-    """What is drawn of a source; `more` as in `Scene.create`."""
+    """The scene of a source.  `more` are arguments of `Scene.create`."""
     context = Context() if context is None else context
     if isinstance(source, (str, os.PathLike)):
         path = Path(source)

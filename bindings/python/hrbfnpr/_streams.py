@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Saving to and loading from paths, file objects and bytes."""
+"""Saves to and loads from paths, file objects and bytes."""
 from __future__ import annotations
 
 import os
@@ -37,14 +37,14 @@ def _on_read(user: Any, data: Any, size: int) -> int:
 
 
 def _stream_call(call: Callable[[Any, Any], int], function: Callable[..., Any]) -> None:
-    """`call` gets the user pointer and the error; `function` reads or writes."""
+    """Make a call with a stream.  `call` gets the user pointer and the error; `function` reads or writes."""
     state = CallbackState(function)
     user, error = state.new_handle(), new_error()
     check(call(user, error), error, state)
 
 
 def write_atomically(path: Union[str, "os.PathLike[str]"], write: Callable[[BinaryIO], Any]) -> None:
-    """Let `write` fill a temporary file, then put it in the place of `path`: never half a file."""
+    """Let `write` fill a temporary file, then move it to `path`, so that there is never half a file."""
     target = Path(os.path.realpath(os.fsdecode(path)))
     if target.exists() and not target.is_file():  # a pipe or a device must not be replaced
         with open(target, "wb") as file:
@@ -58,12 +58,12 @@ def write_atomically(path: Union[str, "os.PathLike[str]"], write: Callable[[Bina
     except BaseException as error:
         temporary.unlink(missing_ok=True)
         if isinstance(error, OSError) and error.filename == str(temporary):
-            error.filename = os.fsdecode(path)  # what the caller knows
+            error.filename = os.fsdecode(path)  # the name that the caller knows
         raise
 
 
 def save(function: Callable[..., int], handle: Any, target: Target) -> None:
-    """`function` is the library's `_save`."""
+    """Save a handle with `function`, the library's `_save`."""
 
     def to_file(file: BinaryIO) -> None:
         _stream_call(lambda user, error: function(handle, _on_write, user, error), file.write)
@@ -75,7 +75,7 @@ def save(function: Callable[..., int], handle: Any, target: Target) -> None:
 
 
 def to_bytes(function: Callable[..., int], handle: Any) -> bytes:
-    """`function` is the library's `_save`."""
+    """The bytes that `function`, the library's `_save`, writes."""
     parts: "list[bytes]" = []
     _stream_call(lambda user, error: function(handle, _on_write, user, error), parts.append)
     return b"".join(parts)
@@ -84,7 +84,7 @@ def to_bytes(function: Callable[..., int], handle: Any) -> bytes:
 def load(
     from_stream: Callable[..., int], from_memory: Callable[..., int], context: Any, out: Any, source: Source
 ) -> None:
-    """The library's `_load` and `_load_memory`; the new handle is left in `out`."""
+    """Load a handle into `out` with the library's `_load` and `_load_memory`."""
     if isinstance(source, (bytes, bytearray, memoryview)):
         error = new_error()
         data = ffi.from_buffer(source)

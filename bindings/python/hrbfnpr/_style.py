@@ -19,7 +19,7 @@ ToneFunction = Callable[[Array, Array], Any]
 
 
 def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
-    """Bits of directions: the bits themselves, or names."""
+    """The bits of directions, from the bits themselves or from names."""
     if isinstance(value, int):
         return value
     names = {"first": 1, "second": 2}
@@ -32,9 +32,9 @@ class LayerStyle(LayerStyleFields, KindStyle):
     Parameters
     ----------
     kind : {"any", "stipples", "hatch", "own"}
-        The layers that this is for ...
+        The kind of layers that the style is for.
     name : str, optional
-        ... and are called so; None: whatever they are called.
+        The name of the layers that the style is for; None: any name.
     **fields
         Other fields to change.
     """
@@ -42,7 +42,7 @@ class LayerStyle(LayerStyleFields, KindStyle):
     directions = Field[Tuple[str, ...], Union[int, str, Iterable[str]]](
         _directions,
         lambda bits: tuple(name for bit, name in enumerate(("first", "second")) if bits >> bit & 1),
-        'Of strokes: those of ("first", "second") that are drawn.',
+        'For strokes: the directions that are drawn, of ("first", "second").',
     )
     _c_type = "hrbfnpr_layer_style"
 
@@ -54,22 +54,21 @@ class LayerStyle(LayerStyleFields, KindStyle):
 
 
 class Style(StyleFields):
-    """How a point set is drawn.  Every field is an attribute and may be changed at any time.
+    """How a point set and its lines are drawn.  Every field is an attribute, and may be changed at any time.
 
     Parameters
     ----------
     preset : str, optional
-        One of `hrbfnpr.PRESETS`; the library's default style if omitted.
+        A named style of `hrbfnpr.PRESETS`; None: the library's default style.
     **fields
-        Fields to change; `ink` is that of all layers and contours, and a kind of layers (`stipples`,
-        `hatch`, ...) takes a mapping of fields of its `LayerStyle`.
+        Fields to change, as in `update`.
 
     Attributes
     ----------
     layers : list of LayerStyle
-        A layer of marks takes the first that is for it, or the defaults.
+        How layers of marks are drawn.  A layer takes the first element that is for it, or the defaults.
     lines : list of LineStyle
-        What is drawn of the lines of items that have a `LineSet`.
+        Which lines are drawn, and how, for items that have a `LineSet`.
 
     Examples
     --------
@@ -99,7 +98,7 @@ class Style(StyleFields):
         self._copy_lists()
 
     def _copy_lists(self) -> None:
-        """Lists of the struct as lists of Python, which can be changed."""
+        """Copy the lists of the struct to lists of Python, which can be changed."""
         struct = self._struct
         self._layers = [LayerStyle._from_struct(each) for each in _elements(struct, "layer")]
         self._lines = [LineStyle._from_struct(each) for each in _elements(struct, "line")]
@@ -110,7 +109,7 @@ class Style(StyleFields):
 
     @classmethod
     def _from_struct(cls, struct: Any, preset: str, tone: Optional[ToneFunction]) -> Style:
-        """A hrbfnpr_style of the library's; `tone` is its function of tone, if it is one of Python."""
+        """A style from a hrbfnpr_style of the library.  `tone` is its tone function, if that is one of Python."""
         style = cls()
         style._struct[0], style._preset = struct[0], preset
         style._copy_lists()
@@ -120,12 +119,12 @@ class Style(StyleFields):
 
     @property
     def preset(self) -> Optional[str]:
-        """The name it was made from: what to give to `PointSet.generate`."""
+        """The named style from which this style was made; give it to `PointSet.generate`.  None: the default style."""
         return self._preset
 
     @property
     def layers(self) -> List[LayerStyle]:
-        """A layer of marks takes the first that is for it, or the defaults of `LayerStyle`."""
+        """How layers of marks are drawn.  A layer takes the first element that is for it, or the defaults of `LayerStyle`."""
         return self._layers
 
     @layers.setter
@@ -138,7 +137,7 @@ class Style(StyleFields):
 
     @property
     def lines(self) -> List[LineStyle]:
-        """What is drawn of the lines of items that have a `LineSet`."""
+        """Which lines are drawn, and how, for items that have a `LineSet`.  A kind alone means its default `LineStyle`."""
         return self._lines
 
     @lines.setter
@@ -150,9 +149,14 @@ class Style(StyleFields):
         self._lines = lines
 
     def layer(self, which: str) -> LayerStyle:
-        """The element of `layers` for a kind of layers ("any": those that no other is for), or for a name.
+        """Return the element of `layers` for a kind of layers or for a name, to change it.
 
-        If what they take so far is for others too, a copy of it for them alone is put in front of it.
+        If these layers share an element with others, a copy for them alone is inserted before it.
+
+        Parameters
+        ----------
+        which : str
+            A kind of layers ("stipples", "hatch", "own"), "any" for the layers that have no other element, or a name.
         """
         if which.replace("-", "_") not in LAYER_KINDS:
             for style in self._layers:
@@ -171,15 +175,15 @@ class Style(StyleFields):
         return self._layers[-1]
 
     def style_of(self, kind: str, name: Optional[str] = None) -> LayerStyle:
-        """What a layer of marks takes: the first of `layers` that is for it, or defaults."""
+        """Return the style of a layer of marks: the first of `layers` that is for it, or the defaults."""
         return next((style for style in self._layers if style._is_for(kind, name)), LayerStyle(kind))
 
     @property
     def tone(self) -> Union[str, ToneFunction]:
-        """"none", "light", or any illumination model.
+        """The source of the tone: "none", "light" (default), or a function.
 
-        A function gets world positions and unit normals, float32 (n, 3) each, and returns n numbers:
-        1 = light, 0 = dark.
+        The function gets positions in the world and unit normals, float32 (n, 3) each, and returns n numbers: 1 = light,
+        0 = dark.
         """
         return self._tone if self._tone is not None else name_of(TONES, self._struct.tone)
 
@@ -194,7 +198,7 @@ class Style(StyleFields):
         self._tone, self._struct.tone = None, number
 
     def set_ink(self, ink: Color) -> None:
-        """Give all layers, lines and the contours one ink."""
+        """Give all layers, lines and contours the same ink."""
         self.silhouette_ink = ink
         for line in self._lines:
             line.ink = ink
@@ -203,7 +207,7 @@ class Style(StyleFields):
             style.ink = ink
 
     def copy(self, **fields: Any) -> Style:
-        """Another style like this one, with some fields changed."""
+        """Return a copy with some fields changed, as in `update`."""
         copy = Style()
         copy._preset, copy._tone = self._preset, self._tone
         copy._layers = [style.copy() for style in self._layers]
@@ -213,7 +217,14 @@ class Style(StyleFields):
         return copy
 
     def update(self, **fields: Any) -> None:
-        """Change some fields; those of a kind of layers as a mapping, and `ink` for `set_ink`."""
+        """Change some fields.
+
+        Parameters
+        ----------
+        **fields
+            Names of fields with their values.  `ink` sets the ink of all layers, lines and contours.  A kind of layers
+            (`stipples`, `hatch`, `own`, `any`) takes a mapping of fields of its `LayerStyle`.
+        """
         for name, value in fields.items():
             if name == "ink":
                 self.set_ink(value)
@@ -245,7 +256,7 @@ class Style(StyleFields):
         return f"Style({', '.join([repr(self._preset), *changed])})"
 
     def _prepared(self) -> Tuple[Any, Optional[CallbackState], Any]:
-        """A copy for one drawing, the state of its tone function, and what must be kept alive."""
+        """A copy for one drawing, the state of its tone function, and the objects to keep alive."""
         struct = ffi.new("hrbfnpr_style *", self._struct[0])
         keep = [struct]
         lists: Tuple[Tuple[str, Sequence[KindStyle]], ...] = (("layer", self._layers), ("line", self._lines))
@@ -263,7 +274,7 @@ class Style(StyleFields):
 
 
 def _elements(style: Any, name: str) -> List[Any]:
-    """The structs of a list of a style's."""
+    """The structs of a list in a hrbfnpr_style."""
     first, count = getattr(style, f"{name}s"), getattr(style, f"{name}_count")
     stride = getattr(style, f"{name}_stride") or (first.struct_size if count else 0)
     kind = f"hrbfnpr_{name}_style *"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the surface of a model ends."""
+"""Trimming: where the surface of a model ends."""
 from __future__ import annotations
 
 from typing import Any, Optional, TypeVar
@@ -16,7 +16,7 @@ Self = TypeVar("Self", bound="Trimming")
 
 
 class Trimming(Owner):
-    """The part of `Model` that ends surfaces."""
+    """The part of `Model` that ends surfaces where their samples end."""
 
     _context: Any
     _function: Optional[FunctionState]
@@ -32,36 +32,48 @@ class Trimming(Owner):
         progress: Optional[Progress] = None,
         operation: Optional[Operation] = None,
     ) -> Self:
-        """The same model with a surface that ends where its samples do.
+        """Make the same model with a surface that ends where its samples end.
 
-        The surface of an open scan or a terrain goes on where the samples end, and a fit may grow sheets where no
-        sample ever was.  Marks, line sets and rays of the new model end where those do; f, projections, curvatures and
-        `contains` do not change.  A surface of which nothing is to be left out stays whole.
+        The surface of an open scan or a terrain goes on beyond its samples, and a fit may have sheets where there never was
+        a sample.  Trimming leaves both out.  Marks, line sets and rays of the new model end there; f, projections,
+        curvatures and `contains` do not change.  If nothing is to be left out, the surface stays whole.
 
         Parameters
         ----------
-        points, normals : array of float, shape (N, 3), optional
-            The samples; by default the model's centres.  All points of a scan tell better where it ends.  Without
-            normals those of the surface are taken.
+        points : array of float, shape (N, 3), optional
+            The samples; None: the model's centres.  All points of a scan show better where it ends.
+        normals : array of float, shape (N, 3), optional
+            The normals of the points; None: those of the surface.
         limit : float
-            The surface ends where s(x) = 3 (|c|^2 - ln sum_j w_j) exceeds this, with q_j = (x - p_j) / (0.9 h_j),
-            w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2 and c = sum_j w_j q_j / sum_j w_j; p_j: the 24 samples nearest
-            to x, with normals n_j and the spacing h_j around them, m: the normal at x.  1.5 ends it some 0.7 spacings
-            beyond the last samples, 3 some 0.9.
+            The surface ends where s(x) exceeds this, 0.001 to 1000; see the notes.  Larger values end it later: 1.5 about
+            0.7 spacings beyond the last samples, 3 about 0.9 spacings.
         hole : float
-            Holes that nowhere are farther from the samples than so many diagonals stay closed.
+            Holes whose points are all within this distance of a sample are filled; in diagonals, 0 or more.
         closest : float
-            In diagonals: spacings are taken to be at least this, and no part that is farther than `hole` from all
-            samples stays.  For many points of a mesh, of which 0.01 leaves out what is more than about 0.01
-            diagonals off them.  0: the spacing is the samples' own, and only what they surely do not bear out
-            (s >= 6 somewhere) goes by `hole`.
+            Samples closer to each other than this are treated as this far apart; in diagonals, 0 to 1.  Use it for samples
+            that are much denser than the surface is accurate, such as many points of a mesh: 0.01 leaves out whatever is
+            more than about 0.01 diagonals off them, and every part that is somewhere farther than `hole` from all samples.
         progress, operation
-            See `Operation`.
+            As in `fit`.
+
+        Returns
+        -------
+        Model
+            The trimmed model.  `trim_info` says what was left out.
 
         Raises
         ------
+        InvalidArgumentError
+            If the model is not a fit, and no points are given.
         NotConvergedError
-            If no part of the surface is near the samples, as of a single one.
+            If no part of the surface is near the samples, or there is only one sample.
+
+        Notes
+        -----
+        s(x) tells how badly the samples support the surface at x: s(x) = 3 (abs(c)^2 - ln sum_j w_j), with
+        q_j = (x - p_j) / (0.9 h_j), w_j = exp(-abs(q_j)^2) ((1 + n_j . m) / 2)^2 and c = sum_j w_j q_j / sum_j w_j.  Here
+        p_j are the 24 samples nearest to x, n_j their normals, h_j the spacing around them, and m the normal at x.  With
+        `closest` 0, a part that does not reach the end of the search box is left out only if s is 6 or more somewhere in it.
         """
         desc = new_struct("hrbfnpr_trim_desc")
         keep = []
@@ -80,5 +92,5 @@ class Trimming(Owner):
 
     @property
     def trim_info(self) -> TrimInfo:
-        """What `trim` left out."""
+        """What the last `trim` left out."""
         return get(TrimInfo, lib.hrbfnpr_model_get_trim_info, self._handle)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Values of a drawing's options as text: what the command line is given, and `hrbfnpr.draw` puts into text."""
+"""Reads the values of a drawing's options from text, as the command line gives them, and as `hrbfnpr.draw` writes them."""
 from __future__ import annotations
 
 import argparse
@@ -23,14 +23,14 @@ _ALSO_LINES = ("ridge", "valley", "contours", "isophote", "sections", "borders",
 
 
 def words_of(error: BaseException) -> str:
-    """An error in a line, with the file that it is about."""
+    """An error on one line, with the file that it is about."""
     if isinstance(error, OSError) and error.filename is not None:
         return f"{os.fsdecode(error.filename)}: {error.strerror}"
     return " ".join(str(error).split())
 
 
 def wrong(text: str) -> argparse.ArgumentTypeError:
-    """What is raised for a value; both callers name the option."""
+    """The error for a wrong value.  Both callers add the name of the option."""
     return argparse.ArgumentTypeError(text)
 
 
@@ -81,7 +81,7 @@ def vector(text: str) -> Vector:
 
 
 def direction(text: str) -> Vector:
-    """x, y or z, with a sign or not, or three numbers."""
+    """x, y or z, with or without a sign, or three numbers."""
     axis, sign = text.lstrip("+-"), -1.0 if text.startswith("-") else 1.0
     if axis in ("x", "y", "z"):
         x, y, z = (sign if name == axis else 0.0 for name in "xyz")
@@ -93,7 +93,7 @@ def direction(text: str) -> Vector:
 
 
 def or_auto(parse: Callable[[str], Any], of_auto: Any = None) -> Callable[[str], Any]:
-    """What `parse` makes, or auto."""
+    """A parser that takes "auto", too."""
     return lambda text: of_auto if text == "auto" else parse(text)
 
 
@@ -101,7 +101,7 @@ up = or_auto(direction)
 
 
 def edges(text: str) -> Tuple[str, float]:
-    """What becomes of the edges of a mesh, and from which angle on they are some."""
+    """What to do with the edges of a mesh, and the angle above which they are sharp."""
     if text in ("auto", "smooth"):
         return text, 30.0
     try:
@@ -121,7 +121,7 @@ def interval(text: str) -> Tuple[float, float]:
 
 
 def size(text: str) -> Union[int, Tuple[int, int]]:
-    """WxH, or the longer side alone."""
+    """WIDTHxHEIGHT, or the longer side alone."""
     parts = text.lower().split("x")
     if len(parts) > 2:
         raise wrong(f"WIDTHxHEIGHT or one number is needed, not {text!r}")
@@ -147,7 +147,7 @@ def layers(text: str) -> Tuple[str, ...]:
 
 
 def one_of(what: str, known: Any, several: bool = True) -> Callable[[str], Tuple[str, ...]]:
-    """Names with commas between, each once."""
+    """Names with commas between them, each once."""
 
     def parse(text: str) -> Tuple[str, ...]:
         names = tuple(dict.fromkeys(text.split(",")))
@@ -175,7 +175,7 @@ def per_layer(text: str) -> Dict[str, int]:
 
 
 def lines(text: str) -> str:
-    """contour,suggestive,section=z:20,isophotes=0.3:0.6 ...; none for no lines."""
+    """Kinds of lines with commas between them, such as contour,suggestive,section=z:20,isophotes=0.3:0.6; or none."""
     for part in () if text == "none" else text.split(","):
         name, _, value = part.partition("=")
         kind = name.replace("-", "_")
@@ -215,7 +215,7 @@ def assignment(text: str) -> Tuple[str, str]:
 
 
 def _set(owner: Union[Style, LayerStyle], field: str, text: str) -> None:
-    """Set a field from text, by the type of its present value: an error says what would be right."""
+    """Set a field from text, by the type of its present value.  An error says what is allowed."""
     present = getattr(owner, field)
     if isinstance(present, bool):
         if text.lower() not in ("0", "1", "true", "false"):
@@ -247,7 +247,7 @@ def page(text: str) -> str:
 
 
 def pens(text: str) -> List[Pen]:
-    """GROUP=COLOUR[:WIDTH[:TYPE]], with commas between; a colour or a width that is left out is as drawn."""
+    """GROUP=COLOUR[:WIDTH[:TYPE]] with commas between them.  A colour or a width that is left out is as drawn."""
     found = []
     for i, part in enumerate(filter(None, text.split(","))):
         groups, equals, rest = part.partition("=")
@@ -274,14 +274,14 @@ def _width(text: str) -> float:
 
 
 def pen_widths(text: str) -> List[float]:
-    """Of the pens at hand, mm."""
+    """The widths of the available pens, in mm."""
     widths = sorted(number(part) for part in text.split(",") if part)
     if not widths or not 0 < widths[0] <= widths[-1] < 1e3:
         raise wrong(f"must be widths above 0 in mm with commas between, not {text!r}")
     return widths
 
 
-# ---- By the kinds of the table
+# ---- Parsers for the kinds of the table
 
 _PARSERS: Dict[str, Callable[[str], Any]] = {
     "number": number, "vector": vector, "direction": direction, "up": up, "paint": paint, "size": size, "layers": layers,
@@ -292,7 +292,7 @@ _PARSERS: Dict[str, Callable[[str], Any]] = {
 
 
 def parser_of(kind: str) -> Callable[[str], Any]:
-    """What reads a value of a kind of the table: "number", "count 0 6"."""
+    """The parser for a kind of the table, such as "number" or "count 0 6"."""
     name, *bounds = kind.split()
     if name in ("count", "count_or_auto"):
         parse = count(*(int(bound) for bound in bounds))

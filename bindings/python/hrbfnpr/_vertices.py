@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Vertex layouts."""
+"""Layouts of vertices."""
 from __future__ import annotations
 
 from typing import Any, List, Sequence, Tuple
@@ -9,7 +9,7 @@ from ._errors import new_list, new_struct
 from ._library import ffi
 from ._numpy import np
 
-# Attribute -> type code, components.
+# For each attribute: the type code, and the number of components.
 _TYPES = {
     "position": ("f", 3),
     "window": ("f", 3),
@@ -32,7 +32,7 @@ Fields = List[Tuple[str, str, int, int]]  # name, type code, components, offset
 
 
 def layout_of(primitive: int, attributes: Sequence[str]) -> Tuple[Any, Fields, Any]:
-    """The library's layout, packed but for padding to 4 bytes; the same as fields; what must be kept alive."""
+    """The library's layout, packed except for padding to 4 bytes; the same as fields; and the objects to keep alive."""
     layout = new_struct("hrbfnpr_vertex_layout")
     fields: Fields = []
     if isinstance(attributes, str):

@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Turntables and batches of drawings on many processes or machines, by Dask.  Needs NumPy and dask.distributed.
+"""Turntables and batches of drawings on many processes or machines, with Dask.  Needs NumPy and dask.distributed.
 
-A model is fitted, and its marks are placed, here; both are sent to every worker once, as saved bytes.  Each worker makes
-its context, looks for lines once, and draws its frames.  Results come back as they are ready.  What a worker was drawing
-when it died is drawn by another one.
+For a turntable, the calling process fits the model and places the marks.  It sends both to every worker once, as saved
+bytes.  Each worker makes its own context, finds lines once, and draws its frames.  Results come back as soon as they are
+ready.  If a worker dies, another one draws its frames.
 
 >>> hrbfnpr.batch.turntable("bunny.ply", "bunny.gif", frames=72)
 >>> for number, image in hrbfnpr.batch.draw(["a.ply", "b.ply"], "hatch", scheduler="tcp://10.0.0.5:8786"):
 ...     ...
 
-A local cluster starts its processes anew, never by fork: a script that uses one wants ``if __name__ == "__main__":``.
+A local cluster starts new processes, never by fork.  A script that uses one therefore needs
+``if __name__ == "__main__":``.
 """
 from __future__ import annotations
 
@@ -33,14 +34,14 @@ from ._request import Options
 from ._scene import Scene
 from ._style import Style
 
-RETRIES = 3  # of what fails because its worker died
-_KEPT = 2  # scenes of a worker
+RETRIES = 3  # how often a task is repeated if its worker dies
+_KEPT = 2  # number of scenes that a worker keeps
 
 Numbered = Tuple[int, Array]
 
 
 class Sent(NamedTuple):
-    """What a worker draws: the saved models and marks, and how."""
+    """What a worker draws: the saved models and marks, and the options, style and camera."""
 
     name: str
     surfaces: Tuple[Tuple[Optional[bytes], bytes], ...]
@@ -51,7 +52,7 @@ class Sent(NamedTuple):
 
 
 class WorkerError(RuntimeError):
-    """Workers died again and again while they drew."""
+    """The workers of a task died again and again while they drew."""
 
 
 def turntable(
@@ -65,19 +66,24 @@ def turntable(
     loops: int = 0,
     **options: Any,
 ) -> None:
-    """As `hrbfnpr.animate`, by many workers.
+    """Draw a turntable on many workers and write it to a file, as `hrbfnpr.animate` does.
 
     Parameters
     ----------
     source, path, style, frames, fps, turn, loops
-        As there.
+        As in `hrbfnpr.animate`.
     **options
-        `scheduler`, `workers`, `camera`, `progress` and `context` of `frames_of`, and the options of `hrbfnpr.draw`.
+        `scheduler`, `workers`, `camera`, `progress` and `context`, as in `frames_of`, and the options of `hrbfnpr.draw`.
+
+    Raises
+    ------
+    ImportError, WorkerError
+        As `frames_of`.
     """
     _movies.check_movie(path, fps)
     paper: List[Any] = []
     drawn = frames_of(source, style, frames=frames, turn=turn, tell=lambda scene: paper.extend(scene.style.paper), **options)
-    first = next(drawn)  # by now the paper is known
+    first = next(drawn)  # after this the paper is known
 
     def ordered() -> Iterator[Array]:
         waiting: Dict[int, Array] = dict([first])
@@ -104,28 +110,30 @@ def frames_of(
     tell: Optional[Callable[[Scene], Any]] = None,
     **options: Any,
 ) -> Generator[Numbered, None, None]:
-    """The frames of a turntable, as they are ready: number and image, in any order.
+    """Draw the frames of a turntable on many workers.  Yields the number and the image of each frame when it is ready.
+
+    The frames come in any order.
 
     Parameters
     ----------
     source, style, frames, turn, camera, progress, **options
         As in `hrbfnpr.animate`.
     scheduler : str or Client, optional
-        Address of Dask's scheduler, such as "tcp://10.0.0.5:8786", or a client that is left open; a local cluster of
-        processes for this call if omitted.
+        The address of Dask's scheduler, such as "tcp://10.0.0.5:8786", or a client, which stays open; None: a local
+        cluster of processes for this call.
     workers : int, optional
-        Processes of that cluster; as many as processors.
+        Number of processes of the local cluster; None: the number of processors.
     context : Context, optional
-        For the fit and the marks.
+        The context for the fit and the marks.
     tell : callable, optional
-        Called with what is going to be drawn, before the first frame.
+        A function that gets the scene before the first frame.
 
     Raises
     ------
     ImportError
-        Without dask.distributed.
+        If dask.distributed is not installed.
     WorkerError
-        If a frame's workers died more than `RETRIES` times.
+        If the workers of a frame died more than `RETRIES` times.
     """
     if frames < 1:
         raise ValueError(f"frames must be at least 1, not {frames}")
@@ -148,26 +156,30 @@ def draw(
     progress: Progress = None,
     **options: Any,
 ) -> Iterator[Numbered]:
-    """Drawings of many sources, as they are ready: number and image, in any order.
+    """Draw many sources on many workers.  Yields the number and the image of each source when it is ready.
+
+    The images come in any order.
 
     Parameters
     ----------
     sources : iterable
-        Of what `hrbfnpr.draw` takes, as far as it can be pickled; paths are read by the workers.
+        Sources of `hrbfnpr.draw` that can be pickled.  The workers read files.
     style, **options
-        As there.
+        As in `hrbfnpr.draw`.
     scheduler, workers, progress
         As in `frames_of`.
 
     Raises
     ------
+    ImportError, WorkerError
+        As `frames_of`.
     ValueError, OSError, ...
-        What `hrbfnpr.draw` raises for one of them, as it comes.
+        The error of `hrbfnpr.draw` for one of the sources.
 
     Warns
     -----
     DrawingWarning
-        As `hrbfnpr.draw` does, with the number of the source.
+        The warnings of `hrbfnpr.draw`, with the number of the source.
     """
     _distributed()
     with _client(scheduler, workers) as (client, threads):
@@ -189,7 +201,7 @@ def _distributed() -> Any:
 
 @contextmanager
 def _client(scheduler: Any, workers: Optional[int]) -> Iterator[Tuple[Any, int]]:
-    """A client, and how many threads each worker may have, 0 = all of its machine."""
+    """A client, and the number of threads that each worker may have; 0 = all of its machine."""
     distributed = _distributed()
     if scheduler is not None:
         if isinstance(scheduler, distributed.Client):
@@ -222,16 +234,16 @@ def _sent(scene: Scene, threads: int) -> Sent:
 
 
 class _Work:
-    """Tasks on a client; what is lost is done again."""
+    """Tasks on a client.  A task whose worker dies is repeated."""
 
     def __init__(self, client: Any, function: Any, sent: Any, parts: List[Any]) -> None:
         self._client, self._function, self._sent, self._parts = client, function, sent, parts
         self._data = self._scattered()
-        self._numbers: Dict[Any, int] = {}  # by the futures that are open
+        self._numbers: Dict[Any, int] = {}  # the number of each open future
         self._tries = [0] * len(parts)
 
     def _scattered(self) -> Any:
-        """To every worker, once."""
+        """Send the data to every worker, once."""
         return self._client.scatter([self._sent], broadcast=True, hash=False)[0]
 
     def submit(self, number: int) -> Any:
@@ -244,15 +256,15 @@ class _Work:
         return self._numbers.pop(future)
 
     def again(self, number: int, error: BaseException) -> Any:
-        """After its worker died, perhaps several."""
+        """Repeat a task whose worker died."""
         if self._tries[number] > RETRIES:
             raise WorkerError(f"workers died {self._tries[number]} times while they drew number {number}") from error
-        if self._data.status != "finished":  # the last worker that had it is gone
+        if self._data.status != "finished":  # all workers that had the data are gone
             self._data = self._scattered()
         return self.submit(number)
 
     def stop(self) -> None:
-        """What nobody waits for any more."""
+        """Cancel the tasks that are still open."""
         if self._numbers:
             self._client.cancel(list(self._numbers))
         self._numbers.clear()
@@ -261,7 +273,7 @@ class _Work:
 def _results(
     client: Any, function: Any, sent: Any, parts: List[Any], report: CallReport
 ) -> Iterator[Tuple[int, Any]]:
-    """What `function` makes of what was sent and each part, as it comes."""
+    """The result of `function` for each part, with its number, as it comes."""
     distributed = _distributed()
     lost = (distributed.KilledWorker, distributed.CancelledError)
     work = _Work(client, function, sent, parts)
@@ -275,7 +287,7 @@ def _results(
                 except lost as error:
                     waiting.add(work.again(number, error))
                     continue
-                del future  # or the worker would keep the result
+                del future  # otherwise the worker would keep the result
                 if stage.bar is not None:
                     stage.bar.update(1 / len(parts))
                 yield number, result
@@ -283,12 +295,12 @@ def _results(
         work.stop()
 
 
-_scenes: "OrderedDict[str, Scene]" = OrderedDict()  # of this worker
+_scenes: "OrderedDict[str, Scene]" = OrderedDict()  # the scenes of this worker
 _making = threading.Lock()
 
 
 def _scene(sent: Sent) -> Scene:
-    """Made once for all frames that a worker draws."""
+    """The scene of what was sent, made once for all frames that this worker draws."""
     with _making:
         found = _scenes.get(sent.name)
         if found is None:
@@ -308,12 +320,12 @@ def _made(sent: Sent) -> Scene:
 
 
 def _frame(sent: Sent, camera: Camera) -> Array:
-    """On a worker."""
+    """Draw a frame, on a worker."""
     return _scene(sent).draw(camera).image()
 
 
 def _whole(sent: Any, source: Any) -> Tuple[Array, List[str]]:
-    """On a worker: the image, and what is to be warned of."""
+    """Draw a source, on a worker.  Returns the image and the warnings."""
     style, options, threads = sent
     report = CallReport()
     scene = asked(source, style, options, None, _context(threads), report)
@@ -321,7 +333,7 @@ def _whole(sent: Any, source: Any) -> Tuple[Array, List[str]]:
     return image, [str(text) for text in report.taken()]
 
 
-_contexts: Dict[int, Context] = {}  # of this worker
+_contexts: Dict[int, Context] = {}  # the contexts of this worker
 
 
 def _context(threads: int) -> Context:

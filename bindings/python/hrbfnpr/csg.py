@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Primitive solids, to put others together from.
+"""Primitive solids, to combine with each other and with other models.
 
 >>> from hrbfnpr import csg
 >>> plate = csg.box((4, 3, 0.5)) - csg.cylinder(0.5, 2) - csg.half_space((2, 0, 0), (-1, 0, -1))
 >>> part = plate.blend(csg.cylinder(0.4, 2, center=(1.2, 0.8, 0.5)), 0.3)
 
-Each is a `Model`: it can be drawn and asked as any other, and be combined with any other, fits and functions too:
-``a | b``, ``a & b``, ``a - b``, ``~a``, `Model.blend`, `Model.offset`, `Model.shell`, `Model.transformed` ...
+Each solid is a `Model`.  It can be drawn, and combined with any other model, such as a fit or a function: ``a | b``,
+``a & b``, ``a - b``, ``~a``, `Model.blend`, `Model.offset`, `Model.shell`, `Model.transformed`.
 
-Half-space, sphere and torus have f exactly as far as it is to the surface; box, cylinder and cone inside, and outside
-where a side is nearest: beside edges and corners f is less.
+For half-spaces, spheres and tori, f is the signed distance to the surface.  For boxes, cylinders and cones it is the
+largest of the distances from their sides: exact inside, and outside where one side is nearest; less beside edges and
+corners.  Lengths are in any unit.
 """
 from __future__ import annotations
 
@@ -34,19 +35,41 @@ def _primitive(
 
 
 def box(size: Sequence[float], center: Triple = _ORIGIN, *, context: Optional[Context] = None) -> Model:
-    """A box with these lengths of its sides, along the axes."""
+    """Make a box with sides along the axes.
+
+    Parameters
+    ----------
+    size : (x, y, z)
+        Lengths of the sides, above 0.
+    center : (x, y, z)
+        The middle of the box.
+    context : Context, optional
+        As in `Model.fit`.
+    """
     return _primitive("box", center, _UP, context, size=vector("size", size))
 
 
 def sphere(radius: float, center: Triple = _ORIGIN, *, context: Optional[Context] = None) -> Model:
-    """A ball."""
+    """Make a ball of this radius, above 0, around `center`."""
     return _primitive("sphere", center, _UP, context, radius=radius)
 
 
 def cylinder(
     radius: float, height: float, center: Triple = _ORIGIN, axis: Triple = _UP, *, context: Optional[Context] = None
 ) -> Model:
-    """A cylinder with flat ends; `center` is the middle of its axis."""
+    """Make a cylinder with flat ends.
+
+    Parameters
+    ----------
+    radius, height : float
+        Radius and height, above 0.
+    center : (x, y, z)
+        The middle of the axis.
+    axis : (x, y, z)
+        The direction of the axis, of any length except 0.
+    context : Context, optional
+        As in `Model.fit`.
+    """
     return _primitive("cylinder", center, axis, context, radius=radius, height=height)
 
 
@@ -59,7 +82,23 @@ def cone(
     top_radius: float = 0.0,
     context: Optional[Context] = None,
 ) -> Model:
-    """A cone with flat ends, or a point if a radius is 0; `center` is the middle of its axis."""
+    """Make a cone with flat ends; an end with the radius 0 is a tip.
+
+    Parameters
+    ----------
+    radius : float
+        Radius of the lower end, 0 or more.
+    height : float
+        Height, above 0.
+    center : (x, y, z)
+        The middle of the axis.
+    axis : (x, y, z)
+        The direction from the lower end to the upper end, of any length except 0.
+    top_radius : float
+        Radius of the upper end, 0 or more; one of the radii must be above 0.
+    context : Context, optional
+        As in `Model.fit`.
+    """
     return _primitive("cone", center, axis, context, radius=radius, height=height, second_radius=top_radius)
 
 
@@ -71,7 +110,21 @@ def torus(
     *,
     context: Optional[Context] = None,
 ) -> Model:
-    """A tube around a circle about the axis."""
+    """Make a torus: a tube around a circle.
+
+    Parameters
+    ----------
+    radius : float
+        Radius of the circle.
+    tube_radius : float
+        Radius of the tube, above 0 and below `radius`.
+    center : (x, y, z)
+        The middle of the circle.
+    axis : (x, y, z)
+        The direction perpendicular to the circle, of any length except 0.
+    context : Context, optional
+        As in `Model.fit`.
+    """
     return _primitive("torus", center, axis, context, radius=radius, second_radius=tube_radius)
 
 
@@ -82,10 +135,19 @@ def half_space(
     bounds: Optional[Tuple[Triple, Triple]] = None,
     context: Optional[Context] = None,
 ) -> Model:
-    """All that is behind the plane through a point; the normal points out of it.
+    """Make a half-space: everything on one side of a plane.  Use it to cut other solids.
 
-    It has no end, and is what others are cut by.  Drawn itself it ends at `bounds`, two corners of a box; by default a
-    cube from -1 to 1 about the point.  Solids that it is part of have bounds of their own.
+    Parameters
+    ----------
+    point : (x, y, z)
+        A point of the plane.
+    normal : (x, y, z)
+        The normal of the plane, of any length except 0; it points out of the half-space.
+    bounds : (minimum, maximum), optional
+        Two corners of the box at which the half-space ends when it is drawn alone; None: a cube from -1 to 1 around the
+        point.  In a solid, the bounds are those of the solid.
+    context : Context, optional
+        As in `Model.fit`.
     """
     at = vector("point", point)
     around = bounds or ([c - 1.0 for c in at], [c + 1.0 for c in at])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Shapes to try things on: surfaces given by formulas, exact to rounding, and the Stanford bunny.  Needs NumPy.
+"""Shapes to try things out: surfaces of formulas, exact except for rounding, and the Stanford bunny.  Needs NumPy.
 
-Each function returns a `Shape`: `count` points, spread evenly, with unit normals that look outward; or, with
-``mesh=True``, a triangle mesh whose vertices lie on the surface.  The same arguments give the same shape; `seed` chooses
-another one of its kind.
+Each function returns a `Shape`.  By default it holds `count` evenly spread points with unit normals that point outward.
+With ``mesh=True`` it is a triangle mesh whose vertices lie on the surface.  The same arguments give the same shape; another
+`seed` gives other points, or another terrain.
 
 >>> points = hrbfnpr.datasets.torus(500)
 >>> hrbfnpr.draw(points, "hatch")
@@ -21,15 +21,15 @@ from ._mesh import farthest_points
 from .shapes import Shape, read
 from .shapes._shape import Floats, Integers
 
-_CANDIDATES = 24  # random places on a surface for each point that is chosen of them
-_BUNNY = Path(".cache") / "bunny-1.0.1.obj"  # where scripts/fetch_bunny of a checkout puts it
+_CANDIDATES = 24  # number of random places on a surface from which each point is chosen
+_BUNNY = Path(".cache") / "bunny-1.0.1.obj"  # where scripts/fetch_bunny puts it in a checkout
 
 Surface = Callable[[Floats, Floats], Tuple[Floats, Floats]]
-"""Parameters in [0, 1), shape (n,) each, to points and unit normals, shape (n, 3) each."""
+"""A map from parameters in [0, 1), shape (n,) each, to points and unit normals, shape (n, 3) each."""
 
 
 def sphere(count: int = 400, *, radius: float = 1.0, mesh: bool = False, seed: int = 1) -> Shape:
-    """x² + y² + z² = radius², about the origin."""
+    """Return a sphere around the origin: x² + y² + z² = radius²."""
 
     def at(directions: Floats) -> Tuple[Floats, Floats]:
         return radius * directions, directions
@@ -40,7 +40,7 @@ def sphere(count: int = 400, *, radius: float = 1.0, mesh: bool = False, seed: i
 def torus(
     count: int = 600, *, radius: float = 1.0, tube: float = 0.4, mesh: bool = False, seed: int = 1
 ) -> Shape:
-    """(√(x² + y²) − radius)² + z² = tube², about the z axis; 0 < tube < radius."""
+    """Return a torus around the z axis: (√(x² + y²) − radius)² + z² = tube², 0 < tube < radius."""
     if not 0 < tube < radius:
         raise ValueError(f"tube must be above 0 and below the radius of {radius:g}, not {tube:g}")
     return _sheet(_torus(radius, tube), count, mesh, seed, "torus", (96, 40), (True, True))
@@ -57,9 +57,10 @@ def _torus(radius: float, tube: float) -> Surface:
 
 
 def linked_tori(count: int = 1000, *, tube: float = 0.25, mesh: bool = False, seed: int = 1) -> Shape:
-    """Two tori of radius 1 through each other's holes: one about z, and one about y with its middle at x = 1.
+    """Return two tori of radius 1 that go through each other's holes.
 
-    0 < tube < 0.5, so that they do not touch.
+    One is around the z axis; the other is around an axis parallel to y, with its middle at x = 1.  `tube` is above 0 and
+    below 0.5, so that they do not touch.
     """
     if not 0 < tube < 0.5:
         raise ValueError(f"tube must be above 0 and below 0.5, or the tori touch, not {tube:g}")
@@ -67,7 +68,7 @@ def linked_tori(count: int = 1000, *, tube: float = 0.25, mesh: bool = False, se
 
     def upright(u: Floats, v: Floats) -> Tuple[Floats, Floats]:
         points, normals = flat(u, v)
-        turned = [np.column_stack([a[:, 0], -a[:, 2], a[:, 1]]) for a in (points, normals)]  # by 90° about x
+        turned = [np.column_stack([a[:, 0], -a[:, 2], a[:, 1]]) for a in (points, normals)]  # by 90° about the x axis
         return turned[0] + (1.0, 0.0, 0.0), turned[1]
 
     first, second = (count + 1) // 2, count // 2
@@ -81,9 +82,10 @@ def linked_tori(count: int = 1000, *, tube: float = 0.25, mesh: bool = False, se
 def knot(
     count: int = 1500, *, turns: Tuple[int, int] = (2, 3), tube: float = 0.25, mesh: bool = False, seed: int = 1
 ) -> Shape:
-    """A tube about the torus knot ((2 + cos qt) cos pt, (2 + cos qt) sin pt, sin qt), (p, q) = `turns`.
+    """Return a tube around the torus knot ((2 + cos qt) cos pt, (2 + cos qt) sin pt, sin qt), (p, q) = `turns`.
 
-    The trefoil by default.  `tube` is the tube's radius, at most 0.4, so that its parts stay apart.
+    The default is a trefoil.  p and q have no common divisor.  `tube` is the radius of the tube, above 0 and at most 0.4,
+    so that the tube does not touch itself.
     """
     p, q = turns
     if np.gcd(p, q) != 1 or min(p, q) < 1:
@@ -104,7 +106,7 @@ def knot(
 
 
 def _knot_line(t: Floats, p: int, q: int) -> Tuple[Floats, Floats, Floats]:
-    """The knot's middle line and its first two derivatives."""
+    """The middle line of the knot, and its first two derivatives."""
     r, r1, r2 = 2 + np.cos(q * t), -q * np.sin(q * t), -q * q * np.cos(q * t)
     c, s = np.cos(p * t), np.sin(p * t)
     line = np.column_stack([r * c, r * s, np.sin(q * t)])
@@ -116,7 +118,7 @@ def _knot_line(t: Floats, p: int, q: int) -> Tuple[Floats, Floats, Floats]:
 
 
 def heart(count: int = 800, *, mesh: bool = False, seed: int = 1) -> Shape:
-    """(x² + y² + 9/4 z² − 1)³ = x² y³ + 9/80 z² y³, upright along y (Taubin, 1994)."""
+    """Return a heart, upright along y (Taubin, 1994): (x² + y² + 9/4 z² − 1)³ = x² y³ + 9/80 z² y³."""
 
     def value(points: Floats) -> Floats:
         x, y, z = points.T
@@ -146,10 +148,10 @@ def heart(count: int = 800, *, mesh: bool = False, seed: int = 1) -> Shape:
 def terrain(
     count: int = 1500, *, height: float = 0.12, waves: int = 12, mesh: bool = False, seed: int = 1
 ) -> Shape:
-    """An open sheet over [−1, 1]²: z = Σ aᵢ sin(kᵢ · (x, y) + φᵢ), i < `waves`, normals upward.
+    """Return an open sheet over [−1, 1]² with upward normals: z = Σ aᵢ sin(kᵢ · (x, y) + φᵢ), i < `waves`.
 
-    Wave vectors kᵢ have lengths from 2 to 9 and amplitudes 1/abs(kᵢ), all random by the seed, scaled so that the sum's
-    root mean square is `height`.
+    The lengths of the wave vectors kᵢ go from 2 to 9, and the amplitudes are proportional to 1/abs(kᵢ).  Directions and
+    phases are random, by the seed.  The sum is scaled so that its root mean square is `height`.
     """
     if waves < 1:
         raise ValueError(f"waves must be at least 1, not {waves}")
@@ -171,18 +173,18 @@ def terrain(
 
 
 def bunny(path: Union[None, str, "os.PathLike[str]"] = None) -> Shape:
-    """The Stanford bunny, a mesh: of the npm package bunny 1.0.1, or any copy of it.
+    """Read the Stanford bunny, a mesh: that of the npm package bunny 1.0.1, or any copy of it.
 
     Parameters
     ----------
     path : path, optional
-        Its file; by default where ``scripts/fetch_bunny`` of a checkout puts it: ``.cache`` of the current folder, of
-        one above it, or of the checkout that this package is in.
+        The file.  By default it is looked for where ``scripts/fetch_bunny`` puts it: in ``.cache`` of the current folder,
+        of a folder above it, or of the checkout of this package.
 
     Raises
     ------
     FileNotFoundError
-        If it is not there; the message says how to get it.
+        If the file is not found; the message says how to get it.
     """
     if path is not None:
         return read(path)
@@ -199,7 +201,7 @@ def bunny(path: Union[None, str, "os.PathLike[str]"] = None) -> Shape:
 def _sheet(
     surface: Surface, count: int, mesh: bool, seed: int, name: str, cells: Tuple[int, int], closed: Tuple[bool, bool]
 ) -> Shape:
-    """A surface over the unit square, which may close in either direction."""
+    """A surface over the unit square, which may be closed in either direction."""
     if mesh:
         return _grid(surface, name, cells, closed)
     _check_count(count)
@@ -220,7 +222,7 @@ def _chosen(points: Floats, normals: Floats, count: int, name: str) -> Shape:
 
 
 def _even(surface: Surface, count: int, random: Any) -> Tuple[Floats, Floats]:
-    """Parameters of random places, even over the area, which is measured by differences."""
+    """Parameters of random places that are even over the area.  The area is measured by differences."""
     u, v = random.uniform(size=(2, 3 * count))
     step = 1e-5
     du = surface(u + step, v)[0] - surface(u - step, v)[0]
@@ -249,7 +251,7 @@ def _grid(surface: Surface, name: str, cells: Tuple[int, int], closed: Tuple[boo
 def _round(
     surface: Callable[[Floats], Tuple[Floats, Floats]], count: int, mesh: bool, seed: int, name: str
 ) -> Shape:
-    """A surface that every ray from the origin crosses once: `surface` takes directions."""
+    """A surface that every ray from the origin crosses once.  `surface` maps directions to points and normals."""
     if mesh:
         directions, triangles = _globe(5)
         return Shape(surface(directions)[0], None, triangles, format=name)
@@ -260,7 +262,7 @@ def _round(
 
 
 def _globe(steps: int) -> Tuple[Floats, Integers]:
-    """An octahedron, each face divided into four so many times, its vertices on the unit sphere."""
+    """An octahedron whose faces are divided into four `steps` times, with its vertices on the unit sphere."""
     points: Floats = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
     faces: Any = np.array(
         [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]], dtype=np.int64

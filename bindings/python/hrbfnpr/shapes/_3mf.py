@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""3MF, of 3D printers: meshes and where they are placed, as XML in a ZIP archive.
+"""Reads 3MF, a format for 3D printers: meshes and their places, as XML in a ZIP archive.
 
-3D Manufacturing Format, core specification 1.3; other parts of the file by ``p:path`` (production extension 1.1).
+3D Manufacturing Format, core specification 1.3; ``p:path`` refers to other parts of the file (production extension 1.1).
 """
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ import numpy as np
 
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 
-UP: Vector = (0.0, 0.0, 1.0)  # of printers
+UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers
 _RELATIONS = "_rels/.rels"
 _MODEL_TYPE = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
 _CORE = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
 _PATH = "{http://schemas.microsoft.com/3dmanufacturing/production/2015/06}path"
-_LARGEST_PART = 1 << 31  # bytes unpacked
-_MOST_PLACED = 100_000  # objects
-_DEEPEST = 64  # components in components
-# What the standard library raises at damaged archives, and at those that are encrypted or packed in an odd way.
+_LARGEST_PART = 1 << 31  # largest unpacked size of a part, in bytes
+_MOST_PLACED = 100_000  # largest number of placed objects
+_DEEPEST = 64  # largest depth of components inside components
+# Errors of the standard library for archives that are damaged, encrypted or packed with an unknown method.
 UNPACKING = (zlib.error, lzma.LZMAError, struct.error, EOFError, LookupError, OSError, RuntimeError, ValueError)
-_NO_PARTS = ("support", "other")  # what a printer needs, and notes
+_NO_PARTS = ("support", "other")  # supports for printing, and notes: not parts of the model
 
 
 class _Placed(NamedTuple):
     part: str
     number: str
-    place: Floats  # 4 x 4, for rows
+    place: Floats  # 4 x 4 matrix that acts on row vectors
 
 
 def is_3mf(path: Path) -> bool:
-    """Whether a ZIP archive has a model of 3MF in it."""
+    """Whether a ZIP archive contains a 3MF model."""
     try:
         with zipfile.ZipFile(path) as archive:
             return any(name.lower().endswith(".model") for name in archive.namelist())
@@ -59,11 +59,11 @@ def read_3mf(path: Path) -> Shape:
 
 
 class _Reader:
-    """One archive."""
+    """Reads one archive."""
 
     def __init__(self, archive: zipfile.ZipFile) -> None:
         self._archive = archive
-        self._objects: Dict[str, Dict[str, Any]] = {}  # of each part that was read
+        self._objects: Dict[str, Dict[str, Any]] = {}  # the objects of each part that was read
         self._meshes: Dict[Tuple[str, str], Tuple[Floats, Integers]] = {}
         self._left_out = 0
         self._points: List[Floats] = []
@@ -105,7 +105,7 @@ class _Reader:
             return ElementTree.fromstring(self._archive.read(info))
         except ElementTree.ParseError as error:
             raise ShapeError(f"{part} of the 3MF file is no XML: {error}") from None
-        except (LookupError, ValueError) as error:  # an encoding that nobody knows
+        except (LookupError, ValueError) as error:  # an unknown encoding
             raise ShapeError(f"{part} of the 3MF file cannot be read: {error}") from None
 
     def _root(self, part: str) -> ElementTree.Element:
@@ -153,12 +153,12 @@ class _Reader:
 
 
 def _name(target: str) -> str:
-    """Of a part in the archive."""
+    """The name of a part in the archive."""
     return str(PurePosixPath("/", target).relative_to("/"))
 
 
 def _placed(element: ElementTree.Element, part: str, outer: Floats) -> _Placed:
-    """What an item of the build or a component places, and where in the whole."""
+    """The object that an item of the build or a component places, and its place in the whole."""
     path = element.get(_PATH)
     place = np.eye(4)
     said = element.get("transform")

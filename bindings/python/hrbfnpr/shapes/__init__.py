@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Reads point sets and meshes, and samples a mesh to a few well-spread points with normals.
+"""Reads point sets and meshes from files, and chooses a few well-spread samples with normals.
 
-Needs NumPy; a few formats need the package that reads them (docs/input.md).
+Needs NumPy.  Some formats need another package or program (see docs/input.md).
 
 >>> shape = hrbfnpr.shapes.read("bunny.ply")
 >>> points, normals = hrbfnpr.shapes.samples(shape, 1000)

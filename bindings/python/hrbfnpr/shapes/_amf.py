@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""AMF, of 3D printers: meshes, and constellations that place them; as XML, which slicers put into a ZIP archive.
+"""Reads AMF, a format for 3D printers: meshes, and constellations that place them, as XML, which may be in a ZIP archive.
 
-Additive Manufacturing File Format, ISO/ASTM 52915. Triangles whose sides are curved are taken as flat.
+Additive Manufacturing File Format, ISO/ASTM 52915.  Triangles with curved sides are read as flat ones.
 """
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from ._3mf import UNPACKING
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 from ._table import is_number
 
-UP: Vector = (0.0, 0.0, 1.0)  # of printers
+UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers
 MAGIC = rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<(?i:amf)\b"
-_LARGEST = 1 << 31  # bytes unpacked
+_LARGEST = 1 << 31  # largest unpacked size, in bytes
 _COORDINATES = ("coordinates/x", "coordinates/y", "coordinates/z")
-_MOST_PLACED = 100_000  # objects
-_DEEPEST = 64  # constellations in constellations
+_MOST_PLACED = 100_000  # largest number of placed objects
+_DEEPEST = 64  # largest depth of constellations inside constellations
 _Mesh = Tuple[Floats, Integers]
 
 
 def read_amf(data: bytes) -> Shape:
-    """Read the bytes of an AMF file. All objects that no constellation places stand where they are."""
+    """Read the bytes of an AMF file.  Objects that no constellation places stay where they are."""
     if data[:4] == b"PK\3\4":
         data = _unpacked(data)
     try:
@@ -53,7 +53,7 @@ def _unpacked(data: bytes) -> bytes:
 
 
 class _Placer:
-    """The meshes of all objects, and where constellations have them."""
+    """The meshes of all objects, and the places that constellations give them."""
 
     def __init__(self, root: ElementTree.Element) -> None:
         self._meshes: Dict[str, List[_Mesh]] = {}
@@ -94,7 +94,7 @@ def _id(instance: ElementTree.Element) -> str:
 
 
 def _place(instance: ElementTree.Element) -> Tuple[Floats, Floats]:
-    """Turned about x, then y, then z, by degrees, and then moved."""
+    """Rotation and shift of an instance: turned about x, then y, then z, in degrees, then moved."""
     said = {child.tag.lower(): child.text or "" for child in instance}
     try:
         angles = np.radians([float(said.get(name, "0")) for name in ("rx", "ry", "rz")])

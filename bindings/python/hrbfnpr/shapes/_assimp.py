@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What 3D programs save (Collada, FBX, 3DS, Blender, X3D ...), by the program of the Open Asset Import Library."""
+"""Reads formats of 3D programs (such as Collada, FBX, 3DS, Blender) with the program of the Open Asset Import Library."""
 from __future__ import annotations
 
 import shutil
@@ -11,20 +11,20 @@ from ._gltf import read_gltf
 from ._optional import run
 from ._shape import Shape, ShapeError, Vector
 
-UP: Vector = (0.0, 0.0, 1.0)  # of _Z_UP
+UP: Vector = (0.0, 0.0, 1.0)  # for the formats in _Z_UP
 ENDINGS = {
     ".dae": "Collada", ".fbx": "FBX", ".3ds": "3DS", ".blend": "Blender", ".x3d": "X3D", ".ac": "AC3D", ".lwo": "LWO",
     ".ms3d": "MS3D", ".md2": "MD2", ".md3": "MD3", ".md5mesh": "MD5", ".iqm": "IQM", ".ase": "ASE", ".cob": "COB",
     ".x": "X", ".b3d": "B3D", ".dxf": "DXF", ".ifc": "IFC", ".lxo": "LXO", ".nff": "NFF",
     ".ogex": "OGEX", ".smd": "SMD",
 }  # fmt: skip
-_Z_UP = ("Blender", "COB", "DXF", "SMD")  # which assimp does not turn
+_Z_UP = ("Blender", "COB", "DXF", "SMD")  # formats with z up, which assimp does not turn
 _OTHERWISE = "Blender exports it as glTF or PLY"
 
 
 def read(path: Path) -> Shape:
-    """As a glTF scene."""
-    path.stat()  # a missing file is an OSError like everywhere
+    """Read a file by converting it to glTF."""
+    path.stat()  # so that a missing file is an OSError, as in all readers
     form = ENDINGS[path.suffix.lower()]
     program = shutil.which("assimp")
     if program is None:
@@ -42,7 +42,7 @@ def read(path: Path) -> Shape:
 
 
 def _reason(said: bytes) -> str:
-    """The line of what it prints that begins so."""
+    """The first error in the program's output, or an empty text."""
     for line in said.decode(errors="replace").splitlines():
         if line.startswith("ERROR:") and line[6:].strip():
             return ": " + line[6:].strip()[:200]

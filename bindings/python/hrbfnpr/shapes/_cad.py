@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What CAD programs exchange (STEP, IGES, BREP), by the test program of Open CASCADE, DRAW, which makes triangles of it."""
+"""Reads the formats of CAD programs (STEP, IGES, BREP) as triangles, with DRAW, the test program of Open CASCADE."""
 from __future__ import annotations
 
 import os
@@ -17,8 +17,8 @@ from ._stl import read_stl
 UP: Vector = (0.0, 0.0, 1.0)
 ENDINGS = {".step": "STEP", ".stp": "STEP", ".iges": "IGES", ".igs": "IGES", ".brep": "BREP", ".brp": "BREP"}
 OTHERWISE = "FreeCAD exports it as STL"
-_OFF = 5e-4  # diagonals, that triangles are meant to be from what they stand for at most ...
-_BEND, _OTHERS = 12, (16, 20, 28)  # ... and degrees that they bend by: others where faces get no triangles
+_OFF = 5e-4  # largest distance between triangles and surface that is asked for, in diagonals
+_BEND, _OTHERS = 12, (16, 20, 28)  # largest angle between triangles, in degrees; others to try if faces get no triangles
 _READ = {
     "STEP": "ReadStep D model; XGetOneShape shape D",
     "IGES": "ReadIges D model; XGetOneShape shape D",
@@ -51,7 +51,7 @@ _SAID = re.compile(rb"(?:\*+ *ERR\w*|Error|.*Exception|.*Could not open|Cannot|F
 
 
 def read(path: Path) -> Shape:
-    """As triangles."""
+    """Read a file as triangles."""
     with open(path, "rb") as file:
         form = _by_content(file.read(65536)) or ENDINGS[path.suffix.lower()]
     program = _program()
@@ -59,7 +59,7 @@ def read(path: Path) -> Shape:
         raise ShapeError(f"reading {form} files needs DRAW of Open CASCADE (occt-draw); or without it: {OTHERWISE}")
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
-        shutil.copyfile(path, work / "model")  # a name that Tcl does not read anything into
+        shutil.copyfile(path, work / "model")  # a name without characters that are special in Tcl
         others = " ".join(map(str, _OTHERS))
         script = _SCRIPT.format(read=_READ[form], off=_OFF, bend=_BEND, others=others, last=_OTHERS[-1])
         (work / "read.tcl").write_text(script, "ascii")
@@ -81,14 +81,14 @@ def read(path: Path) -> Shape:
 
 
 def _by_content(head: bytes) -> Optional[str]:
-    """Endings lie."""
+    """The format by the first bytes, because the ending may be wrong; None if they do not tell."""
     if head.startswith(b"ISO-10303-21"):
         return "STEP"
     return "BREP" if b"CASCADE Topology" in head[:200] else None
 
 
 def _program() -> Optional[str]:
-    """Debian's has its version in its name."""
+    """The path of DRAW, or None.  Debian's program has its version in its name."""
     for name in ("DRAWEXE", "occt-draw"):
         if shutil.which(name):
             return shutil.which(name)
@@ -98,7 +98,7 @@ def _program() -> Optional[str]:
 
 
 def _with_plugins(program: str, folder: Path) -> Dict[str, str]:
-    """The environment in which DRAW finds its parts: it asks for names that Debian has in a package for developers only."""
+    """The environment in which DRAW finds its plugins.  It asks for names that Debian has only in a developer package."""
     environment = dict(os.environ)
     ldd = shutil.which("ldd")
     if ldd is None:

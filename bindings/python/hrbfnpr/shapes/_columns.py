@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which column of a table of points is what: by a line that names them, or by their numbers."""
+"""Finds out what the columns of a table of points hold: from a line of headings, or from their numbers."""
 from __future__ import annotations
 
 import re
@@ -15,25 +15,25 @@ _PLACE = {
 }  # fmt: skip
 _COLOURS = {"r": "red", "g": "green", "b": "blue", "red": "red", "green": "green", "blue": "blue"}
 _AXIS = {"0": "x", "1": "y", "2": "z", "x": "x", "y": "y", "z": "z"}
-_UNIT = 0.02  # how far off 1 a normal's length may be
-_MOST = 0.9  # share of rows that tells what a column is
+_UNIT = 0.02  # largest difference of a normal's length from 1
+_MOST = 0.9  # share of the rows that must agree on what a column is
 
 
 class Columns(NamedTuple):
-    """A name for each column, and what there is to say of how it was found."""
+    """A name for each column, and notes on how the names were found."""
 
     names: Tuple[str, ...]
     notes: Tuple[str, ...] = ()
 
     def triple(self, names: Sequence[str]) -> Optional[List[int]]:
-        """The places of three columns; None unless all are there."""
+        """The places of three columns, or None if one is missing."""
         if all(name in self.names for name in names):
             return [self.names.index(name) for name in names]
         return None
 
 
 def _name(word: str) -> str:
-    """What a heading stands for; itself if it is unknown."""
+    """The standard name for a heading, or the heading itself if it is unknown."""
     bare = re.sub(r"[\[(](?!\d)[^\])]*[\])]", "", word.strip().strip("\"'").lower()).strip(" _")
     if bare in _PLACE:
         return _PLACE[bare]
@@ -51,7 +51,7 @@ def _name(word: str) -> str:
 
 
 def by_heading(words: Sequence[str]) -> Optional[Columns]:
-    """Names from a line of headings; None if it does not name x, y and z."""
+    """The columns named by a line of headings, or None if it does not name x, y and z."""
     names: List[str] = []
     for word in words:
         name = _name(word)
@@ -66,7 +66,7 @@ def _is_unit(rows: Floats) -> bool:
 
 
 def _is_numbered(table: Floats) -> bool:
-    """Whether the first of four columns or more counts the rows, and what follows is not whole."""
+    """Whether the first of four or more columns counts the rows, and the columns after it are not whole numbers."""
     if table.shape[1] < 4 or len(table) < 3:
         return False
     first = table[:, 0]
@@ -74,7 +74,7 @@ def _is_numbered(table: Floats) -> bool:
 
 
 def _is_colour(rows: Floats) -> bool:
-    """Whole numbers of 0 to 255, or numbers of 0 to 1, which no normals are: these have both signs, and length 1."""
+    """Whether columns are whole numbers of 0 to 255, or numbers of 0 to 1.  Normals are neither: they have both signs."""
     finite = rows[np.isfinite(rows).all(axis=1)]
     if len(finite) == 0 or finite.min() < 0:
         return False
@@ -84,9 +84,10 @@ def _is_colour(rows: Floats) -> bool:
 
 
 def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -> Columns:
-    """Names from what the columns hold.
+    """The columns named by what they hold.
 
-    `normals_expected`: the file's ending promises normals; `before`: columns of the file that the table lacks.
+    `normals_expected`: whether the file's ending promises normals.  `before`: the number of columns of the file that
+    `table` lacks.
     """
     if _is_numbered(table):
         rest = by_content(table[:, 1:], normals_expected, 1)
@@ -97,7 +98,7 @@ def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -
     notes: List[str] = []
     starts = range(3, width - 2)
     unit = [start for start in starts if _is_unit(some[:, start : start + 3])]
-    # Colours may be of length 1 by chance, as pure red is; normals have both signs.
+    # A colour may have the length 1 by chance, as pure red has.  Normals have both signs.
     signed = [start for start in unit if some[:, start : start + 3].min() < 0]
     place = (signed or unit or [0])[0]
     if not place:
@@ -120,11 +121,11 @@ def by_content(table: Floats, normals_expected: bool = False, before: int = 0) -
 
 
 def _other_normals(table: Floats, starts: Sequence[int], expected: bool, notes: List[str], before: int) -> int:
-    """Where normals are that are not of unit length; 0 if nowhere."""
+    """The place of normals that are not of unit length; 0 if there are none."""
     for start in starts:
         rows = table[:, start : start + 3]
         if len(starts) > 1 and start + 3 != table.shape[1]:
-            continue  # the last three
+            continue  # among several triples, only the last can hold normals
         if expected or (not _is_colour(rows) and float(np.nanmin(rows)) < 0):
             which = f"columns {start + 1 + before} to {start + 3 + before}"
             notes.append(f"{which} are not of unit length, and are taken for normals")

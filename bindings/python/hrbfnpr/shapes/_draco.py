@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What KHR_draco_mesh_compression packs, by the program of the Draco library: no package of Debian has it for Python."""
+"""Unpacks KHR_draco_mesh_compression with the program of the Draco library, because Debian has no Python package for it."""
 from __future__ import annotations
 
 import shutil
@@ -15,7 +15,7 @@ _OTHERWISE = "save it without compression, in Blender for example, or convert it
 
 
 def unpack(data: bytes) -> Shape:
-    """Points and triangles, in an order of its own."""
+    """The points and triangles of compressed data, in Draco's own order."""
     program = shutil.which(_PROGRAM)
     if program is None:
         raise ShapeError(f"its geometry is compressed by Draco: reading that needs {_PROGRAM} (draco); or {_OTHERWISE}")

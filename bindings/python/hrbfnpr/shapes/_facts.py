@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a mesh is like: parts, borders, and what is wrong with it."""
+"""Facts about a mesh: its parts, its borders, and its faults."""
 from __future__ import annotations
 
 from typing import Any
@@ -9,7 +9,7 @@ from ._shape import Shape, ShapeError
 
 
 def mesh_facts(shape: Shape) -> MeshFacts:
-    """Look at the faces of a shape."""
+    """Return facts about the mesh of a shape: its parts, its borders, and its faults."""
     if not shape.is_mesh:
         raise ShapeError("the shape has no faces")
     from .._inspect import inspect
@@ -18,5 +18,5 @@ def mesh_facts(shape: Shape) -> MeshFacts:
 
 
 def facts_of(info: Any) -> MeshFacts:
-    """Of a hrbfnpr_source_info."""
+    """The facts in a hrbfnpr_source_info."""
     return read(MeshFacts, info)

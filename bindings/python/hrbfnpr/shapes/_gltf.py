@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""glTF 2 and GLB: the triangles and points of a scene, where its nodes put them."""
+"""Reads glTF 2 and GLB: the triangles and points of a scene, at the places of its nodes."""
 from __future__ import annotations
 
 import base64
@@ -21,13 +21,13 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 _DRACO = "KHR_draco_mesh_compression"
 _PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
-_MOST = 1 << 28  # numbers in a list
-_DEEPEST = 200  # nodes of nodes
-_MOST_PLACED = 100_000  # nodes
+_MOST = 1 << 28  # largest number of elements in a list
+_DEEPEST = 200  # largest depth of nodes inside nodes
+_MOST_PLACED = 100_000  # largest number of placed nodes
 
 
 def read_gltf(data: bytes, folder: Path) -> Shape:
-    """Read the bytes of a .gltf or a .glb; files that it names are looked for in a folder."""
+    """Read the bytes of a .gltf or .glb file.  Files that it names are looked for in `folder`."""
     binary = data[:4] == b"glTF"
     text, chunk = _chunks(data) if binary else (data, b"")
     try:
@@ -58,7 +58,7 @@ def read_gltf(data: bytes, folder: Path) -> Shape:
 
 
 def _chunks(data: bytes) -> Tuple[bytes, bytes]:
-    """The JSON of a GLB, and its binary part."""
+    """The JSON of a GLB file, and its binary part."""
     if len(data) < 20:
         raise ShapeError("the GLB file ends before its contents")
     version, length = struct.unpack_from("<II", data, 4)
@@ -78,12 +78,12 @@ def _chunks(data: bytes) -> Tuple[bytes, bytes]:
 
 
 class _Reader:
-    """One document."""
+    """Reads one document."""
 
     def __init__(self, document: Dict[str, Any], chunk: bytes, folder: Path, form: str) -> None:
         self._document, self._chunk, self._folder, self._form = document, chunk, folder, form
         self._buffers: Dict[int, bytes] = {}
-        self._views: Dict[int, bytes] = {}  # that are packed
+        self._views: Dict[int, bytes] = {}  # the unpacked views
         self._points: List[Floats] = []
         self._normals: List[Optional[Floats]] = []
         self._triangles: List[Integers] = []
@@ -91,11 +91,11 @@ class _Reader:
         self._world: Dict[int, Floats] = {}
 
     def shape(self) -> Shape:
-        if isinstance(self._document.get("meshes"), dict):  # by names: they are lists since version 2
+        if isinstance(self._document.get("meshes"), dict):  # version 1 has names here; version 2 has a list
             raise ShapeError("glTF files of version 1 are not read: version 2 is; Blender or MeshLab converts it")
         nodes = self._document.get("nodes", [])
         placed = self._places(nodes)
-        self._world = dict(reversed(placed))  # joints: the first place of each
+        self._world = dict(reversed(placed))  # for joints: the first place of each node
         for number, place in placed:
             if "mesh" in nodes[number]:
                 self._mesh(nodes[number], place)
@@ -111,7 +111,7 @@ class _Reader:
         return Shape(points, normals, triangles, self._form, columns, UP, sharp_edges=sharp)
 
     def _sharp_edges(self, points: Floats, triangles: Integers) -> Optional[Integers]:
-        """Of the parts that have normals."""
+        """The sharp edges of the parts that have normals."""
         if all(part is None for part in self._normals):
             return None
         normals = [np.full_like(place, np.nan) if part is None or part.shape != place.shape else part
@@ -126,8 +126,11 @@ class _Reader:
         return [i for i in range(len(nodes)) if i not in children]
 
     def _places(self, nodes: List[Any]) -> List[Tuple[int, Floats]]:
-        """Where the nodes of the scene are, as matrices; often, what several nodes have for a child (the format wants
-        a tree, but some write what stands there more than once so)."""
+        """The nodes of the scene with their places, as matrices.
+
+        A child of several nodes appears several times.  The format demands a tree, but some programs write a repeated
+        part in this way.
+        """
         placed: List[Tuple[int, Floats]] = []
         todo = [(root, np.eye(4), 0) for root in reversed(self._roots(nodes))]
         while todo:
@@ -149,7 +152,7 @@ class _Reader:
             draco = self._by_draco(part)
             points = self._accessor(part["attributes"]["POSITION"]) if draco is None else draco.points
             if "skin" in node and "JOINTS_0" in part["attributes"]:
-                if draco is None:  # else as it was modelled: its joints are not unpacked
+                if draco is None:  # the joints of a Draco part are not unpacked, so it stays in its modelled pose
                     points = self._posed(points, part["attributes"], self._document["skins"][node["skin"]])
                 linear = np.eye(3)
             else:
@@ -171,7 +174,7 @@ class _Reader:
             self._count += len(points)
 
     def _normals_of(self, part: Dict[str, Any], linear: Floats, mode: int) -> Optional[Floats]:
-        """Those of faces are no more than a hint: nothing fails for them, and they stay as they are."""
+        """The normals of a part.  For faces they are only a hint: they are not transformed, and errors are ignored."""
         number = part["attributes"]["NORMAL"]
         if mode == _POINTS:
             placed: Floats = self._accessor(number) @ np.linalg.inv(linear)
@@ -186,7 +189,7 @@ class _Reader:
         return _triangles(indices, mode)
 
     def _by_draco(self, part: Dict[str, Any]) -> Optional[Shape]:
-        """None of a part that is there without it."""
+        """The unpacked part, or None if it has an uncompressed copy or is not compressed."""
         packed = part.get("extensions", {}).get(_DRACO)
         if packed is None or "bufferView" in self._document["accessors"][part["attributes"]["POSITION"]]:
             return None
@@ -200,7 +203,7 @@ class _Reader:
             raise ShapeError(f"a face names vertex {triangles.max()}, but its part has only {count} vertices")
 
     def _posed(self, points: Floats, attributes: Dict[str, int], skin: Dict[str, Any]) -> Floats:
-        """Moved by the joints of a skeleton, as it stands; the place of the mesh itself does not count."""
+        """Points moved by the joints of a skeleton in its stored pose.  The place of the mesh's own node does not matter."""
         joints = self._accessor(attributes["JOINTS_0"]).astype(np.int64)
         weights = self._accessor(attributes["WEIGHTS_0"])
         count = len(skin["joints"])
@@ -213,7 +216,7 @@ class _Reader:
         return np.einsum("ikl,il->ik", blended[:, :3, :3], points) + blended[:, :3, 3]
 
     def _accessor(self, number: int) -> Floats:
-        """Numbers as floats, shape (count, width)."""
+        """The numbers of an accessor as floats, shape (count, width)."""
         accessor = self._document["accessors"][number]
         dtype, width, count = np.dtype(_TYPES[accessor["componentType"]]), _WIDTHS[accessor["type"]], accessor["count"]
         if count > _MOST:
@@ -277,7 +280,7 @@ class _Reader:
 
 
 def _matrix(node: Dict[str, Any]) -> Floats:
-    """Of a node within the one above it."""
+    """The matrix of a node relative to its parent."""
     if "matrix" in node:
         return np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
     result = np.eye(4)

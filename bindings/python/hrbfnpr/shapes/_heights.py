@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Height maps: ESRI's ASCII grids, PGM; GeoTIFF and digital elevation models, which rasterio reads.  They become meshes, z up."""
+"""Reads height maps as meshes with z up: ESRI ASCII grids, PGM, and, with rasterio, GeoTIFF and digital elevation models."""
 from __future__ import annotations
 
 import math
@@ -14,16 +14,16 @@ from ._shape import Floats, Shape, ShapeError, Vector
 from ._table import at, number_at, numbers, plain
 
 UP: Vector = (0.0, 0.0, 1.0)
-MOST_CELLS = 300_000  # of what is used; of larger maps every second, third, ... row and column
-_METRES = 111_320.0  # of a degree of latitude
-_RELIEF = 0.15  # height over width of a picture that does not say its scale
+MOST_CELLS = 300_000  # largest number of cells that are used; of a larger map, every second, third, ... row and column
+_METRES = 111_320.0  # length of a degree of latitude, in metres
+_RELIEF = 0.15  # height over width for a picture without a scale
 _KEYS = ("ncols", "nrows", "xllcorner", "xllcenter", "yllcorner", "yllcenter", "cellsize", "nodata_value", "dx", "dy")
 
 
 def mesh(
     heights: Floats, cell: Tuple[float, float], form: str, notes: List[str], west: float = 0.0, south: float = 0.0
 ) -> Shape:
-    """Two triangles for each four neighbours that have a height; row 0 is in the north."""
+    """A mesh with two triangles for each square of four neighbours that have a height.  Row 0 is in the north."""
     rows, columns = heights.shape
     step = max(1, math.ceil(math.sqrt(rows * columns / MOST_CELLS)))
     if step > 1:
@@ -51,7 +51,7 @@ def _ordinal(number: int) -> str:
 
 
 def _in_metres(cell: Tuple[float, float], west: float, south: float, rows: int, notes: List[str]) -> Tuple[float, float]:
-    """Cells in degrees become metres, as heights are."""
+    """The sides of a cell in metres, because heights are in metres; converted if they are in degrees."""
     notes.append("cells are in degrees: their sides are turned into metres, as heights are")
     latitude = south + rows * cell[1] / 2
     return cell[0] * _METRES * math.cos(math.radians(latitude)), cell[1] * _METRES
@@ -63,7 +63,7 @@ def _finite_at(word: bytes, line: int) -> float:
 
 
 def read_grid(data: bytes) -> Shape:
-    """ESRI's ASCII grid: a header with ncols, nrows and cellsize, then rows of heights from the north."""
+    """Read an ESRI ASCII grid: a header with ncols, nrows and cellsize, then rows of heights from the north."""
     text = plain(data)
     head: Dict[str, float] = {}
     start, number = 0, 1
@@ -94,7 +94,7 @@ def read_grid(data: bytes) -> Shape:
 
 
 def read_pgm(data: bytes) -> Shape:
-    """A grey picture as heights, 8 or 16 bits; a comment may say the cell's sides, as in "cell 24.5 m x 30.8 m"."""
+    """Read a grey picture, 8 or 16 bits, as heights.  A comment may give the cell's sides: "cell 24.5 m x 30.8 m"."""
     head = re.match(rb"(P[25])((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})((?:\s+|#[^\n]*\n)+)(\d{1,9})\s", data)
     if head is None:
         raise ShapeError("not a PGM file, or its header is cut short")
@@ -115,7 +115,7 @@ def read_pgm(data: bytes) -> Shape:
 
 
 def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], float, List[str]]:
-    """Sides of a cell, the unit of heights in that of these sides, and notes."""
+    """The sides of a cell, the unit of heights relative to that of the sides, and notes."""
     found = re.search(r"cell\D*?(\d+(?:\.\d+)?)\s*m?[^\d#]*(\d+(?:\.\d+)?)?", comments)
     if found and float(found.group(1)) > 0:
         side = float(found.group(1))
@@ -128,12 +128,12 @@ def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], floa
 
 
 def read_geotiff(path: Path) -> Shape:
-    """The first band of a GeoTIFF."""
+    """Read the first band of a GeoTIFF."""
     return _raster(path, "GeoTIFF")
 
 
 def read_dem(path: Path) -> Shape:
-    """Elevations of another kind that rasterio knows: USGS DEM, SRTM, DTED, and those with a header beside them."""
+    """Read elevations in another format of rasterio: USGS DEM, SRTM, DTED, and formats with a separate header file."""
     return _raster(path, "DEM")
 
 
@@ -143,7 +143,7 @@ def _raster(path: Path, form: str) -> Shape:
 
     notes: List[str] = []
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of a picture without a place on the Earth
+        warnings.simplefilter("ignore")  # rasterio warns about pictures without a place on the Earth
         try:
             with rasterio.open(path) as source:
                 step = max(1, math.ceil(math.sqrt(source.width * source.height / MOST_CELLS)))
@@ -153,7 +153,7 @@ def _raster(path: Path, form: str) -> Shape:
                 cell = (abs(place.a) * source.width / shape[1], abs(place.e) * source.height / shape[0])
                 bounds, degrees = source.bounds, bool(source.crs and source.crs.is_geographic)
                 size = (source.width, source.height)
-        except Exception as error:  # of kinds that differ between its versions
+        except Exception as error:  # the types differ between versions of rasterio
             raise ShapeError(f"rasterio cannot read it: {error}") from None
     if step > 1:
         notes.append(f"its {size[0]} x {size[1]} heights are used as {shape[1]} x {shape[0]}")

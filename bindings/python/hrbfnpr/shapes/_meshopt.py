@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What EXT_meshopt_compression [Khronos 2022] packs: views of glTF buffers, as gltfpack writes them."""
+"""Unpacks EXT_meshopt_compression [Khronos 2022]: views of glTF buffers, as gltfpack writes them."""
 from __future__ import annotations
 
 from typing import Any, Dict, List, Tuple
@@ -8,15 +8,15 @@ import numpy as np
 
 from ._shape import ShapeError
 
-_BLOCK = 8192  # bytes of vertices that are packed together, at most
+_BLOCK = 8192  # largest number of bytes of vertices in a block
 _MOST_IN_BLOCK = 256
-_GROUP = 16  # bytes that have one width
-_TAIL = 32  # least bytes behind the vertices
+_GROUP = 16  # number of bytes that are packed with the same width
+_TAIL = 32  # least number of bytes after the vertices
 _DAMAGED = "a compressed part of the glTF file is damaged"
 
 
 def unpack(extension: Dict[str, Any], data: bytes) -> bytes:
-    """The bytes of a view: its elements one behind the other, byteStride apart."""
+    """The bytes of a view: its elements one after the other, byteStride apart."""
     count, stride, mode = int(extension["count"]), int(extension["byteStride"]), extension["mode"]
     if not 0 <= count <= 1 << 28 or not 0 < stride <= 256 or not data:
         raise ShapeError(_DAMAGED)
@@ -39,10 +39,10 @@ def unpack(extension: Dict[str, Any], data: bytes) -> bytes:
 
 
 def _attributes(data: bytes, count: int, stride: int) -> Any:
-    """Shape (count, stride), bytes: differences from element to element, those of each byte of theirs together."""
+    """The bytes of vertices, shape (count, stride).  They are stored as differences from vertex to vertex, column by column."""
     if data[0] != 0xA0 or stride % 4:
         raise ShapeError(f"a part of the glTF file is compressed as version {data[0] & 15}, which is not known")
-    if count * stride > 64 * len(data):  # a byte stands for 64 of them at most
+    if count * stride > 64 * len(data):  # a byte of data holds 64 bytes at most
         raise ValueError
     tail = max(stride, _TAIL)
     before = np.frombuffer(data, np.uint8, stride, len(data) - stride)
@@ -60,7 +60,10 @@ def _attributes(data: bytes, count: int, stride: int) -> Any:
 
 
 def _bytes(source: Any, at: int, count: int) -> Tuple[Any, int]:
-    """So many bytes in groups of 16: of none, 2, 4 or 8 bits each, where all bits set stand for a byte behind the group."""
+    """Unpack `count` bytes.  Groups of 16 have 0, 2, 4 or 8 bits for each byte.
+
+    If all bits are set, the byte is stored after the group.
+    """
     groups = -(-count // _GROUP)
     widths = source[at : at + -(-groups // 4)]
     at += len(widths)
@@ -85,17 +88,17 @@ def _bytes(source: Any, at: int, count: int) -> Tuple[Any, int]:
 
 
 def _filtered(elements: Any, name: str) -> bytes:
-    if name == "EXPONENTIAL":  # 24 bits of a number, and 8 of its power of two
+    if name == "EXPONENTIAL":  # 24 bits of mantissa and 8 bits of exponent
         words = np.ascontiguousarray(elements).view("<i4")
         return np.ldexp(((words << 8) >> 8).astype(np.float64), words >> 24).astype("<f4").tobytes()
-    return elements.tobytes()  # those of normals and of turns are not looked at
+    return elements.tobytes()  # the filters of normals and rotations are not needed
 
 
 # --- indices -----------------------------------------------------------------------------------
 
 
 class _Source:
-    """Bytes that are read one behind the other."""
+    """Bytes that are read one after the other."""
 
     def __init__(self, data: bytes, at: int) -> None:
         self._data, self._at = data, at
@@ -105,7 +108,7 @@ class _Source:
         return self._data[self._at - 1]
 
     def number(self) -> int:
-        """Of 7 bits a byte, the lowest first."""
+        """A number with 7 bits in each byte, the lowest first."""
         result = shift = 0
         while True:
             byte = self.byte()
@@ -120,7 +123,7 @@ class _Source:
 
 
 class _Recent:
-    """The last 16 of something."""
+    """The last 16 items of a sequence."""
 
     def __init__(self, none: Any) -> None:
         self._items, self._next = [none] * 16, 0
@@ -134,7 +137,7 @@ class _Recent:
 
 
 class _Triangles:
-    """Corners are new ones, one of the last 16, or a difference; an edge may be one of the last 16."""
+    """Unpacks triangles.  A corner is new, one of the last 16, or given by a difference.  An edge may be one of the last 16."""
 
     def __init__(self, data: bytes, count: int) -> None:
         version = data[0] & 15
@@ -169,7 +172,7 @@ class _Triangles:
         elif third < self._recent_below:
             c = self._vertices[third]
         else:
-            c = self._take_far(self._source.difference() if third == 15 else 2 * third - 27)  # 13: -1, 14: 1
+            c = self._take_far(self._source.difference() if third == 15 else 2 * third - 27)  # 13: -1, 14: +1
         if third == 0 or third >= self._recent_below:
             self._vertices.push(c)
         self._add(a, b, c, ((c, b), (a, c)))
@@ -181,7 +184,7 @@ class _Triangles:
             self._new = 0
         kinds = [0 if code != 0xFF else 15, both >> 4, both & 15]
         corners = [0, 0, 0]
-        for k, kind in enumerate(kinds):  # those before a corner are not yet among the last ones
+        for k, kind in enumerate(kinds):  # corners of this triangle are not yet among the last 16
             if kind == 0:
                 corners[k] = self._take_new()
             elif kind < 15 or in_table:
@@ -208,7 +211,7 @@ def _triangles(data: bytes, count: int) -> List[int]:
 
 
 def _sequence(data: bytes, count: int) -> List[int]:
-    """Differences from the last number of one of two kinds."""
+    """Unpack a sequence.  Each number is a difference from the last number of one of two series."""
     if data[0] & 0xF0 != 0xD0 or data[0] & 15 > 1:
         raise ShapeError(f"a part of the glTF file is compressed as version {data[0] & 15}, which is not known")
     source, last, result = _Source(data, 1), [0, 0], []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""NumPy's files: an array of points, or several by name."""
+"""Reads files of NumPy: an array of points, or several arrays by name."""
 from __future__ import annotations
 
 import io
@@ -15,17 +15,17 @@ from ._shape import Floats, Shape, ShapeError
 _HINT = "an array of n x 3 or more numbers holds points, x y z in a row; in .npz, arrays points, normals and triangles"
 _POINTS = ("points", "point", "vertices", "verts", "vertex", "positions", "position", "pos", "xyz", "coords", "v", "arr_0")
 _NORMALS = ("normals", "normal", "vertex_normals", "n", "vn")
-_MOST_COLUMNS = 32  # that a point may have
+_MOST_COLUMNS = 32  # largest number of columns of a point
 _FACES = ("triangles", "faces", "face", "tri", "cells", "f")
 
 
 def read_npy(data: bytes) -> Shape:
-    """One array: a point in a row, by columns like those of a table, or by names."""
+    """Read one array with a point in each row; its columns are found like those of a table, or by field names."""
     return _points(_loaded(data), "NPY")
 
 
 def read_npz(data: bytes) -> Shape:
-    """Arrays by name."""
+    """Read several arrays by name."""
     archive = _loaded(data)
     try:
         arrays: Dict[str, Any] = {name.lower(): archive[name] for name in archive.files}
@@ -81,7 +81,7 @@ def _points(array: Any, form: str) -> Shape:
 
 
 def _named(array: Any, form: str) -> Shape:
-    """Of records."""
+    """A shape from an array with named fields."""
     columns: Optional[Columns] = by_heading(array.dtype.names)
     if columns is None:
         raise ShapeError(f"its records name no x, y and z: {', '.join(array.dtype.names)[:200]}")
@@ -106,7 +106,7 @@ def _numbers(array: Any, name: str) -> Floats:
 
 
 def _rows(array: Any, name: str) -> Floats:
-    """n x 3 and wider; pictures, h x w x 3, row by row."""
+    """The rows of an array n x 3 or wider, or the pixels of a picture h x w x 3, row by row."""
     if array.ndim < 2 or array.shape[-1] < 3:
         raise ShapeError(f"{name} is of shape {_shape(array)}; {_HINT}")
     return _numbers(array, name).reshape(-1, array.shape[-1])

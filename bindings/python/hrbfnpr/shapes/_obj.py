@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""OBJ and OFF meshes."""
+"""Reads OBJ and OFF meshes."""
 from __future__ import annotations
 
 import re
@@ -25,12 +25,15 @@ from ._table import (
 )
 
 _CORNER = re.compile(rb"[+-]?\d+(?:/[+-]?\d*){0,2}")
-_ALONG_LINES = 4000  # points that are taken along all lines, about
+_ALONG_LINES = 4000  # approximate number of points that are placed along all lines
 
 
 def read_obj(data: bytes) -> Shape:
-    """Vertices and faces; normals only where there are no faces and one for each vertex. Of lines alone, as of a frame of
-    wires or of cross sections, points along them."""
+    """Read vertices and faces.
+
+    Normals are used as such only if there are no faces and one normal for each vertex.  If there are only lines, as in a
+    wire frame or cross sections, points along them are returned.
+    """
     text = without_comments(plain(data))
     if b"\\\n" in text:
         text = re.sub(rb"((?:[^\n]*\\\n)+)([^\n]*)", _joined, text)
@@ -63,12 +66,12 @@ def read_obj(data: bytes) -> Shape:
 
 
 def _joined(found: "re.Match[bytes]") -> bytes:
-    """Lines that go on become one, and as many empty ones behind it."""
+    """Join continued lines into one, and add as many empty lines after it, so that line numbers stay right."""
     return found.group(1).replace(b"\\\n", b" ") + found.group(2) + b"\n" * found.group(1).count(b"\n")
 
 
 def _placed(lines: List[bytes], where: List[int]) -> Rows:
-    """Numbers of some lines of a file, of which the first word is taken off."""
+    """The numbers of some lines of a file, without their first words."""
     try:
         rows = numbers(b"\n".join(lines))
     except ShapeError:
@@ -80,7 +83,7 @@ def _placed(lines: List[bytes], where: List[int]) -> Rows:
 
 
 def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, int]:
-    """The first three numbers of each line, and how many the first one has."""
+    """The first three numbers of each line, and how many numbers the first line has."""
     rows = _placed(lines, where)
     if len(rows.counts) != len(lines):
         empty = next(i for i, line in enumerate(lines) if not line.strip())
@@ -91,7 +94,7 @@ def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, i
 def _faces(
     lines: List[bytes], where: List[int], vertex_lines: Integers, points: Floats, normals: List[bytes], placed: List[int]
 ) -> Tuple[Integers, Optional[Integers]]:
-    """Triangles, and which of their edges are sharp by the normals of their corners, if there are any."""
+    """The triangles, and the edges that are sharp by the normals of their corners (None without normals)."""
     rows, index = _corners(lines, where, vertex_lines, "face")
     if not normals or len(lines) > MOST_FACES or not (given := _normals_of(lines, where, normals, placed)):
         return polygons(rows, rows.counts, rows.starts, index, points)[0], None
@@ -100,22 +103,22 @@ def _faces(
 
 
 def _normals_of(lines: List[bytes], where: List[int], normals: List[bytes], placed: List[int]) -> List[Floats]:
-    """Of all corners, as of 7/1/3 and 7//3; none where one has no such. They are no more than a hint: nothing fails."""
+    """The normals of all corners such as 7/1/3 and 7//3; empty if a corner has none.  They are a hint: errors are ignored."""
     try:
         names = np.array([int(corner.split(b"/")[2]) for line in lines for corner in line.split()], dtype=np.int64)
         unit = _vectors(normals, placed, "a normal")[0]
     except (IndexError, ValueError):
         return []
-    if (names < 0).any():  # counted back from the last so far
+    if (names < 0).any():  # counted back from the last normal before the line
         seen = np.searchsorted(np.array(placed), np.repeat(where, [len(line.split()) for line in lines]))
         names = np.where(names < 0, seen + names + 1, names)
     return [unit[names - 1]] if ((names >= 1) & (names <= len(unit))).all() else []
 
 
 def _wires(rows: Rows, corners: Floats, loose: int) -> Shape:
-    """Points along lines, which are rows of corners, as near to each other everywhere. loose: vertices on no line."""
+    """Evenly spaced points along lines, which are rows of corners.  `loose` is the number of vertices on no line."""
     following = np.ones(len(corners), dtype=bool)
-    following[rows.starts + rows.counts - 1] = False  # the last of each line
+    following[rows.starts + rows.counts - 1] = False  # the last corner of each line
     first = np.flatnonzero(following)
     start, end = corners[first], corners[first + 1]
     length = np.linalg.norm(end - start, axis=1)
@@ -136,7 +139,7 @@ def _wires(rows: Rows, corners: Floats, loose: int) -> Shape:
 
 
 def _corners(lines: List[bytes], where: List[int], vertex_lines: Integers, what: str) -> Tuple[Rows, Integers]:
-    """Of corners such as 7, 7/1, 7//3 or -1: counted from 1, or back from the last vertex so far."""
+    """The vertices of corners such as 7, 7/1, 7//3 or -1: counted from 1, or back from the last vertex before the line."""
     try:
         rows = _placed(re.sub(rb"/\S*", b"", b"\n".join(lines)).split(b"\n"), where)
         corners = whole(rows, "a corner", 1)
@@ -159,7 +162,7 @@ def _corners(lines: List[bytes], where: List[int], vertex_lines: Integers, what:
 
 
 def read_off(data: bytes) -> Shape:
-    """OFF and its kin with normals (NOFF) or colours (COFF)."""
+    """Read OFF, and its variants with normals (NOFF) or colours (COFF)."""
     binary = re.match(rb"\s*(\w*OFF)\s+BINARY[^\n]*\n", data[:100])
     if binary is not None:
         return _off_binary.read(binary.group(1).decode(), data[binary.end() :])
@@ -191,7 +194,7 @@ def read_off(data: bytes) -> Shape:
 
 
 def _counts(text: bytes, start: int, first_line: int) -> Tuple[List[int], int]:
-    """Vertices and faces, and where the line ends."""
+    """The numbers of vertices and faces, and the end of their line."""
     end = text.find(b"\n", start)
     end = len(text) if end < 0 else end
     line = first_line + text.count(b"\n", 0, start)
@@ -205,13 +208,13 @@ def _counts(text: bytes, start: int, first_line: int) -> Tuple[List[int], int]:
 
 
 def _part(rows: Rows, first: int, last: int) -> Rows:
-    """Some of the lines."""
+    """Some of the rows."""
     ends = np.concatenate([[0], np.cumsum(rows.counts)])
     return Rows(rows.values[ends[first] : ends[last]], rows.counts[first:last], rows.lines[first:last])
 
 
 def _off_faces(rows: Rows, points: Floats) -> Integers:
-    """A number of corners, the corners, and perhaps a colour, which need not be whole."""
+    """The triangles of faces: a number of corners, the corners, and perhaps a colour, which need not be whole numbers."""
     sizes = rows.values[rows.starts]
     for i in np.flatnonzero((sizes != np.round(sizes)) | (sizes < 0)):
         raise at(int(rows.lines[i]), 1, f"a face begins with the number of its corners, not with {sizes[i]:g}")

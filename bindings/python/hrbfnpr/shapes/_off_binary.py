@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""OFF meshes in binary form [Geomview's manual, OFF files]: counts, vertices, and faces as a count and that many corners."""
+"""Reads OFF meshes in binary form [Geomview's manual, OFF files]: counts, vertices, and faces with their number of corners."""
 from __future__ import annotations
 
 from typing import Any, List
@@ -12,7 +12,7 @@ from ._table import out_of_range
 
 
 def read(kind: str, data: bytes) -> Shape:
-    """What follows the line OFF BINARY.  Geomview writes the high byte first and colours behind faces; others do not."""
+    """Read what follows the line OFF BINARY.  Geomview writes big-endian numbers, and colours after faces; others do not."""
     width = {"OFF": 3, "NOFF": 6}.get(kind)
     if width is None:
         raise ShapeError(f"binary OFF files of the kind {kind!r} are not understood; save it as text, or as PLY")
@@ -34,10 +34,10 @@ def read(kind: str, data: bytes) -> Shape:
 
 
 def _polygons(words: Any, faces: int, coloured: bool) -> Any:
-    """The corners of each face; None if the words are not those of so many faces, up to the last one."""
+    """The corners of each face, or None if the words are not exactly this number of faces."""
     each = 5 if coloured else 4
     if len(words) == each * faces and (words[0::each] == 3).all() and (not coloured or not words[4::each].any()):
-        return words.reshape(-1, each)[:, 1:4]  # triangles, without colours: all in one array
+        return words.reshape(-1, each)[:, 1:4]  # only triangles, without colours: one array
     found: List[Any] = []
     at = 0
     while len(found) < faces:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Packages that some formats need, and what is said where they are missing."""
+"""Packages and programs that some formats need, and the errors if they are missing."""
 from __future__ import annotations
 
 import importlib
@@ -10,11 +10,11 @@ from typing import Any, Mapping, Optional, Sequence
 
 from ._shape import ShapeError
 
-_LONGEST = 600  # seconds
+_LONGEST = 600  # largest running time of a program, in seconds
 
 
 def needed(module: str, what: str, package: str, otherwise: str) -> Any:
-    """A module, or an error that says which package to install, and what to do without it."""
+    """Import a module.  If it is missing, the error says which package to install, and what to do without it."""
     try:
         return importlib.import_module(module)
     except ImportError:
@@ -22,7 +22,7 @@ def needed(module: str, what: str, package: str, otherwise: str) -> Any:
 
 
 def is_here(module: str) -> bool:
-    """Whether it is installed; it is not imported for that."""
+    """Whether a module is installed.  It is not imported."""
     if module in sys.modules:
         return sys.modules[module] is not None
     return importlib.util.find_spec(module) is not None
@@ -35,7 +35,7 @@ def run(
     folder: Optional[str] = None,
     environment: Optional[Mapping[str, str]] = None,
 ) -> "subprocess.CompletedProcess[bytes]":
-    """A program, in a process of its own: damaged files may end the one that reads them, or keep it for ever."""
+    """Run a program in a separate process, because a damaged file may crash it or keep it running for ever."""
     try:
         return subprocess.run(
             command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False, cwd=folder, env=environment

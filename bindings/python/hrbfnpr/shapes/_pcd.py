@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""PCD, the point clouds of PCL: ascii, binary and compressed."""
+"""Reads PCD, the point clouds of PCL: ascii, binary and compressed."""
 from __future__ import annotations
 
 import struct
@@ -12,8 +12,8 @@ from ._shape import Floats, Shape, ShapeError, Vector
 from ._table import at, numbers
 
 _TYPES = {"F": "f", "I": "i", "U": "u"}
-_LEAST_PICTURE = 16  # sides
-_LIKE_A_PICTURE = 0.99  # correlation of places in space and in the picture, at least
+_LEAST_PICTURE = 16  # least number of rows and columns of a picture
+_LIKE_A_PICTURE = 0.99  # least correlation between places in space and pixels
 
 
 def read_pcd(data: bytes) -> Shape:
@@ -49,7 +49,7 @@ def read_pcd(data: bytes) -> Shape:
 
 
 def _viewpoint(words: List[str]) -> Optional[Vector]:
-    """Where the scanner stood; the origin is what writers put there that do not know."""
+    """The place of the scanner; None for the origin, which programs write if they do not know it."""
     try:
         x, y, z = (float(word) for word in words[:3])
     except ValueError:
@@ -58,10 +58,10 @@ def _viewpoint(words: List[str]) -> Optional[Vector]:
 
 
 def _up_of_picture(points: Floats, head: Dict[str, List[str]]) -> Optional[Vector]:
-    """What is up in the picture of a camera at the origin that looks along z; None if the points are no such picture.
+    """The up direction for the picture of a camera at the origin that looks along z; None if the points are no picture.
 
-    In one, x / z goes with the column and y / z with the row. Most have y downward, as cameras do; what the header says
-    of the camera's rotation is no help: writers put there what turns the picture for their own viewer.
+    In a picture, x / z changes with the column and y / z with the row.  Most pictures have y downward, as cameras do.  The
+    camera's rotation in the header does not help: programs store what turns the picture for their own viewer.
     """
     try:
         columns, rows = int(head["WIDTH"][0]), int(head["HEIGHT"][0])
@@ -74,7 +74,7 @@ def _up_of_picture(points: Floats, head: Dict[str, List[str]]) -> Optional[Vecto
     x, y, z = points[known].T
     if known.sum() < _LEAST_PICTURE**2 or not ((z > 0).all() or (z < 0).all()):
         return None
-    with np.errstate(all="ignore"):  # what is no picture may be 0 throughout, or overflow
+    with np.errstate(all="ignore"):  # points that are no picture may be constant, or overflow
         across, down = np.corrcoef(x / z, column[known])[0, 1], np.corrcoef(y / z, row[known])[0, 1]
     if not min(abs(across), abs(down)) > _LIKE_A_PICTURE:
         return None
@@ -93,7 +93,7 @@ def _shape(columns: Dict[str, Any], names: Tuple[str, ...], form: str) -> Shape:
 
 
 def _header(data: bytes) -> Tuple[Dict[str, List[str]], int, int]:
-    """The words behind each keyword, where the data begins, and the number of that line."""
+    """The words after each keyword, the place where the data begins, and the line number of that place."""
     head: Dict[str, List[str]] = {}
     start, number = 0, 0
     while start < len(data):
@@ -131,7 +131,7 @@ def _packed(data: bytes, dtype: Any, points: int) -> Dict[str, Any]:
 
 
 def _compressed(data: bytes, fields: List[Any], points: int) -> Dict[str, Any]:
-    """All numbers of the first field, then those of the second, ..., compressed by LZF."""
+    """Unpack all numbers of the first field, then those of the second, and so on; they are compressed with LZF."""
     if len(data) < 8:
         raise ShapeError("the PCD file ends before its points")
     packed, size = struct.unpack_from("<II", data)
@@ -148,7 +148,7 @@ def _compressed(data: bytes, fields: List[Any], points: int) -> Dict[str, Any]:
 
 
 def _unpack(data: bytes, size: int) -> bytes:
-    """LZF: runs of bytes as they are, and copies of what came before."""
+    """Unpack LZF: runs of plain bytes, and copies of bytes before."""
     out = bytearray()
     i = 0
     try:
@@ -170,7 +170,7 @@ def _unpack(data: bytes, size: int) -> bytes:
             if start < 0:
                 raise IndexError
             piece = out[start : start + length]
-            while len(piece) < length:  # a copy that runs into itself
+            while len(piece) < length:  # a copy that overlaps itself
                 piece += piece[: length - len(piece)]
             out += piece
     except IndexError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""PLY: any elements, any types, ASCII and binary, faces as polygons or triangle strips."""
+"""Reads PLY: any elements, any types, ASCII and binary, faces as polygons or triangle strips."""
 from __future__ import annotations
 
 import math
@@ -20,14 +20,14 @@ _TYPES = {
     "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4",
     "float": "f4", "float32": "f4", "double": "f8", "float64": "f8",
 }  # fmt: skip
-_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "f4": "f", "f8": "d"}  # of struct
+_CODES = {"i1": "b", "u1": "B", "i2": "h", "u2": "H", "i4": "i", "u4": "I", "f4": "f", "f8": "d"}  # the codes of `struct`
 _FORMATS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 _LIST_NAMES = ("vertex_indices", "vertex_index")
 
 
 @dataclass(frozen=True)
 class _Lists:
-    """Lists of an ascii file: runs of `values`, and the line that each is on."""
+    """Lists of an ASCII file: runs of `values`, and the line of each."""
 
     values: Integers
     starts: Integers
@@ -48,11 +48,11 @@ class _Lists:
 class _Element:
     name: str
     count: int
-    # Name, type of a number, type of a list's length (None: not a list).
+    # Name, type of a number, and type of a list's length (None for a single number).
     properties: List[Tuple[str, str, Optional[str]]] = field(default_factory=list)
 
     def add(self, name: str, kind: str, length: Optional[str]) -> None:
-        """A property; a name that is there already is told from the first one."""
+        """Add a property.  A repeated name is made different from the first one."""
         again = sum(1 for one, _, _ in self.properties if one.split(" ")[0] == name)
         self.properties.append((f"{name} {again}" if again else name, kind, length))
 
@@ -85,7 +85,7 @@ def read_ply(data: bytes) -> Shape:
 
 
 def _scanner(points: Floats) -> Optional[Vector]:
-    """Where it stood, far off, of one range image as Cyberware's scanners save it: its rays go along -z."""
+    """The place of the scanner, far away, for a single range image of a Cyberware scanner, whose rays go along -z."""
     finite = points[np.isfinite(points).all(axis=1)]
     if len(finite) == 0:
         return None
@@ -110,7 +110,7 @@ def _triangles(columns: Dict[str, Dict[str, Any]], points: Floats) -> Any:
 
 
 def _header(data: bytes) -> Tuple[str, List[_Element], int]:
-    """Byte order ("" for ASCII), elements, and where the data starts."""
+    """The byte order ("" for ASCII), the elements, and the place where the data begins."""
     start = data.find(b"end_header")
     if not data.startswith(b"ply"):
         raise ShapeError("not a PLY file: it does not begin with ply" + ("" if data else ", it is empty"))
@@ -142,7 +142,7 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
         raise ShapeError("the PLY header has no format line")
     if any(element.count < 0 for element in elements):
         raise ShapeError("the PLY header has a negative count")
-    # One without properties takes no bytes and no words, however many there are.
+    # An element without properties takes no bytes and no words, whatever its count is.
     return order, [element for element in elements if element.properties], end + 1
 
 
@@ -152,7 +152,7 @@ def _cut_short(element: _Element, found: Optional[int] = None) -> ShapeError:
 
 
 class _Ascii:
-    """Elements are runs of numbers, one element a line."""
+    """Reads elements that are runs of numbers, one element on each line."""
 
     def __init__(self, data: bytes, first_line: int) -> None:
         text = data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
@@ -188,7 +188,7 @@ class _Ascii:
         return {name: table[:, i] for i, (name, _, _) in enumerate(element.properties)}
 
     def _one_list(self, element: _Element, place: int, first: int, last: int) -> Dict[str, Any]:
-        """The usual faces: a list, with single numbers before and behind it."""
+        """Read the usual faces: one list, with single numbers before and after it."""
         values, starts, counts = self._rows.values, self._starts[first:last], self._rows.counts[first:last]
         behind = len(element.properties) - place - 1
         sizes = np.zeros(len(counts))
@@ -226,7 +226,7 @@ class _Ascii:
 
 
 class _Binary:
-    """Elements are packed structs; lists carry their length."""
+    """Reads elements that are packed structs.  Lists carry their length."""
 
     def __init__(self, data: bytes, offset: int, order: str) -> None:
         self._data, self._at, self._order = data, offset, order
@@ -239,7 +239,7 @@ class _Binary:
         return values
 
     def _dtype(self, element: _Element, lengths: List[int]) -> Any:
-        """Of an element whose lists have these lengths."""
+        """The type of an element whose lists have these lengths."""
         fields: List[Any] = []
         remaining = list(lengths)
         for name, kind, length in element.properties:
@@ -259,7 +259,7 @@ class _Binary:
         return self._uniform(element) or self._varying(element)
 
     def _uniform(self, element: _Element) -> Optional[Dict[str, Any]]:
-        """The usual case, quickly: all lists are as long as the first ones."""
+        """Read the usual case quickly: all lists have the lengths of the first ones."""
         start = self._at
         first = self._element(element)
         self._at = start

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Triangles of polygons: fans, and where these would turn over, as of polygons that are not convex, ears that are cut off."""
+"""Cuts polygons into triangles: fans, or ears for polygons whose fan would turn over because they are not convex."""
 from __future__ import annotations
 
 from typing import Any, Dict, Iterable, List, Optional, Sequence
@@ -8,12 +8,12 @@ import numpy as np
 
 from ._shape import Floats, Integers
 
-TURNED = 1e-9  # of the polygon's area: a triangle of a fan that looks the other way by more ...
-MOST_CORNERS = 4096  # ... of a polygon of no more corners
+TURNED = 1e-9  # a fan is not used if one of its triangles faces the other way by more than this share of the polygon's area
+MOST_CORNERS = 4096  # polygons with more corners keep their fan
 
 
 def fans(polygons: Iterable[Sequence[int]], points: Optional[Floats] = None) -> Integers:
-    """Triangles of polygons, by their corners' numbers.  What has no three corners is left out."""
+    """Triangles of polygons, by the numbers of their corners.  Polygons with fewer than three corners are left out."""
     given = [polygon for polygon in polygons if len(polygon) >= 3]
     by_size: Dict[int, List[int]] = {}
     for number, polygon in enumerate(given):
@@ -26,11 +26,11 @@ def fans(polygons: Iterable[Sequence[int]], points: Optional[Floats] = None) -> 
 
 
 def fans_of_block(corners: Any, points: Optional[Floats] = None) -> Integers:
-    """Of n polygons with k corners each: triangles, shape (n, k - 2, 3).
+    """Triangles of n polygons with k corners each, shape (n, k - 2, 3).
 
-    With `points`, fans are about the corner of the least x, y and z, so that cells of a solid cut the face between them
-    alike, and polygons that such a fan would not cover are cut by ears [Meisters, "Polygons have ears", 1975]; one that
-    crosses itself keeps its fan.
+    With `points`, each fan starts at the corner of the least x, then y, then z, so that two cells of a solid cut the face
+    between them alike.  Polygons that such a fan would not cover are cut by ears [Meisters, "Polygons have ears", 1975].  A
+    polygon that crosses itself keeps its fan.
     """
     corners = np.asarray(corners, dtype=np.int64)
     size = corners.shape[1]
@@ -49,8 +49,8 @@ def fans_of_block(corners: Any, points: Optional[Floats] = None) -> Integers:
 
 
 def _from_the_least(corners: Integers, points: Floats) -> Integers:
-    """The same polygons, each from its corner of the least x, of these the least y, then z."""
-    place = points[np.clip(corners, 0, len(points) - 1)]  # corners that are none are found later
+    """The same polygons, each from its corner of the least x; if several have it, the least y, then the least z."""
+    place = points[np.clip(corners, 0, len(points) - 1)]  # invalid corners are reported later
     least = np.ones(corners.shape, dtype=bool)
     for axis in range(3):
         value = np.where(least, place[:, :, axis], np.inf)
@@ -60,7 +60,7 @@ def _from_the_least(corners: Integers, points: Floats) -> Integers:
 
 
 def _not_covered(corners: Integers, points: Floats) -> Integers:
-    """Polygons of which a triangle of the fan looks away."""
+    """The numbers of polygons in whose fan a triangle faces the other way."""
     usable = np.flatnonzero(((corners >= 0) & (corners < len(points))).all(axis=1))
     place = points[corners[usable]]
     spokes = place[:, 1:] - place[:, :1]
@@ -72,7 +72,7 @@ def _not_covered(corners: Integers, points: Floats) -> Integers:
 
 
 def _ears(place: Floats) -> Optional[Integers]:
-    """Triangles of one polygon, by numbers of its corners; None if it has no ears, as where it crosses itself."""
+    """The triangles of a polygon, by numbers of its corners; None if no ear is found, as when it crosses itself."""
     flat = _in_plane(place)
     left, triangles, at = list(range(len(place))), [], 0
     while len(left) > 3:
@@ -85,13 +85,13 @@ def _ears(place: Floats) -> Optional[Integers]:
             return None
         triangles.append(ear)
         del left[i]
-        at = i % len(left)  # beside, and not fans of slivers about one corner
+        at = i % len(left)  # go on beside this ear, which avoids slivers around one corner
     triangles.append((left[0], left[1], left[2]))
     return np.array(triangles)
 
 
 def _in_plane(place: Floats) -> Floats:
-    """Counted against the clock, seen from where its normal points."""
+    """The polygon in its plane, counter-clockwise as seen from where its normal points."""
     spokes = place[1:] - place[0]
     normal = np.cross(spokes[:-1], spokes[1:]).sum(axis=0)
     axis = int(np.abs(normal).argmax())
@@ -107,11 +107,11 @@ def _is_ear(flat: Floats, left: List[int], ear: Sequence[int]) -> bool:
     inside = (_turn(a, b, others) >= 0) & (_turn(b, c, others) >= 0) & (_turn(c, a, others) >= 0)
     if not inside.any():
         return True
-    # A corner that stands where one of the ear's does, as where a slit leads to a hole, is not in its way.
+    # A corner at the place of one of the ear's corners does not block it; a slit that leads to a hole has such corners.
     same = [(others[inside] == one).all(axis=1) for one in (a, b, c)]
     return bool(np.logical_or.reduce(same).all())
 
 
 def _turn(a: Any, b: Any, c: Any) -> Any:
-    """Twice the area of a triangle, above 0 against the clock; c may be many."""
+    """Twice the area of a triangle; above 0 if it runs counter-clockwise.  `c` may be many points."""
     return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])

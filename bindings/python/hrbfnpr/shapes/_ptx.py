@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Scans in Leica's PTX: for each scanner position a header, then a grid of points in the scanner's frame."""
+"""Reads scans in Leica's PTX: for each scanner position a header, then a grid of points in the scanner's frame."""
 from __future__ import annotations
 
 from typing import List, Tuple
@@ -10,8 +10,8 @@ from ._scans import UP
 from ._shape import Floats, Shape, ShapeError, Vector
 from ._table import Rows, at, numbers, plain
 
-# Of a header's lines: columns and rows of the grid; where the scanner stands and its axes, which the matrix repeats;
-# the matrix that takes points of the grid, as rows (x, y, z, 1), to the common frame.
+# The numbers on each line of a header: columns and rows of the grid; the scanner's place and its axes, which the matrix
+# repeats; and the matrix that maps points of the grid, as rows (x, y, z, 1), to the common frame.
 _HEADER = (1, 1, 3, 3, 3, 3, 4, 4, 4, 4)
 MAGIC = (
     rb"\s*\d+[ \t]*\r?\n\s*\d+[ \t]*\r?\n"
@@ -21,9 +21,9 @@ MAGIC = (
 
 
 def read_ptx(data: bytes) -> Shape:
-    """All scans of a file, in their common frame.
+    """Read all scans of a file, in their common frame.
 
-    A place of the grid that nothing came back from, 0 0 0, is no point.  One scan tells where the scanner stood.
+    0 0 0 in the grid means that nothing was measured, and is left out.  A file with one scan gives the scanner's place.
     """
     rows = numbers(plain(data))
     starts = rows.starts
@@ -50,7 +50,7 @@ def read_ptx(data: bytes) -> Shape:
 
 
 def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
-    """Columns, rows and the matrix of the scan that begins at a line of numbers."""
+    """The columns, the rows and the matrix of the scan that begins at a line of numbers."""
     counts = rows.counts[line : line + len(_HEADER)]
     if len(counts) < len(_HEADER):
         raise ShapeError("the PTX file ends in the middle of a header")
@@ -73,7 +73,7 @@ def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
 
 
 def _grid(rows: Rows, starts: Floats, line: int, count: int) -> Floats:
-    """The places of a grid's points, whose lines go on with what came back and colours."""
+    """The places of a grid's points.  Their lines may continue with intensities and colours."""
     there = len(rows.counts) - line
     if there < count:
         raise ShapeError(f"the PTX file ends in the middle of the {count} points of a scan, behind {there} of them")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads a shape from a file of any known format: by its contents, and by its ending where these say nothing."""
+"""Reads a shape from a file of any known format, by its contents, or by its ending if the contents do not tell."""
 from __future__ import annotations
 
 import gzip
@@ -28,11 +28,11 @@ from ._shape import Shape, ShapeError
 from ._stl import read_stl
 from ._xyz import read_xyz
 
-_HEAD = 65536  # bytes that tell what a file is
+_HEAD = 65536  # number of bytes that are examined to find the format
 
 
 class Format(NamedTuple):
-    """A name, and the reader: of bytes, or of a path where a library or the size wants one."""
+    """A name, and the reader.  It takes bytes, or a path if a library needs one or the file may be large."""
 
     name: str
     read: Optional[Callable[[bytes], Shape]] = None
@@ -105,7 +105,7 @@ _NO_MODEL = (
 
 
 def format_of(head: bytes, size: int) -> Optional[str]:
-    """The format that the first bytes of a file, of that size in all, show; None if they do not."""
+    """The format that the first bytes of a file show; None if they do not.  `size` is the size of the whole file."""
     for pattern, name in _MAGIC:
         if re.match(pattern, head, re.S):
             return name
@@ -115,7 +115,7 @@ def format_of(head: bytes, size: int) -> Optional[str]:
 
 
 def _is_table(head: bytes) -> bool:
-    """Whether the first lines have numbers, but for headings and comments."""
+    """Whether the first lines hold numbers, except for headings and comments."""
     if head[:2] in (b"\xff\xfe", b"\xfe\xff"):
         head = head[: len(head) // 2 * 2].decode("utf-16", errors="replace").encode()
     if b"\0" in head:
@@ -127,24 +127,29 @@ def _is_table(head: bytes) -> bool:
 
 
 def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
-    """Read points or a mesh.
+    """Read points or a mesh from a file.
 
     Parameters
     ----------
     path : path
-        PLY, OBJ, STL, OFF, 3MF, AMF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
-        PTX, PCD, LAS, NPY, NPZ; LAZ, E57, GeoTIFF, DEM, VTK and its kin, STEP, IGES and BREP, and Collada, FBX, 3DS,
-        Blender and others, with the package or program that reads them.  What the file holds counts for more than its
-        ending.  A file that gzip has packed is unpacked.
+        The file: PLY, OBJ, STL, OFF, 3MF, AMF, glTF and GLB; tables of points with three or more columns (such as XYZ, TXT,
+        CSV, PTS, PWN); PTX, PCD, LAS, NPY and NPZ; and, with the package or program that reads them, LAZ, E57, GeoTIFF, DEM,
+        VTK's formats, STEP, IGES, BREP, and formats of 3D programs such as Collada, FBX, 3DS and Blender.  The contents
+        decide about the format before the ending does.  Files that are packed with gzip are unpacked.
+
+    Returns
+    -------
+    Shape
+        The points, with normals or triangles if the file has them.
 
     Raises
     ------
     ShapeError
-        If the file cannot be used; the message says where, in text by line and column (the words of a line).
+        If the file cannot be used.  For a text file, the message gives the line and the column (the number of the word).
     OSError
-        If it cannot be opened.
+        If the file cannot be opened.
     """
-    with np.errstate(invalid="ignore", over="ignore"):  # of numbers that are none, which later stages leave out
+    with np.errstate(invalid="ignore", over="ignore"):  # later stages leave out numbers that are not finite
         return _read(Path(path))
 
 
@@ -171,7 +176,7 @@ def _read(path: Path) -> Shape:
             raise ShapeError(_unknown(ending))
         return _read_unpacked(_vtk.read_meshio, data, ending) if packed else _vtk.read_meshio(path)
     if name == "text" and expected == "PTX" and len(head.split(b"\n", 1)[0].split()) < 3:
-        name = expected  # damaged: what is wrong is said of its header
+        name = expected  # a damaged PTX file: its reader says what is wrong with the header
     form = FORMATS[name]
     if form.read is not None:
         data = data if packed else path.read_bytes()
@@ -202,7 +207,7 @@ def _unpacked(path: Path) -> bytes:
 
 
 def _read_unpacked(reader: Callable[[Path], Shape], data: bytes, ending: str) -> Shape:
-    """By a program or a library that wants a file, and may go by its ending."""
+    """Read unpacked data with a program or a library that needs a file, and may use its ending."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"unpacked{ending}"
         path.write_bytes(data)

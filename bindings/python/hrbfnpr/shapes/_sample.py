@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Well-spread samples with normals of meshes and point sets."""
+"""Chooses well-spread samples with normals from meshes and point sets."""
 from __future__ import annotations
 
 from typing import Any, Callable, Optional, Tuple
@@ -10,14 +10,14 @@ import hrbfnpr
 
 from ._shape import Floats, Integers, Shape, ShapeError
 
-CANDIDATES = 40  # random candidates for each sample that is chosen
+CANDIDATES = 40  # number of random candidates for each sample
 Report = Callable[[float], Any]
 
 
 def farthest_points(points: Floats, count: int, report: Optional[Report] = None) -> Integers:
-    """Indices of `count` points, each as far as can be from those before it; `hrbfnpr.farthest_points`.
+    """Return the numbers of `count` points, each the farthest from those before it, as `hrbfnpr.farthest_points` does.
 
-    Starts with the point nearest to the middle of the bounding box, so that the choice depends on the points alone.
+    The first is the point nearest to the middle of the bounding box, so that the choice depends only on the points.
     """
     count = min(count, len(points))
     if count == 0:
@@ -34,26 +34,28 @@ def samples(
     random_seed: int = 1,
     report: Optional[Report] = None,
 ) -> Tuple[Floats, Floats]:
-    """Points and unit normals of a shape, ready for `Model.fit`.
+    """Choose points and unit normals from a shape, for `Model.fit`.
 
     Parameters
     ----------
     shape : Shape
-        A mesh is sampled evenly over the area of all its parts, by `hrbfnpr.Mesh`; of a point set with normals,
-        points are chosen.  Points that are not finite, or whose normal is zero, are left out.
+        A mesh, or points with normals.  A mesh is sampled evenly over the area of all its parts.  Points that are not
+        finite, or whose normal is 0, are left out.
     count : int, optional
-        How many; 1000 by default for a mesh, all for a point set.
+        Number of samples; None: 1000 for a mesh, all points for a point set.
     crease : float
-        Degrees: faces of a mesh that meet at a sharper angle do not share their normals.
+        Angle between the normals of two faces, in degrees; faces that meet at a larger angle do not share normals.
     flip : bool
-        Turn all normals.  A closed mesh that is inside out is turned anyhow.
+        True: turn all normals.  A closed mesh that is inside out is turned in any case.
     random_seed : int
+        Start of the random numbers, for meshes.
     report : callable, optional
-        Called with a fraction in [0, 1].
+        A function that gets the progress, 0 to 1.
 
     Returns
     -------
     points, normals : arrays of float64, shape (n, 3)
+        The samples and their unit normals.
     """
     if count is not None and count < 1:
         raise ShapeError(f"the number of samples must be at least 1, not {count}")
@@ -84,7 +86,7 @@ def _usable(points: Floats, normals: Floats) -> Tuple[Floats, Floats]:
 
 
 def _on_mesh(shape: Shape, count: int, crease: float, seed: int, report: Optional[Report]) -> Tuple[Floats, Floats]:
-    """Points, even over the area, with interpolated corner normals; each next one the farthest from those before."""
+    """Evenly spread points of a mesh with interpolated corner normals; each is the farthest from those before it."""
     try:
         mesh = hrbfnpr.Mesh(shape.points, shape.triangles, parts="all", crease_angle=crease)
     except hrbfnpr.InvalidArgumentError as error:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Points of scanners: LAS, which is read here, LAZ by laspy, E57 by pye57.  z is up in them."""
+"""Reads points of scanners, with z up: LAS directly, LAZ with laspy, E57 with pye57."""
 from __future__ import annotations
 
 import math
@@ -14,19 +14,19 @@ from ._optional import needed
 from ._shape import Floats, Shape, ShapeError, Vector
 
 UP: Vector = (0.0, 0.0, 1.0)
-MOST_POINTS = 4_000_000  # that are read, evenly taken from more
-_HEADER = 227  # bytes of the shortest header
+MOST_POINTS = 4_000_000  # largest number of points that are read; of more points, an even part is read
+_HEADER = 227  # size of the shortest header, in bytes
 
 
 def read_las(path: Path) -> Shape:
-    """Read a LAS file, or a LAZ file by laspy."""
+    """Read a LAS file, or a LAZ file with laspy."""
     with open(path, "rb") as file:
         head = file.read(375)
     if head[:4] != b"LASF" or len(head) < _HEADER:
         raise ShapeError("not a LAS file, or its header is cut short")
     offset, form, length, count = struct.unpack_from("<I4xBHI", head, 96)
     scale, shift = struct.unpack_from("<3d", head, 131), struct.unpack_from("<3d", head, 155)
-    if head[25] >= 4 and count == 0 and len(head) >= 255:  # version 1.4
+    if head[25] >= 4 and count == 0 and len(head) >= 255:  # version 1.4 has a second, 64-bit count
         count = struct.unpack_from("<Q", head, 247)[0]
     if count == 0:
         raise ShapeError("the LAS file has no points")
@@ -57,14 +57,14 @@ def _by_laspy(path: Path) -> Tuple[Floats, Tuple[str, ...]]:
             parts: List[Any] = []
             for chunk in file.chunk_iterator(1_000_000):
                 parts.append(np.column_stack([chunk.x, chunk.y, chunk.z])[::step])
-    except Exception as error:  # whatever its decompressors raise
+    except Exception as error:  # laspy's decompressors raise various errors
         raise ShapeError(f"laspy cannot read it: {error}") from None
     points: Floats = np.concatenate(parts).astype(np.float64)
     return points, _taken(count, len(points))
 
 
 def read_e57(path: Path) -> Shape:
-    """All scans of an E57 file, in their common frame; by pye57."""
+    """Read all scans of an E57 file, in their common frame, with pye57."""
     pye57 = needed("pye57", "E57", "pip install pye57", "CloudCompare saves it as PLY, with normals")
     points: List[Floats] = []
     normals: List[Optional[Floats]] = []
@@ -74,7 +74,7 @@ def read_e57(path: Path) -> Shape:
                 data = file.read_scan(scan, ignore_missing_fields=True, transform=True)
                 points.append(np.column_stack([data[f"cartesian{axis}"] for axis in "XYZ"]))
                 normals.append(_e57_normals(pye57, file, file.get_header(scan)))
-    except Exception as error:  # whatever the library behind it raises
+    except Exception as error:  # pye57's library raises various errors
         raise ShapeError(f"pye57 cannot read it: {error}") from None
     if not sum(map(len, points)):
         raise ShapeError("the E57 file has no points")
@@ -86,7 +86,7 @@ def read_e57(path: Path) -> Shape:
 
 
 def _e57_normals(pye57: Any, file: Any, header: Any) -> Optional[Floats]:
-    """Normals of a scan's valid points, turned as its pose says; pye57 itself leaves out what is an extension of E57."""
+    """The normals of a scan's valid points, turned by its pose.  They are an extension of E57, which pye57 does not read."""
     names = [f"nor:normal{axis}" for axis in "XYZ"]
     if not set(names) <= set(header.point_fields):
         return None

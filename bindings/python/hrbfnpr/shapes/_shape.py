@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a file of points or a mesh holds."""
+"""The contents of a file with points or a mesh."""
 from __future__ import annotations
 
 from dataclasses import dataclass
@@ -14,36 +14,39 @@ Vector = Tuple[float, float, float]
 
 
 class ShapeError(ValueError):
-    """A file cannot be used; the message says why."""
+    """A file cannot be used.  The message says why."""
 
 
 @dataclass(frozen=True)
 class Shape:
-    """Points, perhaps with normals, perhaps joined to triangles.
+    """Points, with normals or triangles if they are known.
 
     Attributes
     ----------
     points : array of float64, shape (n, 3)
+        The points, or the vertices of a mesh.
     normals : array of float64, shape (n, 3), or None
+        The normals of the points.
     triangles : array of int64, shape (m, 3), or None
+        The numbers of the vertices of each face, from 0.
     format : str
-        What it was read from, such as ``"PLY, ascii"``; empty if it was not read.
+        The format of the file, such as ``"PLY, ascii"``; empty if the shape does not come from a file.
     columns : tuple of str
-        What the file has for each point, in its order, such as ``("x", "y", "z", "red", "green", "blue")``.
+        What the file holds for each point, in order, such as ``("x", "y", "z", "red", "green", "blue")``.
     up : tuple of float, or None
-        The direction that is up by the convention of the format, if it has one, or by what the file is.
+        The up direction, by the convention of the format or by the kind of file.
     is_picture : bool
-        Whether the points are one picture of a depth camera, which stood at `viewpoint`.
+        Whether the points are one picture of a depth camera at `viewpoint`.
     image_shape : tuple of int, or None
-        Rows and columns of that picture, where there is a point for each pixel, row by row: what
-        `hrbfnpr.smooth_depth_image` takes as ``points.reshape(*image_shape, 3)``.
+        Rows and columns of that picture, if there is a point for each pixel, row by row.  Then
+        ``points.reshape(*image_shape, 3)`` is the argument of `hrbfnpr.smooth_depth_image`.
     viewpoint : tuple of float, or None
-        Where the scanner stood, of points that it saw from one place, if the file tells.
+        The place of the scanner, if the points were seen from one place and the file tells it.
     sharp_edges : array of int64, shape (k, 2), or None
-        Of a mesh whose file gives its corners normals: edges, as numbers of vertices, along which faces have normals of
-        their own; along others they share them. None where there are no normals, or more than 50 000 faces.
+        For a mesh with normals at its corners: the edges, as numbers of two vertices, at which the two faces have different
+        normals.  None without such normals, and for more than 50 000 faces.
     notes : tuple of str
-        What was left out or taken for something while it was read.
+        What the reader left out or assumed.
     """
 
     points: Floats
@@ -74,7 +77,7 @@ class Shape:
 
 
 def strips(indices: Sequence[int]) -> Integers:
-    """Triangles of strips: every second one turned; -1 ends a strip."""
+    """Triangles of strips.  Every second triangle is turned; -1 ends a strip."""
     result: List[Tuple[int, int, int]] = []
     strip: List[int] = []
     for index in [*indices, -1]:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Which edges of a mesh are meant to be sharp: those whose faces have normals of their own in the file.
+"""Finds the edges of a mesh that are meant to be sharp: those whose two faces have different normals in the file.
 
-Programs that make models shade them so: faces share normals along edges that bend by up to some angle ("auto smooth",
-"smoothing groups"), and have their own along others.
+Modelling programs write normals in this way ("auto smooth", "smoothing groups"): two faces share normals along an edge that
+bends by less than some angle, and have different normals along other edges.
 """
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ import numpy as np
 
 from ._shape import Floats, Integers
 
-MOST_FACES = 50_000  # edges of finer meshes are told from their faces
-_OWN = np.cos(np.radians(1.0))  # of normals that are not shared
+MOST_FACES = 50_000  # meshes with more faces do not need the normals: their faces show the sharp edges
+_OWN = np.cos(np.radians(1.0))  # normals that differ by more than this angle are not shared
 
 
 def sharp_edges(points: Floats, triangles: Integers, normals: Floats) -> Optional[Integers]:
-    """Edges of two faces that have normals of their own there, as numbers of vertices, shape (k, 2).
+    """The edges at which two faces have different normals, as numbers of vertices, shape (k, 2).
 
-    Vertices at one place are one. `normals` are those at the corners of each triangle, shape (m, 3, 3). None of meshes
-    that are too fine to need it.
+    Vertices at the same place count as one.  `normals` are those at the corners of each triangle, shape (m, 3, 3).  None for
+    meshes with more than MOST_FACES faces.
     """
     if not 0 < len(triangles) <= MOST_FACES:
         return None
@@ -38,14 +38,14 @@ def sharp_edges(points: Floats, triangles: Integers, normals: Floats) -> Optiona
 
 
 def of_vertices(points: Floats, triangles: Integers, normals: Floats) -> Optional[Integers]:
-    """The same of vertices with normals: there are several at a place where a face has its own."""
+    """The same for normals of vertices.  Where faces have different normals, there are several vertices at one place."""
     if not 0 < len(triangles) <= MOST_FACES or triangles.min() < 0 or triangles.max() >= len(points):
         return None
     return sharp_edges(points, triangles, normals[triangles])
 
 
 class _Sides:
-    """The sides of triangles, all 0-1 first; `one` and `other` are those of edges of two faces."""
+    """The sides of triangles, first all sides from corner 0 to 1.  `one` and `other` are the two sides of an inner edge."""
 
     def __init__(self, points: Floats, triangles: Integers) -> None:
         self._vertex = np.unique(points, axis=0, return_inverse=True)[1].reshape(-1)
@@ -65,7 +65,7 @@ class _Sides:
 
 
 def _unit(vectors: Floats) -> Floats:
-    """Zeros and what is not finite become NaN."""
+    """Unit vectors; NaN for vectors that are 0 or not finite."""
     with np.errstate(invalid="ignore", divide="ignore"):
         units: Floats = vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
     return units

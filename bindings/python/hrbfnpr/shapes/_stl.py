@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""STL, text and binary: triangles, each with corners of its own."""
+"""Reads STL, text and binary: triangles that do not share their corners."""
 from __future__ import annotations
 
 import re
@@ -9,16 +9,16 @@ import numpy as np
 from ._shape import Shape, ShapeError, Vector
 from ._table import at, is_number, number_at, plain, without_comments
 
-UP: Vector = (0.0, 0.0, 1.0)  # of printers and workshops
-_HEADER = 84  # bytes of a binary file before its triangles
+UP: Vector = (0.0, 0.0, 1.0)  # the convention of printers and workshops
+_HEADER = 84  # size of a binary file's header, in bytes
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
-_LOOKED_AT = 4096  # bytes, of comments before a text begins
+_LOOKED_AT = 4096  # number of bytes in which a text must begin, after comments
 _BEGINS = re.compile(rb"(\s*#[^\r\n]*[\r\n])*\s*solid", re.I)
 _VERTEX = re.compile(rb"^[ \t]*vertex[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)[ \t]*$", re.M | re.I)
 
 
 def is_binary(data: bytes) -> bool:
-    """Whether the length is the one that the count in a binary file's header makes."""
+    """Whether the file has the length that the count in a binary header gives."""
     return len(data) >= _HEADER and len(data) == _HEADER + _TRIANGLE.itemsize * _count(data)
 
 
@@ -27,7 +27,7 @@ def _count(data: bytes) -> int:
 
 
 def read_stl(data: bytes) -> Shape:
-    """Read the bytes of an STL file.  Its normals are not used: they are those of the faces."""
+    """Read the bytes of an STL file.  Its normals are not used, because they only repeat those of the faces."""
     if not data:
         raise ShapeError("the file is empty")
     if not is_binary(data) and _BEGINS.match(data[:_LOOKED_AT]) and b"\0" not in data[:512]:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Numbers in text files, read at once, and found one by one where something is wrong.
+"""Reads the numbers of text files, all at once, and one by one to find the place of an error.
 
-Lines are counted from 1, and so are columns: the words of a line.
+Lines are counted from 1.  So are columns, which are the words of a line.
 """
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ import numpy as np
 from ._polygons import fans_of_block
 from ._shape import Floats, Integers, ShapeError
 
-_BLOCK = 1 << 24  # bytes that are looked at together
+_BLOCK = 1 << 24  # number of bytes that are examined together
 _UTF16 = (b"\xff\xfe", b"\xfe\xff")
 
 
 class Rows(NamedTuple):
-    """Numbers of the lines that hold any.
+    """The numbers of a text, line by line, without lines that have none.
 
-    `values` are all of them in turn, `counts` how many a line has, `lines` the numbers of these lines.
+    `values` are all numbers in order, `counts` the number of values on each line, and `lines` the line numbers.
     """
 
     values: Floats
@@ -30,7 +30,7 @@ class Rows(NamedTuple):
 
     @property
     def starts(self) -> Integers:
-        """Where in `values` each line begins."""
+        """Where each line begins in `values`."""
         result: Integers = np.cumsum(self.counts) - self.counts
         return result
 
@@ -47,12 +47,12 @@ class Rows(NamedTuple):
 
 
 def at(line: int, column: int, what: str) -> ShapeError:
-    """An error that says where; column 0 is the whole line."""
+    """An error with a line and a column; column 0 means the whole line."""
     return ShapeError(f"line {line}, column {column}: {what}" if column else f"line {line}: {what}")
 
 
 def plain(data: bytes) -> bytes:
-    """UTF-8 without a byte-order mark, lines ended by a line feed; an error where it is no text."""
+    """The text as UTF-8 without a byte-order mark, with line feeds at the ends of lines.  Raises an error if it is no text."""
     if data[:2] in _UTF16:
         data = data.decode("utf-16", errors="replace").encode()
     elif data[:3] == b"\xef\xbb\xbf":
@@ -63,7 +63,7 @@ def plain(data: bytes) -> bytes:
 
 
 def without_comments(text: bytes, marks: Sequence[bytes] = (b"#",)) -> bytes:
-    """The same lines, cut off where a comment begins."""
+    """The same lines without comments."""
     for mark in marks:
         if mark in text:
             text = re.sub(re.escape(mark) + rb"[^\n]*", b"", text)
@@ -71,18 +71,18 @@ def without_comments(text: bytes, marks: Sequence[bytes] = (b"#",)) -> bytes:
 
 
 def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
-    """All numbers of a text whose words are apart by spaces.
+    """All numbers of a text whose words are separated by spaces.
 
     Parameters
     ----------
     first_line : int
         Number of the text's first line, for messages.
     hint : str
-        What is said behind a word that is no number.
+        What a message adds after a word that is no number.
     """
     words, lines, counts = _words(text)
     with warnings.catch_warnings():
-        # What is no number ends the parse: with a warning or an error, as NumPy is old or new.
+        # A word that is no number ends the parse, with a warning or an error by NumPy's version.
         warnings.simplefilter("ignore", DeprecationWarning)
         try:
             values = np.fromstring(text, dtype=np.float64, sep=" ")
@@ -94,10 +94,10 @@ def numbers(text: bytes, first_line: int = 1, hint: str = "") -> Rows:
 
 
 def _words(text: bytes) -> Tuple[int, Integers, Integers]:
-    """How many words there are; the lines that have some, from 0; and how many each of these has."""
+    """The number of words; the lines that have words, from 0; and the number of words of each."""
     codes = np.frombuffer(text, dtype=np.uint8)
     counts: List[Any] = []
-    before, first = False, 0  # whether a word runs into the block; the block's first line
+    before, first = False, 0  # whether a word continues into the block; the first line of the block
     for start in range(0, len(codes), _BLOCK):
         block = codes[start : start + _BLOCK]
         word = block > 32
@@ -113,7 +113,7 @@ def _words(text: bytes) -> Tuple[int, Integers, Integers]:
 
 
 def _one_by_one(text: bytes, first_line: int, hint: str) -> Floats:
-    """What Python takes for numbers; an error at the first word that is none."""
+    """The numbers that Python accepts.  Raises an error at the first word that is none."""
     values: List[float] = []
     for number, line in enumerate(text.split(b"\n"), first_line):
         for column, word in enumerate(line.split(), 1):
@@ -122,7 +122,7 @@ def _one_by_one(text: bytes, first_line: int, hint: str) -> Floats:
 
 
 def number_at(word: bytes, line: int, column: int, hint: str = "") -> float:
-    """A word as a number, or an error that says where it is none."""
+    """The number of a word.  Raises an error with the place if the word is no number."""
     try:
         return float(word)
     except ValueError:
@@ -138,13 +138,13 @@ def is_number(word: bytes) -> bool:
 
 
 def shown(word: bytes) -> str:
-    """A word of a file in quotation marks, cut where it is very long."""
+    """A word of a file in quotation marks, shortened if it is very long."""
     text = word.decode("utf-8", errors="replace")
     return repr(text if len(text) <= 40 else text[:37] + "...")
 
 
 def whole(rows: Rows, what: str, least: int) -> Integers:
-    """The values as whole numbers, or an error that says where one is not; `least` words stand before a line's."""
+    """The values as whole numbers.  Raises an error at one that is not.  `least` words come before the values of a line."""
     with np.errstate(invalid="ignore"):
         result: Integers = rows.values.astype(np.int64)
     wrong = np.flatnonzero(result != rows.values)
@@ -159,7 +159,7 @@ def whole(rows: Rows, what: str, least: int) -> Integers:
 def polygons(
     rows: Rows, counts: Integers, starts: Integers, values: Integers, points: Optional[Floats] = None
 ) -> Tuple[Integers, Integers]:
-    """Triangles of polygons whose corners are runs of `values`, and the line that each comes from; as `fans_of_block`."""
+    """Triangles of polygons whose corners are runs of `values`, and the line of each; cut as by `fans_of_block`."""
     parts: List[Any] = []
     lines: List[Any] = []
     for size in np.unique(counts[counts >= 3]):
@@ -176,7 +176,7 @@ def polygons(
 
 
 def check_indices(triangles: Integers, lines: Integers, count: int, first: int = 0) -> None:
-    """An error for a corner that is no vertex, by its own number and line; `first` is that of the first vertex."""
+    """Raise an error for a corner that is no vertex, with its number and line.  `first` is the number of the first vertex."""
     wrong = np.flatnonzero(((triangles < 0) | (triangles >= count)).any(axis=1))
     if len(wrong) == 0:
         return
@@ -186,7 +186,7 @@ def check_indices(triangles: Integers, lines: Integers, count: int, first: int =
 
 
 def out_of_range(index: int, count: int, first: int = 0, what: str = "face") -> str:
-    """What is said of a face that names a vertex which is not there."""
+    """The message for a face that names a missing vertex."""
     if count > 1:
         return f"a {what} names vertex {index}, but there are {count} vertices, {first} to {count - 1 + first}"
     return f"a {what} names vertex {index}, but there " + (f"is one vertex, {first}" if count else "are no vertices")

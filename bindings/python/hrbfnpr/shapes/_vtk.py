@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""VTK's own files and others that meshio, or VTK itself, reads."""
+"""Reads VTK's formats and others, with VTK or meshio."""
 from __future__ import annotations
 
 import contextlib
@@ -17,7 +17,7 @@ from ._optional import is_here, needed, run
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError
 
-# Faces of cells, seen from outside; and the cells that have a node in the middle of each edge, too, which is left out.
+# The faces of cells, as seen from outside, and the cells with an additional node in the middle of each edge, which is ignored.
 _FACES = {
     "tetra": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
     "hexahedron": [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
@@ -29,7 +29,7 @@ _CORNERS = {
     "tetra": 4, "tetra10": 4, "hexahedron": 8, "hexahedron20": 8, "hexahedron24": 8, "hexahedron27": 8,
     "wedge": 6, "wedge15": 6, "wedge18": 6, "pyramid": 5, "pyramid13": 5, "pyramid14": 5,
 }  # fmt: skip
-_NO_SURFACE = ("vertex", "line")  # and those with more nodes
+_NO_SURFACE = ("vertex", "line")  # and their variants with more nodes
 _VOLUME = "its cells fill a volume: their outer faces are used"
 _OTHERWISE = "ParaView or MeshLab saves it as PLY"
 
@@ -37,19 +37,19 @@ _OTHERWISE = "ParaView or MeshLab saves it as PLY"
 
 
 def read_vtp(path: Path) -> Shape:
-    """Polygons of VTK's XML files."""
+    """Read polygons from VTK's XML files."""
     _need_vtk("VTP")
     return _by_vtk("vtkXMLPolyDataReader", path, "VTP")
 
 
 def read_mni(path: Path) -> Shape:
-    """Surfaces of the Montreal Neurological Institute's tools, whose files end in .obj, too."""
+    """Read surfaces of the tools of the Montreal Neurological Institute, whose files end in .obj, too."""
     _need_vtk("MNI objects")
     return _by_vtk("vtkMNIObjectReader", path, "MNI object")
 
 
 def read_vrml(path: Path) -> Shape:
-    """Scenes of the second version, VRML 97."""
+    """Read scenes of VRML 97 (version 2)."""
     with open(path, "rb") as file:
         if file.read(8) == b"#VRML V1":
             raise ShapeError("it is VRML of version 1, which is not read; MeshLab saves it as PLY")
@@ -58,7 +58,7 @@ def read_vrml(path: Path) -> Shape:
 
 
 def read_vtk(path: Path) -> Shape:
-    """VTK's older files: polygons by VTK, other kinds by VTK or meshio."""
+    """Read VTK's legacy files: polygons with VTK, other kinds with VTK or meshio."""
     with open(path, "rb") as file:
         head = file.read(1000).upper()
     if b"POLYDATA" in head:
@@ -70,12 +70,12 @@ def read_vtk(path: Path) -> Shape:
 
 
 def read_vtu(path: Path) -> Shape:
-    """Cells in VTK's XML files."""
+    """Read cells from VTK's XML files."""
     return _cells("vtkXMLUnstructuredGridReader", path, "VTU")
 
 
 def _cells(reader: str, path: Path, form: str) -> Shape:
-    """By VTK where it is installed, which reads all that it writes; else by meshio."""
+    """Read cells with VTK if it is installed, because it reads all that it writes; else with meshio."""
     return _by_vtk(reader, path, form) if is_here("vtk") and sys.executable else read_meshio(path, form)
 
 
@@ -87,8 +87,8 @@ def _need_vtk(what: str) -> None:
 
 
 def _by_vtk(reader: str, path: Path, form: str) -> Shape:
-    """In a process of its own: damaged files may end the one that VTK runs in."""
-    path.stat()  # a missing file is an OSError like everywhere
+    """Read a file with VTK in a separate process, which a damaged file may crash."""
+    path.stat()  # so that a missing file is an OSError, as in all readers
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder) / "result.npz"
         script = Path(__file__).with_name("_vtk_reader.py")
@@ -117,11 +117,11 @@ def _shape_of(found: Any, form: str) -> Shape:
 
 
 def read_meshio(path: Path, form: str = "") -> Shape:
-    """Whatever else meshio knows: triangles and polygons, or the outer faces of cells."""
-    path.stat()  # a missing file is an OSError like everywhere, whatever meshio makes of it
+    """Read any other format of meshio: triangles and polygons, or the outer faces of cells."""
+    path.stat()  # so that a missing file is an OSError, as in all readers
     meshio = needed("meshio", form or f"{path.suffix} files", "python3-meshio", _OTHERWISE)
     try:
-        # meshio reports some failures on stdout and ends the process.
+        # meshio prints some failures and ends the process.
         with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
             mesh = meshio.read(path)
     except (Exception, SystemExit) as error:
@@ -149,13 +149,13 @@ def read_meshio(path: Path, form: str = "") -> Shape:
 
 
 def _corners(block: Any) -> Any:
-    """Of each cell."""
+    """The corners of each cell."""
     data = np.asarray(block.data)
     return data[:, : _CORNERS.get(block.type, data.shape[1])]
 
 
 def _outer(blocks: Any) -> Tuple[Integers, Tuple[str, ...]]:
-    """Triangles of the faces that one cell only has, and what is said of them."""
+    """Triangles of the faces that belong to only one cell, and notes."""
     faces: Dict[Tuple[int, ...], List[int]] = {}
     count = all_faces = 0
     for block in blocks:
@@ -177,7 +177,7 @@ def _outer(blocks: Any) -> Tuple[Integers, Tuple[str, ...]]:
 
 
 def _left_out(blocks: Any) -> Tuple[str, ...]:
-    """Cells that are no faces, and have none that are known."""
+    """Notes on cells that are not faces, and whose faces are not known."""
     unknown = {
         block.type: len(block.data)
         for block in blocks

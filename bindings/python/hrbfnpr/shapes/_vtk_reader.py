@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reads a file by VTK in a process of its own, which a damaged file may end: `python _vtk_reader.py READER FILE RESULT`.
+"""Reads a file with VTK in a separate process, which a damaged file may crash: `python _vtk_reader.py READER FILE RESULT`.
 
-The result is NumPy's: points, triangles, normals (none if it is empty), the number of lines, and whether cells fill a
-volume.  Nothing is written if VTK finds no points.  This file imports nothing of the package.
+The result is a file of NumPy: points, triangles, normals (empty if there are none), the number of lines, and whether cells
+fill a volume.  If VTK finds no points, nothing is written.  This file imports nothing from the package.
 """
 import sys
 from typing import Any
@@ -11,7 +11,7 @@ import numpy as np
 
 
 def polygons_of(vtk: Any, data: Any) -> Any:
-    """Outer faces; those of cells with nodes between their corners in as many parts as these make."""
+    """The outer faces.  Faces of cells with nodes between their corners are divided at these nodes."""
     surface = vtk.vtkDataSetSurfaceFilter()
     surface.SetInputData(data)
     surface.SetNonlinearSubdivisionLevel(1)
@@ -30,7 +30,7 @@ def fills_a_volume(vtk: Any, cells: Any) -> bool:
 
 
 def scene_of(vtk: Any, importer: Any) -> Any:
-    """The polygons of a scene, each where it stands."""
+    """The polygons of a scene, each at its place."""
     importer.Read()
     actors, together = importer.GetRenderer().GetActors(), vtk.vtkAppendPolyData()
     actors.InitTraversal()

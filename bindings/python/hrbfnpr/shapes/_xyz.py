@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tables of points: XYZ and its kin (.xyz .xyzn .pwn .txt .asc .csv .pts)."""
+"""Reads tables of points: XYZ and similar formats (.xyz .xyzn .pwn .txt .asc .csv .pts)."""
 from __future__ import annotations
 
 import re
@@ -21,24 +21,24 @@ class _Head(NamedTuple):
     """What comes before the numbers."""
 
     columns: Optional[Columns]
-    sure: bool  # whether the names are a line of their own and not a comment
+    sure: bool  # whether the names are on a line of headings, not in a comment
     count: Optional[int]
     at: int  # where the numbers begin, in bytes
-    line: int  # and their line's number
+    line: int  # number of the line on which they begin
     first: bytes  # that line
 
 
 def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
-    """Three numbers a line or more; columns are known by a heading or by what they hold.
+    """Read a table with three or more numbers on each line.  A heading, or their numbers, tell what the columns are.
 
-    A first line may hold the number of points.  PWN has two dialects: six numbers a line, and all points, then
-    all normals.  `normals_expected`: the file's ending says that there are some.
+    The first line may hold the number of points.  PWN has two dialects: six numbers on each line, or all points and then
+    all normals.  `normals_expected`: whether the file's ending promises normals.
     """
     text = plain(data)
     head = _head(text)
     separator, decimal_comma = _separator(head.first)
     if head.columns and not head.sure and len(_words(head.first, separator)) != len(head.columns.names):
-        head = head._replace(columns=None)  # a comment that happens to name x, y and z
+        head = head._replace(columns=None)  # a comment that names x, y and z by chance
     body = without_comments(text[head.at :], _COMMENTS)
     notes: Tuple[str, ...] = ()
     if decimal_comma:
@@ -98,7 +98,7 @@ def _headings(line: bytes) -> List[str]:
 
 
 def _check_first(line: bytes, number: int, headed: bool) -> None:
-    """Say what is wrong with the first line already where it is no numbers at all."""
+    """Raise an error about the first line if it holds no numbers at all."""
     words = re.split(rb"[,;\s]+", line.strip(b",; \t"))
     if len(words) == 1 and re.fullmatch(rb"-\d+", words[0]):
         raise at(number, 1, f"a count was expected, not {shown(words[0])}")
@@ -107,7 +107,7 @@ def _check_first(line: bytes, number: int, headed: bool) -> None:
 
 
 def _separator(line: bytes) -> Tuple[bytes, bool]:
-    """What is between the columns, and whether commas are decimal marks."""
+    """The separator of columns, and whether commas are decimal marks."""
     apart = b";" if b";" in line else None
     words = line.split(apart)
     if b"," in line and len(words) >= 3 and b"." not in line:
@@ -119,7 +119,7 @@ def _separator(line: bytes) -> Tuple[bytes, bool]:
 
 
 def _words(line: bytes, separator: bytes) -> List[bytes]:
-    """Of a line of numbers; a separator at its end makes none."""
+    """The words of a line of numbers.  A separator at its end adds no word."""
     if not separator:
         return line.split()
     words = [word.strip() for word in line.split(separator)]
@@ -135,7 +135,7 @@ def _has_gaps(body: bytes, separator: bytes) -> bool:
 
 
 def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple[str, ...]]) -> Tuple[Floats, Any]:
-    """The table of a text with headings, other columns left as they are; and the names of its columns."""
+    """The numbers of a text with headings, and the names of its columns.  Columns that are not wanted are not read."""
     wanted = [i for i, name in enumerate(names or ()) if name in ("x", "y", "z", "nx", "ny", "nz")]
     if not (separator and _has_gaps(body, separator)):
         try:
@@ -143,7 +143,7 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
             if names is None or (rows.counts == len(names)).all():
                 return rows.values.reshape(len(rows.counts), -1), names
         except (ShapeError, ValueError):
-            pass  # a column of words, perhaps, which is not wanted
+            pass  # perhaps a column of words that is not wanted
     result: List[List[float]] = []
     width = len(names) if names else 0
     for number, line in enumerate(body.split(b"\n"), first_line):
@@ -151,7 +151,7 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
             continue
         words = [word.strip().strip(b"\"'") for word in (line.split(separator) if separator else line.split())]
         if len(words) > max(width, 1) and not words[-1]:
-            words.pop()  # behind a separator at the end of the line
+            words.pop()  # the empty word after a separator at the end of the line
         width = width or len(words)
         if len(words) < width and (not wanted or len(words) <= max(wanted)):
             raise at(number, 0, f"there are {len(words)} columns, and {width} were expected")
@@ -163,7 +163,7 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
 
 
 def _joined_blocks(rows: Rows, head: _Head) -> Tuple[Rows, _Head]:
-    """Of scans behind each other, each with its count before it, one table and the count of all."""
+    """One table from scans that follow each other, each after its count; the head gets the count of all."""
     if head.count is None or len(rows.counts) == 0 or int(rows.counts[0]) == 1:
         return rows, head
     alone = rows.counts == 1
