@@ -1091,7 +1091,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, co
  *
  * A number s(x) tells how badly the samples support the surface at the place x.
  * It is near -4.7 among samples and grows away from them, and where they face
- * another way (docs/lines.md gives the formula).  Trimming looks at the connected
+ * another way (docs/how-lines-work.md gives the formula).  Trimming looks at the connected
  * parts of the surface where s is above `limit`.  It leaves out a part that
  * reaches the end of the search box.  It also leaves out a part that is somewhere
  * farther than `hole` from all samples and has an s of 6 or more (with `closest`
@@ -1758,7 +1758,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* contex
  * A line set holds what the lines of one model are drawn from, for every camera.  Contours are traced as curves on the
  * surface itself.  Their visibility is counted and checked (Appel 1967, quantitative invisibility; Benard & Hertzmann
  * 2019).  Make a line set once for a model and give it to hrbfnpr_item.line_set.  An item that has a line set, and a
- * style that lists `lines`, is drawn with curves.  The method is described in docs/lines.md.
+ * style that lists `lines`, is drawn with curves.  The method is described in docs/how-lines-work.md.
  */
 
 /* The lines of one model. */
@@ -2158,7 +2158,7 @@ typedef struct hrbfnpr_line_style {
 /* Sets struct_size and all defaults. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
 
-/* How an item is drawn. docs/presets.md shows named styles, and docs/frames.md explains the method. */
+/* How an item is drawn. docs/presets.md shows named styles, and docs/how-marks-work.md explains the method. */
 typedef struct hrbfnpr_style {
     uint32_t struct_size;
     uint32_t tone;               /* source of the tone, HRBFNPR_TONE_...; default LIGHT */

@@ -1174,7 +1174,7 @@ export interface LineStyle {
   creases?: CreasesName | number;
 }
 
-/** How an item is drawn. docs/presets.md shows named styles, and docs/frames.md explains the method. */
+/** How an item is drawn. docs/presets.md shows named styles, and docs/how-marks-work.md explains the method. */
 export interface Style {
   /** source of the tone, HRBFNPR_TONE_...; default LIGHT */
   tone?: ToneName | number;

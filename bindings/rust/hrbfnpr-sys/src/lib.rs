@@ -131,7 +131,7 @@
 //!
 //! A number s(x) tells how badly the samples support the surface at the place x.
 //! It is near -4.7 among samples and grows away from them, and where they face
-//! another way (docs/lines.md gives the formula).  Trimming looks at the connected
+//! another way (docs/how-lines-work.md gives the formula).  Trimming looks at the connected
 //! parts of the surface where s is above `limit`.  It leaves out a part that
 //! reaches the end of the search box.  It also leaves out a part that is somewhere
 //! farther than `hole` from all samples and has an s of 6 or more (with `closest`
@@ -154,7 +154,7 @@
 //! invisibility; Benard & Hertzmann
 //! 2019).  Make a line set once for a model and give it to hrbfnpr_item.line_set.  An item
 //! that has a line set, and a
-//! style that lists `lines`, is drawn with curves.  The method is described in docs/lines.md.
+//! style that lists `lines`, is drawn with curves.  The method is described in docs/how-lines-work.md.
 //!
 //! # RENDERER: from items and a camera to a drawing [NPAR 6]
 //!
@@ -3101,7 +3101,8 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// How an item is drawn. docs/presets.md shows named styles, and docs/frames.md explains the method.
+/// How an item is drawn. docs/presets.md shows named styles, and docs/how-marks-work.md
+/// explains the method.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_style {
