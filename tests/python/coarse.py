@@ -10,7 +10,7 @@ def obj(vertices, faces):
 
 
 def ball():
-    """Of eighty faces: an icosahedron's, each in four."""
+    """A sphere of 80 triangles: an icosahedron with each face divided in four."""
     golden = (1 + 5**0.5) / 2
     corners = np.array([np.roll((0, one, golden * other), turn) for turn in range(3) for one in (-1, 1)
                         for other in (-1, 1)]) / np.hypot(1, golden)  # fmt: skip
@@ -34,7 +34,7 @@ def coarse_ball():
 
 
 def flat_ball():
-    """With the normals of its faces."""
+    """An OBJ file of `ball` whose normals are those of the flat faces."""
     points, faces = ball()
     corner = points[faces]
     normals = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Convex hulls of a few points: faces that are long and of any size."""
+"""Convex hulls of a few points: long faces of very different sizes."""
 import itertools
 
 import numpy as np
 
 
 def convex_hull(points):
-    """Faces through three points that have all others on one side."""
+    """The faces of the hull: triangles of points with all other points on one side."""
     three = np.array(list(itertools.combinations(range(len(points)), 3)))
     a, b, c = (points[three[:, k]] for k in range(3))
     normal = np.cross(b - a, c - a)
@@ -17,7 +17,7 @@ def convex_hull(points):
 
 
 def rounded_box():
-    """The hull of sixty places of one, at random."""
+    """The hull of 60 random points on a rounded box."""
     points = np.random.default_rng(3).normal(size=(60, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     points = np.sign(points) * np.abs(points) ** 0.3 * [1, 0.2, 0.2]
@@ -25,7 +25,7 @@ def rounded_box():
 
 
 def hull_in_a_box():
-    """Of places at random, of which few are at its corners: large faces, and vertices that something round goes near to."""
+    """The hull of random points in a box: large faces. A smooth surface passes close to its vertices."""
     points = np.random.default_rng(6).uniform(-1, 1, size=(40, 3)) * [2, 1, 0.6]
     faces = convex_hull(points)
     used, faces = np.unique(faces, return_inverse=True)

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Meshes whose files give the corners of their faces normals."""
+"""Meshes whose files have a normal for each corner of a face."""
 import numpy as np
 
 SIDES = 8
 
 
 def prism(sides=SIDES):
-    """With the normals of a cylinder on its sides, and of planes on its two caps: points, faces, normals, and for each
-    corner of a face the number of its normal."""
+    """A prism with a cylinder's normals on its sides and flat caps.
+
+    Returns points, faces, normals, and the index of a normal for each corner of a face.
+    """
     turn = 2 * np.pi * np.arange(sides) / sides
     ring = np.column_stack([np.cos(turn), np.sin(turn)])
     points = np.vstack([np.c_[ring, np.zeros(sides)], np.c_[ring, np.full(sides, 2.0)]])

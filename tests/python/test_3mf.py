@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""3MF: what the build places, and what is said of files that are damaged."""
+"""3MF: the build's items are placed, and damaged files give a clear error."""
 import sys
 from pathlib import Path
 
@@ -39,7 +39,7 @@ def test_3mf_is_recognized_by_its_contents(tmp_path):
 
 def test_items_and_components_are_placed(tmp_path):
     pair = f'<object id="2"><components><component objectid="1"/><component objectid="1" {MOVED}/></components></object>'
-    turned = 'transform="0 1 0 -1 0 0 0 0 2 0 0 0"'  # a quarter of a turn, and twice as high
+    turned = 'transform="0 1 0 -1 0 0 0 0 2 0 0 0"'  # a quarter turn, and twice as high
     shape = shapes.read(write(tmp_path, "a.3mf", mf3(mf3_model(f'<item objectid="2" {turned}/>', pair))))
     turn = np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 2]])
     np.testing.assert_allclose(shape.points, np.concatenate([CUBE @ turn, (CUBE + (5, 6, 7)) @ turn]))

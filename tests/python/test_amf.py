@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""AMF, plain and as slicers zip it."""
+"""AMF files, plain and zipped as slicers write them."""
 import io
 import zipfile
 
@@ -45,7 +45,7 @@ def test_all_volumes_of_an_object_are_read(tmp_path):
     shape = shapes.read(write(tmp_path, "box.amf", amf()))
     assert shape.format == "AMF" and shape.up == (0, 0, 1) and len(shape.triangles) == 12
     np.testing.assert_array_equal(shape.points, CUBE)
-    assert shapes.read(write(tmp_path, "box.xml", amf())).format == "AMF"  # by what it holds
+    assert shapes.read(write(tmp_path, "box.xml", amf())).format == "AMF"  # known by its contents
 
 
 def test_constellations_place_objects(tmp_path):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turntables: frames, what they are written as, and the command."""
+"""Turntables: their frames, the file formats, and the command."""
 import shutil
 import subprocess
 
@@ -38,10 +38,10 @@ def test_a_turn_equals_drawings_by_azimuth(turn):
     assert len(turn) == 5 and turn[0].size == turn[3].size
     centre = np.mean(turn[0].model.bounds, axis=0)
     for number, camera in enumerate(turn.cameras):
-        # The direction of view is that of `draw` with this azimuth.
+        # The view direction is that of `draw` with this azimuth.
         seen = turn[0].seen(azimuth=30 + 72 * number, elevation=20)
         assert np.asarray(camera.view)[2, :3] == pytest.approx(np.asarray(seen.camera.view)[2, :3], abs=1e-9)
-        # The eye stays as far from the middle.
+        # The eye keeps its distance from the centre.
         away = np.linalg.norm((np.asarray(camera.view) @ [*centre, 1])[:3])
         first = np.linalg.norm((np.asarray(turn.cameras[0].view) @ [*centre, 1])[:3])
         assert away == pytest.approx(first)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Parts of open meshes that are no surface together: each is fitted and drawn on its own, in one picture."""
+"""Open parts of a mesh: each is fitted and drawn separately, in one picture."""
 import numpy as np
 import pytest
 from test_input import obj, tube
@@ -17,7 +17,7 @@ def triangles(faces):
 
 
 def merged(*parts):
-    """Vertices and triangles of several meshes together."""
+    """Vertices and triangles of several meshes, as one mesh."""
     vertices, faces, first = [], [], 0
     for points, some in parts:
         vertices.append(points)
@@ -63,7 +63,7 @@ def test_marks_lie_on_all_parts_and_nowhere_else(picture):
         off = min(np.abs(np.hypot(p[:, 0], p[:, 2]) - 1).max() for p in apart)
         assert off < 0.02  # the faces are flat: 0.0086
         count.append(len(marks))
-    assert abs(count[0] / count[1] - 1) < 0.05  # both are as large
+    assert abs(count[0] / count[1] - 1) < 0.05  # the parts are equally large
     assert abs(sum(count) - 6000) < 100
     assert f"{sum(count)} marks" in repr(picture)
 
@@ -79,7 +79,7 @@ def test_no_warning_where_parts_are_apart(tmp_path, capsys):
     said = capsys.readouterr()
     assert "not all of them closed" not in said.err and said.out.count("\nfit ") == 1
     assert main(["draw", path, str(tmp_path / "c.png"), "--size", "200", "--save-model", str(tmp_path / "c.hrbf")]) == 0
-    assert capsys.readouterr().out.count("\nfit ") == 1  # one model is wanted
+    assert capsys.readouterr().out.count("\nfit ") == 1  # --save-model saves one model
 
 
 def test_an_orbit_has_all_parts():
@@ -92,7 +92,7 @@ def test_an_orbit_has_all_parts():
 
 
 def surface_of_rings(radius, height):
-    """Of revolution about y: a radius and a height for each of fifteen rings."""
+    """A surface of revolution about y, from the radius and height of each of fifteen rings."""
     angle = 2 * np.pi * np.arange(60) / 60
     rings = [np.column_stack([r * np.cos(angle), 0 * angle + y, r * np.sin(angle)]) for r, y in zip(radius, height)]
     faces = [(60 * k + i, 60 * (k + 1) + i, 60 * (k + 1) + (i + 1) % 60, 60 * k + (i + 1) % 60)
@@ -107,13 +107,13 @@ def test_surface_beyond_a_border_is_no_error():
     mesh = Mesh(*merged(*pipes, surface_of_rings(1 - 0.5 * along, np.ones(15))), parts="all")
     model = hrbfnpr.Model.fit_mesh(mesh, edges="sharp")
     everywhere = model.compare(mesh)
-    assert everywhere.surface_max > 0.1 * everywhere.diagonal  # they do, and are trimmed
+    assert everywhere.surface_max > 0.1 * everywhere.diagonal  # the sheets continue, and are trimmed
     assert model.mesh_fit.surface_max < 0.05 * everywhere.diagonal
     assert model.mesh_fit.mesh_share > 0.99
 
 
 def test_a_picture_on_a_wall():
-    """It lies in the wall, and so do its borders: to look for where they go through it had no end."""
+    """The picture's border lies in the wall. The search for crossings of the border once never ended."""
     picture = hrbfnpr.draw(
         merged(wall((0, 0, 0), (3, 0, 0), (0, 2, 0)), wall((1, 0.5, 0), (1, 0, 0), (0, 1, 0), 5)), size=200, up="y", azimuth=20
     )
@@ -121,7 +121,7 @@ def test_a_picture_on_a_wall():
 
 
 def columns(path):
-    """Ink of the columns between a fifth and four of a picture's width, in its middle rows."""
+    """Mean ink of each pixel column, from a fifth to four fifths of the width, in the middle rows."""
     with Image.open(path) as image:
         paper = Image.new("RGBA", image.size, "white")
         paper.alpha_composite(image.convert("RGBA"))
@@ -137,7 +137,7 @@ def test_touching_parts_have_no_gap(tmp_path):
     picture = tmp_path / "seam.png"
     assert main(["draw", str(write(tmp_path, "seam.obj", obj(points, faces))), str(picture), "--size", "400", "--quiet"]) == 0
     ink = columns(picture)
-    assert ink.max() > 1.5 * ink[: len(ink) // 3].mean()  # the other one is there
+    assert ink.max() > 1.5 * ink[: len(ink) // 3].mean()  # the second part is drawn
     assert ink.min() > 0.8 * ink[: len(ink) // 3].mean()
 
 

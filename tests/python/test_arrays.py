@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Arrays go in from any layout, and out without copies."""
+"""Arrays in any layout are read, and results are returned without copies."""
 import array
 
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What 3D programs save, read by assimp where it is installed."""
+"""Formats of 3D programs that assimp reads, where it is installed."""
 import gzip
 import shutil
 
@@ -27,7 +27,7 @@ COLLADA = """<?xml version="1.0" encoding="utf-8"?>
 
 
 def collada(up="Y_UP"):
-    """A box, 1 by 1 by 2, at 1 2 3."""
+    """A Collada box, 1 by 1 by 2, with its corner at (1, 2, 3)."""
     places = " ".join(f"{x} {y} {2 * z}" for x, y, z in CUBE)
     return COLLADA.format(up=up, places=places, corners=" ".join(str(i) for quad in QUADS for i in quad))
 
@@ -41,7 +41,7 @@ def assimp():
 @pytest.mark.parametrize("up, high", [("Y_UP", [2, 3, 5]), ("Z_UP", [2, 5, -2])])
 def test_collada(assimp, tmp_path, up, high):
     shape = shapes.read(write(tmp_path, "box.dae", collada(up)))
-    assert shape.format == "Collada" and shape.up == (0, 1, 0)  # what was z is y
+    assert shape.format == "Collada" and shape.up == (0, 1, 0)  # z of the file becomes y
     np.testing.assert_allclose(shape.points.max(axis=0), high, atol=1e-5)
     assert len(shape.triangles) == 12
 

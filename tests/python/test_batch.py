@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turntables and batches on Dask: two workers, one killed."""
+"""Turntables and batches on Dask: two workers, one of which is killed."""
 import os
 import re
 import signal
@@ -48,7 +48,7 @@ def test_frames_match_a_single_process(client, here):
 
 
 def slow(folder):
-    """On a worker: a file for each frame that is begun, and half a second for it."""
+    """Slows a worker down: each frame writes a file when it starts, and takes half a second more."""
     made = batch._scene
 
     def scene(sent):
@@ -91,7 +91,7 @@ def test_a_worker_that_is_killed_loses_nothing(client, here, tmp_path):
 
 
 def die():
-    """On a worker: it dies with its next frame."""
+    """Makes a worker exit at its next frame."""
     batch._scene = lambda sent: os._exit(1)
 
 
@@ -99,7 +99,7 @@ def die():
 def test_workers_that_die_again_and_again(client, here, monkeypatch, retries):
     monkeypatch.setattr(batch, "RETRIES", retries)
     client.wait_for_workers(2)
-    client.run(die)  # those that come after them live
+    client.run(die)  # workers that start later are not affected
     drawn = batch.frames_of((POINTS, NORMALS), frames=8, scheduler=client, **QUICK)
     if retries == 0:
         with pytest.raises(batch.WorkerError, match="workers died 1 times while they drew number"):

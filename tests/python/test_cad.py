@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What CAD programs exchange, read by Open CASCADE's DRAW where it is installed."""
+"""CAD formats that the DRAW program of Open CASCADE reads, where it is installed."""
 import re
 import subprocess
 
@@ -37,7 +37,7 @@ PRODUCT = """#1=APPLICATION_CONTEXT('automotive design');
 
 
 def step(schema="AUTOMOTIVE_DESIGN"):
-    """A box, 1 by 1 by 2."""
+    """A STEP file of a box, 1 by 1 by 2."""
     lines, faces = [], []
     for i, (x, y, z) in enumerate(CUBE):
         lines.append(f"#{100 + i}=CARTESIAN_POINT('',({x:f},{y:f},{2 * z:f}));")
@@ -72,11 +72,11 @@ def test_step(draw, tmp_path, name):
     assert shape.format == "STEP" and shape.up == (0, 0, 1) and len(shape.triangles) == 12
     np.testing.assert_allclose([shape.points.min(axis=0), shape.points.max(axis=0)], [[0, 0, 0], [1, 1, 2]], atol=1e-6)
     a, b, c = (shape.points[shape.triangles[:, k]] for k in range(3))
-    assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(2)  # outward
+    assert np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6 == pytest.approx(2)  # the faces look outward
 
 
 def made_by_draw(tmp_path, commands):
-    """A file that it saves."""
+    """Runs commands in DRAW that save a file."""
     (tmp_path / "make.tcl").write_text("pload MODELING XDE\n" + commands)
     program = _cad._program()
     subprocess.run(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The declarations in Python are those of the header."""
+"""The Python declarations match the header."""
 import shutil
 import subprocess
 import sys
@@ -28,7 +28,7 @@ def constants():
 
 
 def layout_program():
-    """A C program that prints what the compiler makes of each struct and constant."""
+    """A C program that prints the sizes and offsets of all structs, and all constants."""
     lines = ["#include <hrbfnpr.h>", "#include <stddef.h>", "#include <stdio.h>", "int main(void) {"]
     for name in ffi.list_types()[0]:
         if ffi.typeof(name).kind != "struct" or ffi.typeof(name).fields is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command line, end to end."""
+"""The command line from end to end."""
 import json
 import os
 import re
@@ -19,7 +19,7 @@ Image = pytest.importorskip("PIL.Image")
 QUICK = ["--size", "120", "--marks", "1500", "--samples", "60", "--quiet"]
 
 
-STAGE = r"([a-z ]{12}) +(\d+\.\d\d) s(?:  .*)?"  # a line of what was done
+STAGE = r"([a-z ]{12}) +(\d+\.\d\d) s(?:  .*)?"  # a line of the summary
 
 
 def rows(table):
@@ -28,7 +28,7 @@ def rows(table):
 
 @pytest.fixture
 def files(tmp_path):
-    """One small file of each kind."""
+    """A small file of each kind."""
     points, normals = torus(12, 6)
     both = np.hstack([points, normals])
     header = "ply\nformat binary_little_endian 1.0\nelement vertex 72\n"
@@ -47,7 +47,7 @@ def files(tmp_path):
 
 
 def ink(path):
-    """Share of dark pixels."""
+    """The share of dark pixels."""
     return (np.asarray(Image.open(path).convert("L")) < 128).mean()
 
 
@@ -60,7 +60,7 @@ def test_draw_every_kind(files, tmp_path, kind, capsys):
     assert max(Image.open(output).size) == 120
     assert 0.01 < ink(output) < 0.9
     out, err = capsys.readouterr()
-    # 60 samples are few for sharp edges, and that is said.
+    # 60 samples are few for sharp edges: a warning says so.
     edged = kind in ("obj", "stl", "off")
     assert out == "" and err.startswith("hrbfnpr: warning: the surface is off the mesh" if edged else "")
     assert all(line.startswith("hrbfnpr: warning: ") for line in err.splitlines()) and bool(err) == edged
@@ -126,7 +126,7 @@ def test_every_option(files, tmp_path, options, capsys):
     options = [word.format(**files) for word in options]
     output = tmp_path / "out.png"
     code = main(["draw", str(files["xyz"]), str(output), *QUICK, *options])
-    if options[:2] == ["--set", "stipples.radius=2"]:  # "tone" is no plain field
+    if options[:2] == ["--set", "stipples.radius=2"]:  # --set cannot set "tone"
         assert code == 2
         return
     assert code == 0, capsys.readouterr().err
@@ -281,7 +281,7 @@ def test_bad_command_lines(files, marks, tmp_path, monkeypatch, capsys, argument
     assert all(re.fullmatch(STAGE, line) for line in out.splitlines()), out
     assert err.startswith("hrbfnpr: error: ") and err.count("\n") == 1, err
     assert re.search(words, err), err
-    assert sorted(tmp_path.iterdir()) == before  # nothing is left behind
+    assert sorted(tmp_path.iterdir()) == before  # no file is left
 
 
 def test_help_and_version(capsys):
@@ -367,4 +367,4 @@ def test_progress_bars_are_for_terminals(files, tmp_path):
     run.communicate(timeout=60)
     for stage in (b"fitting", b"placing marks", b"drawing", b"100%"):
         assert stage in text
-    assert b"/1" not in text  # nor a fraction with all its digits
+    assert b"/1" not in text  # and no fraction with all its digits

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Solids put together from others."""
+"""Constructive solid geometry: solids made from other solids."""
 import math
 import pickle
 
@@ -51,7 +51,7 @@ def test_primitives_lie_at_their_given_places():
     check(csg.cylinder(0.4, 1, (0, 0.1, 0), (-3, 0, 0)),
           lambda p: max(math.hypot(p[1] - 0.1, p[2]) - 0.4, abs(p[0]) - 0.5))  # fmt: skip
     check(csg.torus(0.6, 0.2, axis=(0, 1, 0)), lambda p: math.hypot(math.hypot(p[0], p[2]) - 0.6, p[1]) - 0.2)
-    # Its point is where the axis points.
+    # The axis points to the cone's apex.
     cone = csg.cone(0.5, 2, axis=(0.2, -0.3, -1))
     top = [c / math.sqrt(1.13) for c in (0.2, -0.3, -1)]
     assert cone.contains([0.97 * c for c in top]) and not cone.contains([1.03 * c for c in top])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Scripts of solids, and the command that draws them."""
+"""Scripts that describe solids, and the command that draws them."""
 import math
 
 import pytest
@@ -93,7 +93,7 @@ def test_the_command_draws_and_saves(tmp_path, capsys):
     assert max(Image.open(picture).size) == 120
     assert (tmp_path / "part.svg").stat().st_size > 1000
     assert hrbfnpr.Model.load(saved).csg_info.nodes > 10
-    # Others know scripts by their name; a saved solid is a model as any other, and a leaf.
+    # The other commands know scripts by their ending. A saved solid is a model like any other, and a leaf of a tree.
     assert main(["draw", str(script), str(picture), *QUICK]) == 0
     assert main(["draw", str(saved), str(picture), *QUICK]) == 0
     other = tmp_path / "cut"

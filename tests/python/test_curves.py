@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wires, cross sections and the like: points along curves."""
+"""Points along curves, such as wires and cross sections."""
 import json
 
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Shapes to try things on: on their surfaces, with their normals, the same each time."""
+"""Example shapes: their points lie on the surface, have its normals, and are the same each time."""
 import numpy as np
 import pytest
 
@@ -32,7 +32,7 @@ def heart_value(p):
     return (x**2 + y**2 + 9 / 4 * z**2 - 1) ** 3 - x**2 * y**3 - 9 / 80 * z**2 * y**3
 
 
-# The formula of each surface: 0 on it.
+# Each surface as a function that is 0 on it, with a tolerance.
 OF = {
     "sphere": (lambda p: np.linalg.norm(p, axis=1) - 1, 1e-12),
     "torus": (lambda p: ring(p, 1, 0.4), 1e-12),
@@ -58,7 +58,7 @@ def slope(value, p):
 def test_normals_match_the_formula(name):
     shape = MADE[name](200)
     gradient = slope(OF[name][0], shape.points)
-    steep = np.linalg.norm(gradient, axis=1) > 0.01  # that of the heart vanishes on a curve
+    steep = np.linalg.norm(gradient, axis=1) > 0.01  # the heart's gradient vanishes on a curve
     gradient = gradient[steep] / np.linalg.norm(gradient[steep], axis=1, keepdims=True)
     assert steep.mean() > 0.9
     assert np.abs(gradient - shape.normals[steep]).max() < 1e-3
@@ -91,7 +91,7 @@ def test_terrain_is_an_open_sheet_of_the_given_height():
     assert not hrbfnpr.Mesh(shape.points, shape.triangles).info.closed
     assert (datasets.terrain(300).normals[:, 2] > 0).all()
     assert shape.points[:, 2].std() == pytest.approx(0.2, rel=0.35)
-    # Its normals against the mesh's own.
+    # The normals, compared with those of the mesh.
     flat = datasets.terrain(400)
     mesh = datasets.terrain(mesh=True)
     near = np.array([np.linalg.norm(mesh.points[:, :2] - p[:2], axis=1).argmin() for p in flat.points])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Images of depth cameras: smoothed by the library, and drawn by the command line."""
+"""Depth images: the library smooths them, and the command line draws them."""
 import re
 
 import numpy as np
@@ -10,11 +10,11 @@ import hrbfnpr
 from hrbfnpr import shapes
 from hrbfnpr.cli import main
 
-STEP, NOISE = 0.0029, 0.0014  # of 1 / z of a Kinect, 1 / m
+STEP, NOISE = 0.0029, 0.0014  # the Kinect's step and noise in 1 / z, in 1/m
 
 
 def kinect(columns=160, rows=120, step=STEP, noise=NOISE, far=4.0):
-    """A wall that leans a little, and a ball before it; and how far they truly are."""
+    """Points of a slanted wall and a ball before it, as a depth camera sees them, and their true depths."""
     row, column = np.indices((rows, columns))
     u, v = (column - columns / 2) / columns, (row - rows / 2) / columns
     z = far / (1 - 0.1 * u + 0.05 * v)
@@ -78,7 +78,7 @@ def test_files_keep_their_rows_and_columns(tmp_path):
 
 
 def off_the_wall(path, z):
-    """How far a fitted surface is from the wall at its pixels, and how far its normals turn, in degrees."""
+    """The distance of a fitted surface from the wall at its pixels, and the error of its normals in degrees."""
     model = hrbfnpr.Model.load(path)
     rows, columns = z.shape
     row, column = np.indices(z.shape)
@@ -106,11 +106,11 @@ def test_a_noisy_wall_becomes_smooth(tmp_path, capsys):
     assert main(["fit", str(file), str(tmp_path / "b.hrbf"), "--depth-smoothing", "0"]) == 0
     assert "the points keep it" in capsys.readouterr().err
     kept, turned = off_the_wall(tmp_path / "b.hrbf", z)
-    assert kept > 1.05 * distance and turned < 3  # the fit takes noise off, too
+    assert kept > 1.05 * distance and turned < 3  # the fit reduces noise, too
     assert main(["fit", str(file), str(tmp_path / "c.hrbf"), "--depth-smoothing", "-1"]) == 1
     assert "--depth-smoothing is -1" in capsys.readouterr().err
 
-    # Points whose rows are not known.
+    # The same points without their rows.
     file = write(tmp_path, "b.pcd", pcd(points.reshape(1, -1, 3)[:, ::7]))
     assert main(["fit", str(file), str(tmp_path / "d.hrbf"), "--viewpoint", "0,0,0.001"]) == 0
     rough, steep = off_the_wall(tmp_path / "d.hrbf", z)

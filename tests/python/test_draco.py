@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""glTF files whose geometry Draco packs."""
+"""glTF files with Draco compression."""
 import shutil
 import subprocess
 
@@ -28,7 +28,7 @@ def document_of(data, skin=False):
 
 @pytest.fixture(scope="module")
 def packed(tmp_path_factory):
-    """A torus in Draco's own form."""
+    """A torus as Draco data."""
     encoder = shutil.which("draco_encoder")
     if encoder is None:
         pytest.skip("Draco is not installed (apt-get install draco)")
@@ -47,7 +47,7 @@ def test_a_file(packed, tmp_path, skin):
     path.write_bytes(glb(document_of(packed, skin), packed))
     shape = shapes.read(path)
     points, _, triangles = torus_mesh()
-    moved = points + (0 if skin else np.array([1, 2, 3]))  # a skin is where its joints are
+    moved = points + (0 if skin else np.array([1, 2, 3]))  # a skinned mesh is placed by its joints, not by its node
     near = np.linalg.norm(shape.points[:, None] - moved, axis=2)
     assert near.min(axis=1).max() < 1e-3 and near.min(axis=0).max() < 1e-3
     assert shape.triangles.shape == triangles.shape

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""hrbfnpr.draw: anything in one call."""
+"""hrbfnpr.draw draws any source in one call."""
 import io
 import warnings
 
@@ -130,15 +130,15 @@ def test_a_given_style_and_camera_are_used():
     picture = hrbfnpr.draw((POINTS, NORMALS), style, camera=camera, marks=200)
     assert picture.camera == camera and picture.image.shape == (80, 90, 4)
     assert picture.style.layer("stipples").radius == 3.0
-    style.layer("stipples").radius = 9.0  # what was drawn has a copy
+    style.layer("stipples").radius = 9.0  # the picture has a copy of the style
     assert picture.style.layer("stipples").radius == 3.0
 
 
-# What other packages have, and nothing else.
+# Stand-ins for classes of other packages, with only the members that are read.
 
 
 class PolyData:
-    """PyVista's."""
+    """pyvista.PolyData."""
 
     def __init__(self, points, faces=(), normals=None):
         self.points, self.faces = points, np.array(faces)
@@ -146,7 +146,7 @@ class PolyData:
 
 
 class UnstructuredGrid:
-    """PyVista's: cells."""
+    """pyvista.UnstructuredGrid: a mesh of cells."""
 
     def __init__(self, surface):
         self.points, self.point_data = surface.points, {}
@@ -157,7 +157,7 @@ class UnstructuredGrid:
 
 
 class Trimesh:
-    """trimesh's; a cloud has no faces."""
+    """trimesh.Trimesh, or a point cloud, which has no `faces`."""
 
     def __init__(self, vertices, faces=None):
         self.vertices = vertices
@@ -175,7 +175,7 @@ class TrimeshScene:
 
 
 class Vector:
-    """Open3D's vectors: no arrays, but what NumPy makes arrays of."""
+    """Vectors of Open3D: not arrays, but NumPy converts them."""
 
     def __init__(self, values):
         self._values = values
@@ -188,7 +188,7 @@ class Vector:
 
 
 class TriangleMesh:
-    """Open3D's."""
+    """open3d.geometry.TriangleMesh."""
 
     def __init__(self, vertices, triangles):
         self.vertices, self.triangles = Vector(vertices), Vector(triangles)
@@ -196,7 +196,7 @@ class TriangleMesh:
 
 
 class PointCloud:
-    """Open3D's."""
+    """open3d.geometry.PointCloud."""
 
     def __init__(self, points, normals=np.zeros((0, 3))):
         self.points, self.normals = Vector(points), Vector(normals)
@@ -206,7 +206,7 @@ class PointCloud:
 
 
 class Tensors:
-    """Open3D's newer geometry."""
+    """Geometry of open3d.t, which has to_legacy()."""
 
     def __init__(self, legacy):
         self._legacy = legacy
@@ -227,7 +227,7 @@ PACKED = np.column_stack([np.full(4, 3), FACES]).reshape(-1)
         ((POINTS, None), 0, False),
         (POINTS, 0, False),
         (POINTS.tolist(), 0, False),
-        (tuple(map(tuple, TETRAHEDRON[:2])), 0, False),  # two points, no points and normals
+        (tuple(map(tuple, TETRAHEDRON[:2])), 0, False),  # two points, not points with normals
         (PolyData(TETRAHEDRON, PACKED), 4, False),
         (PolyData(np.array(CUBE, dtype=float), [4, 0, 1, 2, 3, 3, 4, 5, 6]), 3, False),
         (PolyData(POINTS, (), NORMALS), 0, True),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Drawings: a value that says how its marks are drawn; strokes, poses, formats."""
+"""Drawings are values: marks, strokes, poses and image formats."""
 
 import numpy as np
 import pytest
@@ -39,7 +39,7 @@ def lines(renderer, marks, camera, strokes_style):
 
 
 def flat_strokes():
-    """Three horizontal lines in the plane z = 0, 1, 20 and 40 marks long."""
+    """Three horizontal lines in the plane z = 0, of 1, 20 and 40 marks."""
     lines = ((1, -0.5), (20, 0), (40, 0.5))
     parts = [np.column_stack([np.linspace(-1, 1, n), np.full(n, y), np.zeros(n)]) for n, y in lines]
     positions = np.concatenate(parts)
@@ -57,7 +57,7 @@ def test_own_strokes_are_lines(renderer):
     drawing = renderer.draw((marks, style), above())
     assert (drawing.info.strokes, drawing.info.stroke_points, drawing.info.dots) == (2, 60, 1)
     dark = drawing.image()[..., 0] < 60
-    # A line from x = 50 to 150, whole, of 3 pixels; beside it paper.
+    # A line from x = 50 to 150, 3 pixels wide and without gaps, with paper on both sides.
     assert dark[49:51, 52:148].all() and dark[24:26, 52:148].all()
     assert not dark[40:46].any() and not dark[54:60].any() and not dark[:, :45].any() and not dark[:, 155:].any()
     (info,) = (layer for layer in drawing.layers if layer.dots)
@@ -89,7 +89,7 @@ def test_line_and_triangle_strips(renderer):
     left, right = sides["window"][0::2], sides["window"][1::2]
     np.testing.assert_allclose((left + right)[:, :2] / 2, vertices["window"][:, :2], atol=1e-2)
     np.testing.assert_allclose(np.linalg.norm((left - right)[:, :2], axis=1), 3, atol=1e-2)
-    # The dots are points: the single mark.
+    # Dots are written as points: here the single mark.
     assert len(drawing.vertices().vertices) == 1
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the command line ends what it draws: where the points or the mesh do."""
+"""The command line ends a surface where its points or its mesh end."""
 import numpy as np
 import pytest
 
@@ -91,7 +91,7 @@ def test_a_fit_ends_near_a_self_crossing_mesh(tmp_path, capsys):
 def test_the_border_is_drawn(scan, tmp_path, capsys):
     from PIL import Image
 
-    # Seen from above a terrain has no contour: the line around it is its border.
+    # From above, a terrain has no contour: the line around it is its border.
     picture = str(tmp_path / "out.png")
     options = ["--style", "silhouette", "--size", "200", "--up", "z", "--elevation", "80", "--quiet"]
     assert main(["draw", str(scan), picture, *options]) == 0

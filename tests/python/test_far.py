@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What lies so far away that all else would be a dot in the picture."""
+"""Points and parts so far away that the rest would be a dot in the picture."""
 import numpy as np
 import pytest
 from conftest import fibonacci_sphere

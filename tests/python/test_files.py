@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files of every kind and dialect, as the programs that write them make them."""
+"""Files of every format, in the dialects that programs write."""
 import gzip
 import sys
 
@@ -142,7 +142,7 @@ def test_a_large_table_is_read_fast(tmp_path):
     assert time.perf_counter() - start < 15.0
 
 
-# --- what a file is ----------------------------------------------------------------------------
+# --- the format of a file ----------------------------------------------------------------------
 
 CUBE_OBJ = "# made by a test\no cube\n" + "".join(f"v {x} {y} {z}\n" for x, y, z in CUBE) + "".join(
     "f " + " ".join(str(i + 1) for i in quad) + "\n" for quad in QUADS
@@ -219,7 +219,7 @@ def test_a_missing_package_is_named(tmp_path, monkeypatch, module, name, data, p
 
 
 def damaged(data, random):
-    """A few bytes changed, left out, doubled or cut off."""
+    """Changes, removes, doubles or cuts off a few bytes."""
     data = bytearray(data)
     for _ in range(random.integers(1, 5)):
         if not data:

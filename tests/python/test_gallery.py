@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""scripts/figures: the article's figures, small, of models that are made here."""
+"""scripts/figures draws the article's figures, here small and from models made by the test."""
 import os
 import re
 import shutil
@@ -23,7 +23,7 @@ def test_figures_without_data(tmp_path):
     out = tmp_path / "out"
     run = gallery("--size", "48", "--figures", "8,12,13", out)
     assert run.returncode == 0, run.stderr
-    assert "figure 8, b_published" in run.stdout  # the progress
+    assert "figure 8, b_published" in run.stdout  # its progress
     for figure, file in (("12", "lamp_mesh.ply"), ("13", "canyon_512.ply")):
         assert f"figure {figure}: left out: {file} is not at hand: --data DIR" in run.stdout
     page = (out / "index.html").read_text(encoding="utf-8")
@@ -36,7 +36,7 @@ def test_figures_without_data(tmp_path):
 
 
 def ply_of(points):
-    """A file of a ball's points, which are their own normals."""
+    """A PLY file of points on a sphere, which are their own normals."""
     header = f"ply\nformat ascii 1.0\nelement vertex {len(points)}\n"
     header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz")) + "end_header\n"
     return header + rows(np.hstack([points, points]))
@@ -61,12 +61,12 @@ def test_vectors_and_plots(tmp_path):
     run = gallery("--data", tmp_path / "data", "--size", "64", "--figures", "vectors", tmp_path)
     assert run.returncode == 0, run.stderr
     page = (tmp_path / "index.html").read_text(encoding="utf-8")
-    assert "figure_vectors_plot.hpgl" in page and "figure_vectors_svg.svg" in page  # of the commands
+    assert "figure_vectors_plot.hpgl" in page and "figure_vectors_svg.svg" in page  # the commands that draw them
     names = {path.name for path in tmp_path.glob("figure_*")}
     assert names == {f"figure_vectors_{name}.png" for name in ("svg", "detail", "plot")}
     plot = np.asarray(Image.open(tmp_path / "figure_vectors_plot.png").convert("RGB")).astype(int)
     blue, red = plot[..., 2] - plot[..., 0] > 60, plot[..., 0] - plot[..., 2] > 60
-    assert blue.any() and red.any()  # the beginning of the pen's way, and its end
+    assert blue.any() and red.any()  # the pen's way begins in one colour and ends in the other
 
 
 @pytest.mark.parametrize(

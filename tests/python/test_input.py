@@ -38,7 +38,7 @@ def table(points, normals=None):
 
 
 def tube(across=24, along=12, turned=(), ends=True):
-    """A closed cylinder of quads, or an open one, about y; the numbers of faces to turn over."""
+    """A cylinder of quads about y, with or without caps. Faces whose indices are in `turned` are turned over."""
     angle = 2 * np.pi * np.arange(across) / across
     rings = [np.column_stack([np.cos(angle), 0 * angle + y, np.sin(angle)]) for y in np.linspace(0, 3, along)]
     vertices = np.vstack([*rings, [[0, 0, 0], [0, 3, 0]]])
@@ -68,7 +68,7 @@ def hanging():
 
 
 def mask(way):
-    """A bowl of which the outside looks along z, or against it."""
+    """A bowl whose outside faces +z (way = 1) or -z (way = -1)."""
     turn, tilt = np.meshgrid(2 * np.pi * np.arange(16) / 16, np.pi / 2 * np.arange(1, 9) / 8)
     rim = np.column_stack([(np.sin(tilt) * np.cos(turn)).ravel(), (np.sin(tilt) * np.sin(turn)).ravel(), np.cos(tilt).ravel()])
     vertices = np.vstack([rim, [[0, 0, 1]]]) * [1, 1, way]
@@ -94,7 +94,7 @@ def dusty():
 
 
 def edged():
-    """The faces of a cube, each with points on its edges."""
+    """The faces of a cube, each with points along its edges."""
     side = np.linspace(-1, 1, 7)
     square = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
     parts = []
@@ -146,7 +146,7 @@ def no_data():
 
 
 def voxels():
-    """Three cubes in a corner."""
+    """Three cubes that share a corner."""
     cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     vertices = np.vstack([cube + place for place in ((0, 0, 0), (1, 0, 0), (0, 1, 0))])
@@ -160,7 +160,7 @@ def crossing_parts():
 
 
 def left_over():
-    """A tube with a small face on one of its edges."""
+    """A tube with an extra small face on one of its edges."""
     vertices, faces = tube()
     outside = (vertices[100] + vertices[101]) / 2 * [1.01, 1, 1.01]
     return obj(np.vstack([vertices, [outside]]), [*faces, [100, 101, len(vertices)]])

@@ -39,7 +39,7 @@ def test_contours_are_curves(model, marks):
     info = drawing.info
     assert info.line_refined <= info.line_curves
     assert info.line_curves >= 2 and info.line_broken == info.line_settled == info.line_contradictions == 0
-    assert info.silhouette == 0  # marks draw no contours
+    assert info.silhouette == 0  # the style of these marks draws no contours
     lines = drawing.polylines(drawing.layers.index(contour))
     assert len(lines) == contour.strokes
     for line in lines:
@@ -47,7 +47,7 @@ def test_contours_are_curves(model, marks):
         assert np.allclose(np.cumsum(steps), line["length"][1:], atol=0.05)
         ring = np.hypot(line["position"][:, 0], line["position"][:, 1])
         off = np.abs(np.hypot(ring - 1, line["position"][:, 2]) - 0.4)
-        assert off.max() < 0.02  # world positions lie on the torus
+        assert off.max() < 0.02  # the line lies on the torus
     assert (drawing.image()[..., :3].min(axis=2) < 128).mean() > 0.005
 
 
@@ -109,7 +109,7 @@ def test_styles_scale_with_the_picture(model, marks):
     for strokes, length, picture in found[1:]:
         assert strokes == found[0][0]
         assert length == pytest.approx(found[0][1], rel=2e-3)
-        assert np.abs(picture - found[0][2]).max() < 40  # of 255, where a line moves by some hundredths of a pixel
+        assert np.abs(picture - found[0][2]).max() < 40  # grey levels; a line moves by a few hundredths of a pixel
 
 
 def test_errors_name_the_argument(model, marks):
@@ -140,6 +140,6 @@ def test_pictures_of_lines_alone_place_few_marks(tmp_path, capsys):
     np.savetxt(ring, np.hstack(torus()), fmt="%.17g")
     draw = ["draw", str(ring), str(tmp_path / "out.png"), "--style", "silhouette", "--size", "200"]
     assert main(draw) == 0 and "4000 marks" in capsys.readouterr().out
-    # What is saved may be drawn in another style.
+    # Saved marks are many, because they may be drawn in another style.
     assert main([*draw, "--save-points", str(tmp_path / "ring.points")]) == 0
     assert len(hrbfnpr.PointSet.load(tmp_path / "ring.points")) > 20000

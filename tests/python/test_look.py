@@ -18,7 +18,7 @@ BOX = ((-1, -2, -3), (1, 2, 3))
 
 
 def project(camera, point):
-    """Pixel x, y and clip w of a world point, by the matrices."""
+    """Window x, y and clip w of a world point, by the camera's matrices."""
     clip = camera.projection @ camera.view @ np.append(point, 1.0)
     x, y, width, height = camera.viewport
     return x + (clip[0] / clip[3] + 1) / 2 * width, y + (1 - clip[1] / clip[3]) / 2 * height, clip[3]
@@ -114,7 +114,7 @@ def test_layers_of_a_style():
     assert layer.share == 0.5
     style = hrbfnpr.Style(ink="#102030")
     assert style.style_of("stipples").ink == style.silhouette_ink == style.style_of("own", "fur").ink
-    # The library's constants are not changed.
+    # Presets of the library do not change.
     hrbfnpr.Style("hatch").layers[0].radius = 9
     assert hrbfnpr.Style("hatch").layers[0].radius != 9
 
@@ -124,7 +124,7 @@ def test_a_layer_takes_the_first_matching_style():
     assert style.layers == [] and style.style_of("hatch") == hrbfnpr.LayerStyle("hatch")
     style.layers = [hrbfnpr.LayerStyle(name="fur", radius=2), hrbfnpr.LayerStyle(shape="strokes", radius=3)]
     assert style.style_of("own", "fur").radius == 2 and style.style_of("stipples", "grass").radius == 3
-    lines = style.layer("hatch")  # of its own, in front of what it took
+    lines = style.layer("hatch")  # a style for hatch, before those that match any layer
     lines.radius = 4
     assert [layer.kind for layer in style.layers] == ["any", "hatch", "any"] and lines.shape == "strokes"
     assert style.style_of("hatch").radius == 4 and style.style_of("stipples").radius == 3

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Meshes: made, sampled, fitted, compared."""
+"""Meshes: creating, sampling, fitting and comparing them."""
 import math
 
 import numpy as np
@@ -11,7 +11,7 @@ TURN = 2 * np.pi
 
 
 def torus(around=60, along=24, tube=0.4):
-    """Vertices and triangles of a ring about the z axis."""
+    """Vertices and triangles of a torus about the z axis."""
     u, v = np.meshgrid(np.arange(around) / around, np.arange(along) / along, indexing="ij")
     radius = 1 + tube * np.cos(TURN * v)
     points = np.stack([radius * np.cos(TURN * u), radius * np.sin(TURN * u), tube * np.sin(TURN * v)], axis=-1)
@@ -131,7 +131,7 @@ def test_edges(tmp_path):
     smooth = hrbfnpr.Model.fit_mesh(cube, edges="smooth", maximum_centres=500)
     assert smooth.mesh_fit.sheets == 1 and np.abs(smooth.evaluate(edge).value).max() > 1e-4
     coarse = hrbfnpr.Model.fit_mesh(cube, edges="sharp", crease_angle=100)
-    assert coarse.mesh_fit.sheets == 6  # rounding would be far off
+    assert coarse.mesh_fit.sheets == 6  # still sharp, because a smooth fit would be far off
     sharp.save(tmp_path / "cube.hrbf")
     assert np.array_equal(hrbfnpr.Model.load(tmp_path / "cube.hrbf").evaluate(edge).value, sharp.evaluate(edge).value)
     with pytest.raises(ValueError, match="edges"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Mesh files and glTF, as the programs that write them make them."""
+"""Mesh files and glTF, as programs write them."""
 import base64
 import json
 import struct
@@ -90,7 +90,7 @@ def test_stl_has_z_up(tmp_path, binary):
 
 
 def gltf(triangles=FACES, node=None, mode=4, skin=None, normals=None, sparse=False, stride=0):
-    """A document and its data: a tetrahedron."""
+    """A glTF document and its binary data: a tetrahedron."""
     data, views, accessors = b"", [], []
 
     def add(array, kind, component, width=0):
@@ -163,7 +163,7 @@ def test_gltf_nodes(tmp_path):
     shape = shapes.read(write(tmp_path, "b.glb", glb(*gltf(node=mirror))))
     np.testing.assert_array_equal(shape.points[1], [4, 0, 0])
     assert shapes.mesh_facts(shape).closed and not shapes.mesh_facts(shape).inside_out
-    # A mesh with a skeleton is where the joints are, not where its node is.
+    # A skinned mesh is placed by its joints, not by its node.
     shape = shapes.read(write(tmp_path, "c.glb", glb(*gltf(node={"translation": [50, 0, 0]}, skin=[0, 0, 7]))))
     np.testing.assert_array_equal(shape.points[0], [0, 0, 7])
     shape = shapes.read(write(tmp_path, "d.glb", glb(*gltf(sparse=True))))
@@ -171,7 +171,7 @@ def test_gltf_nodes(tmp_path):
 
 
 def test_gltf_nodes_of_several(tmp_path):
-    """A node that is the child of several stands once below each of them."""
+    """A node that is the child of several nodes is placed once for each of them."""
     document, data = gltf()
     document["nodes"][0]["children"] = [2, 3]
     document["nodes"] += [{"children": [1]}, {"translation": [9, 0, 0], "children": [1]}]

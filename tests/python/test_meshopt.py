@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""glTF files whose geometry EXT_meshopt_compression packs, by a writer of its own."""
+"""glTF files with EXT_meshopt_compression, written by an encoder of the test."""
 import json
 import struct
 
@@ -11,7 +11,7 @@ from test_meshes import glb
 from hrbfnpr import shapes
 from hrbfnpr.shapes import _meshopt
 
-COUNT = 700  # more than two blocks of vertices
+COUNT = 700  # more than two blocks of 256 vertices
 BOTH = bytes([0x00, 0x76, 0x87, 0x56, 0x67, 0x78, 0xA9, 0x86, 0x65, 0x89, 0x68, 0x98, 0x01, 0x69, 0x00, 0x00])
 
 
@@ -53,7 +53,7 @@ def number(value):
 
 
 def packed_triangles(triangles, version=1):
-    """Counts how often each way of a corner is taken, too."""
+    """Encodes triangles. Also returns which codes for a corner were used."""
     codes, data, used = b"", b"", set()
     edges, vertices, new, last = [], [], 0, 0
 
@@ -112,7 +112,7 @@ def canonical(triangles):
 
 
 def shuffled(seed):
-    """A strip that winds over many vertices, and triangles from anywhere between."""
+    """A long strip of triangles with random triangles inserted."""
     random = np.random.default_rng(seed)
     rows = [(i, i + 1, i + 2) if i % 2 else (i + 1, i, i + 2) for i in range(COUNT - 2)]
     for i in random.integers(0, COUNT - 2, 200):
@@ -164,7 +164,7 @@ def torus_mesh():
 def document_of(points, triangles):
     views, data = [], b""
     indices, _ = packed_triangles(triangles)
-    steps = np.zeros((len(points), 4), "<i2")  # whole numbers, 8 bytes apart
+    steps = np.zeros((len(points), 4), "<i2")  # four int16: 8 bytes a vertex
     steps[:, :3] = np.round(points / np.abs(points).max() * 32767)
     for packed, count, stride, mode in (
         (packed_attributes(steps), len(points), 8, "ATTRIBUTES"),

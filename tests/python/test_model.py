@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Models: fit, functions, projection, curvature, saving."""
+"""Models: fitting, functions, projection, curvature and saving."""
 import copy
 import gc
 import io
@@ -202,7 +202,7 @@ def test_a_function_may_keep_its_points():
 
     def value(p):
         kept.append(p)
-        p[0] = 0  # it is the function's own
+        p[0] = 0  # the array belongs to the function
         return np.ones(len(p))
 
     hrbfnpr.Model.from_function(value, bounds=BOUNDS).evaluate(WHERE)

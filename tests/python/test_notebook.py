@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures in matplotlib's axes, and the viewer."""
+"""Pictures in matplotlib axes, and the notebook viewer."""
 import io
 import re
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Points and meshes in NumPy's files."""
+"""Points and meshes in NumPy files."""
 import io
 
 import numpy as np

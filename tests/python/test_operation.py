@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Progress, cancelling, interrupts, and the interpreter lock."""
+"""Progress, cancelling, interrupts and the interpreter lock."""
 import _thread
 import os
 import signal
@@ -138,13 +138,13 @@ def test_other_threads_run_meanwhile():
 
 
 def test_ctrl_c_cancels_a_long_call():
-    # No progress callback of ours: the library's own reports must be enough.
+    # Without a progress callback, the library's own reports notice the interrupt.
     timer = threading.Timer(0.05, _thread.interrupt_main)
     many = fibonacci_sphere(1500)
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         hrbfnpr.Model.fit(many, many, solver="direct")
-        time.sleep(10)  # should the fit have been faster than the timer
+        time.sleep(10)  # in case the fit ends before the timer
     timer.join()
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Normals of points that have none, or wrong ones."""
+"""Normals of points that have no normals, or wrong ones."""
 import numpy as np
 import pytest
 from conftest import torus

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The wheel, and the types."""
+"""The wheel, the type annotations and the documentation."""
 import os
 import shutil
 import subprocess
@@ -17,7 +17,7 @@ def test_a_wheel_with_the_library_inside(tmp_path):
         pytest.importorskip(module)
     if not os.path.isfile(hrbfnpr.library_path):
         pytest.skip("the library is the system's")
-    # A copy, so that no build folder is left in the checkout.
+    # Build a copy, so that no build folder stays in the checkout.
     copy = tmp_path / "tree" / "bindings" / "python"
     shutil.copytree(PACKAGE, copy, ignore=shutil.ignore_patterns("__pycache__", "build", "*.egg-info"))
     (tmp_path / "tree" / "include").mkdir()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Drawings as vectors: files, pens, paper, and that they look like the picture."""
+"""Vector output: files, pens and paper, and the same look as the picture."""
 import io
 import json
 import os
@@ -182,13 +182,13 @@ def test_plotters(points, tmp_path, capsys):
         assert re.search(r"the pen draws \d\.\d\d m and travels \d\.\d\d m, in about \d+ min \d+ s", said)
     moves = re.findall(r"P[UD]([-\d,]+);", (tmp_path / "a.hpgl").read_text())
     places = np.array([pair for move in moves for pair in np.array(move.split(","), dtype=float).reshape(-1, 2)]) / 40
-    assert (places >= 10 - 1e-9).all() and (places <= (105 - 10, 148 - 10)).all()  # within the margin
+    assert (places >= 10 - 1e-9).all() and (places <= (105 - 10, 148 - 10)).all()  # within the margins
     up = ["--pen-up", "M5", "--pen-down", "M3 S90"]
     assert main(["draw", str(points), str(tmp_path / "b.gcode"), *up, *QUICK]) == 0
     assert "\nM5\n" in (tmp_path / "b.gcode").read_text() and "\nM3 S90\n" in (tmp_path / "b.gcode").read_text()
 
 
-# Where Debian's w3c-sgml-lib has it.
+# The place of Debian's w3c-sgml-lib.
 SVG_DTD = "/usr/share/xml/w3c-sgml-lib/schema/dtd/REC-SVG11-20110816/svg11.dtd"
 
 
@@ -197,7 +197,7 @@ def test_svg_is_valid(model, preset, tmp_path):
     if shutil.which("xmllint") is None or not os.path.exists(SVG_DTD):
         pytest.skip("no DTD of SVG 1.1 to validate with: apt-get install libxml2-utils w3c-sgml-lib")
     svg = drawn(model, preset, 300).to_svg(title="A & B")
-    # A DTD knows no other namespaces.
+    # A DTD knows no other XML namespaces.
     plain = re.sub(r' (xmlns:inkscape|inkscape:\w+)="[^"]*"', "", svg)
     assert plain != svg
     command = ["xmllint", "--noout", "--nonet", "--dtdvalid", SVG_DTD, str(tmp_path / "a.svg")]
@@ -219,7 +219,7 @@ def test_pdf_is_valid(model, preset, tmp_path):
 
 
 def hpgl_lines(text):
-    """What a pen draws, mm, by the HPGL reference: 40 units a millimetre, PU and PD take places, y up."""
+    """Pen lines of an HPGL file in mm. HPGL has 40 units per mm; PU and PD take positions, y points up."""
     place, line, lines = (0.0, 0.0), [], []
     for code, numbers in re.findall(r"([A-Z]{2})([^;]*);", text):
         if code not in ("PU", "PD"):
@@ -236,7 +236,7 @@ def hpgl_lines(text):
 
 
 def gcode_lines(text):
-    """What a pen draws, mm: G0 and G1 move and keep the axes that they do not name; the pen is down at Z <= 0."""
+    """Pen lines of a G-code file in mm. G0 and G1 keep the axes that they do not name. The pen is down at Z <= 0."""
     at, line, lines = {"X": 0.0, "Y": 0.0, "Z": 1.0}, [], []
     for row in re.sub(r"\([^)]*\)|;.*", "", text).splitlines():
         words = dict(re.findall(r"([A-Z])(-?[\d.]+)", row))
@@ -250,7 +250,7 @@ def gcode_lines(text):
 
 
 def plotted(lines, height, scale, size, pen):
-    """A picture of lines by a round pen, eight times as fine and then reduced."""
+    """An image of lines drawn by a round pen, rendered eight times as large and then reduced."""
     from PIL import Image, ImageDraw
 
     fine = 8
@@ -267,7 +267,7 @@ def plotted(lines, height, scale, size, pen):
 @pytest.mark.parametrize("kind, read", [("hpgl", hpgl_lines), ("gcode", gcode_lines)])
 def test_plots_look_like_the_picture(model, kind, read):
     size, scale, width = 600, 0.2, 3.0
-    pen = 1.5 * width * scale  # an outline is so much wider in this style
+    pen = 1.5 * width * scale  # this style draws outlines 1.5 times as wide
     style = hrbfnpr.Style("silhouette")
     style.lines = [line for line in style.lines if line.kind == "contour"]
     for line in style.lines:
@@ -299,7 +299,7 @@ def ball(centre, ink, size=SIZE):
 
 
 def test_overlapping_inks_of_two_colours_are_painted_as_in_the_picture(tmp_path):
-    # The nearer one comes first in the list, and covers the other.
+    # The nearer ball comes first in the list and hides the other.
     items = [ball((0.4, 0.2, 0.7), (0.9, 0.2, 0.1, 1)), ball((-0.3, -0.1, -0.7), (0.1, 0.3, 0.8, 1))]
     for item in items:
         item.style.visibility = "depth_layers"
@@ -313,7 +313,7 @@ def test_overlapping_inks_of_two_colours_are_painted_as_in_the_picture(tmp_path)
     assert any(", run 2" in name for name in names) and len(names) < 30
     error = ((rendered(svg.encode(), tmp_path) - picture) ** 2).mean()
     assert 10 * np.log10(255**2 / error) >= 35
-    # Group by group it is another picture.
+    # Painted group by group, the picture differs.
     file = io.BytesIO()
     drawing.save(file, "svg", plot_order=True, join=1e-9, shortest=1e-9, dot_distance=1e-9)
     assert not any(", run" in name for name in groups_of(file.getvalue()))
@@ -327,7 +327,7 @@ def test_a_plot_has_the_tone_of_the_picture(model):
     size, scale, pen = 500, 0.4, 0.25
     drawing = drawn(model, "woodcut", size)
     picture = np.asarray(drawing.to_pil().convert("L"), dtype=float)
-    picture = 255 * (picture - picture.min()) / (picture.max() - picture.min())  # black on white
+    picture = 255 * (picture - picture.min()) / (picture.max() - picture.min())  # stretched to black on white
     found = {}
     for single in (False, True):
         file = io.BytesIO()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the command line puts beside a drawing: a section and a scale bar."""
+"""Plates of archaeological drawings: the section and the scale bar beside the drawing."""
 import numpy as np
 import pytest
 
@@ -25,8 +25,8 @@ def test_a_plate_of_finds(ball, tmp_path):
     output = tmp_path / "plate.png"
     assert main(["draw", str(ball), str(output), "--style", "archaeological", "--scale-bar", "mm", *QUICK]) == 0
     dark = np.asarray(Image.open(output).convert("L")) < 128
-    assert dark.shape[1] > 440 and dark.shape[0] > 250  # a circle at the right, a bar below
-    # Without perspective the sphere is 0.9 of 240 pixels wide, and so is its section.
+    assert dark.shape[1] > 440 and dark.shape[0] > 250  # the section at the right, the bar below
+    # Without perspective the sphere, and so its section, is 0.9 * 240 pixels wide.
     for half in (dark[:240, :240], dark[:240, 240:]):
         columns = np.flatnonzero(half.any(axis=0))
         rows = np.flatnonzero(half.any(axis=1))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Point sets: generating, attributes, saving."""
+"""Point sets: generating, attributes and saving."""
 import io
 import pickle
 from dataclasses import replace
@@ -10,7 +10,7 @@ from conftest import fibonacci_sphere
 
 import hrbfnpr
 
-LAYERS = (("stipples", "stipples"), ("hatch", "hatch"), ("hatch", "combing"))  # kinds and names of `marks`
+LAYERS = (("stipples", "stipples"), ("hatch", "hatch"), ("hatch", "combing"))  # kinds and names of the layers of `marks`
 
 
 def absolute(marks, layer):
@@ -85,14 +85,14 @@ def test_layers_can_be_given_in_many_forms(ring):
     assert kinds(preset="full") == [("stipples", "stipples"), ("hatch", "hatch-1"), ("hatch", "hatch-2")]
     published = ring.generate(preset="full", distribution="published", levels=1).layers
     assert [layer.kind for layer in published] == ["stipples", "hatch"]
-    # What is given goes to all layers of a preset, the rest is as the preset has it.
+    # Options apply to all layers of a preset and override its values.
     made = ring.generate(preset="combing", budget=300, with_curvature=True).layers
     assert all(len(layer.curvatures) == len(layer) for layer in made)
     assert [layer.name for layer in made] == ["stipples", "hatch-1", "hatch-2"]
     dense = hrbfnpr.Layer("stipples", name="dense", budget=500)
     marks = ring.generate(["stipples", dense, hrbfnpr.Layer("stipples", name="d\u00fcnn", budget=50)], budget=200)
     assert [(layer.name, len(layer)) for layer in marks.layers] == [("stipples", 200), ("dense", 500), ("d\u00fcnn", 50)]
-    # Fields go to the layers that they mean something to.
+    # Options go only to the layers that have them.
     marks = ring.generate(["stipples", "hatch"], separation=0.2, with_curvature=True)
     assert len(marks.layers[0]) == 40000 and marks.layers[1].info.step == 0.2
     assert all(len(layer.curvatures) == len(layer) for layer in marks.layers)
@@ -128,7 +128,7 @@ def test_strokes_along_a_field(ring):
         return np.cross([0.0, 0.0, 1.0], p)
 
     def along_and_across(layer, **options):
-        """The cosines of the angle to the field, of marks of the first and of the second direction."""
+        """Cosines of the angle to the field, for marks of the first and of the second direction."""
         marks = ring.generate(layer, **options)
         wanted = around(absolute(marks, "hatch"))
         wanted /= np.linalg.norm(wanted, axis=1)[:, None]

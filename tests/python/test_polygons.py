@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Triangles of polygons, of those that are not convex, too."""
+"""Triangulation of polygons, also of concave ones."""
 import numpy as np
 import pytest
 from test_shapes import write
@@ -40,7 +40,7 @@ def test_triangles_cover_the_polygon_once(points, shift):
     found = fans_of_block([range(len(points))], points)
     assert found.shape == (1, len(points) - 2, 3)
     area = areas(points, found[0])
-    assert (area @ whole(points) > 0).all()  # none is turned over
+    assert (area @ whole(points) > 0).all()  # no triangle is turned over
     assert np.allclose(area.sum(axis=0), whole(points))
 
 
@@ -74,7 +74,7 @@ def test_polygons_that_cannot_be_cut_keep_their_fan():
     broken = bow.copy()
     broken[1] = np.nan
     assert fans_of_block([[0, 1, 2, 3]], broken).tolist() == [[[0, 1, 2], [0, 2, 3]]]
-    assert fans_of_block([[0, 1, 9, -3]], bow).tolist() == [[[0, 1, 9], [0, 9, -3]]]  # whoever reads it says so
+    assert fans_of_block([[0, 1, 9, -3]], bow).tolist() == [[[0, 1, 9], [0, 9, -3]]]  # the reader reports the wrong index
     many = star(MOST_CORNERS)
     assert fans_of_block([range(len(many))], many).shape == (1, len(many) - 2, 3)
 

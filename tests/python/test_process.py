@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Other processes: without NumPy, after fork, with the wrong library or none."""
+"""Other processes: without NumPy, after a fork, and with a wrong or missing library."""
 import os
 import shutil
 import subprocess

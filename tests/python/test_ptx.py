@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""PTX: scans in their common frame, and walls that look to the scanner."""
+"""PTX: scans are placed in their common frame, and walls face the scanner."""
 import sys
 from pathlib import Path
 
@@ -14,11 +14,11 @@ from hrbfnpr.cli import main
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "fuzz"))
 from reader_files import ptx  # noqa: E402
 
-TURN = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])  # a quarter of a turn about z, for rows
+TURN = np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]])  # a quarter turn about z, for row vectors
 
 
 def wall(columns=30, rows=20):
-    """A round wall around the scanner, of 90 degrees, 4 m away."""
+    """A cylindrical wall around the scanner, 90 degrees wide, 4 m away."""
     turn, height = np.meshgrid(np.linspace(-0.8, 0.8, columns), np.linspace(-1.2, 1.2, rows), indexing="ij")
     return np.stack([4 * np.cos(turn), 4 * np.sin(turn), height], axis=-1).reshape(-1, 3)
 
@@ -102,7 +102,7 @@ def test_walls_face_the_scanner(tmp_path, capsys, kind):
             assert looks_to(model, points, stood) == 1
 
 
-# What a file does not tell, the user may; the other side, too.
+# The user may give the viewpoint that the file lacks. Here it is on either side of the wall.
 @pytest.mark.parametrize("normals", [[], ["--normals", "none"], ["--normals", "unoriented"]])
 @pytest.mark.parametrize("side", [1, -1])
 def test_walls_face_a_given_viewpoint(tmp_path, capsys, normals, side):

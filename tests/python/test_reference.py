@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The fit against an independent dense solve in NumPy, written from the formulas alone."""
+"""Fits agree with an independent dense solve in NumPy, written from the formulas."""
 import numpy as np
 import pytest
 from conftest import torus
@@ -8,11 +8,11 @@ import hrbfnpr
 
 
 def quotient(a, b):
-    """a / b, and 0 where b is."""
+    """a / b, or 0 where b is 0."""
     return np.divide(a, b, out=np.zeros_like(b), where=b > 0)
 
 
-# Each gives phi, and by D = (1/r) d/dr: D phi, D D phi, D D D phi.
+# Each function returns phi, D phi, D D phi and D D D phi, where D = (1/r) d/dr.
 
 
 def triharmonic(r, _):
@@ -35,7 +35,7 @@ KERNELS = {"triharmonic": triharmonic, "gaussian": gaussian, "wendland_c2": wend
 
 
 def jets(kernel, radius, d):
-    """phi(|d|) and its derivatives up to the third, for vectors d, shape (..., 3)."""
+    """phi(|d|) and its derivatives up to the third, for vectors d of shape (..., 3)."""
     phi, first, second, third = kernel(np.linalg.norm(d, axis=-1), radius)
     one = np.eye(3)
     gradient = first[..., None] * d
@@ -47,7 +47,7 @@ def jets(kernel, radius, d):
 
 
 class Reference:
-    """f(x) = sum a_j phi(x - x_j) - b_j . grad phi(x - x_j) + c_0 + c . x, by one big linear solve."""
+    """f(x) = sum a_j phi(x - x_j) - b_j . grad phi(x - x_j) + c_0 + c . x, from one dense linear solve."""
 
     def __init__(self, points, normals, kernel, radius):
         self.centre = points.mean(axis=0)
@@ -80,7 +80,7 @@ class Reference:
         self.c = solution[size:]
 
     def __call__(self, points):
-        """f and its gradient in the points' own unit."""
+        """f and its gradient, in the unit of the points."""
         y = (points - self.centre) / self.scale
         phi, gradient, hessian, _ = jets(self.kernel, self.radius, y[:, None] - self.x[None])
         value = phi @ self.a - np.einsum("ijk,jk->i", gradient, self.b) + self.c[0] + y @ self.c[1:]
@@ -96,7 +96,7 @@ class Reference:
 
 @pytest.fixture(params=[("triharmonic", 0.0), ("gaussian", 0.35), ("wendland_c2", 1.2)], ids=lambda p: p[0])
 def pair(request):
-    """Ours and the reference, on a torus of an odd unit far from the origin."""
+    """The library's model and the reference, on a large torus far from the origin."""
     kernel, radius = request.param
     unit, offset = 3.7, np.array([40.0, -7.0, 12.0])
     points, normals = torus(16, 6)

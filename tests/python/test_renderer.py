@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Renderers and what drawings give: pixels, outputs, vertices."""
+"""Renderers and the results of drawings: pixels, outputs and vertices."""
 import io
 
 import numpy as np
@@ -77,7 +77,7 @@ def test_over(renderer, marks, camera):
 
 
 class Spy:
-    """The library with one function that only says what it was called with."""
+    """The library with one function replaced by one that records its arguments."""
 
     def __init__(self, name, look):
         self._lib = hrbfnpr._library.lib
@@ -192,7 +192,7 @@ def test_tone_function(renderer, marks, camera):
     light = False
     dark = renderer.draw((marks, only_stipples), camera).info
     assert bright.shown == 0 and dark.shown == dark.front > 100
-    # A column of a wider array is as good as any.
+    # A column of a wider array works, too.
     strided = only_stipples.copy(tone=lambda p, n: np.zeros((len(p), 3), dtype=np.float32)[:, 1])
     assert renderer.draw((marks, strided), camera).info.shown == dark.shown
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the command line finds out by itself, says and refuses: normals, up, blank pictures, outputs, seconds."""
+"""The command line's own choices and messages: normals, up, blank pictures, outputs and times."""
 import io
 import os
 import re
@@ -66,7 +66,7 @@ def test_up_by_the_format(tmp_path, capsys):
     assert "up is" not in capsys.readouterr().err
 
 
-# --- pictures with nothing in them -------------------------------------------------------------
+# --- blank pictures ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -131,7 +131,7 @@ def test_outputs_are_checked_before_the_work(tmp_path, monkeypatch, capsys):
     ):
         assert main(command) == 1
         err = capsys.readouterr().err
-        assert err.count("\n") == 1 and not re.search(r"/\.\w", err), err  # no hidden file is named
+        assert err.count("\n") == 1 and not re.search(r"/\.\w", err), err  # hidden files are not named
     if os.geteuid():  # root may write anywhere
         (tmp_path / "locked").mkdir(mode=0o500)
         assert main(["draw", str(path), str(tmp_path / "locked" / "a.png")]) == 1
@@ -144,7 +144,7 @@ def test_a_failure_while_writing_names_the_file(tmp_path, sphere):
     assert caught.value.filename == str(tmp_path / "nowhere" / "a.hrbf")
 
 
-# --- seconds, bars, order ----------------------------------------------------------------------
+# --- times, progress bars and order of messages ------------------------------------------------
 
 
 def run(code, *arguments):
@@ -165,7 +165,7 @@ def test_the_total_is_the_time_of_the_process(tmp_path):
     assert sum(seconds.values()) - seconds["total"] <= seconds["total"] + 0.05
     summary = next(i for i, line in enumerate(lines) if re.search(r"pixels, \d+ marks, [\d.]+ s$", line))
     assert float(lines[summary].split()[-2]) == pytest.approx(seconds["total"], abs=0.11)
-    # Warnings come last, and are in words.
+    # Warnings come last, and are written in words.
     assert lines[summary + 1 :] and all(line.startswith("hrbfnpr: warning: ") for line in lines[summary + 1 :])
     assert "there are 8 points only" in lines[summary + 1]
 
@@ -180,7 +180,7 @@ def test_bars_show_percent():
             hrbfnpr.Model.fit(points, points, progress=bar)
             bar.refresh()
         assert "100%" in shown.getvalue() and "/1" not in shown.getvalue().split("\r")[-2]
-    with tqdm(file=io.StringIO(), total=50) as bar:  # the caller's own unit
+    with tqdm(file=io.StringIO(), total=50) as bar:  # the caller's bar keeps its unit
         hrbfnpr.Model.fit(points, points, progress=bar)
         assert bar.n == 50 and bar.bar_format is None
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Points of scanners, height maps, and files of VTK."""
+"""Files of scanners, height maps and VTK."""
 import struct
 import sys
 import types
@@ -18,7 +18,7 @@ COLOURS = np.random.default_rng(1).integers(0, 256, (60, 3))
 
 
 def lines(*columns, mark=" ", form="{:.6f}"):
-    """A table of columns; those of whole numbers without a point."""
+    """A table of columns. Columns of integers are written without a decimal point."""
     table = [column.reshape(60, -1) for column in columns]
     rows = zip(*(part.tolist() for part in table))
     return "".join(
@@ -39,7 +39,7 @@ def is_right(shape, normals=True):
 
 
 def lzf(data):
-    """As little compressed as can be: runs as they are, and copies of four equal bytes and more."""
+    """A simple LZF encoder: literal runs, and copies of five or more equal bytes."""
     out, i, run = b"", 0, b""
     while i < len(data):
         same = 1
@@ -75,7 +75,7 @@ def pcd(form):
 
 
 def pcd_picture(upward=1.0, looks=1.0, holes=True):
-    """40 x 30 pixels of a ball before a wall, as a camera at the origin sees it that looks along z (`looks`: its sign)."""
+    """40 x 30 pixels of a ball before a wall, seen by a camera at the origin along +z (looks = 1) or -z (looks = -1)."""
     row, column = np.indices((30, 40)).reshape(2, -1)
     x, y = (column - 19.5) / 35, -upward * (row - 14.5) / 35
     ray = np.column_stack([x, y, np.ones(1200)])
@@ -117,7 +117,7 @@ def test_pictures_of_depth_cameras(tmp_path):
     for other in (
         data.replace(b"WIDTH 40\nHEIGHT 30", b"WIDTH 1200\nHEIGHT 1"),
         data.replace(b"WIDTH 40\nHEIGHT 30", b"WIDTH 30\nHEIGHT 40"),
-        data.replace(b"FIELDS x y z", b"FIELDS z x y"),  # it looks along y
+        data.replace(b"FIELDS x y z", b"FIELDS z x y"),  # the camera looks along y
         data.replace(b"WIDTH 40\n", b"WIDTH\n"),
         data[: data.index(b"ascii\n") + 6] + 1200 * b"0 0 1\n",
         data[: data.index(b"ascii\n") + 6] + 1200 * b"1e30 2 1e-300\n",
@@ -177,8 +177,10 @@ def test_broken_las(tmp_path, monkeypatch):
 
 
 class E57:
-    """What is used of pye57, which reads no normals by itself: two scans, the second one turned and with a point that is
-    not valid."""
+    """A stand-in for the class of pye57, which reads no normals: two scans.
+
+    The second scan is turned and has an invalid point.
+    """
 
     scan_count = 2
     image_file = None
@@ -246,7 +248,7 @@ def grid(head="xllcorner 1000\nyllcorner 2000\ncellsize 5\n"):
 def test_esri_grids(tmp_path, name):
     shape = shapes.read(write(tmp_path, name, grid()))
     assert shape.up == (0, 0, 1) and len(shape.triangles) == 2 * 4 * 3
-    np.testing.assert_allclose(shape.points[0], [1000, 2020, HEIGHTS[0, 0]])  # north-west
+    np.testing.assert_allclose(shape.points[0], [1000, 2020, HEIGHTS[0, 0]])  # north-west corner
     np.testing.assert_allclose(shape.points[-1], [1015, 2000, HEIGHTS[-1, -1]])
     assert (shapes.samples(shape, 20)[1][:, 2] > 0).all()
     holes = shapes.read(write(tmp_path, "b.asc", grid().replace(str(HEIGHTS[0, 0]), "-9999")))
@@ -317,7 +319,7 @@ def test_cells_of_a_volume(tmp_path, monkeypatch, with_vtk):
 
 
 def round_tetrahedron():
-    """Corners on a sphere, and the nodes in the middle of the edges, too."""
+    """Corners on a sphere, then the middle nodes of the edges, also on the sphere."""
     corners = np.array([[1, 1, 1], [-1, 1, -1], [1, -1, -1], [-1, -1, 1]], dtype=float)
     middles = [corners[a] + corners[b] for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
     points = np.vstack([corners, middles])
@@ -326,7 +328,7 @@ def round_tetrahedron():
 
 @pytest.mark.parametrize("with_vtk, faces", [(False, 4), (True, 16)])
 def test_cells_with_nodes_on_their_edges(tmp_path, monkeypatch, with_vtk, faces):
-    """They were drawn as a cloud of points, whose surface was a guess."""
+    """Such cells are read as a surface, not as a cloud of points."""
     meshio = pytest.importorskip("meshio")
     if with_vtk:
         pytest.importorskip("vtk")
@@ -377,7 +379,7 @@ MNI = """P 0.3 0.3 0.4 10 1 4
 
 
 def test_mni_objects(tmp_path, monkeypatch):
-    """They end in .obj, and are no Wavefront OBJ."""
+    """MNI objects also end in .obj, but are not Wavefront OBJ."""
     file = write(tmp_path, "a.obj", MNI)
     with monkeypatch.context() as without:
         without.setitem(sys.modules, "vtk", None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Settings in a file: --settings and --save-settings of draw."""
+"""Settings files: --settings and --save-settings of draw."""
 
 import json
 from pathlib import Path

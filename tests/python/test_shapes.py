@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reading shapes from files of every kind, and sampling them."""
+"""Reading shapes from files of every format, and sampling them."""
 import struct
 
 import numpy as np
@@ -8,7 +8,7 @@ from conftest import fibonacci_sphere
 
 from hrbfnpr import shapes
 
-# A tetrahedron, outward.
+# A tetrahedron with outward faces.
 VERTICES = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], dtype=float)
 FACES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
 CUBE = np.array([[x, y, z] for z in (0, 1) for y in (0, 1) for x in (0, 1)], dtype=float)
@@ -16,7 +16,7 @@ QUADS = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [
 
 
 def triangle_set(triangles):
-    """Triangles as a set: each turned so that its smallest corner comes first."""
+    """Triangles as a set, each rotated so that its smallest index comes first."""
     turned = (tuple(np.roll(t, -int(np.argmin(t)))) for t in np.asarray(triangles).tolist())
     return set(turned)
 
@@ -191,7 +191,7 @@ def test_obj_lines(tmp_path):
     shape = shapes.read(write(tmp_path, "a.obj", corners + "l 1 2/5 3\nl -2 1\n"))
     assert shape.triangles is None and "along its lines (2)" in shape.notes[0]
     points = shape.points
-    assert 4000 <= len(points) <= 4004 and len(np.unique(points, axis=0)) == len(points)  # 3 is an end, and a beginning
+    assert 4000 <= len(points) <= 4004 and len(np.unique(points, axis=0)) == len(points)  # corner 3 is shared by both lines
     assert points[:, 0].max() == 2 and (points[:, 2] == 0).all()
     sides = [points[:, 1] == 0, points[:, 0] == 2, np.isclose(points[:, 0], 2 * points[:, 1])]
     assert np.logical_or.reduce(sides).all()
@@ -366,7 +366,7 @@ def test_a_mesh_inside_out_is_turned():
     assert (np.einsum("ij,ij->i", normals, points - 0.25) > 0).all()
     turned = shapes.samples(inside_out, 100, flip=True)[1]
     np.testing.assert_array_equal(turned, -normals)
-    # An open one may be meant as it is.
+    # An open mesh is not turned: either side may be its outside.
     open_sheet = shapes.Shape(VERTICES, triangles=np.array([[0, 1, 2]]))
     np.testing.assert_allclose(shapes.samples(open_sheet, 5)[1], [[0, 0, 1]] * 5)
 

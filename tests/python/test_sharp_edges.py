@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Edges that the normals of a file tell sharp ones from smooth ones."""
+"""The normals in a file tell sharp edges from smooth ones."""
 import json
 import re
 import struct
@@ -16,7 +16,7 @@ from hrbfnpr.cli import main
 from hrbfnpr.shapes._sharp_edges import sharp_edges
 
 def split(points, faces, normals, own):
-    """Vertices with normals, several at a place."""
+    """Vertices with normals: a point with several normals becomes several vertices."""
     corners, number = np.unique(np.column_stack([faces.ravel(), own.ravel()]), axis=0, return_inverse=True)
     return points[corners[:, 0]], number.reshape(-1, 3), normals[corners[:, 1]]
 
@@ -48,7 +48,7 @@ def ply(points, faces, normals):
 
 
 def rims(shape):
-    """The ends of its sharp edges, without order: those of the two rims are to be all."""
+    """The ends of the shape's sharp edges, as a set. For a prism these must be the edges of both rims."""
     return {frozenset(map(tuple, np.round(shape.points[edge], 6))) for edge in shape.sharp_edges}
 
 
@@ -112,7 +112,7 @@ def test_damaged_normals_are_no_error(tmp_path):
     whole = glb(points, faces, normals)
     for damage in ((b'"NORMAL": 1', b'"NORMAL": 7'), (b'"NORMAL": 1', b'"NORMAL": 2'), (b'"NORMAL": 1', b'"NORMAL": []')):
         data = whole.replace(*damage)
-        if len(data) != len(whole):  # the chunk of text ends in spaces
+        if len(data) != len(whole):  # the JSON chunk is padded with spaces
             data = whole.replace(b'"NORMAL": 1}, ', b'"NORMAL": []},')
         shape = shapes.read(write(tmp_path, "a.glb", data))
         assert shape.sharp_edges is None and len(shape.triangles) == len(faces)
@@ -130,4 +130,4 @@ def test_a_ball_is_flat_if_its_normals_are(tmp_path, capsys):
 def test_zero_normals_and_fine_meshes_mark_no_edges():
     points, faces = ball()
     assert sharp_edges(points, faces, np.zeros((len(faces), 3, 3))) is None
-    assert sharp_edges(points, np.tile(faces, (700, 1)), np.zeros((700 * len(faces), 3, 3))) is None  # too fine
+    assert sharp_edges(points, np.tile(faces, (700, 1)), np.zeros((700 * len(faces), 3, 3))) is None  # too many faces

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Contact sheets, end to end."""
+"""The sheet command from end to end."""
 import subprocess
 import sys
 
@@ -16,7 +16,7 @@ from hrbfnpr.cli import main
 Image = pytest.importorskip("PIL.Image")
 
 QUICK = ["--size", "72", "--marks", "400", "--samples", "60", "--quiet"]
-FRAME = 190  # grey of the line around a cell
+FRAME = 190  # grey of the frame around a cell
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def sheet(arguments, output):
 
 
 def frames(picture):
-    """The inner parts of all cells, row by row."""
+    """The contents of all cells, row by row."""
     found = []
     for y, x in np.argwhere(picture == FRAME):
         upper_left = picture[y, x + 1] == FRAME and picture[y + 1, x] == FRAME
@@ -82,7 +82,7 @@ def test_views_are_next_to_each_other(ring_file, tmp_path):
     assert len(inner) == 6 and picture.shape[1] > 3 * inner[0].shape[1]
     middle = [cell[cell.shape[0] // 2 - 3 :][:6].min() for cell in inner]
     across = inner[0].shape[1] // 2
-    assert (inner[1][30:40, across - 4 : across + 4] == 255).all()  # through the hole
+    assert (inner[1][30:40, across - 4 : across + 4] == 255).all()  # the view through the hole
     assert (inner[3] != inner[5]).any() and max(middle) < 255
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sheets of views and sections: sizes, places, line conventions, and what cannot be drawn."""
+"""Technical drawings of views and sections: sizes, placement, line types, and errors."""
 import re
 
 import numpy as np
@@ -12,7 +12,7 @@ NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
 
 
 def paths_of(path):
-    """By layer, points along each path, in mm."""
+    """For each layer of an SVG, the points along each path in mm."""
     found = {}
     layer = None
     for tag in re.finditer(r'<g [^>]*inkscape:label="([^"]*)"|<path [^>]*d="([^"]*)"', path.read_text()):
@@ -24,7 +24,7 @@ def paths_of(path):
 
 
 def absolute(d):
-    """Points along a path of M, L, H, V and C, absolute or not."""
+    """Points along an SVG path of M, L, H, V and C, absolute or relative."""
     points, at = [], np.zeros(2)
     t = np.linspace(0.1, 1, 10)[:, None]
     for command, numbers in re.findall(rf"([a-zA-Z])((?:[\s,]*{NUMBER})*)", d):
@@ -76,7 +76,7 @@ def ring(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def bush(tmp_path_factory):
-    """A mesh, turned about z: a flange 50 wide and 8 high, a shaft 30 wide, a bore of 16 and, above 22, of 22."""
+    """A turned part about z: a flange 50 wide and 8 high, a shaft 30 wide, a bore 16 wide, and 22 wide above z = 22."""
     corners = [(8, 0), (25, 0), (25, 8), (15, 8), (15, 36), (11, 36), (11, 22), (8, 22)]
     profile = []
     for a, b in zip(corners, corners[1:] + corners[:1]):
@@ -109,15 +109,15 @@ def test_sizes_follow_the_scale(egg, tmp_path, scale, factor):
 
 
 def test_hidden_edges_are_dashed_and_thin(ring, tmp_path):
-    """The inner side of a torus is behind its outer side."""
+    """The inner side of a torus is hidden by its outer side."""
     paths = drawn(ring, tmp_path, "--up", "z", "--views", "front,top", "--scale", "2:1")
     assert len(paths["hidden front"]) > 8  # dashes
     lengths = [np.linalg.norm(np.diff(dash, axis=0), axis=1).sum() for dash in paths["hidden front"]]
-    assert max(lengths) < 6.0  # 12 widths of 0.25 mm, and some
+    assert max(lengths) < 6.0  # 12 line widths of 0.25 mm, with a margin
     low, high = box_of(paths, "hidden front")
     outer = box_of(paths, "outlines front")
     assert (low > outer[0] - 0.1).all() and (high < outer[1] + 0.1).all()
-    assert "hidden top" not in paths  # from above all is seen
+    assert "hidden top" not in paths  # from above nothing is hidden
     text = (tmp_path / "sheet.svg").read_text()
     group = re.search(r'inkscape:label="hidden front"[^>]*>\s*<path[^>]*stroke-width="([\d.]+)"', text)
     whole = re.search(r'inkscape:label="outlines front"[^>]*>\s*<path[^>]*stroke-width="([\d.]+)"', text)
@@ -147,8 +147,8 @@ def test_a_section_is_hatched_inside_the_cut_alone(ring, tmp_path):
     assert len(hatching) >= 8 and inside(ends, centres, 8.1).all()
     for line in hatching:
         step = line[-1] - line[0]
-        assert abs(step[0]) == pytest.approx(abs(step[1]), abs=0.02) and step[0] * step[1] < 0  # 45 degrees, rising
-    # Behind the plane half of the torus is seen: straight lines between the circles, nothing hidden.
+        assert abs(step[0]) == pytest.approx(abs(step[1]), abs=0.02) and step[0] * step[1] < 0  # rising at 45 degrees
+    # Half of the torus is visible beyond the plane: straight lines between the circles, and nothing hidden.
     lines = [line - middle for line in paths["outlines A-A"]]
     straight = [line for line in lines if line[:, 0].min() < -15 and line[:, 0].max() > 15]
     assert sorted(round(line[:, 1].mean()) for line in straight) == [-8, 8]
@@ -169,7 +169,7 @@ def test_holes_stay_empty(bush, tmp_path):
     round_hatching = np.concatenate(paths["hatching B-B"])
     away = np.linalg.norm(round_hatching - sum(box_of(paths, "hatching B-B")) / 2, axis=1)
     assert np.minimum(np.abs(away - 8), np.abs(away - 15)).max() < 0.4
-    # The bore is hidden from the front: both of its sides, and their step.
+    # From the front the bore is hidden: both sides of both widths.
     hidden = np.concatenate(paths["hidden front"]) - sum(box_of(paths, "outlines front")) / 2
     for x in (-11, -8, 8, 11):
         assert (np.abs(hidden[:, 0] - x) < 0.3).sum() > 8
@@ -221,4 +221,4 @@ def test_solids_have_centre_lines(tmp_path):
     (tmp_path / "part.csg").write_text("box((4, 2, 1)) - cylinder(0.7, 2, center=(1, 0, 0))\n")
     paths = drawn(tmp_path / "part.csg", tmp_path, "--views", "top", "--centre-lines", "--scale", "10:1", "--up", "z")
     low, high = box_of(paths, "centre lines top")
-    assert high - low == pytest.approx((46, 0), abs=0.5)  # along x alone: the hole is not in the middle of it
+    assert high - low == pytest.approx((46, 0), abs=0.5)  # only along x, because the hole is off centre

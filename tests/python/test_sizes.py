@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of several sizes with as many marks as they ask for themselves."""
+"""The number of marks does not depend on the size of the picture."""
 import numpy as np
 import pytest
 from test_cli import files, ink  # noqa: F401 - a fixture
@@ -23,6 +23,6 @@ def test_hatching_is_the_same_at_every_size(files, tmp_path):
     assert len(lines[0]) > 10000
     for name in ("levels", "stroke_first"):
         assert np.array_equal(getattr(lines[0], name), getattr(lines[1], name))
-    # Origins are those of all layers, and positions floats.
+    # Each set has its own origin, and positions are single-precision.
     a, b = (line.positions + np.asarray(marks.origin) for line, marks in zip(lines, sets))
     assert np.abs(a - b).max() < 1e-6

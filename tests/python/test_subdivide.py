@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Coarse meshes that are divided to something round."""
+"""Coarse meshes of round objects are subdivided."""
 import numpy as np
 import pytest
 from convex_hulls import hull_in_a_box, rounded_box
@@ -21,7 +21,7 @@ def icosahedron():
 
 
 def ball():
-    """Of 80 faces."""
+    """A sphere of 80 triangles."""
     points, faces = icosahedron()
     middles, quarters = {}, []
 
@@ -48,7 +48,7 @@ def test_the_command_divides_coarse_round_meshes(tmp_path, capsys, options, divi
 
 
 def bevelled_cube():
-    """Of flat faces and round edges; all its faces but these are narrow."""
+    """A cube with flat faces and round edges; its other faces are narrow."""
     line = np.array([-0.5, -0.48, -0.45, 0.45, 0.48, 0.5])
     side = len(line)
     a, b = np.meshgrid(line, line, indexing="ij")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Surfaces that end where their samples do."""
+"""Surfaces end where their samples end."""
 import math
 
 import pytest
@@ -10,7 +10,7 @@ WHOLE = 1500
 
 
 def zone(low, tilt=0):
-    """Even samples of the unit sphere above a height, or a tilted one, which are their own normals."""
+    """Even samples of the unit sphere above a plane, which are their own normals. `tilt` slants the plane."""
     points = []
     for i in range(WHOLE):
         z = 1 - (2 * i + 1) / WHOLE
@@ -21,7 +21,7 @@ def zone(low, tilt=0):
 
 
 def heights(marks):
-    """Along (1, 0, 1)."""
+    """The marks' coordinates along (1, 0, 1)."""
     x, _, z = marks.origin
     return [(row[0] + x + row[2] + z) / math.sqrt(2) for row in marks.layers[0].positions.tolist()]
 
@@ -47,7 +47,7 @@ def test_a_smooth_open_mesh_ends_straight_along_its_border():
     cells = [n * y + x for y in range(n - 1) for x in range(n - 1)]
     triangles = [t for i in cells for t in ((i, i + 1, i + n + 1), (i, i + n + 1, i + n))]
     marks = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(grid, triangles)).generate(budget=40000)
-    farthest = [0.0] * 50  # towards the four sides, in strips of 0.02
+    farthest = [0.0] * 50  # from the four sides, in strips 0.02 wide
     for row in marks.layers[0].positions.tolist():
         x, y = row[0] + marks.origin[0], row[1] + marks.origin[1]
         for out, along in ((x, y), (y, x), (1 - x, y), (1 - y, x)):
@@ -81,7 +81,7 @@ def test_a_function_is_trimmed_too():
 
 
 def test_coarse_round_walls_have_no_holes():
-    """A bowl of ten sides is round, and bulges by a hundredth of its diagonal over them: that is no invention."""
+    """A bowl with ten flat sides. The fitted surface bulges by 1 % of the diagonal over them, which is not an error."""
     sides, rows = 10, 5
     vertices = [(0.0, 0.0, 0.0)]
     for row in range(rows + 1):
@@ -97,7 +97,7 @@ def test_coarse_round_walls_have_no_holes():
     diagonal = math.dist(mesh.info.bounds_min, mesh.info.bounds_max)
     bowl = hrbfnpr.Model.fit_mesh(mesh, edges="sharp", crease_angle=60.0, far=0.02 * diagonal)
     assert bowl.mesh_fit.mesh_p99 > 0.009 * diagonal
-    assert bowl.trim_info.share < 0.16  # the open top; with holes in its walls 0.31
+    assert bowl.trim_info.share < 0.16  # the open top alone; with holes in the walls it is 0.31
 
 
 def quarter(steps):
@@ -105,7 +105,7 @@ def quarter(steps):
 
 
 def test_a_narrow_trough_ends_at_its_border():
-    """Places on a mesh are none along curves, however narrow it is: what lies between its borders is open."""
+    """The trough is narrow, but points on a mesh are not taken for points along curves: its top stays open."""
     length, around = 80, 10
     ends = [(-math.cos(a), math.sin(a)) for a in quarter(5)[1:]]
     stations = ends + [(length - x, r) for x, r in reversed(ends)]
@@ -122,7 +122,7 @@ def test_a_narrow_trough_ends_at_its_border():
 
 
 def test_a_tray_with_small_faces_at_its_corners_stays_open():
-    """Most faces are at round edges that rays from within hardly leave; most of the area is not."""
+    """Most faces lie at the round edges, and rays from inside hardly leave there. Most of the area is elsewhere."""
     width, depth, height, radius, rim = 5.8, 5.1, 0.28, 0.05, 0.12
     turns = quarter(5)
     profile = [(radius * (1 - math.sin(a)), radius * (1 - math.cos(a))) for a in turns]
@@ -154,5 +154,5 @@ def test_lines_of_a_flat_drawing_keep_their_width():
     triangles = [t for i in range(4) for t in ((i, (i + 1) % 4, (i + 1) % 4 + 4), (i, (i + 1) % 4 + 4, i + 4))]
     marks = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(vertices, triangles)).generate(budget=4000)
     places = [[a + b for a, b in zip(row, marks.origin)] for row in marks.layers[0].positions.tolist()]
-    within = [min(x, y, 10 - x, 6 - y) for x, y, _ in places]  # from the outer side
+    within = [min(x, y, 10 - x, 6 - y) for x, y, _ in places]  # distance from the outer side
     assert -0.02 < min(within) and max(within) < 0.14
