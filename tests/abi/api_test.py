@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""bindings/api.json is made from every declaration and comment of a header, or not at all."""
+"""bindings/api.json holds every declaration and comment of a header. Anything unknown in the header is an error."""
 import sys
 import unittest
 
@@ -22,7 +22,7 @@ enum { HRBFNPR_VERSION_MAJOR = 1, HRBFNPR_VERSION_MINOR = 2, HRBFNPR_VERSION_PAT
 typedef struct hrbfnpr_thing hrbfnpr_thing;
 typedef int32_t hrbfnpr_status;
 """
-LINE = BEFORE.count("\n") + 1  # the first of a text behind it
+LINE = BEFORE.count("\n") + 1  # the first line of a text after it
 AFTER = "\n#endif /* HRBFNPR_H */\n"
 
 
@@ -31,14 +31,14 @@ def made(text):
 
 
 class Documents(unittest.TestCase):
-    def test_the_frame_is_read(self):
+    def test_versions_and_sections_are_read(self):
         api = made("")
         self.assertEqual((api["version"], api["abi_version"]), ("1.2.3", 4))
         self.assertEqual(api["sections"], [{"number": 1, "title": "THINGS to make [P 1]", "text": ""}])
         self.assertEqual(api["order"],
                          [["enum", "HRBFNPR"], ["handle", "hrbfnpr_thing"], ["typedef", "hrbfnpr_status"]])
 
-    def test_comments_belong_to_what_they_stand_at(self):
+    def test_comments_belong_to_their_declarations(self):
         api = made("""
 /* Of the section. */
 
@@ -75,7 +75,7 @@ HRBFNPR_API void hrbfnpr_h(void);""")
 enum { HRBFNPR_A_X = 1 << 3, HRBFNPR_A_Y = HRBFNPR_A_X | 0x10u, HRBFNPR_A_Z = -(2 + 1) * 2 };""")
         self.assertEqual([constant["value"] for constant in constants["constants"][1]["constants"]], [8, 24, -6])
 
-    def test_prefixes_are_those_that_the_comments_name(self):
+    def test_prefixes_are_named_by_the_comments(self):
         api = made("""enum { HRBFNPR_MAKE_WITH_A = 1, HRBFNPR_MAKE_WITH_B = 2 };
 enum { HRBFNPR_LONE_FLAG = 1 };
 enum { HRBFNPR_HUE_RED = 1, HRBFNPR_HUE_RUST = 2 };
@@ -85,7 +85,7 @@ typedef struct hrbfnpr_desc { uint32_t flags; /* HRBFNPR_MAKE_..., or-ed */
                          ["HRBFNPR_MAKE", "HRBFNPR_LONE", "HRBFNPR_HUE"])
         self.assertEqual(api["structs"][0]["fields"][0]["constants"], "HRBFNPR_MAKE")
 
-    def test_types_keep_what_each_pointer_points_to(self):
+    def test_pointer_types_keep_const_at_each_level(self):
         api = made("HRBFNPR_API const char* hrbfnpr_f(const hrbfnpr_thing* const* a, hrbfnpr_thing** b, double c);")
         parameters = api["functions"][0]["parameters"]
         self.assertEqual([(one["type"]["c"], one["type"]["pointers"], one["type"]["const"]) for one in parameters],
@@ -121,7 +121,7 @@ HRBFNPR_API void hrbfnpr_make(hrbfnpr_thing** out);""")
         self.assertEqual([tuple(one) for one in const_functions(api)],
                          [("hrbfnpr_thing_look", ["thing"], []), ("hrbfnpr_thing_part_with", ["thing"], ["tool"])])
 
-    def test_the_text_is_what_json_reads(self):
+    def test_the_output_is_valid_json(self):
         import json
 
         api = made("/* \\ \" é */\nenum { HRBFNPR_A_X = 1 };")
@@ -135,7 +135,7 @@ class Refusals(unittest.TestCase):
         error = caught.exception
         self.assertEqual((error.line - LINE + 1, words in str(error)), (line, True), error)
 
-    def test_what_is_not_known_is_named_with_its_line(self):
+    def test_unknown_syntax_is_reported_with_its_line(self):
         for text, line, words in [
             ("\nint32_t x;", 2, "not understood: int32_t"),
             ("\nHRBFNPR_API int32_t hrbfnpr_f(void) { }", 2, "expected ';'"),
@@ -175,7 +175,7 @@ class Refusals(unittest.TestCase):
             with self.subTest(text):
                 self.refused(text, line, words)
 
-    def test_comments_that_belong_to_nothing(self):
+    def test_stray_comments_are_refused(self):
         for text, line in [
             ("typedef struct hrbfnpr_s { /* here? */\n int32_t a;\n} hrbfnpr_s;", 1),
             ("typedef struct hrbfnpr_s {\n int32_t a;\n\n /* here? */\n} hrbfnpr_s;", 4),
@@ -188,19 +188,19 @@ class Refusals(unittest.TestCase):
         self.refused("enum { HRBFNPR_A_X = 1, HRBFNPR_A_Y = 2, /* of both? */\n};", 1, "behind several")
         self.refused("/*\n * ====\n * NO NUMBER\n * ====\n */", 1, "a section without a number")
 
-    def test_a_header_that_is_cut_off(self):
+    def test_a_truncated_header_is_refused(self):
         text = header.HEADER.read_text(encoding="utf-8")
         for share in range(1, 10):
             with self.assertRaises(c_header.HeaderError):
                 c_header.parse(text[:len(text) * share // 10])
 
-    def test_two_enums_of_one_prefix(self):
+    def test_two_enums_with_one_prefix_are_refused(self):
         self.refused("enum { HRBFNPR_A_X = 1, HRBFNPR_A_Y = 2 };\nenum { HRBFNPR_A_V = 1, HRBFNPR_A_W = 2 };", 2,
                      "a second enum of HRBFNPR_A_...")
 
 
 class TheHeader(unittest.TestCase):
-    """Counted with no parser: what api.json says of include/hrbfnpr.h is all of it."""
+    """api.json holds all of include/hrbfnpr.h. The header is counted here without the parser."""
 
     def setUp(self):
         import re
@@ -210,7 +210,7 @@ class TheHeader(unittest.TestCase):
         self.comments = re.findall(r"/\*.*?\*/", text, flags=re.DOTALL)
         self.api = header.description()
 
-    def test_every_name_is_there(self):
+    def test_every_name_is_in_api_json(self):
         names = {word for word in self.words if word.startswith(("hrbfnpr_", "HRBFNPR_"))}
         names -= {"HRBFNPR_H", "HRBFNPR_API", "HRBFNPR_BUILD", "HRBFNPR_STATIC"}
         found = {entry["name"] for key in ("functions", "structs", "callbacks", "handles", "typedefs")
@@ -220,7 +220,7 @@ class TheHeader(unittest.TestCase):
         self.assertEqual(len(self.api["functions"]), self.words.count("HRBFNPR_API") -
                          sum(1 for a, b in zip(self.words, self.words[1:]) if (a, b) == ("define", "HRBFNPR_API")))
 
-    def test_every_word_of_a_comment_is_there(self):
+    def test_every_word_of_a_comment_is_in_api_json(self):
         import re
 
         texts = []
@@ -233,11 +233,11 @@ class TheHeader(unittest.TestCase):
                 collect(item)
 
         collect(self.api)
-        count = len(re.findall(r"\w+", " ".join(texts))) + len(self.api["sections"])  # and their numbers
+        count = len(re.findall(r"\w+", " ".join(texts))) + len(self.api["sections"])  # sections also have a number
         inside = [comment for comment in self.comments if comment != "/* HRBFNPR_H */"]
         self.assertEqual(count, len(re.findall(r"\w+", " ".join(inside))))
 
-    def test_functions_of_const_handles(self):
+    def test_functions_that_take_a_const_handle_are_listed(self):
         names = {function.name for function in const_functions(self.api)}
         self.assertIn("hrbfnpr_model_evaluate", names)
         self.assertNotIn("hrbfnpr_model_fit", names)

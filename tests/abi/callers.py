@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Programs built with older, today's and future headers get the same from the library.
+"""Programs built with older, current and future headers get the same results from the library.
 
     callers.py LIBRARY CC...
 
-caller.c is built with each header of headers/, with today's, and with one of the future, in which every struct that has
-a struct_size is longer; by each of the compilers that is there.  The future one also sets a field that this library does
-not know, which is refused.
+caller.c is built with each header of headers/, with the current header, and with a header of the future, in which every
+struct with a struct_size is longer. Each compiler that is installed builds it. The program with the future header also
+sets a field that this library does not know, which the library refuses.
 """
 import re
 import shutil
@@ -30,7 +30,7 @@ def of_the_future(text):
 
 
 def run(compiler, name, header, library, folder):
-    """What the caller prints."""
+    """Builds and runs the caller; returns its output."""
     include = folder / f"{Path(compiler).name}-{name}"
     include.mkdir()
     (include / "hrbfnpr.h").write_text(header, encoding="utf-8")

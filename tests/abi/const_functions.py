@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Functions that take a const handle: those that several threads may call at the same time with the same one.
+"""Functions that take a const handle. Several threads may call them at the same time with the same handle.
 
-    const_functions.py [API]     one a line: function, const handles, and the handles that each thread needs of its own
+    const_functions.py [API]     one function per line, with its const handles, and the handles that each thread must own
 """
 import sys
 from pathlib import Path
@@ -14,7 +14,7 @@ import header
 class ConstFunction(NamedTuple):
     name: str
     shared: List[str]  # parameters that are const handles
-    own: List[str]  # parameters that are handles and not const, such as an operation, which may be NULL
+    own: List[str]  # parameters that are mutable handles, such as an operation, which may be NULL
 
 
 def const_functions(api: dict) -> List[ConstFunction]:

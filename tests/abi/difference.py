@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""What libabigail says of today's header beside those that were kept.
+"""The current header is compatible with the kept older headers, according to libabigail.
 
     difference.py CC ABIDW ABIDIFF
 
-For each header of headers/ and for today's a shared library of empty functions is built with debug information, whose
-definitions the compiler holds against the header; that the real library exports the same functions is what exports.py
-says.  Allowed is what callers cannot see: new functions, constants at an end, members at the end of a struct, a name for
-a reserved one.
+A shared library of empty functions with debug information is built from each header of headers/ and from the current
+one, and libabigail compares them. exports.py checks that the real library exports the same functions. Changes that
+callers cannot see are allowed: new functions, constants at the end of an enum, members at the end of a struct, and a
+name for a reserved member.
 """
 import re
 import subprocess
@@ -33,7 +33,7 @@ APPENDED = """
 
 
 def definitions(header):
-    """Each function that the header declares, with an empty body."""
+    """Every function that the header declares, with an empty body."""
     without_comments = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
     found = FUNCTION.findall(without_comments)
     assert len(found) > 60, len(found)
@@ -41,7 +41,7 @@ def definitions(header):
 
 
 def describe(compiler, abidw, header, folder):
-    """The header's boundary as abidw writes it."""
+    """The interface of a header as abidw writes it."""
     folder.mkdir()
     (folder / "hrbfnpr.h").write_text(header, encoding="utf-8")
     (folder / "stub.c").write_text('#include "hrbfnpr.h"\n' + definitions(header), encoding="utf-8")

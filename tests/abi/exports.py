@@ -1,12 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""The shared library exports exactly the header's functions, under its SONAME, keeps no
-state of its own, and runs nothing when it is loaded or unloaded.
+"""The shared library exports exactly the header's functions under its SONAME, has no state, and runs nothing on load.
 
     exports.py NM READELF LIBRARY SONAME
 
-No state: no thread-local variable, and no writable one but those listed below.  A host may keep the library
-loaded while everything else is torn down and set up again, so nothing may be left over in it.
+No state means: no thread-local variables, and no writable variables except those listed below. A host may keep the
+library loaded while it tears everything else down and sets it up again, so no state may remain in the library.
 """
 
 import re
@@ -16,15 +15,15 @@ from typing import List
 
 import header
 
-# Demangled name -> why it may be there.
+# Demangled name -> the reason why it is allowed.
 ALLOWED = {
     "hrbfnpr::base::(anonymous namespace)::team_is_ours()::team_process":
         "tells a forked child that OpenMP's threads are its parent's",
 }
-# The compiler's and the linker's own, in every shared library; and Eigen's cache sizes, set once.
+# Variables of the compiler and the linker in every shared library, and Eigen's cache sizes, which are set once.
 RUNTIME = re.compile(r"^(completed\.0|__dso_handle|__TMC_END__|DW\.ref\..*|std::__ioinit"
                      r"|(guard variable for )?Eigen::internal::manage_caching_sizes\(.*\)::.*)$")
-WRITABLE = (".data", ".bss", ".tdata", ".tbss")  # .data.rel.ro is read-only once it is relocated
+WRITABLE = (".data", ".bss", ".tdata", ".tbss")  # .data.rel.ro is read-only after relocation
 
 
 def output(*command: str) -> str:
@@ -61,11 +60,11 @@ def check_state(nm: str, readelf: str, library: str) -> List[str]:
 
 
 def check_life(nm: str, readelf: str, library: str) -> List[str]:
-    """Nothing of ours runs when the library is loaded or unloaded."""
+    """The library runs no code of ours when it is loaded or unloaded."""
     faults = []
     if re.search(r"\bU __cxa_(thread_)?atexit\b", output(nm, "-D", library)):
         faults.append("a static object has a destructor")
-    for section in (".init_array", ".fini_array"):  # the compiler's own function is the one entry
+    for section in (".init_array", ".fini_array"):  # one entry belongs to the compiler
         found = re.search(rf"\s{re.escape(section)}\s+\w+\s+\w+\s+\w+\s+(\w+)\s", output(readelf, "-SW", library))
         if found and int(found.group(1), 16) > 8:
             faults.append(f"{section} has {int(found.group(1), 16) // 8} entries instead of 1")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What include/hrbfnpr.h declares, from bindings/api.json: functions with their signatures, constants, structs with
-their fields.  That api.json is the header's is what the test house.generated says.
+"""Declarations of include/hrbfnpr.h, from bindings/api.json: functions, constants, and structs with their fields.
+
+The test house.generated checks that api.json matches the header.
 """
 import json
 import sys

@@ -4,9 +4,9 @@
 
     instructions.py OBJDUMP LIBRARY
 
-Each function of the binary is disassembled.  Instructions of AVX and later (their names begin with v) may be in the
-namespaces that Highway makes for these, N_AVX2 and so on, which are chosen at run time, and nowhere else: a copy of a
-shared inline function that the linker took from such a file would end any program on an older processor.
+Each function of the binary is disassembled. Instructions of AVX and later, whose names begin with v, may occur only in
+the namespaces that Highway makes for them, such as N_AVX2. The library selects these at run time. If the linker kept a
+copy of a shared inline function from such a file, the program would crash on an older processor.
 """
 import re
 import subprocess

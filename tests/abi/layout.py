@@ -1,11 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Holds bindings/api.json against a C compiler: constants, signatures, the types of fields, sizes, offsets, alignments.
+"""Compares bindings/api.json with a C compiler: constants, signatures, types of fields, sizes, offsets and alignments.
 
-    layout.py CC [API]     for each data model of api.json that CC can compile for; API in place of bindings/api.json
+    layout.py CC [API]     for each data model of api.json that CC can compile for; API replaces bindings/api.json
 
-Everything becomes an assertion of a C file that includes the header; nothing is run, so that no library for 32 bits is
-needed.
+The checks are assertions in a C file that includes the header. Nothing is run, so no 32-bit library is needed.
 """
 import re
 import subprocess
@@ -15,7 +14,7 @@ from pathlib import Path
 
 import header
 
-# What may bring a compiler to a data model; its own headers are enough, those of a C library need not be there.
+# Options that select a data model. The compiler's own headers are enough; no C library is needed.
 FLAGS = {
     "lp64": [[], ["-m64"]],
     "ilp32": [[], ["-m32", "-malign-double"], ["--target=armv7a-none-eabi"]],
@@ -24,7 +23,7 @@ FLAGS = {
 
 
 def probe(model):
-    """Compiles where the data model is this one."""
+    """C code that compiles only under this data model."""
     return f"""struct probe {{ char first; double second; }};
         _Static_assert(sizeof(void*) == {model['pointer']}, "pointers");
         _Static_assert(__builtin_offsetof(struct probe, second) == {model['alignment_of_8']}, "doubles");
@@ -32,7 +31,7 @@ def probe(model):
 
 
 def abstract(field):
-    """A field's type without its name, and that of a pointer to it."""
+    """The type of a field without its name, and the type of a pointer to it."""
     shape = "".join(f"[{size}]" for size in field["array"])
     kind = field["type"]["c"]
     if field["type"]["kind"] == "function":
@@ -41,7 +40,7 @@ def abstract(field):
 
 
 def assertions(api, model):
-    """The lines of a C file."""
+    """The lines of a C file with the assertions."""
     yield from ("#include <hrbfnpr.h>", "#include <stddef.h>")
 
     def check(what, value):
@@ -50,7 +49,7 @@ def assertions(api, model):
     for group in api["constants"]:
         for constant in group["constants"]:
             yield check(constant["name"], constant["value"])
-    for kind in ("typedefs", "callbacks", "functions"):  # C refuses a second declaration that says something else
+    for kind in ("typedefs", "callbacks", "functions"):  # C refuses a second declaration that differs
         for entry in api[kind]:
             yield {
                 "typedefs": lambda: f"typedef {entry['type']['c']} {entry['name']};",
@@ -72,7 +71,7 @@ def assertions(api, model):
             yield check(f"_Alignof({kind})", layout["align"])
             yield check(f"_Generic(&{place}, {pointer}: 1, default: 0)", 1)
             last = layout["offset"] + layout["size"]
-        if whole["size"] - last >= whole["align"]:  # a field that api.json lacks
+        if whole["size"] - last >= whole["align"]:  # api.json lacks a field
             raise SystemExit(f"{name} ends before its size")
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Holds what hrbfnpr_layout says against bindings/api.json, from which bindings are made.
+"""Compares the result of hrbfnpr_layout with bindings/api.json, from which bindings are generated.
 
     run_time_layout.py LIBRARY
 """
@@ -13,7 +13,7 @@ API = Path(__file__).resolve().parents[2] / "bindings/api.json"
 
 
 def as_said(struct, model):
-    """A struct of api.json in the words of hrbfnpr_layout."""
+    """A struct of api.json in the form that hrbfnpr_layout returns."""
     fields = [{"name": field["name"], "type": field["type"]["c"] + "".join(f"[{n}]" for n in field["array"]),
                "offset": field["layout"][model]["offset"], "size": field["layout"][model]["size"]}
               for field in struct["fields"]]
@@ -21,7 +21,7 @@ def as_said(struct, model):
 
 
 def model_of(api):
-    """The data model that this interpreter, and so the library, has."""
+    """The data model of this interpreter, and so of the library."""
     probe = type("Probe", (ctypes.Structure,), {"_fields_": [("first", ctypes.c_char), ("second", ctypes.c_double)]})
     pointer, double = ctypes.sizeof(ctypes.c_void_p), probe.second.offset
     return next(name for name, model in api["models"].items()

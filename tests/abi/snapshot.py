@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Hold the boundary against its snapshot: every signature, type, constant, sizeof and offsetof.
+"""Compares the interface with its snapshot: every signature, type, constant, sizeof and offsetof.
 
     snapshot.py CC            compare with snapshot.txt
-    snapshot.py CC --update   append what is new
+    snapshot.py CC --update   append new lines
 
-Lines may only be added: a changed or a vanished line breaks binaries that exist.  The exceptions are a
-struct's size, which may grow (fields are added at the end; the old sizes stay readable by struct_size), and the
-number of something (..._COUNT).
+Lines may only be added: a changed or missing line breaks existing programs. Two kinds of lines may change. The size of a
+struct may grow, because fields are added at its end and old sizes stay readable by struct_size. A count (..._COUNT) may
+grow.
 """
 
 import subprocess
@@ -22,7 +22,7 @@ SNAPSHOT = Path(__file__).with_name("snapshot.txt")
 
 
 def measure(compiler: str, declared: header.Declarations) -> List[str]:
-    """Constants and layouts by a compiled program: 64-bit data model."""
+    """Constants and layouts, measured by a compiled program in the 64-bit data model."""
     lines = ['#include <hrbfnpr.h>', '#include <stddef.h>', '#include <stdio.h>', 'int main(void) {']
     for name in declared.constants:
         lines.append(f'printf("constant {name} = %ld\\n", (long){name});')
@@ -54,7 +54,7 @@ def may_grow(key: str) -> bool:
 
 
 def got_a_name(key: str, old: Dict[str, str], new: Dict[str, str]) -> bool:
-    """Whether the key is of a reserved field, in whose place there is now one of the same type."""
+    """True if the key is a reserved field that the new header replaces by a field of the same type."""
     record, _, field = key.partition(".")
     if not field.startswith("reserved"):
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Blender 3.4: a mesh object in, an image datablock out; and the add-on's panel, marks and errors."""
+"""Blender 3.4: a mesh object in, an image datablock out. Also the add-on's panel, marks and errors."""
 
 import os
 import re
@@ -9,7 +9,7 @@ import run
 NAME = "Blender"
 ADDON = run.EXAMPLES / "blender"
 
-# Runs after draw.py, in the same Blender.
+# Runs after draw.py in the same Blender.
 CHECKS = """
 import sys
 import bpy, hrbfnpr, hrbfnpr_addon
@@ -52,7 +52,7 @@ def values(mesh, name, key, components, dtype=np.float32):
     return array.reshape(-1, components)
 
 
-# Marks: what the library says of them, mark by mark.
+# The attributes of the marks equal those of the library, mark by mark.
 settings.style, settings.budget = "full", 3000
 bpy.ops.hrbfnpr.marks()
 thing = bpy.data.objects["samples marks"]
@@ -81,7 +81,7 @@ check("a point cloud", len(cloud.points) == len(marks))
 check("its radii", np.array_equal([point.radius for point in cloud.points], radii[:, 0]))
 check("its ranks", np.array_equal(values(cloud, "rank", "value", 1)[:, 0], joined("ranks")))
 
-# Strokes: curves where the library has them, as wide in the picture as they are drawn.
+# The curves of strokes have the places and the width in the picture that the library gives them.
 settings.style = "cross-hatch"
 bpy.context.view_layer.objects.active = bpy.data.objects["samples"]
 bpy.ops.hrbfnpr.strokes()
@@ -98,7 +98,7 @@ for spline, line in zip(curve.splines, lines):
     pixels = [point.radius for point in spline.points] / hrbfnpr_addon.units_per_pixel(camera, points)
     assert np.allclose(pixels, line["radius"], rtol=1e-4), "widths of strokes"
 
-# The camera of the scene sees a place where Blender says.
+# The scene's camera sees a place where Blender shows it.
 settings.style, settings.budget, settings.scene_camera = "contour-and-stipple", 0, True
 scene = bpy.context.scene
 scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
@@ -117,7 +117,7 @@ source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
 seen = hrbfnpr.draw((source.points, source.normals), camera=camera, up=(0, 0, 1)).image
 check("a drawing with it", np.min(seen) == 0 and np.array_equal(drawn, seen))
 
-# Objects with faces are meshes, wherever they stand; another size of the image.
+# Objects with faces are read as meshes in world space. The image gets another size.
 bpy.ops.mesh.primitive_monkey_add(location=(3, 2, 1), rotation=(0.3, 0.2, 0.1), scale=(-1, 1, 2))
 settings.scene_camera, settings.samples, settings.width, settings.height = False, 300, 200, 100
 monkey = bpy.context.object
@@ -147,13 +147,13 @@ source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
 a, b, c = (source.points[source.triangles[:, i]] for i in range(3))
 check("an open mesh that is mirrored looks where it looked", np.all(np.cross(b - a, c - a)[:, 2] > 0))
 
-# What is wrong is said, in the library's words.
+# Errors are reported in the library's words.
 activate([(0, 0, 0), (1, 0, 0)], [], [(hrbfnpr_addon.NORMAL, np.zeros(6))])
 for operator in (bpy.ops.hrbfnpr.draw, bpy.ops.hrbfnpr.marks):
     message = failure(operator)
     check("too few points: " + message.strip(), "points" in message and "Traceback" not in message)
 
-# On and off, and installed as a user does it.
+# Unregister and register the add-on, and install it like a user.
 hrbfnpr_addon.unregister()
 check("unregistered", not hasattr(bpy.types, "HRBFNPR_PT_panel") and not hasattr(scene, "hrbfnpr")
       and not hasattr(bpy.types, "HRBFNPR_OT_draw"))

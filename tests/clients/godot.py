@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Godot 3: a GDNative library; each frame as a texture, and as parts of a mesh under the engine's camera."""
+"""Godot 3 with a GDNative library: each frame as a texture, and as parts of a mesh under the engine's camera."""
 
 import os
 import re
@@ -11,7 +11,7 @@ import run
 
 NAME = "Godot 3 (GDNative)"
 
-# What the mesh of the first frame should hold: how many points and triangles, and the corner and the size of their box.
+# Prints the expected mesh of the first frame: the numbers of points and triangles, and the corner and size of their box.
 MESH = """
 import sys
 import numpy as np, hrbfnpr
@@ -25,7 +25,7 @@ points = np.concatenate([dots.vertices["position"], strips.vertices["position"]]
 print(len(dots.vertices), triangles, *points.min(axis=0), *np.ptp(points, axis=0))
 """
 
-# What scripts can do with the class beyond what the project does.
+# Checks the members of the class that the project does not use.
 CHECKS = """
 extends SceneTree
 
@@ -40,7 +40,7 @@ func _init():
 	check("without a picture there are no notes", drawing.notes() == null)
 	check("nor a frame", not drawing.look(Vector3(0, 0, -1), 1.0) and drawing.pixels() == null)
 
-	# The engine's faces are clockwise from outside; were they taken as they are, a note would say that they were turned.
+	# The engine's faces are clockwise from outside. If they were not turned, a note would say so.
 	var arrays = CubeMesh.new().get_mesh_arrays()
 	var vertices = arrays[Mesh.ARRAY_VERTEX]
 	var faces = arrays[Mesh.ARRAY_INDEX]
@@ -56,7 +56,7 @@ func _init():
 	check("no style of this name", not drawing.restyle("no such style", down, Vector3.UP, 100, 50))
 	check("the frame stays after a failure", drawing.pixels().size() == 4 * 100 * 50)
 
-	# A ball whose normals look inward, and one without normals.
+	# A sphere with inward normals, and one without normals.
 	var inward = SphereMesh.new().get_mesh_arrays()
 	var normals = inward[Mesh.ARRAY_NORMAL]
 	for i in normals.size():
@@ -71,14 +71,14 @@ func _init():
 	quit()
 """
 
-# Mean differences of a mesh's picture from the drawing's, of 255.  The engine paints a pixel by one triangle of a line
-# or not at all, where the library's lines have soft edges.
-MOST_OFF = 0.9  # contours and dots; measured 0.65
-MOST_OFF_STROKES = 14  # nothing but fine lines; measured 12.6
+# Limits for the mean difference between the mesh's picture and the drawing, of 255. The engine paints pixels completely
+# or not at all, but the library's lines have soft edges.
+MOST_OFF = 0.9  # contours and dots; 0.65 when measured
+MOST_OFF_STROKES = 14  # fine lines only; 12.6 when measured
 
 
 def program():
-    """The engine with a window, or, where there is no screen for it, the one without."""
+    """The name of the engine: with a window, or without a window where there is no screen."""
     if shutil.which("godot3-runner") and shutil.which("xvfb-run"):
         return "godot3-runner"
     if shutil.which("godot3-server"):
@@ -88,31 +88,31 @@ def program():
 
 
 def version():
-    # It ends with 255 here, without a failure.
+    # The status is 255 even without a failure.
     return subprocess.run([program(), "--version"], stdout=subprocess.PIPE, text=True, timeout=60).stdout.strip()
 
 
 def values(home):
-    """The engine's environment: it writes to the user's folders, and knows no locale C."""
+    """The engine's environment. It writes to the user's folders and does not know the locale C."""
     folders = {name: str(home) for name in ("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME")}
     return {**os.environ, **folders, "LC_ALL": "C.UTF-8", "LANG": "en_US.UTF-8"}
 
 
 def engine(work, project, *options):
-    """Runs the project on a screen; returns what it printed."""
+    """Runs the project on a screen; returns its output."""
     command = ["godot3-runner", "--audio-driver", "Dummy", "--path", project, *options]
     return run.on_a_screen(command, env=values(work))
 
 
 def run_project(work, project, *options):
-    """Runs it without a window where the engine for that is there; returns what it printed."""
+    """Runs the project without a window if that engine is installed; returns its output."""
     if shutil.which("godot3-server"):
         return run.run(["godot3-server", "--path", project, *options], env=values(work))
     return engine(work, project, *options)
 
 
 def difference(shot, reference):
-    """The mean difference of a screenshot's bytes from those of a picture."""
+    """The mean difference between the bytes of a screenshot and of a picture."""
     picture = shot.read_bytes()
     if len(picture) != len(reference):
         raise run.Failed(f"{shot.name} has {len(picture)} bytes in place of {len(reference)}")
@@ -144,7 +144,7 @@ def ink_of(picture):
 
 
 def check_strokes(work, project):
-    """Triangles of strokes under the engine's camera look like the library's picture of them, but for soft edges."""
+    """Triangles of strokes under the engine's camera look like the library's picture, except for soft edges."""
     reference, shot = work / "strokes.rgba", work / "strokes_mesh.rgba"
     run_project(work, project, "--style=etching", f"--picture={reference}")
     engine(work, project, "--style=etching", "--mesh", f"--screenshot={shot}")
@@ -158,7 +158,7 @@ def check_strokes(work, project):
 
 
 def check_script(work, project):
-    """What a script does with the class."""
+    """The class works from a script."""
     (project / "checks.gd").write_text(CHECKS, encoding="utf-8")
     printed = run_project(work, project, "--script", "res://checks.gd")
     if "wrong:" in printed or "all checked" not in printed:
@@ -166,7 +166,7 @@ def check_script(work, project):
 
 
 def check_errors(work, project):
-    """The library's message reaches the engine's log, and the project ends with a failure."""
+    """The library's message reaches the engine's log, and the project exits with a failure."""
     samples = work / "wrong.xyzn"
     samples.write_text("", encoding="utf-8")
     try:

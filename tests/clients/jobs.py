@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The host with a job system of its own."""
+"""A host with its own job system."""
 
 import re
 

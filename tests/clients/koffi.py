@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Node and koffi with the declarations of bindings/cdef: a picture, a callback and a failure (koffi.js)."""
+"""Node and koffi with the declarations of bindings/cdef: a picture, a callback and an error (koffi.js)."""
 
 import os
 import shutil
@@ -8,13 +8,13 @@ import subprocess
 import run
 
 NAME = "Node koffi"
-BY_STEPS = True  # to try more of the raw declarations than hrbfnpr_picture_create needs
+BY_STEPS = True  # tests more of the raw declarations than hrbfnpr_picture_create needs
 CDEF = run.ROOT / "bindings" / "cdef" / "hrbfnpr_cdef.h"
 QUIET = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "text": True}
 
 
 def environment():
-    """koffi is looked for where NODE_PATH says, where scripts/fetch_koffi puts it, and among npm's global packages."""
+    """Looks for koffi in NODE_PATH, in the folder of scripts/fetch_koffi, and among npm's global packages."""
     folders = [os.environ.get("NODE_PATH", ""), str(run.ROOT / ".cache" / "node_modules")]
     if shutil.which("npm"):
         folders.append(subprocess.run(["npm", "root", "-g"], **QUIET).stdout.strip())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The LÖVE example, examples/love: what its window shows."""
+"""The LÖVE example, examples/love: the contents of its window."""
 
 import os
 

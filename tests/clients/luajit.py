@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""LuaJIT's FFI with the declarations of bindings/cdef: a picture, a callback and a failure (luajit.lua)."""
+"""LuaJIT's FFI with the declarations of bindings/cdef: a picture, a callback and an error (luajit.lua)."""
 
 import run
 
 NAME = "LuaJIT FFI"
-BY_STEPS = True  # to try more of the raw declarations than hrbfnpr_picture_create needs
+BY_STEPS = True  # tests more of the raw declarations than hrbfnpr_picture_create needs
 CDEF = run.ROOT / "bindings" / "cdef" / "hrbfnpr_cdef.h"
 
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Lets a client draw the scene of examples/README.md and compares its picture with the plain C program's.
+"""Draws the scene of examples/README.md with a client and compares its picture with that of the plain C program.
 
     run.py CLIENT WORK LIBRARY REFERENCE EXAMPLES
 
-CLIENT is a module of this folder, LIBRARY the shared library, REFERENCE the program of reference.c, EXAMPLES the folder
-that the examples were built in.  A client with BY_STEPS draws the scene that is made step by step.  The last line says
-`client NAME VERSION: RESULT`.  Returns 77 where the client is not installed.
+CLIENT is a module of this folder, LIBRARY the shared library, REFERENCE the program of reference.c, and EXAMPLES the
+folder with the built examples. Clients with BY_STEPS draw the scene that the C program makes step by step. The last line
+of the output is `client NAME VERSION: RESULT`. The status is 77 if the client is not installed.
 """
 
 import importlib.util
@@ -21,19 +21,19 @@ EXAMPLES = ROOT / "examples"
 SAMPLES = EXAMPLES / "torus.xyzn"
 WIDTH, HEIGHT = 640, 480
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
-PATIENCE = 120  # seconds; a program that has not ended by then hangs
+PATIENCE = 120  # seconds after which a program counts as hanging
 
 
 class Missing(Exception):
-    """The client is not here; says which package would bring it."""
+    """The client is not installed. The message names the package to install."""
 
 
 class Failed(Exception):
-    """The client is here and does not do what it should."""
+    """The client is installed but fails."""
 
 
 def need(program, package):
-    """The path of a program."""
+    """The path of a program; raises Missing if it is not installed."""
     path = shutil.which(program)
     if path is None:
         raise Missing(f"there is no {program} here (Debian: {package})")
@@ -41,7 +41,7 @@ def need(program, package):
 
 
 def run(command, **options):
-    """Runs a command; returns what it printed, or raises Failed with that.  Nothing of one that hangs stays behind."""
+    """Runs a command; returns its output, or raises Failed with it. A hanging command is killed with its children."""
     command = [str(part) for part in command]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True,
                           **options) as process:
@@ -56,16 +56,16 @@ def run(command, **options):
 
 
 def on_a_screen(command, **options):
-    """The same for a program with a window: on a screen of its own, drawn without a graphics card."""
+    """Runs a program with a window on its own virtual screen, rendered in software."""
     server = need("xvfb-run", "xvfb xauth")
     values = {**options.pop("env", os.environ), "LIBGL_ALWAYS_SOFTWARE": "1"}
     values.pop("WAYLAND_DISPLAY", None)
-    # A server that is reset when its last window closes signals xvfb-run while that cleans up, which then leaves it.
+    # Without -noreset the server resets when its last window closes, which can make xvfb-run leave it running.
     return run([server, "-a", "-s", "-screen 0 800x600x24 -noreset", *command], env=values, **options)
 
 
 def module(path):
-    """A module of another folder of tests."""
+    """Loads a module of another folder of tests."""
     path = ROOT / "tests" / path
     spec = importlib.util.spec_from_file_location(f"{path.parent.name}_{path.stem}", path)
     loaded = importlib.util.module_from_spec(spec)
@@ -74,7 +74,7 @@ def module(path):
 
 
 def difference(picture, reference):
-    """In words; empty if they are the same."""
+    """The difference of two pictures in words, or "" if they are equal."""
     if len(picture) != len(reference):
         return f"{len(picture)} bytes in place of {len(reference)}"
     differing = [i for i in range(len(picture)) if picture[i] != reference[i]]
@@ -109,5 +109,5 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.modules["run"] = sys.modules["__main__"]  # what clients import
+    sys.modules["run"] = sys.modules["__main__"]  # clients import run
     sys.exit(main())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Rust with the crate hrbfnpr-sys: a picture, a callback and a failure (rust.rs), and the example of its README."""
+"""Rust with the crate hrbfnpr-sys: a picture, a callback and an error (rust.rs), and the example of its README."""
 
 import os
 import re
@@ -8,9 +8,9 @@ import shutil
 import run
 
 NAME = "Rust"
-BY_STEPS = True  # to try more of the raw declarations than hrbfnpr_picture_create needs
+BY_STEPS = True  # tests more of the raw declarations than hrbfnpr_picture_create needs
 CRATE = run.ROOT / "bindings" / "rust" / "hrbfnpr-sys"
-OLDEST = 63  # the rust-version of Cargo.toml
+OLDEST = 63  # the minor version of rust-version in Cargo.toml
 EXAMPLE_SAYS = "1 of 2 points lie inside\n"
 
 
@@ -22,7 +22,7 @@ def version():
 
 
 def build_script(work, library):
-    """What build.rs tells cargo, as options of rustc; it refuses a folder without the library."""
+    """The options that build.rs gives cargo, for rustc. Also checks that it refuses a folder without the library."""
     script = work / "build-script"
     run.run(["rustc", "--edition", "2021", CRATE / "build.rs", "-o", script])
     try:
@@ -40,7 +40,7 @@ def build_script(work, library):
 
 
 def example(work):
-    """The program in README.md."""
+    """Writes the program of README.md to a file."""
     text = (CRATE / "README.md").read_text(encoding="utf-8")
     program = work / "example.rs"
     program.write_text(re.search(r"^```rust\n(.*?)^```$", text, re.DOTALL | re.MULTILINE).group(1), encoding="utf-8")
@@ -48,7 +48,7 @@ def example(work):
 
 
 def with_cargo(work, library, program):
-    """The same program as a package that depends on the crate, built without a network."""
+    """Builds the program as a package that depends on the crate, without a network."""
     if shutil.which("cargo") is None:
         print("there is no cargo here: Cargo.toml is not tested")
         return

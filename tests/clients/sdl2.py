@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""SDL2: a window, whose contents are read back."""
+"""SDL2: a window whose contents are read back."""
 
 import ctypes.util
 
@@ -28,7 +28,7 @@ def draw(work, library, examples):
 
 
 def check_strokes(program, path):
-    """Hatching as triangles with a brush: ink on white paper, with soft edges."""
+    """Hatching drawn as triangles with a brush is ink on white paper with soft edges."""
     run.on_a_screen([program, "--strokes", "--screenshot", path])
     grey = path.read_bytes()[::4]
     if len(grey) != run.WIDTH * run.HEIGHT or set(grey[: run.WIDTH]) != {255}:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""hrbfnpr-view: the scene of examples/README.md by its settings, and what a user does, by scripts."""
+"""hrbfnpr-view: the scene of examples/README.md from settings, and sessions of a user as scripts."""
 
 import ctypes
 import io
@@ -42,7 +42,7 @@ def draw(work, library, examples):
 
 
 class Viewer:
-    """The program under a script, on a screen of its own."""
+    """Runs the program with a script on a virtual screen."""
 
     def __init__(self, program, work):
         self.program, self.work = program, work
@@ -65,18 +65,18 @@ def check(what, holds):
 
 
 def read(path):
-    """Width, height and RGBA bytes of an image."""
+    """Width, height and RGBA bytes of an image file."""
     with Image.open(path) as image:
         return (*image.size, image.convert("RGBA").tobytes())
 
 
 def ink_of(picture):
-    """The share of a picture that is dark."""
+    """The mean darkness of a picture, from 0 to 1."""
     return sum(255 - value for value in picture[2][::4]) / 255 / (picture[0] * picture[1])
 
 
 def check_schema(program, library):
-    """What the viewer knows of settings is what the library reads."""
+    """The library reads every setting that the viewer knows."""
     schema = json.loads(run.run([program, "--print-schema"]))
     read = SettingsReader(library)
     for section, fields in schema.items():
@@ -88,7 +88,7 @@ def check_schema(program, library):
 
 
 class SettingsReader:
-    """hrbfnpr_settings_load of the library itself."""
+    """Calls hrbfnpr_settings_load of the library."""
 
     def __init__(self, library):
         self.library = ctypes.CDLL(str(library))
@@ -101,7 +101,7 @@ class SettingsReader:
         self.library.hrbfnpr_context_create(None, ctypes.byref(self.context), self.failure)
 
     def error(self, section, fields):
-        """What it says of a section with these fields; empty if it reads them."""
+        """The error message for a section with these fields, or "" if the library reads them."""
         part, _, of_list = section.partition(".")
         text = io.BytesIO(json.dumps({"hrbfnpr-settings": 1, part: {of_list: [fields]} if of_list else fields}).encode())
 
@@ -119,7 +119,7 @@ class SettingsReader:
 
 
 def python(library, *arguments, **options):
-    """Runs Python with the package; skips what needs it where it cannot run."""
+    """Runs Python with the package hrbfnpr on its path."""
     environment = {**os.environ, "HRBFNPR_LIBRARY": str(library), "PYTHONPATH": str(run.ROOT / "bindings" / "python")}
     return run.run([sys.executable, "-B", *arguments], env=environment, **options)
 
@@ -137,14 +137,14 @@ end_header
 
 
 def cube():
-    """A cube of six quadrilaterals."""
+    """A PLY file of a cube with six quadrilaterals."""
     corners = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
     faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
     lines = [" ".join(map(str, corner)) for corner in corners]
     return MESH_WORDS + "\n".join([*lines, *("4 " + " ".join(map(str, face)) for face in faces)]) + "\n"
 
 
-# What a user does, one thing after the other, with a small model and few marks.
+# The actions of a user in sequence, with a small model and few marks.
 SESSION = """
 wait
 shot first.png
@@ -198,7 +198,7 @@ expect-cancelled
 
 
 def noisy_stl():
-    """A sheet of so many faces that a fit can be cancelled in its middle."""
+    """A surface with 7200 faces, whose fit takes long enough to be cancelled halfway."""
     sides, faces = 60, []
     height = [[0.3 * ((i * 7919 + j * 104729) % 97) / 97 for j in range(sides + 1)] for i in range(sides + 1)]
     for i in range(sides):
@@ -232,7 +232,7 @@ def check_session(view):
 
 
 def eye_of(matrix):
-    """Where the eye of a view matrix is, whose numbers are column by column."""
+    """The position of the eye for a view matrix in column-major order."""
     return [-sum(matrix[4 * axis + row] * matrix[12 + row] for row in range(3)) for axis in range(3)]
 
 
@@ -257,7 +257,7 @@ def check_exports(view):
 
 
 def check_step(view, printed):
-    """Figure 5: squares on the surface, and a step of the user's."""
+    """Figure 5: squares on the surface, and a step given by the user."""
     steps = re.findall(r"rho_0: (\S+) estimate (\S+)", printed)
     estimate = float(steps[1][1])
     check(f"no estimate of rho_0 in {steps}", estimate > 0 and float(steps[1][0]) == 0)
@@ -269,7 +269,7 @@ def check_step(view, printed):
 
 
 def check_command_line(view, library):
-    """The command line draws what the viewer does by its settings, bit for bit."""
+    """With the viewer's settings the command line draws the same picture, bit for bit."""
     for name in ("turned", "painted"):
         picture = view.work / f"{name}-drawn.png"
         python(library, "-m", "hrbfnpr", "draw", run.SAMPLES, picture, "--settings", view.work / f"{name}.json", "-q")
@@ -305,7 +305,7 @@ ERRORS = (
 
 
 def check_errors(view):
-    """What cannot be read is named, with the place and a remedy; and the window stays."""
+    """Errors of files name the place and a remedy, and the window stays open."""
     lines = ["wait"]
     for name, text, words in ERRORS:
         (view.work / name).write_text(text, encoding="latin-1")
@@ -318,7 +318,7 @@ def check_errors(view):
 
 
 def draw_scene(view, library):
-    """The scene, by settings whose camera is that of a picture in Python."""
+    """Draws the scene with settings whose camera comes from a picture in Python."""
     code = (
         "import json, sys, hrbfnpr, numpy as np\n"
         "camera = hrbfnpr.draw(tuple(np.hsplit(np.loadtxt(sys.argv[1]), 2)), direction=(0, 1, -1), up=(0, 0, 1),\n"

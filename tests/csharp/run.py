@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Builds and runs the tests of the C# assembly, with what of .NET and Mono is here.
+"""Builds and runs the tests of the C# assembly on the installed versions of .NET and Mono.
 
-    run.py native WORK                          the declarations are those that the header makes
+    run.py native WORK                          the declarations match those generated from the header
     run.py dotnet WORK LIBRARY CC SCENE [QUICKSTART]
     run.py mono WORK LIBRARY CC SCENE [QUICKSTART]
-    run.py nuget WORK LIBRARY                   the NuGet package, and a program that has nothing but it
+    run.py nuget WORK LIBRARY                   the NuGet package, and a program that uses only it
     run.py unity WORK LIBRARY                   the Unity package, without Unity
 
-CC compiles a program that measures the header, SCENE is draw_scene, QUICKSTART the quick start in C.  Returns 77
-where there is no runtime, or no packages to test with.
+CC compiles a program that measures the header, SCENE is draw_scene, and QUICKSTART is the quick start in C. The status is
+77 if there is no runtime, or if the packages for the tests are missing.
 """
 
 import json
@@ -27,7 +27,7 @@ BINDING = ROOT / "bindings" / "csharp"
 TESTS = ROOT / "tests" / "csharp"
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 RID = "linux-arm64" if platform.machine() == "aarch64" else "linux-x64"
-# Where packages may lie on a machine without a network; nuget.org is asked if there are none.
+# A folder of packages for a machine without a network. Without the folder, packages come from nuget.org.
 PACKAGES = os.environ.get("HRBFNPR_NUGET_SOURCE", "/opt/nuget/packages")
 
 
@@ -37,7 +37,7 @@ def skip(reason):
 
 
 def run(command, **options):
-    """Runs a command, prints what it says, and returns its status and that."""
+    """Runs a command, prints its output, and returns its status and output."""
     result = subprocess.run(
         [str(part) for part in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options
     )
@@ -54,7 +54,7 @@ def must(command, **options):
 
 
 def facts(work, compiler):
-    """The header's layouts and constants, as tests/abi/snapshot.py measures them."""
+    """Writes the header's layouts and constants to a file, as tests/abi/snapshot.py measures them."""
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(ROOT / "tests" / "abi"))
     import snapshot
@@ -65,7 +65,7 @@ def facts(work, compiler):
 
 
 def environment(work, compiler, scene, quickstart):
-    """What the tests compare with, in environment variables."""
+    """The environment variables that tell the tests their reference files."""
     values = {**os.environ, "HRBFNPR_FACTS": str(facts(work, compiler)), "HRBFNPR_SCENE": str(work / "scene.pam")}
     must([scene, "sphere-stipple", work / "scene.pam", 160, 160])
     if quickstart:
@@ -76,7 +76,7 @@ def environment(work, compiler, scene, quickstart):
 
 
 class DotNet:
-    """The dotnet command, without servers that stay behind and keep a test's output open."""
+    """The dotnet command, without build servers, which would keep running and keep the test's output open."""
 
     def __init__(self, work):
         self.command = shutil.which("dotnet")
@@ -104,7 +104,7 @@ class DotNet:
         self.common += ["-p:UseAppHost=false", "-p:NuGetAudit=false", "-m:1", "-v:quiet", "-nologo"]
 
     def try_restore(self, project, *properties):
-        """Whether all packages are there: in the folder of packages, else in what NuGet is set up with."""
+        """True if all packages are found, first in the folder of packages, then in NuGet's sources."""
         folder = [["--source", PACKAGES]] if Path(PACKAGES).is_dir() else []
         for source in (*folder, []):
             command = [self.command, "restore", project, *self.common, *properties, *source]
@@ -180,7 +180,7 @@ def test_nuget(work, library):
     project = BINDING / "HrbfNpr" / "HrbfNpr.csproj"
     frameworks, chosen = ["netstandard2.0", "net8.0"], []
     if not dotnet.try_restore(project):
-        # The reference packages of older frameworks come from nuget.org; the SDK brings its own.
+        # The SDK has the reference packages of its own framework. Those of older frameworks come from nuget.org.
         print(f"without a network: the package is made for {dotnet.framework} only")
         frameworks, chosen = [dotnet.framework], [f"-p:HrbfNprFrameworks={dotnet.framework}"]
         dotnet.restore(project, *chosen)
@@ -192,7 +192,7 @@ def test_nuget(work, library):
     require(wanted <= names, f"the package lacks {sorted(wanted - names)}")
 
     project = TESTS / "consumer" / "Consumer.csproj"
-    cache = work / "cache"  # not the user's, which would keep this version of the package
+    cache = work / "cache"  # not the user's cache, which would keep this version of the package
     shutil.rmtree(cache, ignore_errors=True)
     properties = [f"-p:ConsumerFramework={dotnet.framework}", f"-p:ConsumerPackages={cache}"]
     properties += [f"-p:HrbfNprVersion={re.search(r'HrbfNpr.(.*).nupkg', file.name).group(1)}"]
@@ -205,7 +205,7 @@ def test_nuget(work, library):
     must([dotnet.command, program], cwd=work, env=values)
     require((work / "torus.ppm").stat().st_size == 3 * 800 * 600 + 15, "the program drew nothing")
     require("</svg>" in (work / "torus.svg").read_text(encoding="utf-8"), "the program wrote no SVG")
-    values["HRBFNPR_LIBRARY"] = str(work / "nowhere.so")  # named, and then no other is tried
+    values["HRBFNPR_LIBRARY"] = str(work / "nowhere.so")  # a library that is named must be used, so this fails
     wrong = subprocess.run([dotnet.command, program], cwd=work, env=values, capture_output=True, text=True)
     require(wrong.returncode != 0 and "DllNotFoundException" in wrong.stderr, "HRBFNPR_LIBRARY was not listened to")
     print(f"{len(names)} files in the package, and a program draws with it")
@@ -213,7 +213,7 @@ def test_nuget(work, library):
 
 
 def check_unity_files(folder):
-    """Every asset has its .meta file, and no two the same identity."""
+    """Every asset has a .meta file, and no two have the same guid."""
     identities = set()
     for path in folder.rglob("*"):
         inside = path.relative_to(folder)
@@ -250,7 +250,7 @@ def test_unity(work, library):
     count = check_unity_files(root)
 
     mcs = shutil.which("mcs")
-    if mcs is not None:  # Unity compiles the sources, and those of a sample
+    if mcs is not None:  # compile the sources as Unity does, and those of the sample
         compile_ = [mcs, "-langversion:7.2", "-unsafe", "-warnaserror", "-target:library"]
         assembly = work / "HrbfNpr.dll"
         must([*compile_, f"-out:{assembly}", *sorted((root / "Runtime").rglob("*.cs"))])

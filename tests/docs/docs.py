@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What the documents say, held against the project.
+"""Checks the documents against the project.
 
-    docs.py links ROOT                      links to files of the project, and to their headings, lead somewhere
-    docs.py glossary ROOT                   docs/glossary.md is sorted; each entry names a work that is listed, or is ours
-    docs.py names ROOT                      names of the C interface, of the build and of files that documents name are there
+    docs.py links ROOT                      links to files of the project and to their headings are valid
+    docs.py glossary ROOT                   docs/glossary.md is sorted; each entry cites a listed work or is marked as ours
+    docs.py names ROOT                      names of the C interface, of the build and of files exist
     docs.py presets ROOT                    docs/presets.md has a section and a picture for each named style of the header
     docs.py pictures ROOT                   pictures in docs/images are small, and shown somewhere
     docs.py readme ROOT                     README.md can be read in five minutes
@@ -36,19 +36,19 @@ LONGEST_README = 7000  # bytes
 
 
 def documents(root):
-    """All but docs/guide, which is in Sphinx's terms: the check of the guide reads it."""
+    """All documents except docs/guide, which uses Sphinx's syntax. The check `guide` reads that folder."""
     folders = ("*.md", "docs/**/*.md", "bindings/**/README.md", "examples/**/*.md")
     found = {path for folder in folders for path in root.glob(folder) if "build" not in path.relative_to(root).parts}
     return sorted(path for path in found if path.parent != root / "docs/guide")
 
 
 def prose(document):
-    """The text of a document without its blocks of code."""
+    """The text of a document without its code blocks."""
     return re.sub(r"^```.*?^```$", "", document.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
 
 
 def anchors(document):
-    """What a link to a heading of a document may say behind #, as GitHub makes it."""
+    """The anchors of a document's headings, as GitHub makes them."""
     headings = re.findall(r"^#+ +(.+?) *$", prose(document), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
@@ -68,12 +68,12 @@ def broken_links(root):
 
 
 def sort_key(term):
-    """A term without accents and case."""
+    """A term without accents and in lower case."""
     return unicodedata.normalize("NFD", term).encode("ascii", "ignore").decode().lower()
 
 
 def glossary_list(text, what):
-    """Pairs of a term and its whole line, of one list of the glossary; what is wrong with it goes to `what`."""
+    """Pairs of a term and its line from one list of the glossary. Errors are appended to `what`."""
     entries = []
     for line in text.splitlines():
         found = re.match(r"- \*\*(.+?)\*\*(?:[:,] |$)", line)
@@ -106,7 +106,7 @@ def wrong_glossary(root):
 
 
 def build_names(root):
-    """Options, targets and environment variables that begin like names of the C interface."""
+    """Options, targets and environment variables whose names begin like those of the C interface."""
     for folder in ("", "src/", "examples/**/", "tests/**/"):
         for build in root.glob(f"{folder}CMakeLists.txt"):
             yield from re.findall(r"\b(?:HRBFNPR|hrbfnpr)_\w+", build.read_text(encoding="utf-8"))
@@ -118,7 +118,7 @@ def build_names(root):
 
 
 def wrong_names(root):
-    """All but the changelog, whose older entries name what is no more, and whose newer ones name what it replaces."""
+    """Names that do not exist. The changelog is not checked, because its older entries name removed things."""
     interface = (root / "bindings/api.json").read_text(encoding="utf-8")
     api = set(re.findall(r"\b(?:HRBFNPR|hrbfnpr)_\w+", interface))
     fields = {struct["name"]: {field["name"] for field in struct["fields"]} for struct in json.loads(interface)["structs"]}
@@ -142,7 +142,7 @@ def wrong_names(root):
             elif field and word in fields and field not in fields[word]:
                 yield f"{name} says {word}.{field}, and there is no such field"
         if name.parts[0] == "examples":
-            continue  # their paths are those of other programs, too
+            continue  # their paths include those of other programs
         for path in re.findall(r"`(\w[\w.-]*/[\w./-]*)`", text):
             top = tops.get(path.partition("/")[0])
             if top and not any((top / (path + suffix)).exists() for suffix in ("", ".h", ".cpp")):
@@ -173,7 +173,7 @@ def wrong_presets(root):
 
 
 def wrong_pictures(root):
-    """Pictures of documents are small, and each is shown."""
+    """Pictures are small, and a document shows each of them."""
     shown = "".join(document.read_text(encoding="utf-8") for document in documents(root))
     for path in sorted(path for path in (root / "docs/images").rglob("*") if path.is_file()):
         name, size = path.relative_to(root / "docs").as_posix(), path.stat().st_size
@@ -208,7 +208,7 @@ def code_blocks(text, language):
 
 
 def read_ppm(path):
-    """Width, height and RGB triples of a binary PPM with a header of one line."""
+    """Width, height and RGB triples of a binary PPM whose header is one line."""
     header, pixels = path.read_bytes().split(b"\n", 1)
     magic, width, height, depth = header.split()
     if (magic, depth) != (b"P6", b"255") or len(pixels) != 3 * int(width) * int(height):
@@ -217,7 +217,7 @@ def read_ppm(path):
 
 
 def ink_share(path):
-    """The share of pixels that are not paper white."""
+    """The share of pixels that are not white."""
     if path.suffix == ".ppm":
         width, height, pixels = read_ppm(path)
     else:
@@ -229,7 +229,7 @@ def ink_share(path):
 
 
 def drawn_badly(name, path):
-    """Why a file that an example leaves is no drawing."""
+    """The reason why an example's output is not a drawing."""
     if path.suffix == ".svg":
         shapes = len(re.findall(r"<(?:path|circle|polyline)\b", path.read_text(encoding="utf-8")))
         print(f"{name}: {path.name}, {shapes} shapes")
@@ -265,7 +265,7 @@ def quickstart(root, name, program):
 
 
 def torus_of_the_quick_starts():
-    """Their samples to the bit, which NumPy's own sine and cosine would not give."""
+    """The samples of the quick starts, bit for bit. NumPy's sine and cosine would differ in the last bit."""
     points, normals = [], []
     for i in range(192):
         a, b = 6.283185307179586 * (i // 8) / 24, 6.283185307179586 * (i % 8) / 8
@@ -286,7 +286,7 @@ def agree(root, programs):
         points, normals = map(np.array, torus_of_the_quick_starts())
         hrbfnpr.draw((points, normals), "engraving", size=(800, 600)).save(page)
         wanted = page.read_text(encoding="utf-8")
-        # Python calls arrays so; the programs leave them without a name.
+        # The Python call names its source "arrays"; the programs give no name.
         wanted = wanted.replace("<title>arrays</title>\n", "").replace("&quot;arrays&quot;", "&quot;&quot;")
         for program in programs:
             subprocess.run([program], cwd=folder, check=True)
@@ -302,7 +302,7 @@ def skip_without(*modules):
 
 
 def unlike(picture, committed):
-    """How two pictures differ in size or in their mean tone, of 0 to 255; None if they are alike."""
+    """The difference of two pictures in size or mean tone (0 to 255) in words, or None if they are alike."""
     from PIL import Image, ImageStat
 
     images = [Image.open(path).convert("L") for path in (picture, committed)]
@@ -317,7 +317,7 @@ def unlike(picture, committed):
 
 
 def drawn_page(root, name):
-    """A page of docs whose code draws its pictures: what it shows, what is drawn and what is committed are the same."""
+    """The code of a page in docs draws exactly the pictures that the page shows and that are committed."""
     shown = set(re.findall(rf'src="images/{name}/([^"]+)"', (root / f"docs/{name}.md").read_text(encoding="utf-8")))
     with tempfile.TemporaryDirectory() as folder:
         command = [sys.executable, "-B", str(root / f"docs/{name}_pictures.py"), folder]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks of docs.py and snippets.py pass on small documents that are right, and find what is wrong with others."""
+"""The checks of docs.py and snippets.py pass on small correct documents, and find the errors in others."""
 
 import shutil
 import tempfile
@@ -62,7 +62,7 @@ FILES = {
     "bindings/hrbfnpr_declared.h": "",
 }
 
-# check, file, what is replaced, by what
+# check, file, text to replace, replacement
 BREAKS = [
     ("links", "README.md", "docs/a.png", "docs/b.png"),
     ("links", "README.md", "docs/glossary.md#", "docs/glossaries.md#"),
@@ -112,7 +112,7 @@ class Documents(unittest.TestCase):
     def tearDown(self):
         self.folder.cleanup()
 
-    def test_right_documents_pass(self):
+    def test_correct_documents_pass(self):
         for check in ("links", "glossary", "names", "presets", "pictures"):
             with self.subTest(check=check):
                 self.assertEqual(list(docs.CHECKS[check](self.root)), [])
@@ -133,14 +133,14 @@ class Documents(unittest.TestCase):
         (self.root / "scripts" / "draw").write_text("")
         return [found for found in snippets.CHECKS[check](self.root) if found.startswith("README.md")]
 
-    def test_blocks_are_read_by_a_test_or_say_why_not(self):
+    def test_each_block_has_a_test_or_an_excuse(self):
         block = "```cpp\nint main() {}\n```\n"
         self.assertEqual(self.findings("all", "# T\n\n<!-- not run: it is a sketch -->\n" + block), [])
-        self.assertNotEqual(self.findings("all", "# T\n\n" + block), [])  # README.md's test is not in this folder
+        self.assertNotEqual(self.findings("all", "# T\n\n" + block), [])  # the test for README.md is not in this folder
         self.assertNotEqual(self.findings("all", "# T\n\n<!-- not run: -->\n" + block), [])
         self.assertNotEqual(self.findings("all", "# T\n\n```\nno language\n```\n"), [])
 
-    def test_commands(self):
+    def test_wrong_commands_are_found(self):
         try:
             import hrbfnpr.cli  # noqa: F401
         except ImportError:
@@ -154,7 +154,7 @@ class Documents(unittest.TestCase):
                 found = self.findings("commands", f"# T\n\n```sh\n{command}\n```\n")
                 self.assertEqual(len(found), command in wrong)
 
-    def test_c_that_does_not_compile(self):
+    def test_c_that_does_not_compile_is_found(self):
         compiler = shutil.which("cc") or shutil.which("gcc")
         if compiler is None:
             self.skipTest("no C compiler")
@@ -163,7 +163,7 @@ class Documents(unittest.TestCase):
         (self.root / "README.md").write_text("# T\n\n```c\nint f(void) { return g(); }\n```\n", encoding="utf-8")
         self.assertNotEqual(list(snippets.wrong_c(self.root, compiler)), [])
 
-    def test_commands_of_promises_that_run_nothing(self):
+    def test_commands_that_run_nothing_are_found(self):
         row = "| it holds | `a.B` | 3 | passed | {} |\n"
         table = "| promise | test | cases | result | command |\n|---|---|---|---|---|\n"
         self.assertEqual(list(reliability.commands(table + row.format("`a --x='p*'`; later `b c`"))), ["a --x='p*'", "b c"])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The commands of docs/reliability.md name tests, scripts and programs that are there.
+"""The commands in docs/reliability.md name existing tests, scripts and programs.
 
     reliability.py PROJECT BUILD
 
-A filter that no test matches runs nothing, and passes.
+A filter that matches no test would run nothing and pass.
 """
 import re
 import shlex
@@ -13,7 +13,7 @@ from pathlib import Path
 
 
 def commands(text):
-    """What stands as code in the last column of the table of promises."""
+    """The code in the last column of the table of promises."""
     for line in text.splitlines():
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)]
         if len(cells) == 7 and not set(cells[1]) <= set("- "):
@@ -27,7 +27,7 @@ def tests_of(program, test_filter):
 
 
 def fault(command, project, build):
-    """What is wrong with it, or nothing."""
+    """The error of a command in words, or None."""
     words = shlex.split(command)
     if words[0].startswith("test_"):
         program = build / "tests" / words[0].removeprefix("test_") / words[0]

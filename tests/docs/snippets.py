@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The blocks of code of all documents are run, compiled or read by something.
+"""The code blocks of all documents are run, compiled or read by a test.
 
-    snippets.py all ROOT                    each block is known to a test, or says above it why not:
+    snippets.py all ROOT                    a test reads each block, or the line above it says why not:
                                             <!-- not run: because ... -->
-    snippets.py commands ROOT               command lines: programs are there, options of `python3 -m hrbfnpr` are its own
+    snippets.py commands ROOT               command lines: programs exist, and `python3 -m hrbfnpr` has the options
     snippets.py c ROOT COMPILER             blocks of C compile
-    snippets.py python ROOT                 blocks of Python that no other test runs
+    snippets.py python ROOT                 blocks of Python run that no other test runs
     snippets.py csharp ROOT                 blocks of docs/csharp.md compile
 """
 
@@ -24,7 +24,7 @@ from docs import documents, skip_without
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 CHECKED = {"c", "cpp", "python", "py", "csharp", "sh", "bash", "rust"}
-# Which test runs the blocks of a document in a language; it names the document, or the blocks' examples.
+# The test that runs the blocks of a document in a language. It must contain the document's name.
 RUN_BY = {
     ("README.md", "c"): "tests/docs/docs.py",
     ("README.md", "python"): "tests/docs/docs.py",
@@ -34,7 +34,7 @@ RUN_BY = {
     ("docs/python.md", "python"): "tests/python/test_packaging.py",
     ("bindings/rust/hrbfnpr-sys/README.md", "rust"): "tests/clients/rust.py",
 }
-# Blocks in a language of their own that stand for a section: their test has the words of the section's heading.
+# The test that runs the blocks below a heading of a document.
 SECTIONS = {
     ("docs/python.md", "Many processes"): "tests/python/test_batch.py",
     ("docs/python.md", "Notebooks"): "tests/python/test_notebook.py",
@@ -76,7 +76,7 @@ def blocks_of(root):
 
 
 def reader_of(block):
-    """Which test reads a block, None if there is none."""
+    """The path of the test that reads a block, or None."""
     name, language = block.document, block.language
     if language in ("sh", "bash"):
         return "tests/docs/snippets.py"
@@ -106,7 +106,7 @@ def unknown_blocks(root):
 
 
 def command_lines(code):
-    """Commands of a block, continued lines put together, comments left out."""
+    """The commands of a block, with continued lines joined and without comments."""
     for line in re.sub(r"\\\n\s*", " ", code).splitlines():
         words = shlex.split(line, comments=True)
         while words:
@@ -120,7 +120,7 @@ def command_lines(code):
 
 
 def wrong_command(root, folder, words):
-    """Why a command cannot be right, or None."""
+    """The error of a command in words, or None."""
     program = words[0]
     if words[:3] == ["python3", "-m", "hrbfnpr"]:
         from hrbfnpr.cli import _grammar
@@ -155,7 +155,7 @@ def wrong_commands(root):
 
 
 def wrong_c(root, compiler):
-    """All blocks of C are compiled at once, each a file."""
+    """All blocks of C are compiled at once, each as a file."""
     with tempfile.TemporaryDirectory() as folder:
         files = []
         for block in blocks_of(root):
@@ -171,7 +171,7 @@ def wrong_c(root, compiler):
 
 
 def names_for_python(hrbfnpr, np):
-    """What blocks that show one call are about."""
+    """The variables that blocks with a single call use."""
     ring, open_sheet = hrbfnpr.datasets.torus(300), hrbfnpr.datasets.terrain(200)
     mesh = hrbfnpr.datasets.torus(60, mesh=True)
     model = hrbfnpr.Model.fit(ring.points, ring.normals)
@@ -202,7 +202,7 @@ def wrong_python(root):
                     _script.run(block.code, load=None)
                 else:
                     exec(compile(block.code, block.document, "exec"), names_for_python(hrbfnpr, np))
-            except Exception as error:  # whatever a block raises is what is wrong with it
+            except Exception as error:  # every exception of a block is a finding
                 yield f"{block.where()}: {type(error).__name__}: {error}"
         os.chdir(root)
     print(f"{count} blocks of Python")

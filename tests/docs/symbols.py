@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Every public symbol is in the guide, as docs/guide makes its pages.
+"""The guide contains every public symbol, on the pages that docs/guide generates.
 
     symbols.py c ROOT         all of bindings/api.json: functions, structs and their fields, constants, callbacks, handles
-    symbols.py csharp ROOT    every line of the C# sources that declares something public
+    symbols.py csharp ROOT    every public declaration of the C# sources
     symbols.py python ROOT    every public name of the package, and its modules
 """
 
@@ -15,7 +15,7 @@ from docs import skip_without
 
 
 def name_in(kind, declaration):
-    """What a directive of Sphinx's domain of C declares."""
+    """The name that a directive of Sphinx's C domain declares."""
     if kind == "enumerator":
         return declaration.partition(" ")[0]
     pointer = re.search(r"\(\*(\w+)\)", declaration)
@@ -50,7 +50,7 @@ def missing_csharp(root):
     sections = dict(re.findall(r"^## (\w+)\n(.*?)(?=^## |\Z)", csharp_reference.page(folder), re.DOTALL | re.MULTILINE))
     count = 0
     for path in sorted(folder.rglob("*.cs")):
-        if {"bin", "obj", "Native"} & set(path.parts):  # Native has what is not public
+        if {"bin", "obj", "Native"} & set(path.parts):  # Native is not public
             continue
         for line in path.read_text(encoding="utf-8-sig").splitlines():
             found = re.match(r"\s*public (.*?)(?:\(|\{|=|;|$)", line)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The driver of the fuzzers' inputs counts what it runs, and fails where it ran nothing.
+"""The driver of the fuzzers counts the inputs it runs, and fails if it runs none.
 
     driver_test.py [-v] FUZZER...
 """
@@ -35,7 +35,7 @@ class DriverTest(unittest.TestCase):
         (self.folder / "empty").write_bytes(b"")
         self.expect(0, "{name}: 1 inputs executed", self.folder)
 
-    def test_every_length_of_a_start_is_run(self):
+    def test_every_length_of_a_header_is_run(self):
         start = b"\x89HRB\r\n\x1a\n" + bytes(60)
         for length in range(len(start)):
             (self.folder / f"{length:02}").write_bytes(start[:length])

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Damages files of every format that hrbfnpr.shapes reads, and reads them: only ShapeError may come out.
+"""Damages files of every format that hrbfnpr.shapes reads, and reads them. Only ShapeError may be raised.
 
     fuzz_readers.py [--runs N | --seconds N] [--seed N] [--keep FOLDER] [FILE...]
 
-First the files that are given, then the whole ones of reader_files.py, then damaged ones: N of them, or for so many
-seconds.  A reader fails that raises anything else, takes more than ten seconds or 2 GiB: the file is made smaller as
-long as that stays so, and kept.  The last lines count what was run, by format.
+First it reads the given files, then the undamaged files of reader_files.py, then damaged ones: N files, or for N seconds.
+A reader fails if it raises another exception, takes more than ten seconds, or uses more than 2 GiB. The file is then
+reduced as long as the failure stays the same, and kept. The last lines count the files that were read, by format.
 """
 import argparse
 import hashlib
@@ -24,7 +24,7 @@ import reader_files
 
 from hrbfnpr import shapes
 
-SECONDS = 10  # of processor time
+SECONDS = 10  # processor time
 BYTES = 2 << 30
 WORDS = [
     b"0", b"-1", b"1", b"2", b"3", b"255", b"256", b"65536", b"2147483647", b"2147483648", b"-2147483649",
@@ -38,11 +38,11 @@ WORDS = [
 
 
 class TooSlow(BaseException):
-    """A reader took too long."""
+    """Raised when a reader takes too long."""
 
 
 def damaged(data, others, chance):
-    """A few bytes, words or lines changed, left out, doubled, taken from elsewhere or cut off."""
+    """Changes, removes, doubles, inserts or cuts off a few bytes, words or lines."""
     data = bytearray(data)
     for _ in range(chance.choice((1, 1, 1, 2, 3, 6))):
         CHANGES[chance.randrange(len(CHANGES))](data, others, chance)
@@ -56,7 +56,7 @@ def change_byte(data, others, chance):
 
 
 def change_number(data, others, chance):
-    """Four or eight bytes become those of another number."""
+    """Overwrites two, four or eight bytes with an interesting number."""
     if len(data) >= 8:
         at, size = chance.randrange(len(data) - 7), chance.choice((2, 4, 8))
         number = chance.choice((0, 1, 2, 2**7, 2**15, 2**16, 2**31 - 1, 2**31, 2**32 - 1, 2**63 - 1, 2**64 - 1))
@@ -64,7 +64,7 @@ def change_number(data, others, chance):
 
 
 def change_word(data, others, chance):
-    """A number or name of a text; that of a binary file's header, too."""
+    """Replaces a number or name in a text, or in the header of a binary file."""
     found = list(re.finditer(rb"[-+.\w]+", data[:4000]))
     if found:
         word = chance.choice(found)
@@ -89,7 +89,7 @@ def insert(data, others, chance):
 
 
 def change_line(data, others, chance):
-    """A line that is left out, doubled, or moved."""
+    """Removes, doubles or moves a line."""
     lines = data.split(b"\n")
     line = lines.pop(chance.randrange(len(lines)))
     for _ in range(chance.choice((0, 1, 2))):
@@ -98,7 +98,7 @@ def change_line(data, others, chance):
 
 
 def splice(data, others, chance):
-    """The end of another file."""
+    """Replaces the end by the end of another file."""
     other = chance.choice(others)
     at = chance.randrange(len(data) + 1)
     data[at:] = other[min(at, len(other)) if chance.random() < 0.5 else chance.randrange(len(other) + 1) :]
@@ -108,7 +108,7 @@ CHANGES = [change_byte, change_number, change_word, change_word, cut, double, in
 
 
 def use(path):
-    """Read a file as the command line does, and what is asked of a shape next."""
+    """Reads a file and then uses the shape, as the command line does."""
     shape = shapes.read(path)
     if shape.is_mesh:
         shapes.mesh_facts(shape)
@@ -117,7 +117,7 @@ def use(path):
 
 
 def outcome(path):
-    """Whether it was read, refused, or failed, and then the trace."""
+    """"read", "refused" or "failed", and the trace of a failure."""
     signal.setitimer(signal.ITIMER_PROF, SECONDS)
     try:
         use(path)
@@ -133,13 +133,13 @@ def outcome(path):
 
 
 def same_failure(trace):
-    """What two failures share: the kind, and the place in the package."""
+    """The properties that two equal failures share: the exception, and the line in the package."""
     places = re.findall(r'File ".*?(hrbfnpr/.*?)", line (\d+)', trace)
     return trace.strip().split("\n")[-1].split(":")[0], places[-1:]
 
 
 def smaller(data, path, trace):
-    """Without what the failure does not need, for half a minute."""
+    """Removes bytes that the failure does not need, for half a minute."""
     end, size = time.monotonic() + 30, max(1, len(data) // 2)
     while size >= 1 and time.monotonic() < end:
         at = 0
@@ -156,7 +156,7 @@ def smaller(data, path, trace):
 
 
 class Runs:
-    """Files that were read, by name."""
+    """Counts the files that were read, by format."""
 
     def __init__(self, folder, keep):
         self._folder, self._keep = folder, keep
@@ -211,7 +211,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         runs = Runs(Path(folder), given.keep)
         for path in given.files:
-            # "HASH-name.ending", as it was kept.
+            # Kept files are named "HASH-name.ending".
             runs.run(path.name.partition("-")[2] or path.name, path.read_bytes())
         for name, data in whole.items():
             runs.run(name, data)

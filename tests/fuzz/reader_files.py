@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Small valid files of every format that hrbfnpr.shapes reads, to be damaged."""
+"""Small valid files of every format that hrbfnpr.shapes reads, as a base for damaged ones."""
 import base64
 import gzip
 import io
@@ -70,20 +70,20 @@ def pcd(form):
     if form == "binary":
         return head.encode() + b"".join(struct.pack("<6f", *v, *n) for v, n in zip(VERTICES, NORMALS))
     raw = b"".join(struct.pack("<8f", *column) for column in zip(*(v + n for v, n in zip(VERTICES, NORMALS))))
-    # LZF: runs as they are.
+    # LZF with literal runs only.
     packed = b"".join(bytes([len(raw[i : i + 32]) - 1]) + raw[i : i + 32] for i in range(0, len(raw), 32))
     return head.encode() + struct.pack("<II", len(packed), len(raw)) + packed
 
 
 def off_binary(order="<"):
-    """A count of colours behind each face, as Geomview has it, of the one byte order."""
+    """A binary OFF. In big-endian order each face ends with a count of colours, as Geomview writes it."""
     behind = [0] if order == ">" else []
     data = struct.pack(f"{order}3i", 8, 6, 0) + b"".join(struct.pack(f"{order}3f", *v) for v in VERTICES)
     return b"OFF BINARY\n" + data + b"".join(struct.pack(f"{order}{5 + len(behind)}i", 4, *quad, *behind) for quad in QUADS)
 
 
 def gltf_document(uri=None):
-    """A node that is turned, of a triangle mesh with a sparse accessor; and points with normals."""
+    """A glTF with a rotated node, a triangle mesh with a sparse accessor, and points with normals."""
     positions = b"".join(struct.pack("<3f", *v) for v in VERTICES)
     indices = b"".join(struct.pack("<3H", *three) for three in TRIANGLES)
     sparse = struct.pack("<2H3f3f", 0, 1, 0, 0, 2, 1, 0, 2)
@@ -115,11 +115,11 @@ def gltf():
 
 
 def packed_document():
-    """By EXT_meshopt_compression: each byte of a vertex and each corner is told as it is."""
+    """A glTF with EXT_meshopt_compression, encoded without any prediction."""
     steps = [[]] + [[b - a for a, b in zip(*pair)] for pair in zip(VERTICES, VERTICES[1:])]
     turned = [[2 * step if step >= 0 else -2 * step - 1 for step in row] or [0, 0, 0] for row in steps]
     positions = b"\xa0"
-    for k in range(4):  # of bytes; the last one is 0
+    for k in range(4):  # byte columns; the last one is 0
         column = [row[k] for row in turned] + 8 * [0] if k < 3 else []
         positions += b"\3" + bytes(column) if column else b"\0"
     positions += bytes(32)
@@ -165,7 +165,7 @@ def las(version=2):
 
 
 def ptx(points=VERTICES, columns=2, turn=((1, 0, 0), (0, 1, 0), (0, 0, 1)), stood=(0, 0, 0), more="0.5"):
-    """A scan whose places are given in the scanner's frame, which `turn` (for rows) and `stood` place."""
+    """A PTX scan in the scanner's frame. `turn` (for row vectors) and `stood` place the scanner."""
     matrix = [(*row, 0) for row in turn] + [(*stood, 1)]
     head = f"{columns}\n{len(points) // columns}\n" + rows([stood], mark=" ") + rows(turn) + rows(matrix)
     return (head + "".join("{:.6f} {:.6f} {:.6f} {}\n".format(*p, more) for p in points)).encode()
@@ -217,7 +217,7 @@ CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
 
 
 def mf3_model(build='<item objectid="1"/>', resources=""):
-    """The XML of a 3MF file, with the cube as its object 1."""
+    """The XML of a 3MF file with the cube as object 1."""
     vertices = "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*v) for v in VERTICES)
     triangles = "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*t) for t in TRIANGLES)
     mesh = f"<mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh>"
@@ -254,7 +254,7 @@ def wires():
 
 
 def files():
-    """Bytes by name.  What needs a package that is not there is refused whole, which is fine."""
+    """The bytes of each file by name. Files that need a missing package are refused, which is fine."""
     table = rows(VERTICES, NORMALS)
     numbered = "id,X,Y,Z,nx,ny,nz\n" + rows([(i,) for i in range(8)], VERTICES, NORMALS, mark=",")
     return {

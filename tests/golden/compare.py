@@ -1,16 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draw one scene and hold it against its golden image.
+"""Draws a scene and compares it with its golden picture.
 
     compare.py DRAW_SCENE NAME GOLDEN.png [--update]
 
-Tolerance.  The drawing is compared after a Gaussian blur of 2 pixels: what counts is
-where the ink lies and how much of it there is, not the last bit of a mark's edge, which
-another compiler may round otherwise.  It is drawn without instruction sets of its own, since the order of stipples
-on a surface that is the same all around hangs on last bits.  After the blur no channel may differ by
-more than 24 of 255 anywhere, and the mean difference may not exceed 0.5.  On one machine
-the bits must be equal at 1, 2, 3 and 7 threads and from every thread backend; there is no tolerance in that.  Scenes
-with lines of hatching, which take their time, are drawn by one thread, by seven and by OpenMP.
+Tolerance: both images are blurred with a Gaussian of 2 pixels, because the place and amount of ink count, but not the
+last bit of a mark's edge, which another compiler may round differently. After the blur no channel may differ by more
+than 24 of 255, and the mean difference may be at most 0.5. The scene is drawn with the baseline instruction set, since
+the order of stipples on a symmetric surface depends on last bits.
+
+On one machine the bits must be equal for 1, 2, 3 and 7 threads and for every thread backend. Scenes with hatching are
+slow, so they are drawn only with one thread, with seven and with OpenMP.
 """
 
 import subprocess
@@ -27,7 +27,7 @@ except ImportError as missing:
     sys.exit(77)
 
 BLUR, MOST, MEAN = 2.0, 24.0, 0.5
-# Threads and their backend; the first is what the others are held against.
+# Threads and their backend. The others are compared with the first.
 WAYS = ((1, "auto"), (2, "pool"), (3, "pool"), (7, "pool"), (3, "openmp"), (2, "run_tasks"), (3, "serial"))
 FEW_WAYS = ((1, "auto"), (7, "pool"), (3, "openmp"))
 HATCHED = ("torus-cross-hatch", "knot-full", "heart-combing")
@@ -35,7 +35,7 @@ NOT_BUILT_IN = 77
 
 
 def draw(program: str, name: str, threads: int, backend: str, *more: str) -> Optional[np.ndarray]:
-    """The picture, or None where the build has no such backend."""
+    """The picture, or None if the build does not have this backend."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "scene.pam"
         result = subprocess.run([program, name, str(path), "480", "480", str(threads), backend, *more])
@@ -49,7 +49,7 @@ def draw(program: str, name: str, threads: int, backend: str, *more: str) -> Opt
 
 
 def blurred(rgba: np.ndarray) -> np.ndarray:
-    """Blurs premultiplied colour, so that the colour of invisible pixels does not count."""
+    """Blurs the premultiplied colours, so that the colour of invisible pixels does not count."""
     colour = rgba.astype(np.float64)
     colour[..., :3] *= colour[..., 3:] / 255.0
     image = Image.fromarray(np.rint(colour).astype(np.uint8), "RGBA")

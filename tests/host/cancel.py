@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Cancels the fit of examples/sdl2 by pressing Escape, on a screen of its own:
+"""Cancels the fit of examples/sdl2 by pressing Escape on a virtual screen.
 
     cancel.py WORK PROGRAM
 
-Returns 77 where there is no screen to be had or nobody to press keys.
+The status is 77 if there is no virtual screen or no way to press keys.
 """
 
 import ctypes
@@ -19,11 +19,11 @@ from pathlib import Path
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
 SAMPLES = 30000  # many seconds of fitting
 ESCAPE = 0xFF1B  # XK_Escape
-PATIENCE = 90.0  # seconds; a program that has not ended by then hangs
+PATIENCE = 90.0  # seconds after which a program counts as hanging
 
 
 def write_samples(path):
-    """A rough ball: no two fits are alike, and this one is slow."""
+    """Writes samples of a rough ball, which is slow to fit."""
     draw = random.Random(1)
     with path.open("w") as file:
         for _ in range(SAMPLES):
@@ -35,7 +35,7 @@ def write_samples(path):
 
 
 class Keyboard:
-    """Presses keys of the X server as a hand would."""
+    """Presses keys through the X server."""
 
     def __init__(self):
         self.x11 = ctypes.CDLL("libX11.so.6")
@@ -51,13 +51,13 @@ class Keyboard:
 
 
 def press_escape(work, program):
-    """On the screen: starts the program, presses Escape while it fits, and sees it end."""
+    """Starts the program, presses Escape while it fits, and waits for its end. Runs on the virtual screen."""
     keyboard = Keyboard()
     with subprocess.Popen([program, work / "ball.xyzn"], stderr=subprocess.PIPE, text=True) as host:
         deadline = time.monotonic() + PATIENCE
         try:
             while host.poll() is None and time.monotonic() < deadline:
-                time.sleep(0.3)  # until there is a window, nobody listens
+                time.sleep(0.3)  # before the window is open, key presses are lost
                 keyboard.press(ESCAPE)
             _, said = host.communicate(timeout=0.3)
         except subprocess.TimeoutExpired:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""scripts/ablate.py reads, moves and compares what it should.
+"""Tests how scripts/ablate.py reads, changes and compares constants.
 
     ablate_test.py PROJECT
 """
@@ -54,7 +54,7 @@ class Ablation(unittest.TestCase):
         self.assertEqual([ablate.moved(c, 0.5) for c in found], [0.125, 0.75, 500, 1])
         self.assertEqual([ablate.moved(c, 2.0) for c in found], [0.5, 3, 2000, 2])
 
-    def test_uses_become_looks(self):
+    def test_uses_of_constants_are_replaced(self):
         _, fixed = ablation_copy.rewrite(self.source)
         self.assertEqual(fixed, {"x": ["x_tuning.share", "x_tuning.rounds"]})
         text = (self.source / "x" / "f.cpp").read_text()
@@ -71,13 +71,13 @@ class Ablation(unittest.TestCase):
             for constant in ablation_copy.constants_of(PROJECT / "src", file):
                 self.assertIsInstance(ablate.value_of(constant.text), float, constant.name)
 
-    def test_times_do_not_count(self):
+    def test_times_are_not_compared(self):
         before = ablate.pairs("table 3\nlines.error_px 0.5\nlines.warm_ms 2\nlines.valid 26\n")
         self.assertEqual(before, {"lines.error_px": 0.5, "lines.valid": 26.0})
         after = {"lines.error_px": 0.5001, "lines.valid": 25.0}
         self.assertEqual(ablate.changes(before, after), ["lines.valid 26 -> 25"])
 
-    def test_every_room_with_a_register_has_cases(self):
+    def test_every_room_with_tuning_constants_has_cases(self):
         for file in ablation_copy.tuning_files(PROJECT / "src"):
             self.assertIn(str(file.parent.relative_to(PROJECT / "src")), ablate.OWN_CASES)
         for benches in ablate.BENCHES.values():

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The rules of the house (docs/design.md), read off the sources.
+"""The rules of the house (docs/design.md), checked on the sources.
 
-    house.py ROOT CHECK     prints what breaks the rule and returns 1, or 77 if it cannot tell
+    house.py ROOT CHECK     prints each violation and returns 1, or 77 if it cannot check
 
-A CHECK is a function below: floors, openmp, forbidden, namespaces, sizes, abi_version, spdx,
-format, words.
+A CHECK is one of the functions below: floors, openmp, forbidden, namespaces, sizes, abi_version, spdx, format, words.
 """
 
 import re
@@ -52,12 +51,12 @@ FLOORS = {
     "base": 0,
 }
 
-# (pattern, who may all the same, why)
+# (pattern, the paths that may match it, the reason)
 ONLY_IN = [
     (r"#\s*include\s*<hrbfnpr\.h>|#\s*include\s*\"hrbfnpr\.h\"", r"(api|picture)/", "only src/api and its first user, src/picture, know the public header"),
     (r"#\s*include\s*[<\"](Eigen|unsupported)/", r"fit/", "Eigen stays inside the solver"),
 ]
-# What makes a comment hard to read, and what to write in its place.
+# Patterns that make a comment hard to read, each with a remedy.
 HARD_WORDS = [
     (r"^[Oo]f ", "begin with the subject: 'For a closed chain, ...'"),
     (r"^\.\.\. |(?<![,_])(?<!, )\.\.\.$", "end the sentence; a sentence does not run over several declarations"),
@@ -102,7 +101,7 @@ def room_of(path):
 
 
 def broken_include(src, path, target):
-    """Why the file `path` of src/ may not include "target", or None."""
+    """The reason why the file `path` of src/ may not include "target", or None."""
     room = room_of(path.relative_to(src))
     if room is None:
         return "is in no room of the house: give its folder a floor in tests/house/house.py"
@@ -161,7 +160,7 @@ def forbidden(root):
 
 
 def namespaces(root):
-    """Files of tests are compiled several at a time (HRBFNPR_UNITY), so their names must not meet."""
+    """Tests are compiled several files at a time (HRBFNPR_UNITY), so each file needs its own namespace."""
     for path in source_files(root, ["tests"], {".cpp"}):
         if path.name.endswith("_test.cpp"):
             own = rf"^namespace ([\w:]+::)?{path.stem} {{$"

@@ -31,7 +31,7 @@ CLEAN = {
     "src/api/model.cpp": '#include "fit/fit.h"\n#include "output/raster/draw.h"\n\n#include <hrbfnpr.h>\n',
 }
 
-# check, file, what to add to it
+# check, file, text that breaks the check
 BREAKS = [
     ("floors", "src/base/status.h", '#include "implicit/implicit.h"\n'),
     ("floors", "src/fit/fit.cpp", '#include "surface/project.h"\n'),
@@ -112,11 +112,11 @@ class House(unittest.TestCase):
                 self.assertEqual(before, [])
                 self.assertNotEqual(self.findings(check), [])
 
-    def test_openmp_check_notices_that_its_words_are_gone(self):
+    def test_the_openmp_check_fails_if_it_finds_no_openmp_at_all(self):
         (self.root / "src/base/parallel_openmp.cpp").write_text("// nothing\n")
         self.assertNotEqual(self.findings("openmp"), [])
 
-    def test_an_empty_house_does_not_pass(self):
+    def test_an_empty_project_fails(self):
         shutil.rmtree(self.root / "src")
         self.assertNotEqual(self.findings("floors"), [])
         for name in ("include", "CMakeLists.txt"):
@@ -125,7 +125,7 @@ class House(unittest.TestCase):
         self.assertNotEqual(self.findings("spdx"), [])
 
 
-# file, what is in it, the same with the licence line
+# file, its contents, its contents with the licence line
 LICENCES = [
     ("src/a.cpp", "int a;\n", f"// {MIT}\nint a;\n"),
     ("src/a.h", "/* A. */\n", f"/* {MIT} */\n/* A. */\n"),
@@ -138,7 +138,7 @@ LICENCES = [
     ("tests/a.js", "#!/usr/bin/env node\n'use strict'\n", f"#!/usr/bin/env node\n// {MIT}\n'use strict'\n"),
     ("cmake/a.cmake", "return()\n", f"# {MIT}\nreturn()\n"),
     ("scripts/a", "#!/bin/sh", f"#!/bin/sh\n# {MIT}\n"),
-    # These are none of its business: data, a licence that is there, a file that a program writes, a build tree.
+    # These files are left alone: data, a file with a licence, a generated file, a build tree.
     ("tests/corpus/a", "#!data\n", "#!data\n"),
     ("docs/a.md", "# A\n", "# A\n"),
     ("src/b.cpp", f"// B.\n// {MIT}\n", f"// B.\n// {MIT}\n"),
@@ -148,7 +148,7 @@ LICENCES = [
 
 
 class Licence(unittest.TestCase):
-    def test_the_line_goes_where_it_belongs(self):
+    def test_the_licence_line_is_put_in_the_right_place(self):
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)
             for name, before, _ in LICENCES:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every test is labelled `short` or `long`, and each filter that gives a label names a test.
+"""Every test has the label `short` or `long`, and each filter that gives a label matches a test.
 
     labels_test.py BINARY
 """
@@ -17,7 +17,7 @@ KINDS = ("LONG", "LONG_UNCHECKED", "UNCHECKED")
 
 
 def listed(program):
-    """The tests of a program, as GoogleTest names them."""
+    """The tests of a GoogleTest program."""
     told = subprocess.run([str(program), "--gtest_list_tests"], check=True, capture_output=True, text=True).stdout
     suite = ""
     for line in told.splitlines():
@@ -40,7 +40,7 @@ class Labels(unittest.TestCase):
             words = re.findall(r"\w+", " ".join(label for some in labels for label in some))
             self.assertEqual(words.count("short") + words.count("long"), 1, test["name"])
 
-    def test_each_filter_names_a_test(self):
+    def test_each_filter_matches_a_test(self):
         files = list((BINARY / "tests").rglob("*.filters"))
         self.assertGreater(len(files), 20)
         missing = []

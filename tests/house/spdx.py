@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The licence line of every source file.
 
-    spdx.py ROOT          prints the files without one in their first 20 lines, and returns 1 if there are any
-    spdx.py ROOT --fix    writes the line into the files that lack it
+    spdx.py ROOT          prints the files without a licence line in their first 20 lines; returns 1 if there are any
+    spdx.py ROOT --fix    adds the line to these files
 
-Files that a program of this project writes are left alone by --fix: change the program, and run it.
+Generated files are left alone by --fix: change their generator and run it.
 """
 
 import re
@@ -14,7 +14,7 @@ from pathlib import Path
 LINE = "SPDX-License-Identifier: MIT"
 FIRST_LINES = 20
 FOLDERS = ("src", "include", "tests", "bench", "examples", "bindings", "scripts", "cmake", "docs")
-# What a program writes, not a person: build trees, and Python's and .NET's own files.
+# Folders of generated files: build trees, and those of Python and .NET.
 SKIPPED_FOLDERS = {"build", "dist", "bin", "obj", "__pycache__"}
 SLASHES, STARS, HASH, DASHES = "// {}", "/* {} */", "# {}", "-- {}"
 COMMENTS = {
@@ -33,18 +33,18 @@ GENERATED = re.compile(r"\W*(?:made|generated|written) (?:by|from) .*\bdo not ed
 
 
 def comment_of(path, text):
-    """The comment syntax of a source file; None for a file of another kind."""
+    """The comment syntax of a source file, or None for other files."""
     if path.name == "CMakeLists.txt":
         return HASH
     if path.suffix in (".h", ".cpp") and text.startswith("/*"):
-        return STARS  # as the file's own comments
+        return STARS  # like the file's own comments
     if path.suffix:
         return COMMENTS.get(path.suffix)
     return HASH if re.match(r"#!.*\b(?:ba|da)?sh\b|#!.*\bpython", text) else None
 
 
 def source_files(root):
-    """Pairs of a source file and its text, by name."""
+    """Pairs of a source file and its text, sorted by name."""
     paths = [root / "CMakeLists.txt"]
     for folder in FOLDERS:
         paths += sorted(path for path in (root / folder).rglob("*") if path.is_file())
@@ -56,7 +56,7 @@ def source_files(root):
         try:
             text = path.read_bytes().decode("utf-8")
         except UnicodeDecodeError:
-            continue  # data without a suffix
+            continue  # data without an ending
         if comment_of(path, text.lstrip("\ufeff")):
             yield path, text
 
@@ -70,7 +70,7 @@ def is_generated(text):
 
 
 def with_line(path, text):
-    """The text with the licence line where it belongs: first, or behind a byte order mark, #! and the encoding."""
+    """The text with the licence line in its place: first, or after a byte order mark, a #! line and an encoding."""
     mark = "\ufeff" if text.startswith("\ufeff") else ""
     lines = text[len(mark):].splitlines(keepends=True)
     end = "\r\n" if lines and lines[0].endswith("\r\n") else "\n"
@@ -84,7 +84,7 @@ def with_line(path, text):
 
 
 def missing(root):
-    """What the rule is broken by, in words."""
+    """The violations in words."""
     seen = False
     for path, text in source_files(root):
         seen = True
@@ -99,7 +99,7 @@ def missing(root):
 
 
 def fix(root):
-    """Names of the files that were changed, and of those that a program has to write."""
+    """The names of the changed files, and of the generated files that lack the line."""
     changed, left = [], []
     for path, text in source_files(root):
         if has_line(text):

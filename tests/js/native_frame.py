@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""How long a frame takes natively that the page draws at first:  native_frame.py MODEL WIDTH HEIGHT
+"""Measures the native time of the page's first frame:  native_frame.py MODEL WIDTH HEIGHT
 
-MODEL is the page's bunny.model.  HRBFNPR_LIBRARY and PYTHONPATH say where the library and its package are."""
+MODEL is the page's bunny.model. HRBFNPR_LIBRARY and PYTHONPATH name the library and its package.
+"""
 import statistics
 import sys
 import time

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Runs one part of the tests of bindings/js and examples/web:  run.py PART WORK
 
-PART is readers, types, package, threads or page, WORK a folder for what it makes.  Returns 77, and says why, where
-something that it wants is not here.
+PART is readers, types, package, threads or page. WORK is a folder for temporary files. The status is 77 if a needed
+program or build is missing; the output names it.
 """
 import json
 import os
@@ -55,7 +55,7 @@ def readers(work):
 
 
 def types(work):
-    """What uses the package as it should compiles, and what does not does not."""
+    """Correct uses of the package's types compile, and wrong uses do not."""
     tsc = need("tsc", "node-typescript")
     modules = work / "node_modules" / "hrbfnpr"
     shutil.copytree(ROOT / "bindings" / "js" / "src", modules / "src")
@@ -68,7 +68,7 @@ def types(work):
 
 
 def installed(work):
-    """The package from its tarball, as npm installs it, without a network."""
+    """Installs the package from its tarball with npm, without a network."""
     npm = need("npm", "npm")
     packed = subprocess.check_output([sys.executable, ROOT / "bindings" / "js" / "package.py", "pack", work / "package"],
                                      text=True).strip()
@@ -117,7 +117,7 @@ def page(work):
 
 
 class serving:
-    """examples/web/serve as long as the block runs; gives the address."""
+    """Runs examples/web/serve during a `with` block and gives the address."""
 
     def __init__(self, folder, options):
         self.command = [sys.executable, ROOT / "examples" / "web" / "serve", "--folder", folder, "--port", "0", *options]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Other people's projects against the installed library, moved to a path with a space in it.
+"""Builds other projects with the installed library, which is moved to a path with a space.
 
     package.py install BUILD WORK     installs BUILD below WORK and moves it
-    package.py STEP SOURCE WORK       one of the other steps below; SOURCE is the library's sources
-    package.py static SOURCE WORK BUILD    takes objects from BUILD, which made the shared library of them
+    package.py STEP SOURCE WORK       one of the other steps below; SOURCE is the library's source folder
+    package.py static SOURCE WORK BUILD    reuses objects of BUILD, which made the shared library
 """
 
 import os
@@ -98,7 +98,7 @@ def pkg_config(language, prefix, work):
 
 
 def subdirectory(source, work):
-    """Part of a host's build in C only, with nothing set: a shared library and nothing else."""
+    """A C-only project adds the library as a subdirectory without options, and gets only a shared library."""
     build = work / "sub directory"
     configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DCMAKE_BUILD_TYPE=Debug")
     seen = (build / "seen.txt").read_text()
@@ -106,9 +106,10 @@ def subdirectory(source, work):
 
 
 def static(source, work):
-    """A static library: linked into its host; installed, moved, and linked into C and C++ projects.
+    """The static library is linked into its host project, installed, moved, and linked into C and C++ projects.
 
-    Of its objects those of the boundary alone are not the shared library's."""
+    Only the objects of the boundary are compiled again; the rest are those of the shared library.
+    """
     build, stage, prefix = work / "static build", work / "static stage", work / "a static place"
     shutil.rmtree(prefix, ignore_errors=True)
     configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DHOST_LANGUAGES=C;CXX",

@@ -1,11 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Draws files as they are and damaged: each gives a picture with ink, or an error in words and no file.
+"""Draws files as they are and damaged. Each gives a picture with ink, or an error message and no file.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so tests/soak/dirty.py [--only TEXT] [--clean] [FILE|DIR ...]
 
-Without files, points of a torus and of a sheet and a mesh of a torus are made, and damaged in turns.  --only draws those whose file or damage
-has this TEXT, --clean none that are damaged.  Prints a line for each; the status is 1 if one of them broke the rule.
+Without files, it makes points of a torus and of a sheet and a mesh of a torus, and divides the kinds of damage among
+them. --only draws the cases whose file name or damage contains TEXT. --clean draws no damaged files. Prints a line for
+each case; the status is 1 if a case breaks the rule.
 """
 import argparse
 import subprocess
@@ -20,13 +21,13 @@ from PIL import Image
 from hrbfnpr import shapes
 
 PATIENCE = 600  # seconds
-MADE = 3  # shapes, which are damaged in turns
+MADE = 3  # generated shapes that share the kinds of damage
 DRAW = ["--size", "200", "--marks", "3000"]
-QUICK = ["--samples", "400"]  # of files that are made
+QUICK = ["--samples", "400"]  # for generated files
 
 
 def write(path, points, normals=None, triangles=None):
-    """An ASCII PLY, with numbers that hold doubles."""
+    """Writes an ASCII PLY with full double precision."""
     columns = [points] if normals is None else [points, normals]
     names = "xyz" if normals is None else ("x", "y", "z", "nx", "ny", "nz")
     lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property double {name}" for name in names)]
@@ -54,7 +55,7 @@ def torus_faces(around, across):
 
 
 def make_files(folder):
-    """What is drawn where no files are given."""
+    """The files that are drawn if none are given."""
     points, normals = torus(24, 12)
     write(folder / "torus.ply", points, normals)
     write(folder / "torus_mesh.ply", points, triangles=torus_faces(24, 12))
@@ -75,7 +76,7 @@ def put(array, rows, value):
     return array
 
 
-# What is done to the points, normals and triangles of a shape; None: not to this one.
+# The kinds of damage to the points, normals and triangles of a shape. None: does not apply to this shape.
 
 
 def without_numbers(random, points, normals, triangles):
@@ -191,7 +192,7 @@ def no_area(random, points, triangles):
 DAMAGES = [without_numbers, infinite, huge, noisy, repeated, tiny, far_away, flat, in_one_place, no_normals, inward,
            mixed_normals, zero_normals, long_normals, random_normals, turned_faces, inside_out, holes, no_such_vertex,
            no_area]  # fmt: skip
-OF_ALL = DAMAGES.index(in_one_place) + 1  # the rest is of points with normals, or of meshes
+OF_ALL = DAMAGES.index(in_one_place) + 1  # the rest apply only to points with normals, or to meshes
 
 
 def cut_off(path, folder):
@@ -202,7 +203,7 @@ def cut_off(path, folder):
 
 
 def cases(path, folder, clean, turn, turns):
-    """(what was done, file) of each; a damage is done once in so many turns, but to what few files can have."""
+    """Pairs of a damage and a file. Damage that applies to all shapes is done once in `turns` files, the rest always."""
     yield "as it is", path
     if clean:
         return
@@ -210,7 +211,7 @@ def cases(path, folder, clean, turn, turns):
     try:
         shape = shapes.read(path)
     except shapes.ShapeError:
-        return  # no shape that could be damaged: a text beside the models
+        return  # not a shape, such as a text beside the models
     for number, damage in enumerate(DAMAGES):
         if number < OF_ALL and number % turns != turn:
             continue
@@ -227,7 +228,7 @@ def has_ink(path):
 
 
 def draw(path, out, options):
-    """What came of it, and whether that keeps the rule."""
+    """The result in words, and True if it keeps the rule."""
     out.unlink(missing_ok=True)
     command = [sys.executable, "-m", "hrbfnpr", "draw", str(path), str(out), *DRAW, *options]
     try:

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Write the names of all functions that take a const handle as a list in C++: const_names.py HEADER"""
+"""Writes the names of all functions that take a const handle as a C++ list: const_names.py HEADER"""
 import sys
 from pathlib import Path
 
