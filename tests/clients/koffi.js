@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scene that reference.c makes step by step, through Node and koffi: koffi.js CDEF LIBRARY SAMPLES PICTURE.
-// Of the interface it knows the declarations in CDEF and nothing else.
+// Draws the scene of reference.c step by step with Node and koffi: koffi.js CDEF LIBRARY SAMPLES PICTURE.
+// It uses only the declarations in CDEF.
 "use strict";
 const assert = require("assert");
 const fs = require("fs");
@@ -9,12 +9,12 @@ const koffi = require("koffi");
 const [cdefPath, libraryPath, samplesPath, picturePath] = process.argv.slice(2);
 const WIDTH = 640, HEIGHT = 480;
 
-// What CDEF declares: koffi reads prototypes, but wants types to be declared one by one.
+// Declares everything in CDEF. koffi reads prototypes, but each type must be declared separately.
 function declared(text, library) {
     const C = {};
-    const filled = new Set(["uint32_t", "int64_t", "double"]); // types that are copied back: numbers and structs
+    const filled = new Set(["uint32_t", "int64_t", "double"]); // types that koffi must copy back: numbers and structs
 
-    // "double view[16]" -> ["view", "double [16]"]; a callback without a name of its own is not used here
+    // "double view[16]" -> ["view", "double [16]"]. Callbacks in structs are not used here.
     function field(declaration) {
         if (declaration.includes("(*")) return [declaration.match(/\(\*(\w+)\)/)[1], "void *"];
         const [, type, name, size = ""] = declaration.match(/^(.*\W)(\w+)(\[\d+\])?$/);
@@ -65,7 +65,7 @@ function check(status) {
     if (status !== C.HRBFNPR_STATUS_OK) throw new Error(failure.message);
 }
 
-// What a function whose last parameters are the new handle and the error makes.
+// Calls a function whose last parameters are the new handle and the error. Returns the handle.
 function made(construct, ...parameters) {
     const out = [null];
     check(construct(...parameters, out, failure));
@@ -83,7 +83,7 @@ function readSamples(path) {
         normals: array(new Float64Array(normals)) };
 }
 
-// A model fitted, while a callback watches the progress.
+// Fits a model while a callback watches the progress.
 function fitted(context, desc) {
     const operation = made(C.hrbfnpr_operation_create, context);
     let calls = 0, last = 0;

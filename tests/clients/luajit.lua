@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- The scene that reference.c makes step by step, through LuaJIT's FFI: luajit.lua CDEF LIBRARY SAMPLES PICTURE.
--- Of the interface it knows the declarations in CDEF and nothing else.
+-- Draws the scene of reference.c step by step with LuaJIT's FFI: luajit.lua CDEF LIBRARY SAMPLES PICTURE.
+-- It uses only the declarations in CDEF.
 local ffi = require "ffi"
 
 local cdef_path, library_path, samples_path, picture_path = ...
@@ -28,7 +28,7 @@ local function check(status)
   if status ~= C.HRBFNPR_STATUS_OK then error(ffi.string(failure.message), 2) end
 end
 
--- What `construct(..., out, failure)` makes, released when it is collected.
+-- Returns the handle that `construct(..., out, failure)` makes. The garbage collector releases it.
 local function made(type, release, construct, ...)
   local out = ffi.new(type .. "*[1]")
   local arguments = { n = select("#", ...), ... }
@@ -36,7 +36,7 @@ local function made(type, release, construct, ...)
   check(construct(unpack(arguments, 1, arguments.n + 2)))
   return ffi.gc(out[0], release)
 end
-jit.off(made) -- compiled code must not call what calls back
+jit.off(made) -- compiled code must not call functions that call back
 
 local function array(data, count, stride)
   return ffi.new("hrbfnpr_array", { data, count, stride, C.HRBFNPR_SCALAR_FLOAT64, 3 })
@@ -48,7 +48,7 @@ local function fit_desc(samples, count)
   return desc
 end
 
--- A model fitted, while a callback watches the progress.
+-- Fits a model while a callback watches the progress.
 local function fitted(context, desc)
   local operation = made("hrbfnpr_operation", C.hrbfnpr_operation_release, C.hrbfnpr_operation_create, context)
   local calls, last = 0, 0

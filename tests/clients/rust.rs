@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene that reference.c makes step by step, through the crate hrbfnpr-sys: rust SAMPLES PICTURE.
+// Draws the scene of reference.c step by step with the crate hrbfnpr-sys: rust SAMPLES PICTURE.
 use hrbfnpr_sys::*;
 use std::ffi::{c_void, CStr};
 use std::mem::{size_of, MaybeUninit};
@@ -8,7 +8,7 @@ use std::ptr::{null, null_mut};
 const WIDTH: usize = 640;
 const HEIGHT: usize = 480;
 
-/// A struct that its `_init` function has set up.
+/// A struct that its `_init` function has filled.
 fn new<T>(init: unsafe extern "C" fn(*mut T, u32) -> hrbfnpr_status) -> T {
     let mut made = MaybeUninit::uninit();
     unsafe {
@@ -17,7 +17,7 @@ fn new<T>(init: unsafe extern "C" fn(*mut T, u32) -> hrbfnpr_status) -> T {
     }
 }
 
-/// Calls with an error, and fails with its message.
+/// Makes a call that takes an error, and returns the error's message if it fails.
 fn check(call: impl FnOnce(*mut hrbfnpr_error) -> hrbfnpr_status) -> Result<(), String> {
     let mut error = new(hrbfnpr_error_init);
     if call(&mut error) == HRBFNPR_STATUS_OK {
@@ -27,13 +27,13 @@ fn check(call: impl FnOnce(*mut hrbfnpr_error) -> hrbfnpr_status) -> Result<(), 
     Err(message.to_str().expect("a message is UTF-8").to_owned())
 }
 
-/// What a call makes behind its out parameter.
+/// The handle that a call writes to its out parameter.
 fn made<T>(call: impl FnOnce(*mut *mut T, *mut hrbfnpr_error) -> hrbfnpr_status) -> Result<*mut T, String> {
     let mut handle = null_mut();
     check(|error| call(&mut handle, error)).map(|()| handle)
 }
 
-/// Numbers first, first + 6, ... of all, three at a time.
+/// The points (first = 0) or normals (first = 3) of samples, which have six numbers each.
 fn array(numbers: &[f64], first: usize) -> hrbfnpr_array {
     hrbfnpr_array {
         data: numbers[first..].as_ptr().cast(),

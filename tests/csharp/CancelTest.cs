@@ -9,7 +9,7 @@ namespace HrbfNpr.Tests
 {
     public class CancelTest
     {
-        private static readonly double[] Many = Shapes.Sphere(600); // a fit that takes long enough
+        private static readonly double[] Many = Shapes.Sphere(600); // their fit takes long enough to be cancelled
         private static readonly FitOptions Direct = new FitOptions { Solver = Solver.Direct };
 
         [Fact]
@@ -52,7 +52,7 @@ namespace HrbfNpr.Tests
                     Cancelled(() => renderer.Draw(new Item(marks), camera, cancellationToken: token));
                     Cancelled(() => renderer.Draw(new[] { new Item(marks) }, camera, null, token));
                     var reports = new Reports();
-                    renderer.Draw(new Item(marks), camera, reports).Dispose(); // it goes on
+                    renderer.Draw(new Item(marks), camera, reports).Dispose(); // the renderer still works
                     Assert.Equal(1.0, reports.Seen.Last());
                 }
             }
@@ -91,8 +91,8 @@ namespace HrbfNpr.Tests
             {
                 CancellationToken token = source.Token;
                 token.Register(cancelled.Set);
-                // The timer needs a thread of the pool.  While all are busy the pool adds one only after up to some
-                // seconds, and a fit that did not wait could be over by then.
+                // The timer needs a thread of the pool. When all are busy, the pool adds a thread only after up to some
+                // seconds. Without this wait the fit could end before that.
                 var reports = new Reports(at => cancelled.Wait());
                 Task<Model> task = Task.Run(
                     () => Model.Fit((ArrayView)Many, (ArrayView)Many, Direct, null, reports, token), token);

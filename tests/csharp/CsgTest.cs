@@ -64,7 +64,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void PrimitivesAreWhereTheyArePut()
+        public void PrimitivesHaveTheGivenPlaceAndSize()
         {
             Check(Csg.Box((1, 2, 3), (0.1, 0, 0)), i => Math.Max(
                 Math.Max(Math.Abs(Points[3 * i] - 0.1) - 0.5, Math.Abs(Points[3 * i + 1]) - 1),
@@ -83,7 +83,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void SolidsKeepWhatTheyAreMadeOf()
+        public void SolidsKeepTheirOperandsAlive()
         {
             Model both;
             using (Model fitted = Shapes.FitSphere())
@@ -106,7 +106,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void WhatMakesNoSenseIsRefused()
+        public void InvalidOperandsAreRefused()
         {
             using (Model a = Csg.Sphere(1))
             using (Model far = Csg.Sphere(1, (5, 0, 0)))

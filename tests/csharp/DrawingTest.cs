@@ -32,7 +32,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void StripsOfLinesAndTriangles()
+        public void StrokesAreWrittenAsLineAndTriangleStrips()
         {
             using (Drawing drawing = renderer.Draw(new Item(rings, Lines()), camera))
             {
@@ -75,9 +75,9 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ResultsForTheMarksOfASet()
+        public void MarkResultsTellWhichMarksAreShown()
         {
-            style.Visibility = Visibility.Published; // its marks draw contours
+            style.Visibility = Visibility.Published; // published visibility draws contours from marks
             using (Drawing drawing = renderer.Draw(new[] { new Item(marks, style), new Item(rings, style) }, camera))
             {
                 MarkLayer layer = rings.Layers[0];
@@ -106,7 +106,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AnIdStandsForAMark()
+        public void AnIdIdentifiesAMark()
         {
             double[] shift = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1 };
             var items = new List<Item> { new Item(marks, style), new Item(rings, style) { Transform = shift } };
@@ -172,7 +172,7 @@ namespace HrbfNpr.Tests
             return left.Where((value, index) => value != right[index]).Count();
         }
 
-        /// <summary>Six circles of latitude of the unit sphere, of forty marks each.</summary>
+        /// <summary>Six circles of latitude of the unit sphere, with forty marks each.</summary>
         private static OwnLayer Rings()
         {
             var points = new double[3 * 240];
@@ -186,7 +186,7 @@ namespace HrbfNpr.Tests
             return new OwnLayer(points, points, new uint[] { 0, 40, 80, 120, 160, 200, 240 }, "rings");
         }
 
-        /// <summary>The rings alone, as blue lines.</summary>
+        /// <summary>A style that draws only the rings, as blue lines.</summary>
         private static Style Lines()
         {
             var lines = new Style { Tone = Tone.None };

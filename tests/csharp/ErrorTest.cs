@@ -74,7 +74,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AMessageWithLettersBeyondAscii()
+        public void MessagesAreUtf8()
         {
             hrbfnpr_error error = Errors.New();
             byte[] letters = { 0x70, 0x68, 0xc3, 0xa9, 0xe2, 0x82, 0xac, 0 };
@@ -95,13 +95,13 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void DamagedData()
+        public void DamagedDataIsRefused()
         {
             byte[] data;
             using (Model model = Shapes.FitSphere())
             {
                 data = model.ToBytes();
-                Assert.Throws<CorruptDataException>(() => PointSet.Load(data)); // a model is no point set
+                Assert.Throws<CorruptDataException>(() => PointSet.Load(data)); // a model is not a point set
             }
             byte[] damaged = (byte[])data.Clone();
             damaged[data.Length / 2] ^= 1;
@@ -116,7 +116,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void StreamsThatFail()
+        public void StreamErrorsAreReported()
         {
             using (Model model = Shapes.FitSphere())
             {
@@ -134,7 +134,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void FunctionsThatThrow()
+        public void ExceptionsInFunctionsAreTheInnerException()
         {
             var own = new InvalidOperationException("my own");
             ImplicitFunction function = (points, value, gradient, hessian) => { throw own; };
@@ -185,7 +185,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AnAllocatorThatSaysNo()
+        public void AFailingAllocatorGivesOutOfMemory()
         {
             long left = long.MaxValue;
             Allocate allocate = (user, size, alignment) =>
@@ -217,7 +217,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void DisposedObjects()
+        public void DisposedObjectsThrow()
         {
             Model model = Shapes.FitSphere();
             PointSet marks = Shapes.Stipple(model, 20);

@@ -10,7 +10,7 @@ using Xunit;
 
 namespace HrbfNpr.Tests
 {
-    /// <summary>Structs and constants against the facts that tests/abi/snapshot.py measures.</summary>
+    /// <summary>Compares structs and constants with the facts that tests/abi/snapshot.py measures.</summary>
     public unsafe class LayoutTest
     {
         private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
@@ -75,7 +75,7 @@ namespace HrbfNpr.Tests
             foreach (string key in facts.Keys.Where(key => key.StartsWith("constant ")))
             {
                 string name = key.Substring(9);
-                // Flags are properties here, and checked by what they do.
+                // Flags are properties in C#. They are checked below.
                 bool elsewhere = name.Contains("VERSION_") || name.EndsWith("ABI_VERSION")
                     || name.StartsWith("HRBFNPR_CUSTOM_") || name.StartsWith("HRBFNPR_LAYER_WITH_")
                     || name.StartsWith("HRBFNPR_LINE_SET_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
@@ -124,7 +124,7 @@ namespace HrbfNpr.Tests
                 hrbfnpr_picture_page_desc page, wantedPage;
                 NativeMethods.hrbfnpr_picture_page_desc_init(&wantedPage, (uint)sizeof(hrbfnpr_picture_page_desc));
                 new PicturePageOptions().Write(&page, null, pins);
-                page.page = IntPtr.Zero; // its own defaults
+                page.page = IntPtr.Zero; // the page has its own defaults
                 Same(&wantedPage, &page, sizeof(hrbfnpr_picture_page_desc));
                 hrbfnpr_dab dab, wantedDab;
                 NativeMethods.hrbfnpr_dab_init(&wantedDab, (uint)sizeof(hrbfnpr_dab));
@@ -146,7 +146,7 @@ namespace HrbfNpr.Tests
             faults.AddRange(Unseen(typeof(hrbfnpr_generate_desc), typeof(GenerateOptions), "layer_count", "layer_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_arrays), typeof(OwnLayer)));
             faults.AddRange(Unseen(typeof(hrbfnpr_layer_style), typeof(LayerStyle)));
-            faults.AddRange(Unseen(typeof(hrbfnpr_line_desc), typeof(LineOptions), "position")); // Positions
+            faults.AddRange(Unseen(typeof(hrbfnpr_line_desc), typeof(LineOptions), "position")); // the property is Positions
             faults.AddRange(Unseen(typeof(hrbfnpr_line_set_desc), typeof(LineSetOptions),
                 "flags", "line_count", "line_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_line_style), typeof(LineStyle)));
@@ -174,7 +174,7 @@ namespace HrbfNpr.Tests
             Assert.Empty(faults);
         }
 
-        /// <summary>Flags, and what the properties for them write.</summary>
+        /// <summary>The flags of pictures, and the values that their properties write.</summary>
         private static Tuple<string, uint>[] FlagsOfPictures
         {
             get
@@ -231,7 +231,7 @@ namespace HrbfNpr.Tests
             }
         }
 
-        /// <summary>The same bits, but for the sign of what is no number.</summary>
+        /// <summary>Compares all bits. NaNs may differ in their sign.</summary>
         private static void Same(void* expected, void* actual, int size)
         {
             Assert.Equal(0, size % 8);
@@ -244,13 +244,13 @@ namespace HrbfNpr.Tests
             }
         }
 
-        /// <summary>Fields of a descriptor that a program cannot set through the class that stands for it.</summary>
+        /// <summary>The fields of a descriptor that its class has no property for.</summary>
         private static IEnumerable<string> Unseen(Type native, Type shown, params string[] otherwise)
         {
             var properties = new HashSet<string>(shown.GetProperties().Select(property => Plain(property.Name)));
             foreach (FieldInfo field in native.GetFields(Fields))
             {
-                bool array = char.IsDigit(field.Name[field.Name.Length - 1]); // each has a name here
+                bool array = char.IsDigit(field.Name[field.Name.Length - 1]); // its elements have separate names in C#
                 bool plain = field.Name == "struct_size" || field.Name.StartsWith("reserved");
                 if (!array && !plain && !otherwise.Contains(field.Name) && !properties.Contains(Plain(field.Name)))
                 {

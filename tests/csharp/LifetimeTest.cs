@@ -20,7 +20,7 @@ namespace HrbfNpr.Tests
         private static readonly Style Contours = Style.Preset(Preset.Silhouette);
 
         [Fact]
-        public void AThousandCyclesLeaveNothingBehind()
+        public void AThousandCyclesLeakNothing()
         {
             using (var context = new Context(new ContextOptions { ThreadCount = 1 }))
             {
@@ -28,7 +28,7 @@ namespace HrbfNpr.Tests
                 {
                     Cycle(context);
                 }
-                long idle = context.Info.BytesNow; // what reading drawings takes, kept for the next ones
+                long idle = context.Info.BytesNow; // includes memory that is kept for the next drawings
                 long before = ResidentBytes();
                 for (int i = 0; i < 1000; ++i)
                 {
@@ -50,13 +50,13 @@ namespace HrbfNpr.Tests
                 long lost = context.Info.BytesNow;
                 Assert.True(lost > idle);
                 Collect();
-                // A conservative collector may see some of them on a stack.
+                // A conservative collector may still find some objects on a stack.
                 Assert.True(context.Info.BytesNow - idle <= (lost - idle) / 10, "finalisers did not run");
             }
         }
 
         [Fact]
-        public void ContextsThatNobodyDisposesOf()
+        public void ContextsMayBeLeftUndisposed()
         {
             int before = 0;
             RunAndForget(() =>
@@ -72,7 +72,7 @@ namespace HrbfNpr.Tests
                     Model model = Shapes.FitSphere(context);
                     if (i % 2 == 0)
                     {
-                        context.Dispose(); // what was made with it goes on
+                        context.Dispose(); // its objects still work
                     }
                     PointSet marks = i % 2 == 0 ? null : Shapes.Stipple(model, 50, context);
                     model.Evaluate(Shapes.Sphere6, progress: new Reports());
@@ -102,7 +102,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void TheFunctionOfAModelIsLetGo()
+        public void AModelReleasesItsFunction()
         {
             var functions = new List<WeakReference>();
             RunAndForget(() =>
@@ -168,7 +168,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ARunnerThatForgetsTasksIsMadeGood()
+        public void ARunnerThatSkipsTasksGivesTheSameResults()
         {
             var options = new ContextOptions { ThreadCount = 4, RunTasks = (task, count) => task(count - 1) };
             using (var context = new Context(options))
@@ -181,7 +181,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void LogsAreUtf8AndMayThrow()
+        public void LogsMayThrow()
         {
             var lines = new List<string>();
             var options = new ContextOptions
@@ -218,7 +218,7 @@ namespace HrbfNpr.Tests
                         Assert.True(mine.Info.BytesNow > 0);
                     }
                 }
-                Assert.True(Context.Default.Info.ThreadCount > 0); // a disposed one is replaced
+                Assert.True(Context.Default.Info.ThreadCount > 0); // a disposed context is replaced
             }
             finally
             {
@@ -278,7 +278,7 @@ namespace HrbfNpr.Tests
             }
         }
 
-        /// <summary>On a thread of its own, whose stack nobody scans afterwards.</summary>
+        /// <summary>Runs an action on a new thread, whose stack the collector does not scan afterwards.</summary>
         private static void RunAndForget(Action action)
         {
             Exception thrown = null;

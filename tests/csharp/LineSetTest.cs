@@ -32,7 +32,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ALineSetSaysWhatItIs()
+        public void ALineSetReportsItsProperties()
         {
             LineSetInfo info = lines.Info;
             Assert.True(info.Triangles > 100 && info.CellSize > 0 && info.Seconds > 0 && info.Bytes > 0);
@@ -76,7 +76,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ContoursAreStrokesOfALayerOfTheirOwn()
+        public void ContoursAreASeparateLayerOfStrokes()
         {
             using (Drawing drawing = renderer.Draw(With(silhouette), camera))
             {
@@ -104,7 +104,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void LinesThatAreFoundOnce()
+        public void SectionsAndOwnLinesAreFoundOnce()
         {
             float[] path = { 0, 0, 1, 0.2f, 0, 1, 0.4f, 0, 0.95f, 0, 0.5f, 0.85f, 0.1f, 0.5f, 0.85f };
             var options = new LineSetOptions
@@ -140,7 +140,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void LinesThatNeedCurvatures()
+        public void SomeLinesNeedCurvatures()
         {
             var style = new Style { LightSpace = LightSpace.Camera, Light = (0, 0, 1) };
             style.Lines.Add(new LineStyle(LineKind.SuggestiveContour));
@@ -156,7 +156,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void DefaultsAreThoseOfTheLibrary()
+        public void DefaultsMatchTheLibrary()
         {
             var style = new LineStyle();
             Assert.Equal(0, new Style().Lines.Count);
@@ -204,7 +204,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void DisposalInAnyOrder()
+        public void ObjectsMayBeDisposedInAnyOrder()
         {
             var context = new Context();
             Model ball = Shapes.FitSphere(context);

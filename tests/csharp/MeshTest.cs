@@ -8,7 +8,7 @@ namespace HrbfNpr.Tests
 {
     public unsafe class MeshTest
     {
-        // Rings of quadrilaterals, cut in two: a torus with radii 1 and 0.4.
+        // A torus with radii 1 and 0.4, made of quadrilaterals cut into triangles.
         private static double[] Torus(int around, int along, out int[] triangles)
         {
             var vertices = new double[3 * around * along];
@@ -32,7 +32,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void SharpEdgesOfABoxPartItsFaces()
+        public void SharpEdgesDivideTheFacesOfABox()
         {
             double[] corners = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1 };
             int[] triangles =
@@ -53,7 +53,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AMeshSaysWhatItIs()
+        public void AMeshReportsItsProperties()
         {
             double[] vertices = Torus(40, 20, out int[] triangles);
             using (var mesh = new TriangleMesh(vertices, triangles))

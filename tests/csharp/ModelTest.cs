@@ -11,7 +11,7 @@ namespace HrbfNpr.Tests
         private static readonly double[] Points = Shapes.Sphere(60);
 
         [Fact]
-        public void TheLibraryIsTheOneThatThisAssemblyNeeds()
+        public void TheLibraryHasTheVersionThatTheAssemblyNeeds()
         {
             Assert.Equal((int)NativeMethods.AbiVersion, Library.AbiVersion);
             string[] parts = Library.Version.Split('.');
@@ -45,7 +45,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ImagesOfDepthCamerasAreSmoothed()
+        public void DepthImagesAreSmoothed()
         {
             var seen = new double[3 * 32 * 24];
             for (int i = 0; i < 32 * 24; ++i)
@@ -123,7 +123,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ResultsGoToTheCallersMemory()
+        public void ResultsAreWrittenToTheCallersMemory()
         {
             using (Model model = Shapes.FitSphere())
             {
@@ -191,7 +191,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ASphereBendsEverywhere()
+        public void ASphereIsCurvedEverywhere()
         {
             double[] points = Shapes.Sphere(200);
             using (Model model = Model.Fit((ArrayView)points, (ArrayView)points))
@@ -234,7 +234,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AFunctionTakesThePlaceOfAFit()
+        public void AModelCanBeAFunction()
         {
             int calls = 0;
             ImplicitFunction function = (points, value, gradient, hessian) =>

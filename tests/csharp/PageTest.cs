@@ -47,7 +47,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void PensAndAnnotations()
+        public void PensAndAnnotationsAreWritten()
         {
             var options = new PageOptions
             {
@@ -70,12 +70,12 @@ namespace HrbfNpr.Tests
             Assert.Contains("inkscape:label=\"labels\"", svg);
             Assert.Contains("Größe &lt;1&gt;", svg);
             options.Pens[0].LineType = LineType.Continuous;
-            Assert.True(dashed > drawing.Save(new MemoryStream(), options).Paths); // dashes are paths of their own
+            Assert.True(dashed > drawing.Save(new MemoryStream(), options).Paths); // each dash is a path
             Assert.True(Text(new PageOptions()).IndexOf("#ff0000", StringComparison.Ordinal) < 0);
         }
 
         [Fact]
-        public void SeveralDrawingsAndNone()
+        public void APageHoldsAnyNumberOfDrawings()
         {
             var stream = new MemoryStream();
             PageInfo info = Page.Write(stream, new[]

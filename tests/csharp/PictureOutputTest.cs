@@ -7,7 +7,7 @@ using Xunit;
 
 namespace HrbfNpr.Tests
 {
-    /// <summary>Pictures as vectors, on paper, beside a scale, and as sheets of views.</summary>
+    /// <summary>Pictures as vector files, on paper, with a scale bar, and as sheets of views.</summary>
     public class PictureOutputTest : IDisposable
     {
         private readonly Picture picture;
@@ -25,7 +25,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void VectorsInEveryFormat()
+        public void PicturesAreWrittenInEveryVectorFormat()
         {
             var stream = new MemoryStream();
             PageInfo info = picture.WriteSvg(stream);
@@ -59,11 +59,11 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void PaperAndPensAtHand()
+        public void PaperAndAvailablePensAreUsed()
         {
             var options = new PicturePageOptions { Paper = "a5", PenWidths = new[] { 0.25, 0.5 } };
             PageInfo info = picture.Write(new MemoryStream(), options);
-            Assert.Equal(210.0, info.Width, 1e-9); // lying
+            Assert.Equal(210.0, info.Width, 1e-9); // landscape
             Assert.Equal(148.0, info.Height, 1e-9);
             Assert.Contains("pen", picture.Notes.Single(one => one.Code == NoteCode.Pens).Text);
             options.Page.Format = PageFormat.Gcode;
@@ -77,7 +77,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void OneDrawingAmongOthers()
+        public void AnotherDrawingOfThePictureIsWritten()
         {
             using (Drawing other = picture.Draw(picture.Look(80, 40)))
             {
@@ -112,14 +112,14 @@ namespace HrbfNpr.Tests
                 var larger = new byte[4 * (width + 1) * (height + 1)];
                 plate.Rasterize(larger, width + 1, height + 1);
                 Assert.Equal(rgba.Take(4 * width).ToArray(), larger.Take(4 * width).ToArray());
-                Assert.Equal(0, larger.Skip(4 * width).Take(4).Sum(value => value)); // not touched
+                Assert.Equal(0, larger.Skip(4 * width).Take(4).Sum(value => value)); // left unchanged
                 Assert.Contains("cm", Text(plate, null));
                 Assert.Throws<InvalidArgumentException>(() => plate.Rasterize(new byte[4 * 120 * 90], 120, 90));
             }
         }
 
         [Fact]
-        public unsafe void ImagesInNativeMemory()
+        public unsafe void ImagesAreWrittenToNativeMemory()
         {
             byte[] expected = picture.Rasterize();
             int row = 120 * 4;
@@ -136,7 +136,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ASheetOfViews()
+        public void ASheetOfViewsIsWritten()
         {
             var stream = new MemoryStream();
             ViewsInfo info = picture.WriteViews(stream, new ViewsOptions
@@ -174,7 +174,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void StreamsThatFail()
+        public void StreamErrorsAreReported()
         {
             StreamException failed = Assert.Throws<StreamException>(() => picture.WriteSvg(new Full()));
             Assert.IsType<NotSupportedException>(failed.InnerException);

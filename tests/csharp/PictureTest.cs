@@ -48,7 +48,7 @@ namespace HrbfNpr.Tests
             Assert.Equal(1, info.BoundsMax.Z, 0.05);
         }
 
-        /// <summary>What the parts give when they are used one by one, byte for byte.</summary>
+        /// <summary>The separate calls give the same picture, byte for byte.</summary>
         [Fact]
         public void TheCallsStepByStepDrawTheSamePicture()
         {
@@ -97,7 +97,7 @@ namespace HrbfNpr.Tests
                 {
                     far = Picture.Create(new PictureSource[] { model, ball }, stippled);
                 }
-                using (far) // it keeps its models
+                using (far) // the picture keeps its models
                 {
                     Assert.Equal(2L, far.Info.Parts);
                     Assert.Equal(3.5, far.Info.BoundsMax.Z, 0.01);
@@ -139,7 +139,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ASourceCanBeLookedAt()
+        public void ASourceIsInspected()
         {
             SourceInfo info = PictureSource.FromPoints(points, normals).Inspect(out IReadOnlyList<Note> notes);
             Assert.Equal(SourceKind.Points, info.Kind);
@@ -160,7 +160,7 @@ namespace HrbfNpr.Tests
             Assert.Equal(6.0, info.Area, 1e-12);
             Assert.Equal(new Vector3d(0, 0, 1), info.Up);
             Assert.Contains("STL files", info.UpReason);
-            Array.Resize(ref triangles, 33); // a face is missing
+            Array.Resize(ref triangles, 33); // removes a face
             info = PictureSource.FromMesh(vertices, triangles).Inspect(out notes);
             Assert.Equal(3L, info.BoundaryEdges);
             Note open = notes.Single(one => one.Code == NoteCode.MeshOpen);
@@ -203,13 +203,13 @@ namespace HrbfNpr.Tests
                 Assert.Equal(0.0, begins.Fraction);
                 Assert.Null(begins.Says);
                 int before = happened.Count;
-                made.Draw(made.Orbit(30)).Dispose(); // later calls are told of, too
+                made.Draw(made.Orbit(30)).Dispose(); // events are reported for later calls, too
                 Assert.True(happened.Skip(before).All(one => one.Stage == Stage.Frame) && happened.Count > before);
             }
         }
 
         [Fact]
-        public void ChangesAndOwnStyles()
+        public void ChangesAndOwnStylesAreApplied()
         {
             byte[] plain = picture.Rasterize();
             PictureOptions options = Small();
@@ -226,7 +226,7 @@ namespace HrbfNpr.Tests
                 () => Picture.Create(PictureSource.FromPoints(points, normals), options)).Message);
             options.Changes.Clear();
             options.Preset = Preset.Etching;
-            options.StyleName = "contour-and-stipple"; // wins
+            options.StyleName = "contour-and-stipple"; // StyleName overrides Preset
             using (Picture named = Picture.Draw(PictureSource.FromPoints(points, normals), options))
             {
                 Assert.Equal(plain, named.Rasterize());
@@ -240,7 +240,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ToneFunctionsAndPaint()
+        public void ToneFunctionsAndPaintAreApplied()
         {
             PictureOptions options = Small(Preset.Stipple);
             options.Style = Style.Preset(Preset.Stipple);
@@ -249,7 +249,7 @@ namespace HrbfNpr.Tests
             {
                 for (int i = 0; i < tau.Length; ++i)
                 {
-                    tau[i] = positions[3 * i] > 0 ? 1 : 0; // light at the right of the model
+                    tau[i] = positions[3 * i] > 0 ? 1 : 0; // light on the right side of the model
                 }
             };
             PictureSource source = PictureSource.FromPoints(points, normals);
@@ -302,7 +302,7 @@ namespace HrbfNpr.Tests
             options.Azimuth = 70;
             Picture second = first.Restyle(options);
             Picture third = second.Restyle(Small());
-            first.Dispose(); // what it made lives on
+            first.Dispose(); // the objects that it made stay valid
             using (third)
             {
                 using (second)
@@ -311,14 +311,14 @@ namespace HrbfNpr.Tests
                     Assert.False(second.Stages.Any(one => one.Stage == Stage.Fit));
                     Assert.Equal(Draw(PictureSource.FromPoints(points, normals), options), second.Rasterize());
                 }
-                Assert.Equal(0, third.Stages.Count(one => one.Stage == Stage.Marks)); // those of the first
+                Assert.Equal(0, third.Stages.Count(one => one.Stage == Stage.Marks)); // the marks of the first picture are used
                 Assert.Equal(picture.Rasterize(), third.Rasterize());
             }
             Assert.Throws<ObjectDisposedException>(() => first.Restyle());
         }
 
         [Fact]
-        public void CamerasFromAllSides()
+        public void CamerasLookFromAllSides()
         {
             Camera camera = picture.Camera;
             Assert.Equal(camera.View, picture.Orbit(0).View);
@@ -418,12 +418,12 @@ namespace HrbfNpr.Tests
                 }
             }
             byte[] expected = picture.Rasterize();
-            picture.Draw().Dispose(); // it goes on
+            picture.Draw().Dispose(); // the picture still works
             Assert.Equal(expected, picture.Rasterize());
         }
 
         [Fact]
-        public void WhatTheProgramsFunctionsThrowComesOut()
+        public void ExceptionsInCallbacksAreTheInnerException()
         {
             var own = new InvalidOperationException("my own");
             PictureSource source = PictureSource.FromPoints(points, normals);
@@ -453,7 +453,7 @@ namespace HrbfNpr.Tests
                 {
                     return;
                 }
-                Assert.True(other.Info.Marks > 0); // reading is allowed
+                Assert.True(other.Info.Marks > 0); // a callback may read the picture
                 if (throws)
                 {
                     other.Draw();
@@ -487,7 +487,7 @@ namespace HrbfNpr.Tests
                 {
                     again = new PictureOptions { Settings = settings };
                     Assert.Equal(expected, Draw(PictureSource.FromPoints(points, normals), again));
-                    again.Preset = Preset.Silhouette; // what is given wins
+                    again.Preset = Preset.Silhouette; // options override settings
                     using (Picture other = Picture.Create(PictureSource.FromPoints(points, normals), again))
                     {
                         Assert.Equal(Preset.Silhouette, other.Info.Preset);
@@ -516,7 +516,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void APictureOutlivesWhatItIsMadeOf()
+        public void APictureOutlivesItsSources()
         {
             var context = new Context(new ContextOptions { ThreadCount = 2, Log = (level, message) => { } });
             var others = new Context(new ContextOptions
@@ -582,7 +582,7 @@ namespace HrbfNpr.Tests
             }
         }
 
-        /// <summary>Pixels that are darker than the paper.</summary>
+        /// <summary>The number of pixels that are darker than the paper.</summary>
         private static int Dark(byte[] rgba)
         {
             int dark = 0;

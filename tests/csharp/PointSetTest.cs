@@ -126,7 +126,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AFieldOfOnesOwn()
+        public void HatchingFollowsADirectionFunction()
         {
             using (Model model = Shapes.FitSphere())
             {
@@ -160,7 +160,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ADensityOfOnesOwn()
+        public void MarksFollowADensityFunction()
         {
             using (Model model = Shapes.FitSphere())
             {
@@ -182,7 +182,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void MarksFromArrays()
+        public void MarksAreMadeFromArrays()
         {
             double[] points = Shapes.Sphere(30);
             var own = new OwnLayer(points, Shapes.ToFloats(points))
@@ -204,7 +204,7 @@ namespace HrbfNpr.Tests
                 Assert.True(layer.ToArray<float>(MarkAttribute.Width).All(width => width == 0.5f));
                 Assert.True(layer.ToArray<byte>(MarkAttribute.Level).All(level => level == 3));
                 uint[] stroke = layer.ToArray<uint>(MarkAttribute.Stroke);
-                Assert.Equal(3u, stroke[58]); // 2 * number + direction
+                Assert.Equal(3u, stroke[58]); // 2 * stroke + direction
                 Assert.Equal(19u, stroke[59]);
                 Assert.Equal(new uint[] { 0, 10, 30 }, layer.ToArray<uint>(MarkAttribute.StrokeFirst));
             }
@@ -240,7 +240,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void StepPatches()
+        public void StepPatchesHaveTheStepsSize()
         {
             using (Model model = Shapes.FitSphere())
             {
@@ -265,7 +265,7 @@ namespace HrbfNpr.Tests
                 byte[] first = model.ToBytes(), second = marks.ToBytes();
                 Assert.Equal(first.Concat(second).ToArray(), file.ToArray());
                 file.Position = 0;
-                using (Model again = Model.Load(file)) // one after the other from one stream
+                using (Model again = Model.Load(file)) // both from one stream
                 using (PointSet marksAgain = PointSet.Load(file))
                 {
                     Assert.Equal(first, again.ToBytes());

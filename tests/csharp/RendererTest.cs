@@ -46,7 +46,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ArraysNativeMemoryAndRowsFromTheBottom()
+        public void ImagesGoToArraysNativeMemoryAndBottomUpRows()
         {
             using (Drawing drawing = renderer.Draw(new Item(marks, style), camera))
             {
@@ -82,7 +82,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void FormatsAndOutputs()
+        public void FormatsAndOutputsAreWritten()
         {
             style.Ink = Color.Parse("#ff0000");
             using (Drawing drawing = renderer.Draw(new Item(marks, style), camera))
@@ -103,7 +103,7 @@ namespace HrbfNpr.Tests
                 Assert.Equal(0u, id[0]);
                 Assert.True(id.All(number => number <= marks.Count) && id.Any(number => number > 0));
                 Assert.True(kind.Contains((byte)MarkClass.Front) && !kind.Contains((byte)MarkClass.Silhouette));
-                var wall = new float[4096]; // nearer than everything
+                var wall = new float[4096]; // in front of everything
                 var hidden = new byte[rgba.Length];
                 drawing.Rasterize(hidden, 64, 64, options: new RasterOptions { HostDepth = wall });
                 Assert.True(hidden.All(value => value == 255));
@@ -121,7 +121,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void FloatsAndCoverage()
+        public void FloatsAndCoverageAreWritten()
         {
             style.Ink = Color.Parse("#ff0000");
             using (Drawing drawing = renderer.Draw(new Item(marks, style), camera))
@@ -134,7 +134,7 @@ namespace HrbfNpr.Tests
                 {
                     Assert.Equal(rgba[i], 255 * floats[i], 0.51);
                 }
-                // On white paper, red ink takes what it covers from green.
+                // On white paper, the coverage of red ink is missing from green.
                 for (int i = 0; i < 4096; ++i)
                 {
                     Assert.Equal(255 - rgba[4 * i + 1], coverage[i], 1.0);
@@ -149,7 +149,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void OverAPictureOnTransparentPaper()
+        public void APictureIsDrawnOverAnother()
         {
             style.Paper = new Color(1, 1, 1, 0);
             byte[] pixels = Enumerable.Repeat((byte)200, 64 * 64 * 4).ToArray();
@@ -163,7 +163,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void VerticesAsPoints()
+        public void DotsAreWrittenAsVertices()
         {
             var layout = new VertexLayout().Add(VertexAttribute.Position).Add(VertexAttribute.Radius)
                 .Add(VertexAttribute.Color).Add(VertexAttribute.IsPaper).Add(VertexAttribute.Id);
@@ -173,7 +173,7 @@ namespace HrbfNpr.Tests
                 Vertices vertices = drawing.Vertices(layout);
                 Assert.Equal(vertices.Count * layout.Stride, (long)vertices.Data.Length);
                 Assert.InRange(vertices.Count, 1, drawing.VertexBound().Vertices);
-                Assert.Equal(drawing.Info.Dots, vertices.Count); // all of ink
+                Assert.Equal(drawing.Info.Dots, vertices.Count); // every vertex is a dot of ink
                 Assert.Equal((uint)vertices.Count - 1, vertices.Indices[vertices.Count - 1]);
                 byte[] data = vertices.Data;
                 float x = BitConverter.ToSingle(data, 0), y = BitConverter.ToSingle(data, 4);
@@ -197,7 +197,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ItemsTransformsAndModels()
+        public void ItemsHaveTransformsAndModels()
         {
             double[] shift = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 100, 0, 0, 1 };
             DrawingInfo info = Shapes.Count(
@@ -218,7 +218,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ToneOfOnesOwn()
+        public void AToneFunctionIsCalled()
         {
             var seen = 0;
             style.Tone = Tone.Callback;
@@ -251,7 +251,7 @@ namespace HrbfNpr.Tests
             }
             Assert.Equal(names.Count, names.Distinct().Count());
             Assert.True(names.Contains("cross-hatch"));
-            Assert.Null(Style.PresetName((Preset)names.Count)); // the enumeration has all that the library has
+            Assert.Null(Style.PresetName((Preset)names.Count)); // the enumeration has all presets of the library
             Assert.Null(Style.PresetName((Preset)99));
             Assert.Throws<InvalidArgumentException>(() => Style.Preset((Preset)99));
 
@@ -297,9 +297,9 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void TheSamePictureAsFromC()
+        public void ThePictureEqualsThatOfTheCProgram()
         {
-            // tests/scenes/draw_scene sphere-stipple
+            // The scene sphere-stipple of tests/scenes/draw_scene.
             using (PointSet scene = model.Generate(GenerateOptions.ForPreset(Preset.Stipple, 6000)))
             {
                 Camera view = Shapes.Look(scene, 160);
@@ -310,19 +310,19 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void TheQuickStartDrawsThePictureOfTheOneInC()
+        public void TheQuickStartsInCSharpAndCDrawTheSamePicture()
         {
             string expected = Environment.GetEnvironmentVariable("HRBFNPR_QUICKSTART");
             if (string.IsNullOrEmpty(expected))
             {
-                return; // a build without examples
+                return; // this build has no examples
             }
             File.Delete("torus.ppm");
             File.Delete("torus.svg");
             Quickstart.Main();
             Assert.Equal(800L * 600 * 3 + 15, new FileInfo("torus.ppm").Length);
-            // The sines of the samples may differ in their last bit from those of C's library, and a few ends of lines
-            // with them.
+            // The sines of the samples may differ from those of the C library in their last bit. Then a few ends of
+            // lines differ, too.
             double[][] wanted = Begins(File.ReadAllText(expected)), drawn = Begins(File.ReadAllText("torus.svg"));
             int alike = drawn.Count(at => wanted.Any(
                 other => Math.Abs(at[0] - other[0]) + Math.Abs(at[1] - other[1]) < 0.05));
@@ -330,7 +330,7 @@ namespace HrbfNpr.Tests
             Assert.InRange(alike, (int)(0.98 * drawn.Length), drawn.Length);
         }
 
-        /// <summary>Where the lines of an SVG begin, mm.</summary>
+        /// <summary>The starts of the lines of an SVG, in mm.</summary>
         private static double[][] Begins(string svg)
         {
             return Regex.Matches(svg, @"M(-?[\d.]+) (-?[\d.]+)").Cast<Match>().Select(match => new[]

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 
 namespace HrbfNpr.Tests
 {
-    /// <summary>Samples whose surfaces are known.</summary>
+    /// <summary>Shapes that several tests use.</summary>
     internal static class Shapes
     {
         internal static readonly double[] Sphere6 =
@@ -12,7 +12,7 @@ namespace HrbfNpr.Tests
             1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1,
         };
 
-        /// <summary>Points evenly on the unit sphere, which are their own normals.</summary>
+        /// <summary>Even points on the unit sphere, which are their own normals.</summary>
         internal static double[] Sphere(int count)
         {
             var result = new double[3 * count];
@@ -92,7 +92,7 @@ namespace HrbfNpr.Tests
         }
     }
 
-    /// <summary>Keeps what is reported, and calls a function.</summary>
+    /// <summary>Records progress reports, and calls a function for each.</summary>
     internal sealed class Reports : IProgress<double>
     {
         internal readonly List<double> Seen = new List<double>();

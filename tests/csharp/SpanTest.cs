@@ -6,11 +6,11 @@ using Xunit;
 
 namespace HrbfNpr.Tests
 {
-    /// <summary>What only newer .NET has.</summary>
+    /// <summary>Overloads that only newer .NET has.</summary>
     public class SpanTest
     {
         [Fact]
-        public void SpansInAndOut()
+        public void SpansAreReadAndWritten()
         {
             double[] points = Shapes.Sphere(60);
             using Model model = Model.Fit(points.AsSpan(), points.AsSpan());
@@ -30,7 +30,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void DrawingIntoSpans()
+        public void DrawingsAreWrittenToSpans()
         {
             using Model model = Shapes.FitSphere();
             using PointSet marks = Shapes.Stipple(model, 500);
@@ -71,7 +71,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ALoopThatDrawsAllocatesNearlyNothing()
+        public void ADrawingLoopHardlyAllocates()
         {
             using Model model = Shapes.FitSphere();
             using PointSet marks = Shapes.Stipple(model, 500);
@@ -96,7 +96,7 @@ namespace HrbfNpr.Tests
             long now = context.Info.BytesNow;
             Draw(200);
             managed = GC.GetAllocatedBytesForCurrentThread() - managed;
-            // A drawing and its handle.
+            // A drawing and its handle are allocated each time.
             Assert.True(managed / 200 <= 160, $"{managed / 200} bytes each time");
             Assert.Equal(native, context.Info.BytesPeak);
             Assert.Equal(now, context.Info.BytesNow);
@@ -110,7 +110,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ViewsAsSpans()
+        public void ViewsCanBeReadAsSpans()
         {
             using Model model = Shapes.FitSphere();
             using PointSet marks = Shapes.Stipple(model, 100);
@@ -125,7 +125,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void PicturesOfSpans()
+        public void PicturesTakeSpans()
         {
             double[] points = Shapes.Sphere(60), padded = points.Concat(new double[3]).ToArray();
             var options = new PictureOptions { Preset = Preset.ContourAndStipple, Width = 64, Height = 48 };
@@ -150,7 +150,7 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void AFunctionInPlace()
+        public void ASpanFunctionIsEvaluatedInPlace()
         {
             ImplicitSpanFunction ball = (points, value, gradient, hessian) =>
             {

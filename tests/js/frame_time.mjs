@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Frame time of the page's first picture while it turns: frame_time.mjs ADDRESS CHROMIUM
+// Measures the frame time of the page's first picture while it turns: frame_time.mjs ADDRESS CHROMIUM
 import { opened, picture, settled, started, told, whole } from "./page_tools.mjs";
 
 const [address, chromium] = process.argv.slice(2);

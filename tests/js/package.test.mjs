@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The package as it was installed from its tarball.
+// Tests the package as npm installs it from its tarball.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import test from "node:test";
@@ -9,7 +9,7 @@ const { HrbfnprError, KERNEL, STATUS, load } = hrbfnpr;
 const library = await load();
 const context = library.createContext({ threadCount: 1 });
 
-/** Samples of a sphere of radius 1. */
+/** Samples of the unit sphere. */
 function sphere(count) {
   const points = new Float64Array(3 * count);
   for (let i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ test("every preset draws", () => {
     assert.deepEqual([width, height, data.length], [160, 120, 4 * 160 * 120]);
     const darkest = Math.min(...data.filter((_, at) => at % 4 === 0));
     const lightest = Math.max(...data.filter((_, at) => at % 4 === 0));
-    assert.ok(preset === "blueprint" || lightest - darkest > 100, preset); // which draws lines only
+    assert.ok(preset === "blueprint" || lightest - darkest > 100, preset); // which draws only lines
     for (const handle of [drawing, set]) handle.free();
   }
 });
@@ -128,7 +128,7 @@ test("meshes, solids and formulas", () => {
   assert.deepEqual([...solid.contains([[0, 0, 0], [0.9, 0.9, 0.9]])], [0, 1]);
 });
 
-test("a formula in JavaScript, released with the last that needs it", () => {
+test("a formula in JavaScript is released with its last user", () => {
   let released = 0;
   const formula = context.createCustom({
     function(at, { value, gradient }) {
@@ -148,7 +148,7 @@ test("a formula in JavaScript, released with the last that needs it", () => {
   assert.throws(() => formula.info(), /this model has been freed/);
 });
 
-test("what callbacks throw comes out of the call", () => {
+test("exceptions in callbacks come out of the call", () => {
   const wrong = context.createCustom({ function() { throw new RangeError("no such place"); },
                                        boundsMin: [-1, -1, -1], boundsMax: [1, 1, 1] });
   assert.throws(() => wrong.evaluate([0, 0, 0]), new RangeError("no such place"));
@@ -160,7 +160,7 @@ test("what callbacks throw comes out of the call", () => {
   assert.throws(() => context.createCustom({ flags: hrbfnpr.CUSTOM.THREAD_SAFE, function() {} }), /THREAD_SAFE/);
 });
 
-test("long calls tell their progress, and are cancelled", () => {
+test("long calls report progress and can be cancelled", () => {
   const told = [];
   ball.generate({ layers: [{ budget: 20000 }] }, { onProgress: (progress) => void told.push(progress) });
   assert.ok(told.length > 2 && told.at(-1) <= 1 && told.every((one, at) => at === 0 || one >= told[at - 1]));
@@ -175,7 +175,7 @@ test("long calls tell their progress, and are cancelled", () => {
   fails(() => renderer.draw({ pointSet: marks }, camera, { onProgress: () => false }), "CANCELLED", /./);
 });
 
-test("what is wrong is named", () => {
+test("errors name the argument", () => {
   fails(() => context.fit({ points, normals: points.slice(3) }), "INVALID_ARGUMENT", /normals/);
   fails(() => context.fit({ points: [NaN, 0, 0], normals: [0, 0, 1] }), "INVALID_ARGUMENT", /points/);
   assert.throws(() => context.fit({ pionts: points }), /fit has no option "pionts": there are kernel, points/);
@@ -189,7 +189,7 @@ test("what is wrong is named", () => {
   assert.equal(library.text(library.raw.hrbfnpr_status_name(STATUS.IO)), "IO");
 });
 
-test("threads are refused in words where there are none", async () => {
+test("an invalid number of threads is refused", async () => {
   await assert.rejects(load({ threads: 0 }), /threads must be "auto" or a whole number from 1 to 256, not 0/);
 });
 
@@ -234,7 +234,7 @@ test("normals of a cloud are found", () => {
   assert.equal(new Set(indices).size, 10);
 });
 
-test("one call draws points, and tells what it chose", () => {
+test("one call draws points and reports its choices", () => {
   const stages = [];
   const normals = points.map((part) => -part);
   const picture = context.draw({ points, normals, name: "ball" }, {
@@ -267,7 +267,7 @@ test("a picture is seen from another side and drawn in another style", () => {
   assert.deepEqual(context.draw({ points, normals: points }, { settings }).drawing.rasterize().data, before);
 });
 
-test("what a picture planned is drawn by a renderer", () => {
+test("a renderer draws the parts of a picture", () => {
   let events = 0;
   const picture = context.draw({ points, normals: points }, { style: "contour-and-stipple", size: 100, onEvent: () => void ++events });
   const style = picture.style();
@@ -286,7 +286,7 @@ test("what a picture planned is drawn by a renderer", () => {
   assert.equal(surface.parts()[0].pointSet, undefined);
 });
 
-test("a picture of nothing is refused in words", () => {
+test("sources and options of a picture are checked", () => {
   fails(() => context.draw([], {}), "INVALID_ARGUMENT", /sources|source_count/);
   fails(() => context.draw({ points }, { set: { "style.halo": 2 } }), "INVALID_ARGUMENT", /halo_width/);
   assert.throws(() => context.draw({ points }, { colour: 1 }), /no option "colour"/);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The page in Chromium, with one thread: page_page.mjs ADDRESS CHROMIUM WORK.  Screenshots stay in WORK.
+// Tests the page in Chromium with one thread: page_page.mjs ADDRESS CHROMIUM WORK. Screenshots are kept in WORK.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { drop, opened, patience, picture, set, settled, started, told, whole } from "./page_tools.mjs";
 
 const [address, chromium, work] = process.argv.slice(2);
-const MOST_FIRST = 5000; // ms to the first picture, of a machine that has two processors to itself
+const MOST_FIRST = 5000; // ms to the first picture, on a machine with two idle processors
 const browser = await started(chromium);
 const screenshot = (page, name) => page.screenshot({ path: `${work}/${name}.png` });
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What the tests of the page do in the browser.
+// Browser helpers for the tests of the page.
 import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 
 const { chromium } = createRequire(import.meta.url)(process.env.PLAYWRIGHT);
 
-export const patience = 120000; // ms: other programs may have the processors
+export const patience = 120000; // ms; other programs may be using the processors
 
 export async function started(executablePath) {
   return chromium.launch({ executablePath, args: ["--no-sandbox"] });
 }
 
-/** A page that has to stay without errors until `done`. */
+/** Opens the page. `done` checks that it had no errors and asked no other server, and closes it. */
 export async function opened(browser, address, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
@@ -35,13 +35,13 @@ export async function opened(browser, address, options = {}) {
 
 export const told = (page, key) => page.evaluate((name) => document.documentElement.dataset[name], key);
 
-/** Waits until the picture of this model and preset is drawn. */
+/** Waits until a model is drawn in a preset. */
 export async function whole(page, name) {
   await page.waitForFunction((wanted) => document.documentElement.dataset.made === wanted, name);
   await settled(page);
 }
 
-/** Waits until no frame has come for a while. */
+/** Waits until no more frames are drawn. */
 export async function settled(page) {
   for (let before = -1, now = 0; before !== now;) {
     before = now;
@@ -50,7 +50,7 @@ export async function settled(page) {
   }
 }
 
-/** What the canvas shows: a number that tells pictures apart, and the shares of dark and of light pixels. */
+/** Reads the canvas: a hash of the picture, and the shares of dark and of light pixels. */
 export async function picture(page) {
   return page.evaluate(() => {
     const canvas = document.getElementById("picture");

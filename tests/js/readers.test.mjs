@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page's readers: the same tetrahedron from each format, and what they say of files that are wrong.
+// The page's readers give the same tetrahedron from each format, and report errors in files.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { readShape } from "../../examples/web/page/readers/read.js";
@@ -110,7 +110,7 @@ test("an STL whose size is wrong is refused", () => {
   fails("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\n", /2 vertices: each facet takes 3/);
 });
 
-test("edges between faces with normals of their own are sharp", () => {
+test("edges between faces with different normals are sharp", () => {
   const places = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 -1\nvn 0 -1 0\n";
   const bent = read("a.obj", `${places}f 1//1 3//1 2//1\nf 1//2 2//2 4//2\n`);
   assert.deepEqual(Array.from(bent.sharpEdges).sort(), [0, 1]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A link and back, and the camera that it stands for.
+// Settings survive in a link, and give the right camera.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { lightOf, optionsOf, scaled, styleOf, turned } from "../../examples/web/page/look.js";
@@ -11,7 +11,7 @@ test("a link gives back the settings that it was made from", () => {
   assert.equal(toLink(defaults()), "#");
 });
 
-test("a link with nonsense gives the defaults, and numbers within their range", () => {
+test("invalid values in a link give the defaults, and numbers are clamped", () => {
   assert.deepEqual(fromLink("#zoom=many&ink=red&hidden=maybe&other=1&marks="), defaults());
   assert.equal(fromLink("#zoom=1e9").zoom, 12);
   assert.equal(fromLink("#marks=-5").marks, 0);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The build with threads: the same bits as with one.
+// The build with threads gives the same bits as the build without.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import test, { after } from "node:test";
 import { load } from "hrbfnpr";
 
 const two = await load({ threads: 2 });
-after(() => setTimeout(() => process.exit(), 500)); // node:test may wait for threads that are idle
+after(() => setTimeout(() => process.exit(), 500)); // node:test would wait for idle threads
 
 function made(context) {
   const model = context.createCsg([{ kind: "torus", radius: 1, secondRadius: 0.4 }]);
@@ -19,7 +19,7 @@ test("two threads give the bits of one", () => {
   assert.equal(context.info().threadBackend, "pool");
   const serial = two.createContext({ threadCount: 1 });
   const [one, other] = [made(context), made(serial)];
-  for (const attribute of ["position", "normal", "rank"]) // the file holds times as well
+  for (const attribute of ["position", "normal", "rank"]) // the file also holds times
     assert.equal(Buffer.compare(Buffer.from(one.view(0, attribute).buffer), Buffer.from(other.view(0, attribute).buffer)), 0);
 });
 

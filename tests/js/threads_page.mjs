@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page where memory can be shared: threads_page.mjs ADDRESS CHROMIUM WORK
+// Tests the page with shared memory: threads_page.mjs ADDRESS CHROMIUM WORK
 import assert from "node:assert/strict";
 import { opened, picture, started, told, whole } from "./page_tools.mjs";
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Compiled, never run: tests/js/run.py types.
+// tests/js/run.py types compiles this file and never runs it.
 import { load, HrbfnprError, Style } from "hrbfnpr";
 async function main() {
   const hrbf = await load({ threads: "auto" });
@@ -14,9 +14,9 @@ async function main() {
   const parts: (typeof marks | undefined)[] = picture.parts().map(({ pointSet }) => pointSet);
   const planned: Style = picture.style();
   const status: number = hrbf.raw.hrbfnpr_status_name(-1);
-  // @ts-expect-error: no such kernel
+  // @ts-expect-error: there is no such kernel
   context.fit({ kernel: "cubic" });
-  // @ts-expect-error: no such option
+  // @ts-expect-error: there is no such option
   context.fit({ pionts: new Float64Array(3) });
   try { marks.free(); } catch (error) { if (error instanceof HrbfnprError) console.log(error.statusName, svg, status, parts, planned); }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene of examples/README.md: Scene SAMPLES PICTURE.
+// Draws the scene of examples/README.md: Scene SAMPLES PICTURE.
 using System;
 using System.Globalization;
 using System.IO;

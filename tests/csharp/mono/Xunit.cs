@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// As much of xunit as these tests use, for Mono without packages; on .NET they run with xunit itself.
+// The part of xunit that these tests use, for Mono without packages. On .NET they run with the real xunit.
 using System;
 using System.Collections;
 using System.Collections.Generic;

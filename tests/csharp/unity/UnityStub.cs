@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// As much of Unity as the sample of the Unity package uses, so that a compiler can read it here.
+// The part of Unity that the sample of the Unity package uses, so that a compiler can check it without Unity.
 using System;
 using Unity.Collections;
 
