@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Header-only packages, used inside the library only: nothing of them is exported.
+# Header-only packages that only the library's sources include. They are not exported.
 find_package(Eigen3 3.3 REQUIRED NO_MODULE)
 
-# GLM by its folder, not by Debian's glm::glm target, which injects -isystem /usr/include
-# and so breaks cross builds.
+# Find GLM's folder. Debian's target glm::glm adds -isystem /usr/include, which breaks cross builds.
 find_path(HRBFNPR_GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)
 mark_as_advanced(HRBFNPR_GLM_INCLUDE_DIR)
 
@@ -13,18 +12,17 @@ if(HRBFNPR_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
 endif()
 
-# Highway's headers only: which instruction set is used is decided by the library itself.
+# Only Highway's headers: the library itself chooses the instruction set.
 find_path(HRBFNPR_HIGHWAY_INCLUDE_DIR hwy/highway.h REQUIRED)
 mark_as_advanced(HRBFNPR_HIGHWAY_INCLUDE_DIR)
 
-# The parser of settings (src/picture/json.cpp, and nothing else): numbers in any locale, escapes, UTF-8 and the place of
-# a mistake, where every other part of a reader for JSON is a dozen lines.  It is headers only, tested far more widely
-# than one of our own would be, and the viewer needs it anyway.
+# The JSON parser of settings, included only by src/picture/json.cpp. It handles numbers in any locale, escapes, UTF-8 and
+# the places of errors, and is widely tested. It is header-only, and the viewer needs it anyway.
 find_path(HRBFNPR_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
 mark_as_advanced(HRBFNPR_JSON_INCLUDE_DIR)
 
 if(CMAKE_CROSSCOMPILING)
-  # A system's folder of headers is no place for another system to look into: links to these alone.
+  # A cross compiler must not search the host's folder of headers, so link only these packages into a new folder.
   foreach(package IN ITEMS GLM:glm HIGHWAY:hwy JSON:nlohmann)
     string(REPLACE ":" ";" package "${package}")
     list(GET package 0 variable)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# cmake --install: the library, its header, a CMake package and a pkg-config file, none of which
-# names a folder of the machine that built them.
+# cmake --install: the library, its header, a CMake package and a pkg-config file. None of them contains a path of the
+# build machine.
 include(CMakePackageConfigHelpers)
 
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/hrbfnpr")
@@ -12,8 +12,8 @@ install(TARGETS hrbfnpr EXPORT hrbfnprTargets
   PUBLIC_HEADER DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
 install(EXPORT hrbfnprTargets NAMESPACE hrbfnpr:: DESTINATION "${package_dir}")
 
-# A shared library brings all it needs along.  A static one leaves the C++ runtime, libm and the
-# threads to whoever links it, so these become public there.
+# A shared library brings all its dependencies. A static library needs the C++ runtime, libm and threads from the
+# program, so these become public dependencies.
 set(hrbfnpr_runtime "")
 set(pc_cflags "")
 set(pc_libs "")
@@ -36,21 +36,21 @@ configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/hrbfnprConfig.cmake.in" "${PROJECT_BINARY_DIR}/hrbfnprConfig.cmake"
   INSTALL_DESTINATION "${package_dir}"
   NO_SET_AND_CHECK_MACRO NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-# Before 1.0 a minor version may break an interface; from then on this becomes SameMajorVersion.
+# Before 1.0 a minor version may break the interface. From 1.0 on this becomes SameMajorVersion.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/hrbfnprConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion)
 install(FILES
   "${PROJECT_BINARY_DIR}/hrbfnprConfig.cmake" "${PROJECT_BINARY_DIR}/hrbfnprConfigVersion.cmake"
   DESTINATION "${package_dir}")
 
-# From <prefix>/<libdir>/pkgconfig back to <prefix>, however deep libdir is.
+# The relative path from <prefix>/<libdir>/pkgconfig to <prefix>, for any depth of libdir.
 file(RELATIVE_PATH pc_prefix "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/prefix")
 string(REGEX REPLACE "/$" "" pc_prefix "${pc_prefix}")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/hrbfnpr.pc.in" "${PROJECT_BINARY_DIR}/hrbfnpr.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/hrbfnpr.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-# For other languages: the header's declarations alone, and a description of them with layouts and comments.
+# For bindings: the header's declarations, and a description of them with layouts and comments.
 install(FILES
   "${PROJECT_SOURCE_DIR}/bindings/cdef/hrbfnpr_cdef.h" "${PROJECT_SOURCE_DIR}/bindings/api.json"
   DESTINATION "${CMAKE_INSTALL_DATADIR}/hrbfnpr")

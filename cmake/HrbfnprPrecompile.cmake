@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Headers that are parsed once for many files: hrbfnpr_precompile(target SET) with SET src or tests.
+# hrbfnpr_precompile(target SET) uses precompiled headers for a target. SET is src or tests.
 #
-# Only where HRBFNPR_PRECOMPILE is ON, as in the release preset, and with GCC or Clang.  Other builds compile each file
-# by itself and so notice an include that is missing.
+# It applies only with HRBFNPR_PRECOMPILE=ON, as in the release preset, and with GCC or Clang. Other builds compile without
+# precompiled headers, and so find missing includes.
 
 set(HRBFNPR_PRECOMPILED_src <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <functional> <limits> <memory>
   <numeric> <optional> <span> <string> <vector> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>)
@@ -13,7 +13,7 @@ function(hrbfnpr_precompile target set)
     return()
   endif()
   if(NOT TARGET hrbfnpr_precompiled_${set})
-    if(set STREQUAL "tests") # compiled as programs are
+    if(set STREQUAL "tests") # compiled like programs
       add_executable(hrbfnpr_precompiled_${set} "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
     else()
       add_library(hrbfnpr_precompiled_${set} OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The rooms of the house (docs/design.md): each folder of src/ is an object library, so that a
-# test of one room links that room and the rooms below it, and nothing else.
+# The rooms of the house (docs/design.md): each folder of src/ is an object library. The tests of a room link only that
+# room and the rooms below it.
 #
 #   hrbfnpr_room(fit DEPENDS implicit)     makes hrbfnpr_fit from src/fit/*.cpp
-#   hrbfnpr_link_room(some_test fit ...)   links these and all that they depend on
+#   hrbfnpr_link_room(some_test fit ...)   links these rooms and all their dependencies
 
 function(hrbfnpr_room name)
   cmake_parse_arguments(arg "" "FOLDER" "DEPENDS;SOURCES" ${ARGN})
@@ -12,7 +12,7 @@ function(hrbfnpr_room name)
   endif()
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${arg_FOLDER}/*.cpp")
   if(HRBFNPR_COVERAGE)
-    list(REVERSE sources) # united the other way round than in the release build, a header that a file forgot is missed
+    list(REVERSE sources) # another order than in the release build finds files that lack an include
   endif()
   set(closure)
   if(sources)
@@ -26,7 +26,7 @@ function(hrbfnpr_room name)
       hrbfnpr_unite_room(hrbfnpr_${name} ${sources})
     endif()
     if(HRBFNPR_COVERAGE)
-      # Threads may lose counts, but not whether a line was reached; atomic counters are far slower.
+      # Threads may lose counts, but not the fact that a line was reached. Atomic counters are far slower.
       target_compile_options(hrbfnpr_${name} PRIVATE --coverage -fprofile-update=single)
     endif()
     set(closure ${name})
@@ -39,9 +39,9 @@ function(hrbfnpr_room name)
   set_property(GLOBAL PROPERTY HRBFNPR_ROOM_${name} "${closure}")
 endfunction()
 
-# Two dozen files are compiled as one, in half of the time, so no two files of a room name the same thing.  Files stay by
-# themselves that are compiled once for each instruction set; CMake leaves out those with options of their own.  What a
-# file's own names are in the way of is no fault then; builds of single files, such as `check` and `debug`, warn of it.
+# Compiles up to 24 files as one, in half of the time. So no two files of a room may define the same name. Files that are
+# compiled once per instruction set stay separate; CMake itself excludes files with their own options. -Wshadow is off
+# here, because names of another file are not an error. The presets `check` and `debug` compile single files and warn.
 function(hrbfnpr_unite_room target)
   target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# hrbfnpr_test_program(NAME SOURCE...): a program of tests, whose own code is neither what is tested nor what is measured.
+# hrbfnpr_test_program(NAME SOURCE...) adds a program of tests. Its own code is compiled with less optimization.
 #
-# HRBFNPR_TEST_OBJECTS is the folder of another build of the same sources, whose objects are then linked with the library
-# of this one.  So a library under sanitizers is tested without compiling its tests, which takes longer than the library.
+# HRBFNPR_TEST_OBJECTS is the folder of another build of the same sources. Its test objects are then linked with this
+# build's library. This saves compiling the tests for a library with sanitizers, which takes longer than the library.
 
 function(hrbfnpr_test_program name)
   set(sources ${ARGN})
@@ -24,12 +24,12 @@ function(hrbfnpr_test_program name)
 endfunction()
 
 # hrbfnpr_discover_tests(NAME PREFIX [LONG ...] [LONG_UNCHECKED ...] [UNCHECKED ...] [PROPERTIES ...]) adds the tests of a
-# program and labels them.  The three lists are filters of GoogleTest.
-#   LONG             tests that take over a second, or over five under the sanitizers: `long checked`
-#   LONG_UNCHECKED   tests that take over a second, and minutes under the sanitizers: `long`
-#   UNCHECKED        tests that are too slow under the sanitizers only: `short`
-# All others are `short checked`.  This is one label, because gtest_discover_tests takes no list of them; `ctest -L short`
-# finds it, as it looks for a part of a label.  NAME.filters keeps the lists for scripts/test and tests/house/labels_test.py.
+# program and labels them. The three lists are GoogleTest filters.
+#   LONG             tests that take over a second, or over five with sanitizers: `long checked`
+#   LONG_UNCHECKED   tests that take over a second, and minutes with sanitizers: `long`
+#   UNCHECKED        tests that are too slow only with sanitizers: `short`
+# All others are `short checked`. This is a single label, because gtest_discover_tests takes no list. `ctest -L short`
+# matches it, because it searches for a part of a label. NAME.filters keeps the lists for scripts/test and labels_test.py.
 function(hrbfnpr_discover_tests name prefix)
   set(kinds LONG_UNCHECKED LONG UNCHECKED)
   cmake_parse_arguments(arg "" "" "${kinds};PROPERTIES" ${ARGN})
@@ -54,8 +54,8 @@ function(hrbfnpr_discover_tests name prefix)
   file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.filters" CONTENT "${lines}\n")
 endfunction()
 
-# hrbfnpr_label_tests([UNCHECKED] [LONG NAME...]) labels the tests that add_test has made in this folder: `long` those that
-# LONG names, `short` the others, and all `checked` but with UNCHECKED.
+# hrbfnpr_label_tests([UNCHECKED] [LONG NAME...]) labels the tests that add_test has added in this folder. Tests named by
+# LONG are `long`, the others `short`. All are `checked`, except with UNCHECKED.
 function(hrbfnpr_label_tests)
   cmake_parse_arguments(arg "UNCHECKED" "" "LONG" ${ARGN})
   get_property(tests DIRECTORY PROPERTY TESTS)
@@ -71,8 +71,8 @@ function(hrbfnpr_label_tests)
   endforeach()
 endfunction()
 
-# Two dozen files are compiled as one: templates are then made and optimized once for all, in a third of the time.  What a file
-# names itself is in a namespace of the file's name; files that are no tests stay by themselves.
+# Compiles up to 24 files as one, in a third of the time, because templates are compiled once for all. Each file has its
+# own namespace for its names. Files that are not tests stay separate.
 function(hrbfnpr_unite name)
   set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
   foreach(source IN LISTS ARGN)
@@ -82,7 +82,7 @@ function(hrbfnpr_unite name)
   endforeach()
 endfunction()
 
-# The objects that the other build made for its target of this name.
+# The objects of the target with this name in the other build.
 function(hrbfnpr_built_objects result name)
   file(RELATIVE_PATH folder "${PROJECT_BINARY_DIR}" "${CMAKE_CURRENT_BINARY_DIR}")
   set(list "${HRBFNPR_TEST_OBJECTS}/${folder}/${name}.objects")
@@ -98,7 +98,7 @@ function(hrbfnpr_built_objects result name)
   set(${result} ${objects} PARENT_SCOPE)
 endfunction()
 
-# Every target of a folder and those below it that a plain build makes.
+# All targets of a folder, and of the folders below, that a plain build makes.
 function(hrbfnpr_targets_below result folder)
   get_property(found DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
   get_property(below DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A compiler's launcher: takes the object that the build in BUILD has made, where a static library is made of the same as
-# the shared one.  That is so of all rooms but api, which says what is exported.
+# A compiler launcher that copies an object from BUILD instead of compiling it. The static library uses the same objects
+# as the shared one, except those of the room api, which sets the exported names.
 #
 #   reuse.sh BUILD COMPILER ARGUMENT...
 build=$1
