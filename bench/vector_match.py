@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""How near SVGs are to the raster: all named styles of a few models, rendered by librsvg.
+"""Measures how close SVGs are to images: all named styles of a few models, rendered by librsvg.
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so bench/vector_match.py [--models=DIR] [--named=TEXT]
         [--styles=NAMES] [--marks=N] [--size=PIXELS] [--keep=DIR] [--tolerance=MM]
 
-Prints the PSNR of each in dB, as a table, and the least as vector.match_db.  DIR has bunny_256.ply, head_4096.ply and
-heart_1024.ply; the knot is made from a formula.  --marks is the most marks of a layer (60000; 0 as the command line
-decides, which takes long), --named leaves only models whose names have this TEXT, --keep keeps the files.
+Prints a table of PSNR values in dB, and the smallest one as vector.match_db. DIR contains bunny_256.ply, head_4096.ply and
+heart_1024.ply; the knot is made from a formula. --marks is the largest number of marks in a layer (60000; 0 lets the
+command line decide, which takes long). --named selects models whose names contain TEXT. --keep keeps the files.
 """
 
 import argparse
@@ -34,7 +34,7 @@ ASKED = 35.0  # dB
 
 
 def run(*words):
-    """The command line; what it says goes to the error, if there is one."""
+    """Runs the command line. Its output becomes the error message if it fails."""
     said = io.StringIO()
     with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
         status = cli.main([str(word) for word in words])
@@ -43,7 +43,7 @@ def run(*words):
 
 
 def fitted(folder, wanted, out):
-    """(name, saved model) of each model that is at hand."""
+    """Pairs of a name and a saved model, for each model that is available."""
     points, normals = models.knot()
     chosen = shapes.farthest_points(points, 1024)
     np.savetxt(out / "knot.xyz", np.column_stack((points[chosen], normals[chosen])))
@@ -59,7 +59,7 @@ def picture(file):
 
 
 def match(model, style, options, out):
-    """PSNR between the command line's PNG and its SVG as librsvg renders it, in dB."""
+    """The PSNR in dB between the command line's PNG and its SVG rendered by librsvg."""
     svg, png, rendered = (out / f"{model.stem}_{style}{ending}" for ending in (".svg", ".png", "_rsvg.png"))
     few = ["--marks", options.marks] if options.marks else []
     few += ["--vector-tolerance", options.tolerance]
@@ -92,7 +92,7 @@ def main():
     for option, default in (("--models", ""), ("--named", ""), ("--styles", ""), ("--marks", 60000), ("--size", 1600),
                             ("--keep", ""), ("--tolerance", 0.05)):  # fmt: skip
         parser.add_argument(option, default=default, type=type(default))
-    options, _ = parser.parse_known_args()  # others are the benchmark's
+    options, _ = parser.parse_known_args()  # other options are those of bench/vector.cpp
     if shutil.which("rsvg-convert") is None:
         print("vector.match_db is not measured: rsvg-convert is not here (apt-get install librsvg2-bin)")
         return

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 192 samples of a torus become a pen-and-ink drawing: pixels, as writers of PNG take them, and torus.svg.
+// Draws 192 samples of a torus in pen and ink: as pixels for a PNG writer, and as torus.svg.
 using System;
 using System.IO;
 using System.Linq;
@@ -28,7 +28,7 @@ public static class Quickstart
         using (Picture picture = Picture.Draw(PictureSource.FromPoints(points, normals), options))
         {
             byte[] rgba = picture.Rasterize();
-            byte[] header = Encoding.ASCII.GetBytes("P6 800 600 255\n"); // a file without alpha, that needs no library
+            byte[] header = Encoding.ASCII.GetBytes("P6 800 600 255\n"); // PPM needs no library and has no alpha
             File.WriteAllBytes("torus.ppm", header.Concat(rgba.Where((value, i) => i % 4 < 3)).ToArray());
             picture.WriteSvg("torus.svg");
         }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// 192 samples of a torus become a pen-and-ink drawing: pixels, as ImageData takes them, and torus.svg.
+// Draws 192 samples of a torus in pen and ink: as pixels for ImageData, and as torus.svg.
 import { writeFile } from "node:fs/promises";
 import { load } from "hrbfnpr";
 

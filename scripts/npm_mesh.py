@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Makes an OBJ file of an npm package whose index.js exports `positions` and `cells`.
+"""Makes an OBJ file from an npm package whose index.js exports `positions` and `cells`.
 
 npm_mesh.py PACKAGE.tgz MESH.obj
 """

@@ -3,7 +3,7 @@
 
     blender -b --factory-startup --python-exit-code 3 --python-use-system-env -P draw.py -- SAMPLES PICTURE
 
-SAMPLES has lines `x y z nx ny nz`.  PICTURE is a PNG, or rows of RGBA8 if its name does not end so.
+SAMPLES has lines `x y z nx ny nz`. PICTURE is a PNG, or rows of RGBA8 if its name has another ending.
 """
 
 import sys
@@ -17,7 +17,7 @@ import hrbfnpr_addon
 
 
 def samples_object(path):
-    """The points as vertices of a mesh object, their normals as an attribute; it becomes the active object."""
+    """Makes a mesh object with the points as vertices and the normals as an attribute. It becomes the active object."""
     values = np.loadtxt(path, ndmin=2)
     mesh = bpy.data.meshes.new("samples")
     mesh.from_pydata(values[:, :3].tolist(), [], [])

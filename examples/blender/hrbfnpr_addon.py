@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Draws the active object in pen and ink: an add-on for Blender 3.4, panel "Pen and Ink" in the 3D view's sidebar.
+"""Draws the active object in pen and ink: an add-on for Blender 3.4, with a panel "Pen and Ink" in the 3D view's sidebar.
 
-It needs the Python package hrbfnpr where Blender's Python finds it; see README.md.
+Blender's Python must find the package hrbfnpr; see README.md.
 """
 
 import warnings
@@ -22,7 +22,7 @@ bl_info = {
 
 IMAGE = "Pen and Ink"
 NODES = "Pen and Ink Points"
-NORMAL = "surface_normal"  # attribute of points; "normal" is Blender's own
+NORMAL = "surface_normal"  # attribute of points; Blender uses the name "normal" itself
 STYLES = (
     "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full", "engraving",
     "etching", "woodcut", "scientific-stipple", "sketch", "blueprint", "archaeological")
@@ -30,7 +30,7 @@ WITH_SURFACE = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 
 
 class Settings(bpy.types.PropertyGroup):
-    """What the panel shows; lives in the scene."""
+    """The settings in the panel, saved with the scene."""
 
     style: EnumProperty(
         name="Style", items=[(name, name.replace("-", " ").title(), "") for name in STYLES],
@@ -50,14 +50,14 @@ class Settings(bpy.types.PropertyGroup):
 
 
 def array(collection, attribute, components, dtype=np.float32):
-    """An attribute of all elements, shape (n, components)."""
+    """An attribute of all elements as an array of shape (n, components)."""
     values = np.empty(len(collection) * components, dtype)
     collection.foreach_get(attribute, values)
     return values.reshape(-1, components)
 
 
 def source_of(hrbfnpr, context):
-    """The active object in world space, after its modifiers: a mesh, or points that have normals in an attribute."""
+    """The active object with its modifiers in world space: a mesh, or points with normals in an attribute."""
     shown = context.object.evaluated_get(context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
     try:
@@ -75,13 +75,13 @@ def source_of(hrbfnpr, context):
     points = points @ world[:3, :3].T + world[:3, 3]
     if normals is not None:
         return hrbfnpr.shapes.Shape(points, normals @ np.linalg.inv(world[:3, :3]))
-    if np.linalg.det(world[:3, :3]) < 0:  # a mirrored object: its faces would look inwards
+    if np.linalg.det(world[:3, :3]) < 0:  # a mirrored object, whose faces would look inward
         triangles = triangles[:, ::-1]
     return hrbfnpr.shapes.Shape(points, triangles=triangles, sharp_edges=sharp if len(sharp) else None)
 
 
 def camera_of(hrbfnpr, context):
-    """What the scene's camera sees; None if the object shall fill the picture, or there is no camera."""
+    """The scene's camera, or None if there is no camera or the object should fill the picture."""
     settings = context.scene.hrbfnpr
     size = settings.width, settings.height
     chosen = context.scene.camera
@@ -92,7 +92,7 @@ def camera_of(hrbfnpr, context):
 
 
 def picture_of(hrbfnpr, context, in_one_surface):
-    """The picture of the active object that the library makes."""
+    """Draws the active object with the library."""
     settings, window = context.scene.hrbfnpr, context.window_manager
     camera = camera_of(hrbfnpr, context)
     view = {"camera": camera} if camera else {"direction": (0, 1, -1), "size": (settings.width, settings.height)}
@@ -103,7 +103,7 @@ def picture_of(hrbfnpr, context, in_one_surface):
 
 
 def image_of(pixels):
-    """The image datablock, with these rows of RGBA8, the topmost first."""
+    """Writes rows of RGBA8, top row first, to the image datablock."""
     height, width = pixels.shape[:2]
     image = bpy.data.images.get(IMAGE)
     if image is None:
@@ -117,14 +117,14 @@ def image_of(pixels):
 
 
 def units_per_pixel(camera, places):
-    """Length across the view, at a place or at each of several, that one pixel shows."""
+    """The length across the view that a pixel covers, at one or several places."""
     row = (camera.projection @ camera.view)[3]
     depth = np.asarray(places, float) @ row[:3] + row[3]
     return 2 * np.abs(depth) / (camera.projection[1, 1] * camera.size[1])
 
 
 def attributes_of(marks, style, pixel):
-    """Name, type and values of what is known of all marks, the layers one after the other."""
+    """Name, type and values of all attributes of the marks, layer after layer."""
     def joined(values):
         return np.concatenate([values(layer) for layer in marks.layers])
 
@@ -145,7 +145,7 @@ def attributes_of(marks, style, pixel):
 
 
 def mesh_to_points():
-    """Geometry nodes that turn vertices into a point cloud, as large as their attribute `radius` says."""
+    """Geometry nodes that turn vertices into a point cloud with the radii of the attribute `radius`."""
     tree = bpy.data.node_groups.get(NODES)
     if tree is not None:
         return tree
@@ -164,7 +164,7 @@ def mesh_to_points():
 
 
 def points_object(name, marks, attributes):
-    """The marks as a point cloud, by way of vertices: Blender 3.4 lets no script say how many points a cloud has."""
+    """The marks as a point cloud. Blender 3.4 cannot create one from a script, so geometry nodes convert vertices."""
     mesh = bpy.data.meshes.new(name)
     mesh.vertices.add(len(marks))
     positions = np.concatenate([layer.positions for layer in marks.layers])
@@ -181,7 +181,7 @@ def points_object(name, marks, attributes):
 
 
 def places_of(line, camera):
-    """Where in the world a stroke is drawn. Its "position" is that of marks, which smooth hatching passes by."""
+    """The world positions of a drawn stroke. Its "position" is that of the marks, and smooth hatching passes beside them."""
     x, y, depth = line["window"].astype(float).T
     width, height = camera.size
     clip = np.stack([2 * x / width - 1, 1 - 2 * y / height, 2 * depth - 1, np.ones_like(x)], axis=1)
@@ -190,14 +190,14 @@ def places_of(line, camera):
 
 
 def strokes_object(name, drawing, camera):
-    """The visible strokes as curves in the world, round ones, as thick at each point as they are drawn."""
+    """The visible strokes as round curves in the world, with the drawn width at each point."""
     curve = bpy.data.curves.new(name, "CURVE")
-    curve.dimensions, curve.bevel_depth, curve.use_fill_caps = "3D", 1, True  # a point's radius is its own
+    curve.dimensions, curve.bevel_depth, curve.use_fill_caps = "3D", 1, True  # so the radius of a point is in world units
     for line in drawing.polylines():
         if line["hidden_layers"][0] > 0:
             continue
         spline = curve.splines.new("POLY")
-        spline.points.add(len(line) - 1)  # it has one
+        spline.points.add(len(line) - 1)  # a new spline has one point
         places = places_of(line, camera)
         radii = line["radius"] * units_per_pixel(camera, places)
         rows = np.append(places, np.ones((len(places), 1)), axis=1)
@@ -207,7 +207,7 @@ def strokes_object(name, drawing, camera):
 
 
 class OfActiveObject:
-    """An operator that draws the active object; what fails, and what was chosen, is reported in the library's words."""
+    """Base class of operators that draw the active object. It reports the library's errors and notes."""
 
     bl_options = {"REGISTER", "UNDO"}
     in_one_surface = False
@@ -253,7 +253,7 @@ class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
     bl_idname = "hrbfnpr.marks"
     bl_label = "Marks as Point Cloud"
     bl_description = "Make a point cloud of the active object's marks, with attributes for geometry nodes"
-    in_one_surface = True  # parts that cross would have marks of their own
+    in_one_surface = True  # otherwise each crossing part would have its own marks
 
     def make(self, picture, context):
         marks = picture.marks

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: MIT
 function love.conf(t)
   t.identity = "hrbfnpr"
-  t.version = "11.3" -- ImageData:getFFIPointer
+  t.version = "11.3" -- for ImageData:getFFIPointer
   t.window.title = "hrbfnpr"
   t.window.width, t.window.height = 640, 480
   t.window.resizable = true

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: MIT
--- hrbfnpr for LuaJIT: what the garbage collector collects is released, and failures are Lua errors.
+-- hrbfnpr for LuaJIT: the garbage collector releases objects, and errors are Lua errors.
 local ffi = require "ffi"
 require "hrbfnpr_cdef"
 
@@ -30,7 +30,7 @@ function hrbfnpr.context()
   return ffi.gc(out[0], C.hrbfnpr_context_release)
 end
 
--- Reads lines `x y z nx ny nz`: a double[6 * count], and the count.
+-- Reads lines `x y z nx ny nz`. Returns a double[6 * count] and the count.
 function hrbfnpr.samples(text)
   local numbers, count = {}, 0
   for line in text:gmatch "[^\r\n]+" do
@@ -45,13 +45,13 @@ function hrbfnpr.samples(text)
   return ffi.new("double[?]", #numbers, numbers), count
 end
 
--- The style's name, or nil if no style has this number.
+-- The name of a style, or nil if no style has this number.
 function hrbfnpr.style_name(preset)
   local name = C.hrbfnpr_preset_name(preset)
   if name ~= nil then return ffi.string(name) end
 end
 
--- How samples are drawn: a named style, a size in pixels, and the first view's direction and up, double[3].
+-- A description of the picture: a named style, a size in pixels, and direction and up of the first view, as double[3].
 function hrbfnpr.desc(preset, width, height, direction, up)
   local desc = hrbfnpr.new "hrbfnpr_picture_desc"
   desc.preset, desc.width, desc.height = preset, width, height
@@ -61,7 +61,7 @@ function hrbfnpr.desc(preset, width, height, direction, up)
   return desc
 end
 
--- Makes a picture of samples as hrbfnpr.samples returns them; the library chooses the pen, the marks and the lines.
+-- Makes a picture of samples from hrbfnpr.samples. The library chooses the pen, the marks and the lines.
 function hrbfnpr.picture(context, desc, samples, count)
   local source, stride = hrbfnpr.new "hrbfnpr_picture_source", 6 * ffi.sizeof "double"
   source.points = { samples, count, stride, C.HRBFNPR_SCALAR_FLOAT64, 3 }
@@ -85,7 +85,7 @@ function hrbfnpr.picture_info(picture)
   return info
 end
 
--- Sets the camera so that the model fills the picture, seen along a direction, double[3].
+-- Sets the camera so that the model fills the picture, seen along a direction (double[3]).
 function hrbfnpr.look(picture, direction, camera)
   check(C.hrbfnpr_picture_look(picture, direction, 0 / 0, 0 / 0, camera, failure))
 end
@@ -95,7 +95,7 @@ function hrbfnpr.draw(picture, camera, image)
   local out = ffi.new "hrbfnpr_drawing*[1]"
   check(C.hrbfnpr_picture_draw(picture, camera, nil, out, failure))
   local status = C.hrbfnpr_drawing_rasterize(out[0], image, nil, failure)
-  C.hrbfnpr_drawing_release(out[0]) -- at once: the next drawing is made in its memory
+  C.hrbfnpr_drawing_release(out[0]) -- release now, so that the next drawing reuses its memory
   check(status)
 end
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- A surface in pen and ink, drawn straight into LÖVE's ImageData: see README.md for the keys.
--- The samples' file, and that of the screenshot to save, if any.
+-- A surface in pen and ink, drawn directly into LÖVE's ImageData. The keys are listed in README.md.
+-- Arguments: the file of samples, and optionally a file for a screenshot.
 local function parse(arguments)
   local samples, screenshot = love.filesystem.getSource() .. "/../torus.xyzn", nil
   local i = 1
@@ -17,7 +17,7 @@ local function parse(arguments)
 end
 
 local samples_path, screenshot_path = parse(love.arg.parseGameArguments(arg))
-if screenshot_path then -- nobody is there to close LÖVE's error screen
+if screenshot_path then -- a test must not wait at LÖVE's error screen
   function love.errorhandler(message)
     io.stderr:write(debug.traceback(message, 2), "\n")
   end
@@ -26,29 +26,29 @@ end
 local ffi = require "ffi"
 local hrbfnpr = require "hrbfnpr"
 
-local TURN = 0.01 -- radians a pixel of dragging
-local ROTATION = 0.5 -- radians a second
+local TURN = 0.01 -- radians per pixel of dragging
+local ROTATION = 0.5 -- radians per second
 local UP = ffi.new("double[3]", 0, 0, 1)
 local FIRST_DIRECTION = ffi.new("double[3]", 0, 1, -1)
 
 local context = hrbfnpr.context()
 
--- What a frame needs is made once, not in each.
+-- Objects that every frame uses are made once.
 local camera = hrbfnpr.new "hrbfnpr_camera"
 local image = hrbfnpr.new "hrbfnpr_image"
 local direction = ffi.new "double[3]"
 
--- `image` holds a plain pointer: the canvas keeps what it points to.
+-- `image` holds a plain pointer; `canvas` keeps the memory alive.
 local scene
 local canvas = {}
 local view, rotating, changed
 
 local function reset_view()
-  view = { turn = 0, tilt = 0, zoom = 1 } -- angles away from the first view
+  view = { turn = 0, tilt = 0, zoom = 1 } -- turn and tilt are angles relative to the first view
   changed = true
 end
 
--- How the library shall draw in the style of this number.
+-- The description of a picture in the style with this number.
 local function desc_of(preset)
   return hrbfnpr.desc(preset, image.width, image.height, FIRST_DIRECTION, UP)
 end
@@ -58,7 +58,7 @@ local function show(picture)
   changed = true
 end
 
--- Shows the surface in another style or size; where that fails, everything stays as it was.
+-- Shows the surface in another style or size. If this fails, nothing changes.
 local function restyle(preset)
   show(hrbfnpr.restyle(scene.picture, desc_of(preset)))
 end
@@ -68,7 +68,7 @@ local function show_samples(text, preset)
   reset_view()
 end
 
--- The ImageData that the library draws into is as large as the window, in pixels.
+-- Makes the ImageData for drawing, as large as the window in pixels.
 local function make_canvas()
   local width, height = love.graphics.getPixelDimensions()
   if canvas.image then
@@ -79,10 +79,10 @@ local function make_canvas()
   canvas.image = love.graphics.newImage(canvas.data, { dpiscale = love.graphics.getDPIScale() })
   image.width, image.height = width, height
   image.pixels = canvas.data:getFFIPointer()
-  if scene then restyle(scene.info.preset) end -- another size wants other marks
+  if scene then restyle(scene.info.preset) end -- another size needs other marks
 end
 
--- Lets the model fill the picture, seen along `direction`; returns how far the camera is from its middle.
+-- Fits the model to the picture, seen along `direction`. Returns the camera's distance from the model's middle.
 local function fit_camera(direction)
   local low, high, view_matrix = scene.info.bounds_min, scene.info.bounds_max, camera.view
   hrbfnpr.look(scene.picture, direction, camera)
@@ -99,7 +99,7 @@ local function place_camera()
   direction[0], direction[1] = forward * math.sin(view.turn), forward * math.cos(view.turn)
   direction[2] = math.sin(view.tilt) - math.cos(view.tilt)
   local first_distance = fit_camera(FIRST_DIRECTION)
-  -- Seen from some sides the model takes more room than from others: it is to keep its size.
+  -- The model fills the picture differently from each side; keep its size constant.
   local scale = view.zoom * fit_camera(direction) / first_distance
   camera.projection[0] = camera.projection[0] * scale
   camera.projection[5] = camera.projection[5] * scale
@@ -121,7 +121,7 @@ local function read_file(path)
   return text
 end
 
--- Saves what the window shows after the next frame, and ends the program.
+-- Saves the window's contents after the next frame, and quits.
 local function save_and_quit(path)
   love.graphics.captureScreenshot(function(shot)
     local file = assert(io.open(path, "wb"))
@@ -157,7 +157,7 @@ love.resize = make_canvas
 function love.mousemoved(_, _, dx, dy)
   if not love.mouse.isDown(1) then return end
   view.turn = view.turn + TURN * dx
-  view.tilt = math.max(-0.24 * math.pi, math.min(view.tilt - TURN * dy, 0.74 * math.pi)) -- short of the poles
+  view.tilt = math.max(-0.24 * math.pi, math.min(view.tilt - TURN * dy, 0.74 * math.pi)) -- stop before the poles
   changed = true
 end
 

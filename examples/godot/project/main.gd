@@ -1,14 +1,14 @@
-# Samples become a drawing, seen from all sides.
+# Draws samples and shows the drawing from all sides.
 #
-#   drag: turn    wheel: zoom    space: turn by itself    M: the drawing as a mesh    Escape: quit
+#   drag: turn    wheel: zoom    space: rotate    M: the drawing as a mesh    Escape: quit
 #
-#   --samples=FILE     lines "x y z nx ny nz" in place of the torus
-#   --style=NAME       in place of contour-and-stipple, such as etching
+#   --samples=FILE     lines "x y z nx ny nz" instead of the torus
+#   --style=NAME       a style such as etching, instead of contour-and-stipple
 #   --mesh             start with the mesh
 #   --picture=FILE     save the library's picture and quit (also without a screen: godot3-server)
 #   --screenshot=FILE  save the window and quit
 #
-# Files are PNG, or rows of RGBA8 where the name does not end so.
+# Files are PNG, or rows of RGBA8 if the name has another ending.
 extends Node
 
 const Drawing = preload("res://drawing.gdns")
@@ -24,8 +24,8 @@ var elevation = PI / 4
 var zoom = 1.0
 var turning = false
 var style = "contour-and-stipple"
-var drawn_size = Vector2() # of the picture, which the window's size may differ from
-var drawn_for = [] # what the frame on the screen shows
+var drawn_size = Vector2() # the size of the picture; the window may have another size
+var drawn_for = [] # the view for which the current frame was drawn
 
 
 func _ready():
@@ -78,7 +78,7 @@ func start(path):
 	return drawing.draw(points, normals, style, direction(), UP, int(drawn_size.x), int(drawn_size.y))
 
 
-# From the eye into the scene.
+# The direction from the eye into the scene.
 func direction():
 	return Vector3(sin(azimuth), cos(azimuth), -tan(elevation))
 
@@ -136,10 +136,10 @@ func update_texture(size):
 	if texture.get_size() == size:
 		texture.set_data(picture)
 	else:
-		texture.create_from_image(picture, 0) # no filter, no mipmaps: pixel for pixel
+		texture.create_from_image(picture, 0) # no filter and no mipmaps
 
 
-# The drawing under Godot's own camera: other things of the scene can stand between its marks.
+# Shows the drawing under Godot's own camera, so that other objects can stand between its marks.
 func update_mesh():
 	var mesh = ArrayMesh.new()
 	add_surface(mesh, Mesh.PRIMITIVE_POINTS, drawing.points(), DotsShader, 0)
@@ -149,24 +149,24 @@ func update_mesh():
 	var eye = drawing.eye()
 	var distance = eye.distance_to(box.position + box.size / 2)
 	$Camera.look_at_from_position(eye, eye + direction(), UP)
-	# The picture is framed to what is seen, so that its middle need not be that of the view.
+	# The picture is fitted to the model, so its middle can differ from the middle of the view.
 	var near = 0.01 * distance
 	var seen = near * drawing.frustum()
 	$Camera.set_frustum(seen.z, Vector2(seen.x, seen.y), near, 10 * distance)
 
 
-# Surfaces of higher priority are drawn over the others.
+# Surfaces with a higher priority are drawn over the others.
 func add_surface(mesh, primitive, arrays, shader, priority):
 	if arrays[Mesh.ARRAY_VERTEX].size() == 0:
 		return
 	var material = ShaderMaterial.new()
 	material.shader = shader
 	material.render_priority = priority
-	mesh.add_surface_from_arrays(primitive, arrays, [], 0) # 0: positions and colours as they are
+	mesh.add_surface_from_arrays(primitive, arrays, [], 0) # 0: no compression of positions and colours
 	mesh.surface_set_material(mesh.get_surface_count() - 1, material)
 
 
-# For tests: how many points and triangles the mesh has, and the box around them.
+# For tests: prints the numbers of points and triangles of the mesh, and its bounding box.
 func print_mesh(mesh):
 	var count = { Mesh.PRIMITIVE_POINTS: 0, Mesh.PRIMITIVE_TRIANGLES: 0 }
 	for i in mesh.get_surface_count():
