@@ -53,7 +53,7 @@ def test_every_frame_shows_the_whole_model(turn):
         assert (edge[:, :3] > 200).all() and (image[..., :3].min(axis=-1) < 128).mean() > 0.01
 
 
-def test_whole_turns_and_parts_of_one():
+def test_angles_of_whole_and_partial_turns():
     assert angles_of(4, 360) == [0, 90, 180, 270]
     assert angles_of(4, -720) == [0, -180, -360, -540]
     assert angles_of(4, 90) == [0, 30, 60, 90]
@@ -61,7 +61,7 @@ def test_whole_turns_and_parts_of_one():
     assert angles_of(3, 0) == [0, 0, 0]
 
 
-def test_lines_keep_their_numbers_from_frame_to_frame():
+def test_lines_keep_their_ids_from_frame_to_frame():
     slow = hrbfnpr.animate((POINTS, NORMALS), frames=4, turn=3, size=200, marks=300, lines="contour")
     numbers = [{int(line["line"][0]) for line in slow[i].drawing.polylines() if line["line"][0]} for i in range(4)]
     assert numbers[0] and all(one == numbers[0] for one in numbers)
@@ -87,13 +87,13 @@ def test_gif_and_png_hold_the_frames(turn, tmp_path):
     assert turn._repr_html_().startswith('<img src="data:image/gif;base64,R0lGOD')
 
 
-def test_a_number_in_the_name_makes_pictures(turn, tmp_path):
+def test_a_number_in_the_name_saves_single_pictures(turn, tmp_path):
     turn.save(tmp_path / "frame-%02d.png")
     assert sorted(path.name for path in tmp_path.iterdir()) == [f"frame-0{i}.png" for i in range(5)]
     assert np.array_equal(np.asarray(Image.open(tmp_path / "frame-03.png")), turn[3].image)
 
 
-def test_transparent_frames_are_laid_on_white(tmp_path):
+def test_transparent_frames_get_white_paper_in_a_gif(tmp_path):
     clear = hrbfnpr.animate((POINTS, NORMALS), tmp_path / "a.gif", frames=2, size=60, marks=300, transparent=True)
     assert next(clear.images())[0, 0, 3] == 0
     assert tuple(images(tmp_path / "a.gif")[0][0, 0]) == (255, 255, 255, 255)
@@ -117,7 +117,7 @@ def test_a_film_has_the_frames(turn, tmp_path):
         assert np.abs(part.astype(float) - wanted[..., :3]).mean() < 6
 
 
-def test_a_film_without_the_program_is_an_error(turn, tmp_path, monkeypatch):
+def test_mp4_needs_ffmpeg(turn, tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(OSError, match=r"needs the program ffmpeg \(Debian: ffmpeg\)"):
         turn.save(tmp_path / "a.mp4")

@@ -52,7 +52,7 @@ def picture():
     return hrbfnpr.draw(crossing(), size=400, marks={"stipples": 6000}, azimuth=70)
 
 
-def test_marks_lie_on_all_parts_and_nowhere_else(picture):
+def test_marks_lie_on_both_parts_only(picture):
     parts = picture._scene.parts
     assert len(parts) == 2
     assert any("2 parts of the mesh, not all of them closed" in note for note in picture.notes)
@@ -68,7 +68,7 @@ def test_marks_lie_on_all_parts_and_nowhere_else(picture):
     assert f"{sum(count)} marks" in repr(picture)
 
 
-def test_no_warning_where_parts_are_apart(tmp_path, capsys):
+def test_separate_parts_give_no_warning(tmp_path, capsys):
     vertices, faces = crossing()
     path = str(write(tmp_path, "a.obj", obj(vertices, faces.tolist())))
     assert main(["draw", path, str(tmp_path / "a.png"), "--size", "200", "--also", str(tmp_path / "a.svg")]) == 0
@@ -82,7 +82,7 @@ def test_no_warning_where_parts_are_apart(tmp_path, capsys):
     assert capsys.readouterr().out.count("\nfit ") == 1  # --save-model saves one model
 
 
-def test_an_orbit_has_all_parts():
+def test_an_animation_shows_all_parts():
     options = {"size": 80, "marks": 1500, "frames": 3}
     here = list(hrbfnpr.animate(crossing(), **options).images())
     assert min((image[..., 0] < 128).sum() for image in here) > 100
@@ -112,7 +112,7 @@ def test_surface_beyond_a_border_is_no_error():
     assert model.mesh_fit.mesh_share > 0.99
 
 
-def test_a_picture_on_a_wall():
+def test_a_picture_in_the_plane_of_a_wall_is_drawn():
     """The picture's border lies in the wall. The search for crossings of the border once never ended."""
     picture = hrbfnpr.draw(
         merged(wall((0, 0, 0), (3, 0, 0), (0, 2, 0)), wall((1, 0.5, 0), (1, 0, 0), (0, 1, 0), 5)), size=200, up="y", azimuth=20

@@ -44,7 +44,7 @@ def test_every_layout_gives_the_same_bits(sphere, name):
     np.testing.assert_array_equal(got.gradient, wanted.gradient)
 
 
-def test_a_broadcast_row_is_not_taken_for_packed_rows(sphere):
+def test_a_broadcast_row_is_read_as_repeated_rows(sphere):
     row = np.broadcast_to(POINTS[7], (50, 3))
     np.testing.assert_array_equal(sphere.evaluate(row).value, np.repeat(sphere.evaluate(POINTS).value[7], 50))
 
@@ -68,7 +68,7 @@ def test_shapes_are_kept(sphere):
     assert np.ndim(sphere.curvature(POINTS[0]).k1) == 0
 
 
-def test_no_points_are_no_results(sphere):
+def test_no_points_give_empty_results(sphere):
     result = sphere.evaluate(np.empty((0, 3)), gradient=True)
     assert result.value.shape == (0,) and result.gradient.shape == (0, 3)
 
@@ -129,7 +129,7 @@ def test_float32_results(sphere):
         sphere.evaluate(POINTS, dtype="int32")
 
 
-def test_views_are_the_librarys_memory(marks):
+def test_views_share_the_librarys_memory(marks):
     first, second = marks.layers[0].positions, marks.layer("stipples").positions
     assert first.__array_interface__["data"] == second.__array_interface__["data"]
     assert first.dtype == np.float32 and not first.flags.writeable and not first.flags.owndata
@@ -152,7 +152,7 @@ def test_views_outlive_their_objects(ring):
     np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-5)
 
 
-def test_memory_is_given_back(ring):
+def test_memory_is_returned(ring):
     context = hrbfnpr.Context(1)
     before = context.info.bytes_now
     for _ in range(3):

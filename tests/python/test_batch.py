@@ -96,7 +96,7 @@ def die():
 
 
 @pytest.mark.parametrize("retries", [0, 3])
-def test_workers_that_die_again_and_again(client, here, monkeypatch, retries):
+def test_dying_workers_are_retried(client, here, monkeypatch, retries):
     monkeypatch.setattr(batch, "RETRIES", retries)
     client.wait_for_workers(2)
     client.run(die)  # workers that start later are not affected
@@ -181,7 +181,7 @@ def test_a_missing_dask_is_named(monkeypatch, tmp_path):
         next(batch.frames_of((POINTS, NORMALS), frames=0))
 
 
-def test_the_example_of_the_documentation(tmp_path):
+def test_the_example_of_the_documentation_runs(tmp_path):
     pytest.importorskip("distributed", reason="dask.distributed is not installed (Debian: python3-distributed)")
     text = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
     (block,) = [one for one in re.findall(r"^```py\n(.*?)^```$", text, re.DOTALL | re.MULTILINE) if "hrbfnpr.batch" in one]

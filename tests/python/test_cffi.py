@@ -16,7 +16,7 @@ import outputs  # noqa: E402
 API = outputs.load()
 
 
-def test_the_committed_module_is_fresh():
+def test_the_committed_module_is_up_to_date():
     pytest.importorskip("pycparser")
     command = [sys.executable, "-B", ROOT / "bindings" / "generate", "--check", "python"]
     result = subprocess.run(command, capture_output=True, text=True)
@@ -41,7 +41,7 @@ def layout_program():
     return "\n".join([*lines, "return 0; }"])
 
 
-def test_layouts_and_constants_are_the_compilers(tmp_path):
+def test_layouts_and_constants_match_the_compilers(tmp_path):
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         pytest.skip("no C compiler")
@@ -134,7 +134,7 @@ def test_style_has_every_field_of_its_struct():
         ("Layer.__init__", "hrbfnpr_layer_desc"),
     ],
 )
-def test_default_arguments_are_the_librarys(function, struct):
+def test_default_arguments_match_the_librarys(function, struct):
     import inspect
 
     import hrbfnpr

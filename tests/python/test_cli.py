@@ -178,7 +178,7 @@ def test_large_point_sets_are_thinned(tmp_path, capsys):
     assert "30 centres" in capsys.readouterr().out
 
 
-def test_the_fit_chooses_from_all_points(tmp_path, capsys):
+def test_fit_chooses_centres_from_all_points(tmp_path, capsys):
     points = np.random.default_rng(1).normal(size=(5000, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]
     path, model = write(tmp_path, "big.xyz", rows(np.hstack([points, points]))), str(tmp_path / "m")
@@ -292,7 +292,7 @@ def test_help_and_version(capsys):
     assert capsys.readouterr().out == f"hrbfnpr {hrbfnpr.__version__}\n"
 
 
-def test_an_output_that_fails_is_not_half_written(files, tmp_path, monkeypatch):
+def test_a_failed_output_is_not_half_written(files, tmp_path, monkeypatch):
     from PIL import Image as pil
 
     output = tmp_path / "out.png"
@@ -343,7 +343,7 @@ def test_ctrl_c(tmp_path):
     assert not output.exists()
 
 
-def test_progress_bars_are_for_terminals(files, tmp_path):
+def test_progress_bars_appear_on_terminals_only(files, tmp_path):
     pytest.importorskip("tqdm")
     pty = pytest.importorskip("pty")
     reader, writer = pty.openpty()

@@ -87,7 +87,7 @@ def test_factors_of_scaled_are_one_or_three():
             ball.scaled(factor)
 
 
-def test_solids_of_fits_and_functions_live_as_long_as_needed():
+def test_solids_keep_their_operands_alive():
     fitted = hrbfnpr.Model.fit([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)],
                                [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)])  # fmt: skip
     part = fitted - csg.half_space()
@@ -101,7 +101,7 @@ def test_solids_of_fits_and_functions_live_as_long_as_needed():
     assert len(marks.layers[0].positions) > 100
 
 
-def test_solids_are_pickled(tmp_path):
+def test_solids_can_be_pickled(tmp_path):
     part = (csg.box((1, 2, 3)) - csg.cone(0.4, 4, top_radius=0.2)).shell(0.1)
     again = pickle.loads(pickle.dumps(part))
     assert values(again) == values(part) and again.csg_info == part.csg_info and again.bounds == part.bounds
@@ -109,7 +109,7 @@ def test_solids_are_pickled(tmp_path):
     assert hrbfnpr.Model.load(tmp_path / "part.hrbf").to_bytes() == part.to_bytes()
 
 
-def test_a_failure_of_either_function_is_the_cause():
+def test_an_exception_in_either_function_is_the_cause():
     def failing(name):
         def value(points):
             raise KeyError(name)

@@ -104,7 +104,7 @@ def test_the_command_draws_and_saves(tmp_path, capsys):
     assert "kernel: csg" in capsys.readouterr().out
 
 
-def test_files_are_fitted(tmp_path):
+def test_files_in_a_script_are_fitted(tmp_path):
     points = tmp_path / "ball.xyz"
     rows = []
     for i in range(60):
@@ -121,7 +121,7 @@ def test_files_are_fitted(tmp_path):
     assert half.csg_info.models == 1
 
 
-def test_a_wrong_script_is_one_line(tmp_path, capsys):
+def test_a_wrong_script_gives_one_line(tmp_path, capsys):
     script = tmp_path / "wrong.csg"
     script.write_text("a = sphere(1)\na - load('missing.ply')\n")
     assert main(["csg", str(script), str(tmp_path / "out.png")]) == 1

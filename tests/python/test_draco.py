@@ -42,7 +42,7 @@ def packed(tmp_path_factory):
 
 
 @pytest.mark.parametrize("skin", [False, True])
-def test_a_file(packed, tmp_path, skin):
+def test_a_compressed_mesh_is_read(packed, tmp_path, skin):
     path = tmp_path / "a.glb"
     path.write_bytes(glb(document_of(packed, skin), packed))
     shape = shapes.read(path)

@@ -25,7 +25,7 @@ def ink(picture):
     return (picture.image[..., :3].min(axis=-1) < 128).mean()
 
 
-def test_the_picture_of_the_command_line(tmp_path):
+def test_the_picture_equals_that_of_the_command_line(tmp_path):
     path = write(tmp_path, "a.xyz", rows(np.hstack([POINTS, NORMALS])))
     words = ["--size", "120", "--marks", "1500", "--azimuth", "50", "--ink", "#203040", "--quiet"]
     assert main(["draw", str(path), str(tmp_path / "out.png"), "--style", "hatch", *words]) == 0
@@ -64,7 +64,7 @@ def test_the_same_model_can_be_seen_from_another_side():
     assert picture.seen(camera=whole.camera).camera == whole.camera
 
 
-def test_a_plate_is_larger_than_its_drawing(tmp_path):
+def test_an_archaeological_plate_is_larger_than_its_drawing(tmp_path):
     picture = hrbfnpr.draw((POINTS, NORMALS), "archaeological", size=200, marks=1500)
     assert picture.image.shape[1] > 1.2 * picture.size[0]
     picture.save(tmp_path / "plate.png")
@@ -287,7 +287,7 @@ def test_models_and_marks_are_drawn_unchanged(ring, tmp_path):
     assert np.array_equal(hrbfnpr.draw(tmp_path / "a.hrbm", size=100).image, marks.image)
 
 
-def test_warnings_and_notes_are_pythons(tmp_path):
+def test_warnings_are_python_warnings_and_notes_are_kept(tmp_path):
     few = datasets.sphere(6)
     with pytest.warns(hrbfnpr.DrawingWarning, match="there are 6 points only: the surface between them is a guess") as told:
         hrbfnpr.draw(few, size=100, marks=500)

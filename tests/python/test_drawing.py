@@ -154,7 +154,7 @@ def test_ids_and_layers_of_several_items(renderer, marks, camera, ring):
 
 
 @pytest.mark.parametrize("paper", ["#ffffff", "#e0d0b0", (1, 1, 1, 0)])
-def test_the_float_image_is_the_8_bit_one(renderer, marks, camera, strokes_style, paper):
+def test_the_float_image_rounds_to_the_8_bit_one(renderer, marks, camera, strokes_style, paper):
     drawing = renderer.draw((marks, strokes_style.copy(paper=paper, ink="#203040")), camera)
     for suffix in ("", "_premultiplied"):
         image = drawing.image(format="rgba32f" + suffix)

@@ -49,7 +49,7 @@ def test_a_saved_model_keeps_its_end(scan, tmp_path, capsys):
         assert "\nend " not in capsys.readouterr().out
 
 
-def test_the_sides_of_a_mesh_are_turned_on_request(tmp_path):
+def test_flip_turns_the_sides_of_a_mesh(tmp_path):
     vertices = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
     quads = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
     path = tmp_path / "cube.obj"

@@ -265,7 +265,7 @@ def test_damaged_files_are_refused_or_read(tmp_path):
     assert refused > 150
 
 
-def test_words_are_counted_in_blocks(monkeypatch):
+def test_words_are_counted_across_blocks(monkeypatch):
     from hrbfnpr.shapes import _table
 
     random = np.random.default_rng(0)

@@ -357,7 +357,7 @@ WARNINGS = [name for name, said in SAID.items() if said and said.startswith("war
 
 # Whether a note is printed does not depend on which one it is: the rows with warnings, and a few with notes.
 @pytest.mark.parametrize("name", WARNINGS + ["STL file", "height map"])
-def test_quiet_keeps_warnings_alone(tmp_path, monkeypatch, capsys, name):
+def test_quiet_prints_warnings_only(tmp_path, monkeypatch, capsys, name):
     monkeypatch.chdir(tmp_path)
     file, make, options, _ = ROWS[name]
     write(tmp_path, file, make())
@@ -371,7 +371,7 @@ def blocks(language):
     return re.findall(rf"^```{language}\n(.*?)^```$", DOCUMENT, re.DOTALL | re.MULTILINE)
 
 
-def test_commands(tmp_path, monkeypatch, capsys):
+def test_documented_commands_run(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     write(tmp_path, "scan.xyz", table(*torus(16, 8)))
     commands = [line for block in blocks("sh") for line in block.splitlines() if line]
@@ -384,14 +384,14 @@ def test_commands(tmp_path, monkeypatch, capsys):
     capsys.readouterr()
 
 
-def test_the_lines_that_are_shown():
+def test_documented_output_has_the_printed_format():
     (shown,) = blocks("text")
     lines = shown.splitlines()
     assert all(re.fullmatch(STAGE, line) for line in lines[:-1])
     assert re.fullmatch(r"\S+: \d+ x \d+ pixels, \d+ marks, \d+\.\d s", lines[-1])
 
 
-def test_the_keys_of_json(tmp_path, capsys):
+def test_json_has_the_documented_keys(tmp_path, capsys):
     section = DOCUMENT.split("\n## check\n")[1]
     entries = re.findall(r"^\| (`.+?) \| (.+) \|$", section, re.M)
     keys = {key for names, _ in entries for key in re.findall(r"`(\w+)`", names)}
@@ -480,7 +480,7 @@ def test_check_of_saved_files(tmp_path, capsys, sphere, marks):
 
 
 @pytest.mark.parametrize("way, options", [(1, []), (-1, ["--azimuth", "30"]), (-1, ["--direction", "0,0,-1"])])
-def test_the_usual_side_is_kept(tmp_path, capsys, way, options):
+def test_an_explicit_view_direction_is_kept(tmp_path, capsys, way, options):
     assert main(["draw", str(write(tmp_path, "a.obj", mask(way))), str(tmp_path / "out.png"), *QUICK, *options]) == 0
     assert "usual side" not in capsys.readouterr().err
 

@@ -135,7 +135,7 @@ def test_errors_name_the_argument(model, marks):
         hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, bad, line_set=curved), camera(model))
 
 
-def test_pictures_of_lines_alone_place_few_marks(tmp_path, capsys):
+def test_styles_of_lines_only_place_few_marks(tmp_path, capsys):
     ring = tmp_path / "ring.xyz"
     np.savetxt(ring, np.hstack(torus()), fmt="%.17g")
     draw = ["draw", str(ring), str(tmp_path / "out.png"), "--style", "silhouette", "--size", "200"]

@@ -118,7 +118,7 @@ def test_fit_and_compare(ring):
         hrbfnpr.Model.fit_mesh(ring, share=2)
 
 
-def test_edges(tmp_path):
+def test_sharp_edges_and_smooth_fits_of_a_cube(tmp_path):
     vertices = np.array([(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)], dtype=float)
     faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     cube = hrbfnpr.Mesh(vertices, [t for a, b, c, d in faces for t in ((a, b, c), (a, c, d))])

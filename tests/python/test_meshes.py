@@ -24,7 +24,7 @@ def test_ply_of_triangles_and_quads_in_binary(tmp_path):
     assert triangle_set(shape.triangles) == {(0, 2, 3), (0, 3, 1), (4, 5, 7), (0, 1, 5), (0, 5, 4)}
 
 
-def test_ply_with_lists_that_are_no_numbers(tmp_path):
+def test_ply_lists_with_invalid_numbers_are_refused(tmp_path):
     points = ("vertex", 3, ["float x", "float y", "float z"])
     data = ply_header("binary_little_endian", points, ("face", 1, ["list float int vertex_indices"]))
     with pytest.raises(shapes.ShapeError, match="line 9: the PLY header has lists whose length is a float"):
@@ -35,7 +35,7 @@ def test_ply_with_lists_that_are_no_numbers(tmp_path):
         shapes.read(write(tmp_path, "b.ply", data))
 
 
-def test_indices_are_named_by_line_and_number(tmp_path):
+def test_wrong_indices_are_named_with_line_and_column(tmp_path):
     ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     ply += "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n"
     cases = {
@@ -170,7 +170,7 @@ def test_gltf_nodes(tmp_path):
     np.testing.assert_array_equal(shape.points[3], [0, 0, 9])
 
 
-def test_gltf_nodes_of_several(tmp_path):
+def test_a_gltf_node_with_several_parents_appears_under_each(tmp_path):
     """A node that is the child of several nodes is placed once for each of them."""
     document, data = gltf()
     document["nodes"][0]["children"] = [2, 3]

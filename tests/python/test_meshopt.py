@@ -121,7 +121,7 @@ def shuffled(seed):
 
 
 @pytest.mark.parametrize("version", [0, 1])
-def test_triangles(version):
+def test_triangle_lists_are_decoded(version):
     _, _, grid = torus_mesh()
     used = set()
     by_hand = np.array([(0, 1, 2), (3, 4, 5), (6, 7, 8), (9, 2, 3), (2, 9, 500), (500, 9, 499), (499, 9, 501), (502, 9, 600)])
@@ -134,7 +134,7 @@ def test_triangles(version):
     assert used >= (ways | {("edge", 13), ("edge", 14)} if version else ways)
 
 
-def test_sequence():
+def test_index_sequences_are_decoded():
     wanted = np.array([5, 6, 9, 70000, 70001, 3, 2])
     data, last = b"\xd1", [0, 0]
     for k, value in enumerate(wanted.tolist()):
@@ -144,7 +144,7 @@ def test_sequence():
     np.testing.assert_array_equal(np.frombuffer(unpacked, "<u4"), wanted)
 
 
-def test_powers_of_two():
+def test_the_exponential_filter_is_decoded():
     words = np.array([[3 | (5 << 24)], [(-3 & 0xFFFFFF) | (0xFE << 24)]], dtype=np.uint32).view("<i4")
     extension = {"count": 2, "byteStride": 4, "mode": "ATTRIBUTES", "filter": "EXPONENTIAL"}
     unpacked = _meshopt.unpack(extension, packed_attributes(words))
@@ -186,7 +186,7 @@ def document_of(points, triangles):
     }, data  # fmt: skip
 
 
-def test_a_file(tmp_path):
+def test_a_compressed_file_is_read(tmp_path):
     points, _, triangles = torus_mesh()
     document, data = document_of(points, triangles)
     path = tmp_path / "packed.glb"

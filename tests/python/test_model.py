@@ -299,7 +299,7 @@ def test_a_stream_that_fails(ring, tmp_path):
         ring.save(tmp_path / "nowhere" / "ring.hrbf")
 
 
-def test_a_stream_in_small_pieces(ring):
+def test_a_stream_may_return_small_pieces(ring):
     class Trickle(io.RawIOBase):
         def __init__(self):
             self.data = bytearray()

@@ -107,7 +107,7 @@ def test_a_viewer_shows_errors(monkeypatch):
     assert viewer.message.value == "the picture would be blank" and np.array_equal(shown(viewer), before)
 
 
-def test_the_example_of_the_documentation():
+def test_the_example_of_the_documentation_runs():
     matplotlib = pytest.importorskip("matplotlib", reason="matplotlib is not installed (Debian: python3-matplotlib)")
     pytest.importorskip("ipywidgets", reason="ipywidgets is not installed (Debian: python3-ipywidgets)")
     matplotlib.use("agg")

@@ -50,7 +50,7 @@ def test_records_are_read_by_name(tmp_path):
     np.testing.assert_allclose(shape.normals, NORMALS, atol=1e-6)
 
 
-def test_a_picture_is_read_row_by_row(tmp_path):
+def test_an_image_of_points_is_read_row_by_row(tmp_path):
     shape = shapes.read(write(tmp_path, "a.npy", npy(POINTS.reshape(15, 20, 3))))
     np.testing.assert_array_equal(shape.points, POINTS)
 

@@ -28,7 +28,7 @@ def test_progress_never_falls():
     "stage",
     ["fit", "evaluate", "project", "curvature", "cast_rays", "lipschitz", "contains", "generate", "step_patches"],
 )
-def test_cancelled_before_it_starts(sphere, stage):
+def test_an_operation_cancelled_beforehand_stops_every_call(sphere, stage):
     operation = hrbfnpr.Operation()
     operation.cancel()
     operation.cancel()
@@ -62,7 +62,7 @@ def test_cancelled_by_another_thread():
     assert started.is_set() and operation.fraction < 1
 
 
-def test_an_operation_serves_one_call_after_another(sphere):
+def test_an_operation_can_be_used_for_several_calls_in_turn(sphere):
     seen = []
     operation = hrbfnpr.Operation(seen.append)
     for _ in range(2):
@@ -72,7 +72,7 @@ def test_an_operation_serves_one_call_after_another(sphere):
     assert falls == 1
 
 
-def test_an_operation_does_not_serve_two_calls_at_a_time(sphere):
+def test_an_operation_refuses_two_calls_at_a_time(sphere):
     caught = []
 
     def nested(fraction):
@@ -120,7 +120,7 @@ def test_a_tqdm_bar_is_filled(total):
         assert bar.n == pytest.approx(total or 1.0)
 
 
-def test_other_threads_run_meanwhile():
+def test_other_threads_run_during_a_call():
     ticks = []
     done = threading.Event()
 

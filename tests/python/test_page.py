@@ -66,7 +66,7 @@ def groups_of(svg):
     return {group.get(LABEL): group for group in root.iter(f"{SVG}g") if group.get(LABEL)}
 
 
-def test_groups_are_layers(model):
+def test_svg_groups_are_layers(model):
     drawing = drawn(model, "etching", 400)
     groups = groups_of(drawing.to_svg(title="A & B"))
     assert {"paper", "contour", "hatch-1", "hatch-2", "hatch-3"} <= set(groups)
@@ -74,7 +74,7 @@ def test_groups_are_layers(model):
     assert b"A &amp; B" in drawing.to_svg(title="A & B").encode()
 
 
-def test_layers_have_polylines(model):
+def test_layers_give_their_polylines(model):
     drawing = drawn(model, "etching", 300)
     for number, layer in enumerate(drawing.layers):
         lines = layer.polylines
@@ -101,7 +101,7 @@ def test_files_by_their_endings(model, tmp_path):
     assert not (tmp_path / "b.svg").exists() and len(list(tmp_path.iterdir())) == 3
 
 
-def test_a_page_of_several(model):
+def test_a_page_of_several_drawings(model):
     drawing, file = drawn(model, "silhouette", 200), io.BytesIO()
     items = [PageItem(drawing, name="one"), PageItem(drawing, x=60, scale=0.3, name="two")]
     note = Annotation([[5, 70], [60, 70]], group="rule", line_type="dashed", width=0.5)
@@ -298,7 +298,7 @@ def ball(centre, ink, size=SIZE):
     return hrbfnpr.Item(marks, style, line_set=hrbfnpr.LineSet(model))
 
 
-def test_overlapping_inks_of_two_colours_are_painted_as_in_the_picture(tmp_path):
+def test_overlapping_colours_are_painted_as_in_the_picture(tmp_path):
     # The nearer ball comes first in the list and hides the other.
     items = [ball((0.4, 0.2, 0.7), (0.9, 0.2, 0.1, 1)), ball((-0.3, -0.1, -0.7), (0.1, 0.3, 0.8, 1))]
     for item in items:

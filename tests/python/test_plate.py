@@ -21,7 +21,7 @@ def ball(tmp_path_factory):
     return path
 
 
-def test_a_plate_of_finds(ball, tmp_path):
+def test_a_plate_has_a_section_and_a_scale_bar(ball, tmp_path):
     output = tmp_path / "plate.png"
     assert main(["draw", str(ball), str(output), "--style", "archaeological", "--scale-bar", "mm", *QUICK]) == 0
     dark = np.asarray(Image.open(output).convert("L")) < 128

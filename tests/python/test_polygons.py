@@ -51,7 +51,7 @@ def test_convex_polygons_become_fans():
     assert fans([], square).shape == (0, 3)
 
 
-def test_a_quad_with_an_arrow():
+def test_a_concave_quad():
     arrow = np.array([(0, 0, 0), (2, -1, 0), (0, 2, 0), (-2, -1, 0)], dtype=float)
     for shift in range(4):
         corners = np.roll(np.arange(4), shift)
@@ -59,7 +59,7 @@ def test_a_quad_with_an_arrow():
         assert (area[:, 2] > 0).all()
 
 
-def test_a_hole_with_a_slit_that_leads_to_it():
+def test_a_hole_joined_by_a_slit():
     outer = [(0, 0), (4, 0), (4, 4), (0, 4)]
     inner = [(1, 1), (1, 3), (3, 3), (3, 1)]
     points = np.array([(x, y, 0.0) for x, y in [*outer, outer[0], inner[0], *inner[1:], inner[0]]])

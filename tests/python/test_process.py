@@ -161,7 +161,7 @@ def test_a_copy_of_the_package_finds_the_library_inside(tmp_path):
     assert result.stdout.strip() == str(tmp_path / "hrbfnpr" / "libhrbfnpr.so"), result.stderr
 
 
-def test_the_interpreter_ends_with_everything_alive():
+def test_the_interpreter_exits_cleanly_with_live_objects():
     result = run(
         "import hrbfnpr\n"
         "context = hrbfnpr.Context(2, log=print)\n"

@@ -125,7 +125,7 @@ def test_hessian(pair):
     assert relative(ours, reference.hessian(where)) < 1e-9
 
 
-def test_hessian_is_the_slope_of_the_gradient(pair):
+def test_hessian_is_the_derivative_of_the_gradient(pair):
     model, _, where, unit = pair
     h = 1e-5 * unit
     ours = model.evaluate(where, hessian=True).hessian_matrix()

@@ -40,7 +40,7 @@ def test_items_can_be_given_in_many_forms(renderer, marks, camera):
     assert (renderer.draw(hrbfnpr.Item(marks, STYLE, moved), camera).image() == 255).all()
 
 
-def test_draws_into_the_callers_image(renderer, marks, camera):
+def test_the_callers_array_is_drawn_into(renderer, marks, camera):
     drawing = renderer.draw((marks, STYLE), camera)
     wanted = drawing.image()
     canvas = np.full((130, 200, 4), 9, dtype=np.uint8)
@@ -69,7 +69,7 @@ def test_formats_and_size(renderer, marks, camera):
     assert straight[0, 0, 3] == 0 and straight[..., 3].max() == 255
 
 
-def test_over(renderer, marks, camera):
+def test_a_picture_is_drawn_over_another(renderer, marks, camera):
     clear = STYLE.copy(paper=(1, 1, 1, 0))
     canvas = np.full((120, 160, 4), (10, 200, 30, 255), dtype=np.uint8)
     renderer.draw((marks, clear), camera).image(out=canvas, over=True)

@@ -42,7 +42,7 @@ def test_coarse_faces_are_round_unless_the_option_says_flat(tmp_path, capsys):
 # --- normals -----------------------------------------------------------------------------------
 
 
-def test_normals_that_are_turned_make_the_same_picture(tmp_path, capsys):
+def test_inward_normals_give_the_same_picture(tmp_path, capsys):
     points, normals = torus(24, 12)
     for name, sign in (("a", 1), ("b", -1)):
         assert draw(write(tmp_path, f"{name}.xyz", table(points, sign * normals)), tmp_path / f"{name}.png") == 0
@@ -53,7 +53,7 @@ def test_normals_that_are_turned_make_the_same_picture(tmp_path, capsys):
 # --- up ----------------------------------------------------------------------------------------
 
 
-def test_up_by_the_format(tmp_path, capsys):
+def test_the_format_decides_the_up_axis(tmp_path, capsys):
     path = write(tmp_path, "a.stl", stl(True))
     more = ["--samples", "200"]
     assert draw(path, tmp_path / "a.png", *more) == 0
@@ -92,7 +92,7 @@ def test_the_reason_for_a_blank_picture_is_named(tmp_path, capsys, options, word
     assert max(Image.open(output).size) == 100
 
 
-def test_a_sheet_seen_from_behind(tmp_path, capsys):
+def test_an_open_surface_seen_from_its_back(tmp_path, capsys):
     grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 9)]), axis=-1).reshape(-1, 2)
     points = np.column_stack([grid, 0.1 * grid[:, 0] ** 2])
     path = write(tmp_path, "a.xyz", table(points, np.tile([0.0, 0, -1], (81, 1))))
@@ -104,7 +104,7 @@ def test_a_sheet_seen_from_behind(tmp_path, capsys):
     assert draw(path, tmp_path / "a.png", *options, "--azimuth", "210") == 0
 
 
-def test_a_sheet_warns_of_blank_drawings(tmp_path, capsys):
+def test_sheet_warns_of_blank_drawings(tmp_path, capsys):
     path = write(tmp_path, "a.xyz", table(ball()[0], -ball()[1]))
     options = ["--styles", "stipple,silhouette", "--size", "60", "--marks", "600", "--normals", "keep"]
     assert main(["sheet", str(path), str(tmp_path / "s.png"), *options]) == 0

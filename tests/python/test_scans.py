@@ -90,7 +90,7 @@ def pcd_picture(upward=1.0, looks=1.0, holes=True):
     return (head + "POINTS 1200\nDATA ascii\n" + rows).encode()
 
 
-def test_compressed_runs():
+def test_lzf_data_is_decoded():
     from hrbfnpr.shapes._pcd import _unpack
 
     assert _unpack(bytes([2]) + b"abc" + bytes([7 << 5, 0, 2]), 12) == 4 * b"abc"
@@ -378,7 +378,7 @@ MNI = """P 0.3 0.3 0.4 10 1 4
 """
 
 
-def test_mni_objects(tmp_path, monkeypatch):
+def test_mni_objects_are_read(tmp_path, monkeypatch):
     """MNI objects also end in .obj, but are not Wavefront OBJ."""
     file = write(tmp_path, "a.obj", MNI)
     with monkeypatch.context() as without:

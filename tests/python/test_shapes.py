@@ -379,7 +379,7 @@ def test_creases():
     assert round_.min() < 0.8
 
 
-def test_unused_and_degenerate_parts_do_not_matter():
+def test_unused_and_degenerate_parts_are_ignored():
     vertices = np.vstack([VERTICES, VERTICES, [[9, 9, 9], [np.nan] * 3]])
     faces = np.array([*FACES[:2], [4, 7, 6], [5, 6, 7], [1, 1, 2], [0, 4, 1]])
     points, normals = shapes.samples(shapes.Shape(vertices, triangles=faces), 100)
@@ -402,7 +402,7 @@ def test_samples_of_points():
     assert len(shapes.samples(shape, 5000)[0]) == 3000
 
 
-def test_points_that_cannot_be_used_are_left_out():
+def test_unusable_points_are_left_out():
     points = fibonacci_sphere(10)
     bad, normals = points.copy(), points.copy()
     bad[2, 1] = np.nan

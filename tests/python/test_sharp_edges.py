@@ -107,7 +107,7 @@ def test_sharp_edges_stay_if_vertices_are_left_out(tmp_path, capsys):
     assert "stands for no data" in said and "some edges are sharp" in said
 
 
-def test_damaged_normals_are_no_error(tmp_path):
+def test_damaged_normals_are_ignored(tmp_path):
     points, faces, normals = split(*prism())
     whole = glb(points, faces, normals)
     for damage in ((b'"NORMAL": 1', b'"NORMAL": 7'), (b'"NORMAL": 1', b'"NORMAL": 2'), (b'"NORMAL": 1', b'"NORMAL": []')):

@@ -86,7 +86,7 @@ def test_views_are_next_to_each_other(ring_file, tmp_path):
     assert (inner[3] != inner[5]).any() and max(middle) < 255
 
 
-def test_marks_are_made_once_for_styles_with_the_same_layers(ring_file, tmp_path, monkeypatch):
+def test_styles_with_the_same_layers_share_marks(ring_file, tmp_path, monkeypatch):
     used, draw = [], Scene.draw
 
     def note(self, *arguments, **options):
@@ -122,7 +122,7 @@ def test_the_default_output_and_summary(ring_file, tmp_path, monkeypatch, capsys
         (["{ring}", "out.png", "--lines", "crease"], 1, "creases come from a mesh"),
     ],
 )
-def test_failures_are_one_line_and_leave_nothing(ring_file, marks, tmp_path, monkeypatch, capsys, arguments, code, words):
+def test_failures_print_one_line_and_write_nothing(ring_file, marks, tmp_path, monkeypatch, capsys, arguments, code, words):
     import re
 
     monkeypatch.chdir(tmp_path)

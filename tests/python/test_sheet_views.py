@@ -136,7 +136,7 @@ def inside(points, centres, radius):
     return (np.linalg.norm(points[:, None] - centres, axis=2) < radius).any(axis=1)
 
 
-def test_a_section_is_hatched_inside_the_cut_alone(ring, tmp_path):
+def test_a_section_is_hatched_inside_the_cut_only(ring, tmp_path):
     paths = drawn(ring, tmp_path, "--up", "z", "--views", "front,top", "--section", "y", "--scale", "2:1")
     low, high = box_of(paths, "outlines A-A")
     assert high - low == pytest.approx((56, 16), abs=0.2)
@@ -157,7 +157,7 @@ def test_a_section_is_hatched_inside_the_cut_alone(ring, tmp_path):
     assert {"cutting planes top", "cutting ends top"} <= set(paths)
 
 
-def test_holes_stay_empty(bush, tmp_path):
+def test_holes_of_a_section_are_not_hatched(bush, tmp_path):
     cuts = ("--section", "y", "--section", "z:15")
     paths = drawn(bush, tmp_path, "--up", "z", "--views", "front", *cuts, "--scale", "1:1")
     low, high = box_of(paths, "outlines A-A")
@@ -212,7 +212,7 @@ def test_impossible_views_are_refused(egg, tmp_path, capsys, options, status, wo
     assert not (tmp_path / "egg.svg").exists()
 
 
-def test_pictures_are_refused(egg, tmp_path, capsys):
+def test_pixel_formats_are_refused(egg, tmp_path, capsys):
     assert main(["sheet-views", str(egg), str(tmp_path / "egg.png")]) == 1
     assert ".svg" in capsys.readouterr().err
 

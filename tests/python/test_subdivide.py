@@ -79,7 +79,7 @@ def test_a_bevelled_cube_is_not_divided(tmp_path, capsys):
 
 
 @pytest.mark.parametrize("hull", (rounded_box, hull_in_a_box))
-def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
+def test_a_convex_hull_is_not_subdivided(hull, tmp_path, capsys):
     path = write(tmp_path, "hull.obj", obj(*hull()))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     said = capsys.readouterr().err
