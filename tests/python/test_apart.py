@@ -101,7 +101,7 @@ def surface_of_rings(radius, height):
 
 
 def test_surface_beyond_a_border_is_no_error():
-    """Two pipes, one above the other, and a flange between: sheets go on from one to the other."""
+    """Two pipes in line and a flange between them: a sheet continues from one pipe into the other."""
     along = np.linspace(0, 1, 15)
     pipes = [surface_of_rings(np.ones(15), along), surface_of_rings(np.ones(15), 1.2 + along)]
     mesh = Mesh(*merged(*pipes, surface_of_rings(1 - 0.5 * along, np.ones(15))), parts="all")

@@ -92,7 +92,7 @@ def off_the_wall(path, z):
 
 
 def test_a_noisy_wall_becomes_smooth(tmp_path, capsys):
-    """Depth steps of 46 mm at 4 m, which the surface went through: islands with outlines."""
+    """Depth steps are 46 mm at 4 m. A surface through them would show islands with outlines."""
     points, z = kinect()
     file = write(tmp_path, "a.pcd", pcd(points))
     assert main(["fit", str(file), str(tmp_path / "a.hrbf")]) == 0
@@ -118,7 +118,7 @@ def test_a_noisy_wall_becomes_smooth(tmp_path, capsys):
 
 
 def test_gaps_in_depth_are_not_closed_as_holes(tmp_path):
-    """The gap between the ball and the wall is not closed by a surface, as a hole of a scan is."""
+    """A hole in a scan is filled, but not the gap between the ball and the wall."""
     points, z = kinect(240, 180, far=2.2)
     saved = tmp_path / "a.hrbf"
     assert main(["fit", str(write(tmp_path, "a.pcd", pcd(points))), str(saved)]) == 0

@@ -72,7 +72,7 @@ def test_a_mesh_fit_ends_with_the_mesh(tmp_path, capsys):
 
 
 def test_a_fit_ends_near_a_self_crossing_mesh(tmp_path, capsys):
-    # A box, the top of which has a corner far below its bottom.
+    # A box with one corner of its top moved far below its bottom.
     corner, faces = {}, []
     for axis, side, i, j in np.ndindex(3, 2, 5, 5):
         square = []

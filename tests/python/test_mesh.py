@@ -145,7 +145,7 @@ def test_closing():
 
 
 def test_flat_faces_next_to_soft_bevels_stay_flat():
-    """A slab of round corners, whose upper edge has a bevel that bends less than a crease does."""
+    """A slab with rounded corners. The bevel of its upper edge bends less than a crease does."""
     steps, radius, inset, drop = 4, 1.2, 0.6, 0.3
     vertices = []
     for inward, z in ((0, 0), (0, 1 - drop), (inset, 1)):

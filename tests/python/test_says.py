@@ -29,7 +29,7 @@ def draw(path, output, *options):
 
 
 def test_coarse_faces_are_round_unless_the_option_says_flat(tmp_path, capsys):
-    angle = 2 * np.pi * np.arange(16) / 16  # a prism, or a cylinder
+    angle = 2 * np.pi * np.arange(16) / 16  # either a prism or a cylinder
     rings = [np.column_stack([np.cos(angle), 0 * angle + y, np.sin(angle)]) for y in (0, 1)]
     sides = [[i, 16 + i, 16 + (i + 1) % 16, (i + 1) % 16] for i in range(16)]
     path = write(tmp_path, "prism.obj", obj(np.vstack(rings), [*sides, list(range(16)), list(range(31, 15, -1))]))

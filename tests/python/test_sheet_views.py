@@ -126,7 +126,7 @@ def test_hidden_edges_are_dashed_and_thin(ring, tmp_path):
 
 
 def test_coincident_lines_are_drawn_once(ring, tmp_path):
-    """From the side, the back of the torus is behind its front everywhere."""
+    """From the side, the front and the back of a torus have the same outline."""
     paths = drawn(ring, tmp_path, "--up", "z", "--views", "front", "--scale", "2:1")
     length = sum(np.linalg.norm(np.diff(p, axis=0), axis=1).sum() for p in paths["outlines front"])
     assert length == pytest.approx(2 * (2 * 20 + np.pi * 8), rel=0.05)

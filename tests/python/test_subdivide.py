@@ -68,7 +68,7 @@ def bevelled_cube():
     return inner + 0.05 * out, np.array(faces)
 
 
-# Edges as long as its faces are no coarse ones: what is round there is narrow.
+# Round parts are narrow here: an edge as long as a face does not count as coarse.
 def test_a_bevelled_cube_is_not_divided(tmp_path, capsys):
     points, faces = bevelled_cube()
     path = write(tmp_path, "cube.obj", obj(points, faces))

@@ -148,7 +148,7 @@ def test_a_tray_with_small_faces_at_its_corners_stays_open():
 
 
 def test_lines_of_a_flat_drawing_keep_their_width():
-    """A frame of a hundredth of what it is across, as the lines of a field or of letters."""
+    """A flat frame whose bars are 1 % of its width, like the lines of letters."""
     outer, inner = [(0, 0), (10, 0), (10, 6), (0, 6)], [(0.12, 0.12), (9.88, 0.12), (9.88, 5.88), (0.12, 5.88)]
     vertices = [(x, y, 0) for x, y in outer + inner]
     triangles = [t for i in range(4) for t in ((i, (i + 1) % 4, (i + 1) % 4 + 4), (i, (i + 1) % 4 + 4, i + 4))]
