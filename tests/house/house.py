@@ -12,6 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import comments
 import spdx as licence
 
 SKIPPED = 77  # CTest's SKIP_RETURN_CODE
@@ -59,13 +60,14 @@ ONLY_IN = [
 # Patterns that make a comment hard to read, each with a remedy.
 HARD_WORDS = [
     (r"^[Oo]f ", "begin with the subject: 'For a closed chain, ...'"),
-    (r"^\.\.\. |(?<![,_])(?<!, )\.\.\.$", "end the sentence; a sentence does not run over several declarations"),
+    (r"^\.\.\. |(?<![,_A-Z\]])(?<!, )\.\.\.$", "end the sentence; a sentence does not run over several declarations"),
     (r"\b[Ss]o (many|much)\b", "name the number or the distance"),
     (r"\b[Ww]hat (is|are|was|of|has)\b", "use a noun: 'the points outside', 'NaN'"),
     (r"\b(where|as|that) there (is|are) none\b", "name the thing that is missing"),
     (r"\b[Nn]obody\b|\b[Ww]hoever\b", "name the code that does it"),
 ]
-NO_COMMENT = re.compile(r"SPDX|NOLINT")
+WITH_COMMENTS = ["src", "bench", "cmake", "docs", "examples", "scripts", "tests"]
+GENERATED = re.compile(r"\W*Made by .*\bdo not edit\b")
 OPENMP = r"#\s*pragma\s+omp\b|<omp\.h>|\b_OPENMP\b|\bomp_\w+\s*\("
 FORBIDDEN_IN_SOURCES = [
     (r"\bthread_local\b", "a host's job system may resume a call on another thread"),
@@ -209,25 +211,22 @@ def format(root):
         yield "please run scripts/lint --fix; clang-format-14 says:\n" + result.stderr
 
 
-def comments(text):
-    """Yields the first line and the words of each comment of a C++ file."""
-    above = []  # the lines of a comment that stands alone
-    for number, line in enumerate([*text.split("\n"), ""], 1):
-        stripped = line.strip()
-        if stripped.startswith("//") and not NO_COMMENT.search(stripped):
-            above.append(stripped[2:].strip())
-            continue
-        if above:
-            yield number - len(above), " ".join(above)
-            above = []
-        if beside := re.search(r"[;,{)]\s*// (.+)$", line):
-            yield number, beside.group(1)
+def commented_files(root):
+    """Pairs of a file that may have comments and its text. A generated file has its comments from elsewhere."""
+    inside = source_files(root, WITH_COMMENTS, {"", ".txt", *comments.MARKS})
+    for path in [root / "CMakeLists.txt", *inside]:
+        try:
+            text = path.read_text(encoding="utf-8")
+        except UnicodeDecodeError:
+            continue  # a fuzzer's input
+        if not any(GENERATED.match(line) for line in text.splitlines()[:3]):
+            yield path, text
 
 
 def words(root):
     """Comments are sentences that a reader understands without parsing them twice."""
-    for path in source_files(root, ["src", "bench", "examples", "tests"], (".h", ".cpp", ".c")):
-        for number, comment in comments(path.read_text(encoding="utf-8")):
+    for path, text in commented_files(root):
+        for number, comment in sorted(comments.comments(path, text)):
             for pattern, remedy in HARD_WORDS:
                 if found := re.search(pattern, comment):
                     yield f"{path.relative_to(root)}:{number}: '{found.group(0)}': {remedy}"

@@ -72,7 +72,33 @@ BREAKS = [
     ("words", "src/fit/fit.cpp", "int a; // what is no number\n"),
     ("words", "src/fit/fit.h", "// The sides, of which\n// there are so many.\nint a;\n"),
     ("words", "src/base/base.h", "int a; // the first ...\nint b; // ... and the last\n"),
+    ("words", "src/fit/fit.cpp", "/*\n * The first.\n *\n * Of the others none.\n */\nint a;\n"),
+    ("words", "tests/new.py", '"""Of a closed one the first."""\n'),
+    ("words", "tests/new.py", 'def f():\n    """The first.\n\n    Of the others none.\n    """\n'),
+    ("words", "bench/new.py", "a = 1  # what is left\n"),
+    ("words", "docs/new.py", "def f():\n    # Nobody sees\n    # these lines.\n    pass\n"),
+    ("words", "scripts/new", "#!/usr/bin/env python3\n# so many\n"),
+    ("words", "scripts/new", "#!/usr/bin/env bash\nset -e # what is left\n"),
+    ("words", "scripts/new.sh", "# The sides, of which\n# there are so many.\n"),
+    ("words", "cmake/New.cmake", "set(A 1) # Of all\n"),
+    ("words", "CMakeLists.txt", "# Whoever links it.\n"),
+    ("words", "src/base/CMakeLists.txt", "# Whoever links it.\n"),
+    ("words", "tests/New.cs", "/// <summary>What is <c>left</c>.</summary>\nclass A {}\n"),
+    ("words", "tests/New.cs", "class A {} // nobody\n"),
+    ("words", "examples/new.js", "/** Of all points. */\nlet a;\n"),
+    ("words", "examples/new.mjs", "let a; // so much\n"),
 ]
+
+# Files that the check of comments accepts: strings, usage lines, generated files, data.
+PLAIN = {
+    "tests/string.py": 'a = "# so many"\nb = """Of all\n# so many\n"""\n',
+    "tests/usage.py": '"""Reads files.\n\n    usage.py LIBRARY FILE...\n"""\n',
+    "tests/usage.cs": 'class A { string a = "http://nobody"; }\n',
+    "scripts/usage": "#!/bin/sh\n#   usage [FILE...]\necho '# so many' ${#a}\n",
+    "examples/made.js": "// Made by make.py from a.h; do not edit.\n// What is left.\n",
+    "examples/so_many.txt": "# so many\n",
+    "tests/corpus/so_many": "# so many\n",
+}
 
 
 class House(unittest.TestCase):
@@ -111,6 +137,12 @@ class House(unittest.TestCase):
                 self.write(name, text)
                 self.assertEqual(before, [])
                 self.assertNotEqual(self.findings(check), [])
+
+    def test_comments_are_told_from_other_text(self):
+        for name, text in PLAIN.items():
+            self.write(name, text)
+        (self.root / "tests/corpus/bytes").write_bytes(b"#!\xff so many")
+        self.assertEqual(self.findings("words"), [])
 
     def test_the_openmp_check_fails_if_it_finds_no_openmp_at_all(self):
         (self.root / "src/base/parallel_openmp.cpp").write_text("// nothing\n")
