@@ -5,16 +5,16 @@
     docs.py glossary ROOT                   docs/glossary.md is sorted; each entry cites a listed work or is marked as ours
     docs.py names ROOT                      names of the C interface, of the build and of files exist
     docs.py presets ROOT                    docs/presets.md has a section and a picture for each named style of the header
-    docs.py pictures ROOT                   pictures in docs/images are small, and shown somewhere
+    docs.py pictures ROOT                   pictures in docs/images are small, and a document shows each of them
     docs.py readme ROOT                     README.md can be read in five minutes
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
-        PROGRAM (for a .py, the file itself) leaves a drawing in the current folder.  README.md contains
-        quickstart.c and quickstart.py to the letter, except the licence line; docs/tutorial.md contains steps.c
-    docs.py agree ROOT PROGRAM...           the programs write the same torus.svg, and Python does of the same samples
-    docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
-    docs.py cookbook ROOT                   the same of docs/cookbook.md
-    docs.py guide ROOT FOLDER               Sphinx makes the guide without a warning, such as of links that lead nowhere
+        PROGRAM (for a .py, the file itself) leaves a drawing in the current folder. README.md contains quickstart.c
+        and quickstart.py to the letter, except the licence line; docs/tutorial.md contains steps.c
+    docs.py agree ROOT PROGRAM...           the programs and Python write the same torus.svg from the same samples
+    docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the committed pictures
+    docs.py cookbook ROOT                   the same for docs/cookbook.md
+    docs.py guide ROOT FOLDER               Sphinx builds the guide without a warning, such as a broken link
 """
 
 import importlib.util

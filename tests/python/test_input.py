@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tests that what docs/input.md says about each kind of input is true, and what is printed for it."""
+"""Statements of docs/input.md about each kind of input are true, and so are the printed lines."""
 import dataclasses
 import json
 import re
@@ -189,7 +189,7 @@ def thin():
     return cube + obj(vertices * rod + [1.5, 3, 1.5], shifted)
 
 
-# For each row of the tables in docs/input.md: the file, what is in it, options, and the exit status.
+# For each row of the tables in docs/input.md: the file name, its contents, options, and the exit status.
 ROWS = {
     "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
     "points, some normals inward": ("a.xyz", mixed, [], 0),
@@ -248,7 +248,7 @@ ROWS = {
     "output in a folder that does not exist": ("a.xyz", lambda: table(*ball()), ["-o", "nowhere/out.png"], 1),
 }  # fmt: skip
 
-# What is printed for each row. N is any number, and FILE the file. None: nothing is printed.
+# The text printed for each row. N is any number, FILE is the file. None: nothing is printed.
 SAID = {
     "points, all normals inward": "note: all normals looked inward: they are turned (--normals keep leaves them)",
     "points, some normals inward": "note: the normals were of any sign: N are turned, N are made anew",
@@ -355,7 +355,7 @@ def test_messages_match_the_documentation(tmp_path, monkeypatch, capsys, name):
 WARNINGS = [name for name, said in SAID.items() if said and said.startswith("warning")]
 
 
-# Whether a note is printed does not depend on which one it is: the rows with warnings, and a few with notes.
+# --quiet treats all notes alike, so the rows with warnings and two rows with notes are enough.
 @pytest.mark.parametrize("name", WARNINGS + ["STL file", "height map"])
 def test_quiet_prints_warnings_only(tmp_path, monkeypatch, capsys, name):
     monkeypatch.chdir(tmp_path)

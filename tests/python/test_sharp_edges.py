@@ -95,11 +95,11 @@ def test_the_command_uses_sharp_edges_of_files(tmp_path, capsys):
     assert 0 < float(re.search(r"what lies between them by ([0-9.]+)%", said)[1]) < 3
     assert "warning" not in said
     assert "normals of its file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
-    assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # less than by default
+    assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # smaller than the default
     assert "divided 1 time" in drawn(tmp_path, capsys, obj(*prism()), "--subdivide", "1")
 
 
-# What is left out takes numbers of vertices with it.
+# Removing unusable vertices renumbers the rest.
 def test_sharp_edges_stay_if_vertices_are_left_out(tmp_path, capsys):
     points, faces, normals, own = prism()
     points, own = np.vstack([[[-9999.0] * 3] * 2, points]), np.vstack([own, own[:1]])

@@ -84,7 +84,7 @@ def test_a_convex_hull_is_not_subdivided(hull, tmp_path, capsys):
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     said = capsys.readouterr().err
     assert "divided" not in said and "warning: the surface is not within" not in said
-    # Faces so coarse that they are seen to be flat are not divided for a try.
+    # Faces that are obviously flat are rejected before a trial subdivision.
     assert ("nothing round goes through them" in said) == (hull is rounded_box)
 
 
