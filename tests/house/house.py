@@ -66,7 +66,7 @@ HARD_WORDS = [
     (r"\b(where|as|that) there (is|are) none\b", "name the thing that is missing"),
     (r"\b[Nn]obody\b|\b[Ww]hoever\b", "name the code that does it"),
 ]
-WITH_COMMENTS = ["src", "bench", "cmake", "docs", "examples", "scripts", "tests"]
+WITH_COMMENTS = ["src", "bench", "bindings", "cmake", "docs", "examples", "scripts", "tests"]
 GENERATED = re.compile(r"\W*Made by .*\bdo not edit\b")
 OPENMP = r"#\s*pragma\s+omp\b|<omp\.h>|\b_OPENMP\b|\bomp_\w+\s*\("
 FORBIDDEN_IN_SOURCES = [

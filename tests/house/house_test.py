@@ -85,6 +85,9 @@ BREAKS = [
     ("words", "src/base/CMakeLists.txt", "# Whoever links it.\n"),
     ("words", "tests/New.cs", "/// <summary>What is <c>left</c>.</summary>\nclass A {}\n"),
     ("words", "tests/New.cs", "class A {} // nobody\n"),
+    ("words", "bindings/new.pyi", "def f(): ...  # what is left\n"),
+    ("words", "bindings/csharp/New.cs", "/// <summary>\n/// Of all.\n/// </summary>\nclass A {}\n"),
+    ("words", "bindings/js/new.d.ts", "/** What is left. */\nexport {};\n"),
     ("words", "examples/new.js", "/** Of all points. */\nlet a;\n"),
     ("words", "examples/new.mjs", "let a; // so much\n"),
 ]
