@@ -298,7 +298,7 @@ class Parser:
             line = self.tokens[first].line
             entry["doc"] = behind or above
             if behind and above:
-                entry["heading"] = above  # of this item and the items that follow
+                entry["heading"] = above  # for this item and the items that follow
             result.append(entry)
         return result
 

@@ -171,7 +171,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Returns this camera with an orthographic projection.</summary>
-        /// <param name="viewHeight">The height of what is seen, in world units; above 0.</param>
+        /// <param name="viewHeight">The height of the visible region, in world units; above 0.</param>
         /// <param name="width">The width in pixels.</param>
         /// <param name="height">The height in pixels.</param>
         /// <param name="near">The distance of the near plane from the eye; may be negative.</param>

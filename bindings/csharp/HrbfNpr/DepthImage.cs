@@ -76,7 +76,7 @@ namespace HrbfNpr
         /// <param name="rows">The number of rows; 8 to 65535.</param>
         /// <param name="normals">Receives x, y, z of a unit normal for each point, which points to the camera; 0 where
         /// there is no point.</param>
-        /// <param name="info">Receives what was found.</param>
+        /// <param name="info">Receives the findings.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="context">The context; null = the default context.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>

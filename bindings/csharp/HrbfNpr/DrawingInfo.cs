@@ -112,7 +112,7 @@ namespace HrbfNpr
         public readonly long LineRefined;
 
         /// <summary>
-        /// Number of cells of the image, four pixels wide or more, with so many crossings that none was used.  Lines
+        /// Number of cells of the image, four pixels wide or more, with too many crossings, of which none was used.  Lines
         /// run to and fro over each other there, as on a flat face seen edge-on.
         /// </summary>
         public readonly long LineTangles;

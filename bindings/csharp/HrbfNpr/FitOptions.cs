@@ -84,8 +84,7 @@ namespace HrbfNpr
         public Normals NormalMode { get; set; }
 
         /// <summary>
-        /// Whether the surface ends where its samples end; default Auto.  <see cref="Model.TrimInfo"/> says what was
-        /// done.
+        /// Whether the surface ends where its samples end; default Auto.  <see cref="Model.TrimInfo"/> tells the result.
         /// </summary>
         public TrimMode Trim { get; set; } = TrimMode.Auto;
 

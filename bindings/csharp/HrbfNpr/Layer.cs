@@ -7,7 +7,7 @@ namespace HrbfNpr
     /// <summary>Gives a density on the surface.</summary>
     /// <param name="positions">3 n numbers: absolute positions.</param>
     /// <param name="normals">3 n numbers: unit normals.</param>
-    /// <param name="density">Receives n numbers: 1 where marks lie closest, 0 where there are none.</param>
+    /// <param name="density">Receives n numbers: 1 where marks lie closest, 0 where no mark lies.</param>
     public delegate void DensityFunction(double[] positions, double[] normals, double[] density);
 
     /// <summary>Gives a field of directions on the surface.</summary>

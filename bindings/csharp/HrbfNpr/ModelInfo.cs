@@ -143,7 +143,7 @@ namespace HrbfNpr
         /// </summary>
         public readonly long NormalsTurned;
 
-        /// <summary><see cref="OrientationInfo.Confidence"/> of such a fit; NaN with Given.</summary>
+        /// <summary>The <see cref="OrientationInfo.Confidence"/> of such a fit; NaN with Given.</summary>
         public readonly double NormalsConfidence;
 
         /// <summary>Time of making the normals, in seconds.</summary>

@@ -34,7 +34,7 @@ namespace HrbfNpr
         /// <summary>The projected points: 3 n numbers.  A point that failed keeps its last place.</summary>
         public double[] Position { get; }
 
-        /// <summary>The unit gradients there: 3 n numbers; 0 where there is none.</summary>
+        /// <summary>The unit gradients there: 3 n numbers; 0 where the gradient is unknown.</summary>
         public double[] Normal { get; }
 
         /// <summary>What became of each point.</summary>

@@ -115,7 +115,7 @@ namespace HrbfNpr
         /// <param name="points">The N points: at least 4 different ones, not all on one line.</param>
         /// <param name="normals">The N normals, of any length; not needed with None and Auto: pass
         /// <c>default(ArrayView)</c>.  Normals that stay are returned unchanged; a zero normal is made.</param>
-        /// <param name="info">Receives what was found.</param>
+        /// <param name="info">Receives the findings.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="context">The context; null = the default context.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>

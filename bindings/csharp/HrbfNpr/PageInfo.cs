@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>What was written of a page.</summary>
+    /// <summary>Counts of the shapes on a page that was written.</summary>
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_page_info")]
     public struct PageInfo
     {

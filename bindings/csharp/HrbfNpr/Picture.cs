@@ -63,7 +63,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What was chosen, repaired, measured or may be wrong, in the order of time; a new list.</summary>
+        /// <summary>The notes on choices, repairs, measurements and possible faults, in the order of time; a new list.</summary>
         public IReadOnlyList<Note> Notes
         {
             get
@@ -197,7 +197,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Makes a picture of one source, and draws it.</summary>
-        /// <param name="source">What is drawn.  A model or a point set converts implicitly.</param>
+        /// <param name="source">The source.  A model or a point set converts implicitly.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="context">The context; null = the default context.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
@@ -215,7 +215,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Makes a picture of several sources, each a separate surface, and draws it.</summary>
-        /// <param name="sources">What is drawn: one or more sources.</param>
+        /// <param name="sources">One or more sources.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="context">The context; null = the default context.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
@@ -241,7 +241,7 @@ namespace HrbfNpr
         /// <summary>
         /// Makes a picture of one source: fits a surface, places marks and finds lines.  It draws nothing yet.
         /// </summary>
-        /// <param name="source">What is drawn.  A model or a point set converts implicitly.</param>
+        /// <param name="source">The source.  A model or a point set converts implicitly.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="context">The context; null = the default context.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
@@ -259,7 +259,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Makes a picture of several sources, each a separate surface.  It draws nothing yet.</summary>
-        /// <param name="sources">What is drawn: one or more sources.</param>
+        /// <param name="sources">One or more sources.</param>
         /// <param name="options">The options; null = all defaults.</param>
         /// <param name="context">The context; null = the default context.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>

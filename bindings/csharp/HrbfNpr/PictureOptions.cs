@@ -38,7 +38,7 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// A dab of a brush: a ball on the surface in which what is painted moves towards a value.  Dabs act one after the
+    /// A dab of a brush: a ball on the surface in which the painted map moves towards a value.  Dabs act one after the
     /// other.
     /// </summary>
     public sealed class Dab

@@ -5,7 +5,7 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <summary>What is drawn: points, a mesh, a model, or a point set.</summary>
+    /// <summary>A source of a picture: points, a mesh, a model, or a point set.</summary>
     /// <remarks>
     /// Arrays are read while a picture is made, and are not kept.  The picture keeps a model and a point set.
     /// </remarks>

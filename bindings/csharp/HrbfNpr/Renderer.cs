@@ -44,7 +44,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Draws one item.</summary>
-        /// <param name="item">What is drawn.  A point set converts implicitly, to an item in the default style.</param>
+        /// <param name="item">The item.  A point set converts implicitly, to an item in the default style.</param>
         /// <param name="camera">The camera.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.  The renderer can be used again.</param>
@@ -75,7 +75,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Draws several items.</summary>
-        /// <param name="items">What is drawn; may be empty.</param>
+        /// <param name="items">The items; may be empty.</param>
         /// <param name="camera">The camera.</param>
         /// <param name="progress">Receives the progress, from 0 to 1, on this thread; may be null.</param>
         /// <param name="cancellationToken">Cancels the call.  The renderer can be used again.</param>

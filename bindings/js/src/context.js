@@ -110,7 +110,7 @@ export class Context extends Handle {
   orient(options, control) {
     return Call.with(this.library, (call) => {
       const desc = call.structOf(options, "hrbfnpr_orient_desc", "orient");
-      const { data } = this.library.views; // of the struct that was just written
+      const { data } = this.library.views; // the struct that was just written
       const normals = new Float64Array(3 * Number(data.getBigInt64(desc + 16, true)));
       const out = call.arrayOut(normals, 3);
       const info = call.struct("hrbfnpr_orient_info", {});
@@ -123,7 +123,7 @@ export class Context extends Handle {
   smoothDepthImage(options, control) {
     return Call.with(this.library, (call) => {
       const desc = call.structOf(options, "hrbfnpr_depth_image_desc", "depthImage");
-      const { data } = this.library.views; // of the struct that was just written
+      const { data } = this.library.views; // the struct that was just written
       const count = Number(data.getBigInt64(desc + 24, true));
       const points = new Float64Array(3 * count);
       const normals = new Float64Array(3 * count);

@@ -39,7 +39,7 @@ export type RunTasksFn = never;
 /** Fills `value` (n numbers) and, if they are not null, `gradient` (3 n) and `hessian` (6 n: xx xy xz yy yz zz). */
 export type ImplicitFn = (points: Float64Array, out: {
   value: Float64Array; gradient: Float64Array | null; hessian: Float64Array | null }) => void;
-/** Fills `density` (n numbers): 1 where marks lie closest, 0 where there are none. */
+/** Fills `density` (n numbers): 1 where marks lie closest, 0 where no mark lies. */
 export type DensityFn = (positions: Float64Array, normals: Float64Array, density: Float64Array) => void;
 /** Fills `directions` (3 n numbers); (0, 0, 0) = no direction. */
 export type DirectionFn = (positions: Float64Array, normals: Float64Array, directions: Float64Array) => void;
@@ -282,7 +282,7 @@ export class Camera implements O.Camera {
   lookAt(eye: Numbers, target: Numbers, up?: Numbers): this;
   /** Sets a perspective projection; the vertical angle of view is in radians. */
   perspective(verticalAngle: number, width: number, height: number, near: number, far: number): this;
-  /** Sets an orthographic projection; viewHeight is the height of what is seen, in world units. */
+  /** Sets an orthographic projection; viewHeight is the height of the visible region, in world units. */
   orthographic(viewHeight: number, width: number, height: number, near: number, far: number): this;
   /** Shows a box as large as the viewport and the margin allow. */
   fitBounds(min: Numbers, max: Numbers, view: FitView): this;
@@ -319,7 +319,7 @@ export interface PicturePart {
   mesh?: Mesh;
 }
 
-/** A picture: what was chosen for sources, and made of them. */
+/** A picture of sources, with the choices that were made for it. */
 export class Picture extends Handle {
   readonly context: Context;
   /** The drawing for the planned camera.  With allowBlank it is made when it is first read. */

@@ -39,7 +39,7 @@ function styleAt(call, address) {
   return style;
 }
 
-/** A picture: what was chosen for sources, and made of them. */
+/** A picture of sources, with the choices that were made for it. */
 export class Picture extends Made {
   #drawing;
 
@@ -76,7 +76,7 @@ export class Picture extends Made {
     return this.readInfo("hrbfnpr_picture_get_info", "hrbfnpr_picture_info");
   }
 
-  /** The notes about what was chosen, repaired or left out: { code, severity, figures, text } each. */
+  /** The notes about choices, repairs and omissions: { code, severity, figures, text } each. */
   get notes() {
     return Array.from({ length: this.info().notes }, (_, number) => {
       const { code, severity, figures, figureCount, text } =

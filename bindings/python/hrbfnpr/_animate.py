@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Turntables: the camera goes around what is drawn.  This module needs NumPy and Pillow."""
+"""Turntables: the camera goes around the model.  This module needs NumPy and Pillow."""
 from __future__ import annotations
 
 import base64
@@ -102,7 +102,7 @@ def animate(
     context: Optional[Context] = None,
     **options: Any,
 ) -> Animation:
-    """Draw a turntable: the camera goes around what is drawn.
+    """Draw a turntable: the camera goes around the model.
 
     The model is fitted, its marks are placed and its lines are found once.  One renderer draws all frames, so that lines
     keep their numbers and their wobble from frame to frame.  The picture has room for the whole turn.

@@ -373,7 +373,7 @@ class Drawing(Owner):
         Returns
         -------
         PageInfo, optional
-            For vectors, what was written; else None.
+            For vectors, counts of the written shapes; else None.
         """
         as_page = format.lower() if format is not None else _page.format_of(target)
         if as_page in PAGE_FORMATS:

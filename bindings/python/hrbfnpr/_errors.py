@@ -61,7 +61,7 @@ class SingularSystemError(Error, ArithmeticError):
 
 
 class NotConvergedError(Error, ArithmeticError):
-    """A computation ended before it reached its goal.  The message says which, and what was reached."""
+    """A computation ended before it reached its goal.  The message names the computation and its result."""
 
     default_status = -6
 

@@ -48,7 +48,7 @@ class MeshFits:
     ) -> M:
         """Fit a surface to a mesh, with as many samples as the tolerance needs.
 
-        A fit that does not reach the tolerance is no error: `mesh_fit` says what was reached.
+        A fit that does not reach the tolerance is no error: `mesh_fit` tells the result.
 
         Parameters
         ----------

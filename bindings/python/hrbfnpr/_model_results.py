@@ -9,7 +9,7 @@ from ._numpy import np
 
 
 class Evaluation(NamedTuple):
-    """Result of `Model.evaluate`: `value`, `gradient` and `hessian`; None for what was not asked for."""
+    """Result of `Model.evaluate`: `value`, `gradient` and `hessian`; None for a result that was not requested."""
 
     value: Array
     gradient: Optional[Array]

@@ -91,7 +91,7 @@ def write_page(
     Returns
     -------
     PageInfo
-        What was written.
+        Counts of the written shapes.
 
     Raises
     ------

@@ -39,7 +39,7 @@ class Picture:
     camera : Camera
         The camera of the drawing.
     notes : tuple of Note
-        What was chosen or repaired: sentences, each with a `code`, a `severity` and `figures`.
+        Choices and repairs: sentences, each with a `code`, a `severity` and `figures`.
     """
 
     def __init__(
@@ -98,7 +98,7 @@ class Picture:
         direction: Optional[Any] = None,
         camera: Optional[Camera] = None,
     ) -> Picture:
-        """Draw the same model, marks and lines from another side.  What is not given stays as it is.
+        """Draw the same model, marks and lines from another side.  Arguments that are not given keep their values.
 
         Parameters
         ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Scenes: what is drawn, with any number of cameras.  A scene is a picture (hrbfnpr_picture) of the library."""
+"""Scenes: sources that any number of cameras can draw.  A scene is a picture (hrbfnpr_picture) of the library."""
 from __future__ import annotations
 
 import math

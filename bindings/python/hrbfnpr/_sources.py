@@ -39,7 +39,7 @@ def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
 
 
 def in_words(content: Any) -> str:
-    """A line that says what was read."""
+    """A line that describes the source."""
     if isinstance(content, Model):
         if content.csg_info.nodes:
             return f"a saved solid of {content.csg_info.nodes} nodes"

@@ -59,7 +59,7 @@ class Trimming(Owner):
         Returns
         -------
         Model
-            The trimmed model.  `trim_info` says what was left out.
+            The trimmed model.  `trim_info` counts the parts that were left out.
 
         Raises
         ------

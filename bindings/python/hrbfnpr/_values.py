@@ -215,7 +215,7 @@ def assignment(text: str) -> Tuple[str, str]:
 
 
 def _set(owner: Union[Style, LayerStyle], field: str, text: str) -> None:
-    """Set a field from text, by the type of its present value.  An error says what is allowed."""
+    """Set a field from text, by the type of its present value.  An error names the allowed values."""
     present = getattr(owner, field)
     if isinstance(present, bool):
         if text.lower() not in ("0", "1", "true", "false"):

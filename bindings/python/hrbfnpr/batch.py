@@ -7,7 +7,7 @@ ready.  If a worker dies, another one draws its frames.
 
 >>> hrbfnpr.batch.turntable("bunny.ply", "bunny.gif", frames=72)
 >>> for number, image in hrbfnpr.batch.draw(["a.ply", "b.ply"], "hatch", scheduler="tcp://10.0.0.5:8786"):
-...     ...
+...     print(number)
 
 A local cluster starts new processes, never by fork.  A script that uses one therefore needs
 ``if __name__ == "__main__":``.
@@ -300,7 +300,7 @@ _making = threading.Lock()
 
 
 def _scene(sent: Sent) -> Scene:
-    """The scene of what was sent, made once for all frames that this worker draws."""
+    """The scene of the sent arguments, made once for all frames that this worker draws."""
     with _making:
         found = _scenes.get(sent.name)
         if found is None:
