@@ -114,13 +114,13 @@ def test_the_stub_names_the_fields_of_records():
 def test_style_has_every_field_of_its_struct():
     import hrbfnpr
 
-    layers = {name for name, _ in ffi.typeof("hrbfnpr_layer_style").fields}
-    layers -= {"struct_size", "reserved", "reserved2", "reserved3"}
-    assert {*hrbfnpr.LayerStyle.fields(), "name"} == layers
-    lines = {name for name, _ in ffi.typeof("hrbfnpr_line_style").fields} - {"struct_size", "reserved"}
-    assert {*hrbfnpr.LineStyle.fields(), "name", "levels"} == lines
-    theirs = {name for name, _ in ffi.typeof("hrbfnpr_style").fields}
-    theirs -= {"struct_size", "reserved", "reserved2", "tone_function", "tone_user", "layers", "layer_count", "layer_stride"}
+    def fields(struct):
+        names = {name for name, _ in ffi.typeof(struct).fields} - {"struct_size"}
+        return {name for name in names if not name.startswith("reserved")}
+
+    assert {*hrbfnpr.LayerStyle.fields(), "name"} == fields("hrbfnpr_layer_style")
+    assert {*hrbfnpr.LineStyle.fields(), "name", "levels"} == fields("hrbfnpr_line_style")
+    theirs = fields("hrbfnpr_style") - {"tone_function", "tone_user", "layers", "layer_count", "layer_stride"}
     theirs -= {"lines", "line_count", "line_stride"}
     assert {*hrbfnpr.Style.fields(), "tone"} == theirs
 

@@ -328,14 +328,14 @@ def test_the_module_runs_as_a_program(files, tmp_path):
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_ctrl_c(tmp_path):
     import signal
-    import time
 
     points = np.random.default_rng(1).normal(size=(3500, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]
     path = write(tmp_path, "big.xyz", rows(np.hstack([points, points])))
     output = tmp_path / "out.png"
     with process("draw", str(path), str(output), "--solver", "direct") as run:
-        time.sleep(2.0)
+        while not run.stdout.readline().startswith("read "):  # the fit follows, and takes minutes
+            assert run.poll() is None
         run.send_signal(signal.SIGINT)
         out, err = run.communicate(timeout=60)
     assert (run.returncode, err) == (130, "hrbfnpr: error: interrupted\n")

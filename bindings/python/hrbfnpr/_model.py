@@ -119,8 +119,8 @@ class Model(MeshFits, Trimming, Combining):
             Number of neighbours of each sample in the preconditioner of the iterative solver, 1 to 48; 0 = automatic.
         trim : {"auto", "never"}
             "auto": an open surface ends where the samples end, as after `trim` with all samples; a closed one stays whole.
-            Marks, lines and rays end there; `trim_info` counts the parts that were left out.  "never": the surface goes on to the end
-            of the search box.
+            Marks, lines and rays end there; `trim_info` counts the parts that were left out.  "never": the surface goes on to the
+            end of the search box.
         progress : callable or progress bar, optional
             Receives the progress; see `Operation`.
         operation : Operation, optional
