@@ -108,9 +108,9 @@ private:
         }
         return found->second;
     }
-    // Multiplies strengths by how much the curvature drops to both sides (src/curves/feature_refine.h, docs/how-lines-work.md):
-    // from 0 for no drop to 1 where 2 (1 - k' / k) / (k s)^2 is 0.5, at s = 1 / 2k, clamped from two cells to a tenth
-    // of the diagonal.
+    // Multiplies strengths by a factor for how much the curvature drops on both sides, as weigh_by_drop() of
+    // src/features/feature_lines.cpp does (docs/how-lines-work.md). The factor goes from 0 for no drop to 1 where 2 (1
+    // - k' / k) / (k s)^2 is 0.5, at s = 1 / 2k, clamped from two cells to a tenth of the diagonal.
     void weigh_by_drop() {
         const bool convex = asked_.kind == HRBFNPR_LINE_KIND_RIDGE;
         const auto bend = [&](const PlaceShape& s) { return convex ? -s.k2 : s.k1; };

@@ -42,7 +42,7 @@ public:
             fail(Status::invalid_argument, "%s.%s is %lld; it must be one of %s (0 to %u)", owner_, field,
                  static_cast<long long>(value), names, count - 1);
     }
-    // The value must have no bits but the known flags.
+    // The value must have no other bits than the known flags.
     void flags(const char* field, std::uint32_t value, std::uint32_t known) const {
         if ((value & ~known) != 0)
             fail(Status::invalid_argument, "%s.%s is 0x%X; only the bits of 0x%X have a meaning", owner_, field, value,

@@ -33,7 +33,7 @@ public:
     // Returns the number for CsgNode::model, and keeps the model. A model has only one number.
     [[nodiscard]] std::int64_t leaf(const hrbfnpr_model& model);
 
-    // Then these make a function of the nodes.
+    // Makes a function of the nodes, after all of them were added.
     void plan();
     [[nodiscard]] const implicit::CsgPlan& planned() const noexcept { return *plan_; }
     void finish(const geometry::Bounds& bounds);

@@ -20,7 +20,7 @@
 namespace hrbfnpr::api {
 
 inline constexpr std::uint32_t smallest_struct = 8;
-inline constexpr std::uint32_t largest_struct = 65536; // a larger size means that the struct was not set up
+inline constexpr std::uint32_t largest_struct = 65536; // a larger size shows that the struct was not initialised
 
 // Returns a struct's defaults; struct_size need not be set.  The specialisation stands beside the `_init` function.
 template <class T>
@@ -66,7 +66,7 @@ template <class T>
     return full;
 }
 
-// The same for a struct that may be NULL: then it has all defaults.
+// Does the same for a struct that may be NULL, in which case all fields have their defaults.
 template <class T>
 [[nodiscard]] T read_optional_struct(const T* given, const char* name) {
     return given != nullptr ? read_struct(given, name) : defaults<T>();

@@ -39,7 +39,7 @@ hrbfnpr_line_set_info defaults() noexcept {
 
 namespace {
 
-// Frames trace curves again and again, so preparing the model pays.
+// Frames evaluate the model again for each camera, so it is prepared for this many evaluations.
 constexpr double expected_evaluations = 1e6;
 constexpr std::int64_t most_lines = 65536;
 

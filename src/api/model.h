@@ -52,9 +52,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         const auto* solid = std::get_if<std::unique_ptr<hrbfnpr::api::CsgSolid>>(&surface);
         return solid != nullptr ? solid->get() : nullptr;
     }
-    // The model without the trim: itself, if it is not trimmed.
+    // The model without its trim; an untrimmed model returns itself.
     [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
-    // Records that no end of the surface was found, as for a closed one.  Call it before other threads know the model.
+    // Records that no end of the surface was found, as with a closed surface. Call it before other threads know the
+    // model.
     void looked_for_end(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // Returns the same function, prepared if that saves time for this number of evaluations. The first such call

@@ -70,7 +70,7 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
          static_cast<long long>(i));
 }
 
-// Normals that are not given are those of the samples, or else the surface's own.
+// If no normals are given, the normals of the samples are used, or else those of the surface.
 geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc& desc,
                               const geometry::VecArray& points, const base::Progress& progress) {
     base::Memory& memory = model.runtime().memory;
@@ -137,7 +137,7 @@ hrbfnpr_trim_info describe_trim(const hrbfnpr_model& model) noexcept {
     return info;
 }
 
-// The spacing of fewer samples than this is not known.
+// With fewer samples than this, their spacing is unknown.
 constexpr std::int64_t fewest = 10;
 
 // Returns an empty result if the end of the surface cannot be found.

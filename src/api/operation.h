@@ -16,7 +16,7 @@ namespace hrbfnpr::api {
 // Lets one call use an operation, which may be NULL, and keeps it alive if the caller releases it meanwhile.
 class OperationUse {
 public:
-    // Throws Error{cancelled} after a cancel, Error{invalid_argument} if another call uses the operation.
+    // Throws Error{cancelled} if the operation was cancelled, or Error{invalid_argument} if another call uses it.
     explicit OperationUse(hrbfnpr_operation* operation);
     ~OperationUse();
     OperationUse(const OperationUse&) = delete;
@@ -25,9 +25,9 @@ public:
     [[nodiscard]] base::Progress progress() const noexcept {
         return handle_ != nullptr ? base::Progress(&handle_->operation) : base::Progress();
     }
-    // Reports that the work is done: progress 1, and the last check for a cancel.
+    // Reports that the work is done: sets the progress to 1, and checks for cancellation for the last time.
     void finish() const { progress().update(1.0); }
-    // The same for a call that has already made a handle: a cancel releases the handle.
+    // Does the same for a call that has already made a handle: if the operation was cancelled, the handle is released.
     template <class T>
     [[nodiscard]] T* finish_with(T* handle) const {
         try {

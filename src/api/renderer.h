@@ -20,5 +20,5 @@ struct hrbfnpr_renderer : hrbfnpr::api::Child {
     hrbfnpr::base::Array<hrbfnpr::frame::LayerStyle> layer_styles;
     hrbfnpr::base::Array<hrbfnpr::frame::LineStyle> line_styles;
     hrbfnpr::base::Array<hrbfnpr::frame::Pose> poses;
-    hrbfnpr::base::Array<hrbfnpr_drawing*> drawings; // a reference to each
+    hrbfnpr::base::Array<hrbfnpr_drawing*> drawings; // holds a reference to each drawing
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fields of styles: rows that check them, copy them to the frame's settings and have their defaults.
+// The fields of styles: each row checks a field, copies it to the frame's settings, and has its default.
 #pragma once
 
 #include "api/fields.h"

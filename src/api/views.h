@@ -33,7 +33,7 @@ inline constexpr ArrayType number_type{1, float_types};
 // Copies the numbers element by element. All must be finite.
 [[nodiscard]] base::Array<double> finite_numbers(base::Memory& memory, const hrbfnpr_array& array, const char* name,
                                                  ArrayType type);
-// `array` may be NULL if the caller does not want it.
+// `array` may be NULL if the caller does not want the result.
 [[nodiscard]] base::OutView out_view(const hrbfnpr_array_out* array, const char* name, ArrayType type,
                                      std::int64_t count);
 

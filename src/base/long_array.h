@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Operations on arrays that are so large that their first touch takes long. They check for a cancel meanwhile.
+// Operations on arrays that are so large that touching their memory for the first time takes long. They check for
+// cancellation.
 #pragma once
 
 #include "base/memory.h"
@@ -11,7 +12,7 @@
 
 namespace hrbfnpr::base {
 
-// The number of elements between two checks for a cancel: 2 MiB of them.
+// The number of elements between two checks for cancellation: 2 MiB of them.
 template <class T>
 constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 21) / std::int64_t{sizeof(T)});
 

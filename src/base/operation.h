@@ -27,14 +27,14 @@ public:
         user_ = user;
     }
 
-    // Makes this a part of another operation: a cancel of `whole` also cancels this one.  Call it before begin().
+    // Makes this a part of another operation: cancelling `whole` also cancels this operation.  Call it before begin().
     // `whole` must outlive this.
     void be_part_of(const Operation* whole) noexcept { whole_ = whole; }
 
     // Any thread may call this.  Progress never falls; the callback runs only on the thread of begin().
     void report(double progress) noexcept;
-    // Any thread may call this. On the thread of begin() it calls the callback if the last call is a while ago, so that
-    // a host hears from a call whose progress stands still, and may cancel it.
+    // Any thread may call this. On the thread of begin() it calls the callback if the last call of the callback is some
+    // time ago. So a host can cancel a call even while its progress does not change.
     void remind() noexcept;
 
 private:
@@ -62,15 +62,15 @@ public:
     [[nodiscard]] bool is_watched() const noexcept { return operation_ != nullptr; }
     // Returns the part of this stage between the fractions `from` and `to`.
     [[nodiscard]] Progress part(double from, double to) const noexcept;
-    // For steps whose share is not known: they check for a cancel, and the progress stands still.
+    // For steps whose share is not known: they check for cancellation, and the progress does not change.
     [[nodiscard]] Progress standing() const noexcept { return part(0.0, 0.0); }
-    // Reports that `fraction` of this stage is done, and throws Error{cancelled} after a cancel.
+    // Reports that `fraction` of this stage is done. Throws Error{cancelled} if the operation was cancelled.
     void update(double fraction) const;
-    // Throws Error{cancelled} after a cancel; reports no progress.
+    // Throws Error{cancelled} if the operation was cancelled; reports no progress.
     void check() const {
         if (operation_ != nullptr) look();
     }
-    // Returns the numbers from `begin` to end - 1, for a loop on one thread that checks for a cancel now and then.
+    // Returns the numbers from `begin` to end - 1, for a loop on one thread that repeatedly checks for cancellation.
     template <class Number>
     [[nodiscard]] Watched<Number> over(Number begin, Number end) const noexcept {
         return {*this, begin, end};
@@ -88,8 +88,8 @@ private:
     double to_ = 1.0;
 };
 
-// A range of numbers that checks for a cancel after each `stride` of them. A loop whose body takes 10 us or less ends
-// within 10 ms of a cancel. A longer body must check for a cancel itself.
+// A range of numbers that checks for cancellation after each `stride` of them. A loop whose body takes 10 us or less
+// ends within 10 ms of a cancellation. A longer body must check for cancellation itself.
 template <class Number>
 class Watched {
 public:

@@ -20,7 +20,7 @@ public:
     Caught(std::int64_t count, TaskFn task, void* context) noexcept : count_(count), task_(task), context_(context) {}
 
     static void run_task(void* caught, std::int64_t index) noexcept { static_cast<Caught*>(caught)->run(index); }
-    // Does the same for a host's job system, and counts the calls.
+    // Runs a task for a host's job system as run_task() does, and counts the calls.
     static void run_task_of_host(void* caught, std::int64_t index) noexcept {
         auto& self = *static_cast<Caught*>(caught);
         if (index < 0 || index >= self.count_) {

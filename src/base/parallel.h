@@ -28,7 +28,7 @@ public:
     // Uses the pool of the OpenMP runtime; serial in a build without OpenMP (openmp_is_built_in).
     [[nodiscard]] static Parallel openmp(int threads) noexcept;
 
-    // From now on a cancel of the operation of `progress` ends each loop before its next task. Progress() ends the
+    // From now on cancelling the operation of `progress` ends each loop before its next task. Progress() ends the
     // watch. Do not call this while a loop runs. Copies of this object are not affected.
     void watch(const Progress& progress) noexcept { watch_ = progress; }
 
@@ -52,7 +52,7 @@ public:
                  [&](std::int64_t chunk) { f(chunk * grain, std::min(count, (chunk + 1) * grain)); });
     }
 
-    // The same, with a check for a cancel before each call.
+    // Does what for_each and for_chunks do, with a check for cancellation before each call.
     template <class F>
     void for_each(std::int64_t count, const Progress& progress, F&& f) const {
         for_each(count, [&](std::int64_t i) {

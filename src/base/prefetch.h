@@ -12,7 +12,7 @@ inline void prefetch(const T* data, std::int64_t count) noexcept {
     const auto* const bytes = reinterpret_cast<const char*>(data);
     const auto size = count * static_cast<std::int64_t>(sizeof(T));
     for (std::int64_t at = 0; at < size; at += 64) __builtin_prefetch(bytes + at);
-    // GCC takes a function that only prefetches for one without effects, and removes the calls to it.
+    // GCC treats a function that only prefetches as one without effects, and removes the calls to it.
     __asm__ volatile("");
 }
 

@@ -30,7 +30,8 @@ HWY_INLINE V polish_inverse_root(V x, V y) {
     return hn::MulAdd(hn::Mul(y, e), p, y);
 }
 
-// The same with one more term. The first omitted term is 63/256 e^5.
+// Refines an inverse root as polish_inverse_root() does, with one more term of the series. The first omitted term is
+// 63/256 e^5.
 HWY_INLINE V polish_rough_inverse_root(V x, V y) {
     const D d;
     const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));

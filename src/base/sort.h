@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sorts and merges long arrays, and checks for a cancel meanwhile.
+// Sorts and merges long arrays, and checks for cancellation meanwhile.
 #pragma once
 
 #include "base/operation.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A stage of a call gets memory, threads, instruction set and log of the context, its share of the call's progress, and
-// a check for a cancel.
+// a check for cancellation.
 #pragma once
 
 #include "base/operation.h"
@@ -29,12 +29,13 @@ public:
         work.progress_ = progress_.part(from, to);
         return work;
     }
-    // Returns the same work, which checks for a cancel and reports no progress.
+    // Returns the same work without progress; it still checks for cancellation.
     [[nodiscard]] Work standing() const noexcept { return part(0.0, 0.0); }
     [[nodiscard]] int threads() const noexcept { return one_thread_ ? 1 : runtime_->parallel.threads(); }
     void update(double fraction) const { progress_.update(fraction); }
     void check() const { progress_.check(); }
-    // Returns the numbers from 0 or `begin` to end - 1, for a loop on one thread that checks for a cancel now and then.
+    // Returns the numbers from 0 or `begin` to end - 1, for a loop on one thread that repeatedly checks for
+    // cancellation.
     template <class... Numbers>
     [[nodiscard]] auto over(Numbers... numbers) const noexcept {
         return progress_.over(numbers...);
@@ -46,7 +47,7 @@ public:
         work.one_thread_ = true;
         return work;
     }
-    // Do what Parallel::for_each and Parallel::for_chunks do, with a check for a cancel before each task.
+    // Do what Parallel::for_each and Parallel::for_chunks do, with a check for cancellation before each task.
     template <class F>
     void for_each(std::int64_t count, F&& f) const {
         const auto watched = [&](std::int64_t i) {

@@ -41,14 +41,14 @@ constexpr double meeting_tolerance = 1e-9; // the tolerance of places where shee
 
 // A node of an edge whose ends belong to different sheets.
 struct EdgeNode {
-    std::int64_t edge;                 // the edge that comes before its opposite
+    std::int64_t edge;                 // of the two opposite edges, the one that comes first
     std::array<std::int32_t, 2> ends;  // its start and end vertex
     std::array<std::int32_t, 2> sheet; // the sheets of both ends
     CreaseNode at;
     std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
     std::array<bool, 2> equal; // equal[0]: the start may belong to the end's sheet; equal[1]: the end to the start's
     bool alike;                // the sheets nearly coincide at both ends
-    bool meet;                 // the sheets meet near the edge, on the surface or off it
+    bool meet;                 // the sheets meet near the edge, on the surface or off the surface
     bool near;                 // the sheets meet slightly off the surface, at an angle
 };
 
@@ -160,7 +160,7 @@ void settle_alone(const base::Work& work, SheetMesh& at) {
 
 // Whether f is the maximum or the minimum of both sheets around the node. Beyond a corner, f may be 0 at the node but
 // follow only one of them, because the edge passes a third sheet. Then f has opposite signs on both sides of the node,
-// in the direction in which the sheets differ most. far: the distance to either side at which f is evaluated.
+// in the direction in which the sheets differ most. `far` is the distance at which f is evaluated on either side.
 bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
     // The sine of half the angle: f at a distance aside is this share of the distance.
@@ -202,7 +202,7 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
     const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
     node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface * in.mesh.side);
     const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
-    // A fold near the surface is tested from a distance at which its exact place does not matter.
+    // If the meeting is near the surface, it is tested at a larger distance, at which its exact place does not matter.
     node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
                 folds(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
 }
@@ -414,7 +414,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
         const int count = in.sheets_of(t);
         if (count == 1) {
             add(at(0), at(1), at(2), in.sheet[at(0)]);
-            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles, as slivers, do not count
+            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles do not count if they are slivers
         } else if (count == 2) {
             std::int64_t k = 0; // the corner whose sheet differs from the others
             while (in.sheet[at(k)] == in.sheet[at(k + 1)] || in.sheet[at(k)] == in.sheet[at(k + 2)]) ++k;
@@ -586,8 +586,8 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
                CreaseParts& parts) {
     const std::int64_t size = path.size();
     HRBFNPR_ASSERT(size >= 2);
-    // Tells which sheets face the eye between point k and the next one. The middle is used, since a sheet may be
-    // turning at an end.
+    // Tells which sheets face the eye between point k and the next one. The middle between the points is used, since a
+    // sheet may be turning away at a point.
     struct Facing {
         bool left, right;
         bool operator==(const Facing&) const = default;
@@ -623,8 +623,9 @@ void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRan
 class SheetDomain final : public implicit::Domain {
 public:
     // creases: places along the creases of all sheets, at most a side of the mesh apart. A sheet may end near any
-    // crease: a curve that leaves it may come to another sheet with the same function, as with cylinders on one axis.
-    // own: the sheet's triangles, which must outlive this object. base: the domain of the whole surface, or null.
+    // crease: a curve that leaves it may come to another sheet with the same function, for example where two cylinders
+    // have one axis. own: the sheet's triangles, which must outlive this object. base: the domain of the whole surface,
+    // or null.
     SheetDomain(const implicit::Implicit& whole, std::int32_t sheet, std::shared_ptr<const geometry::PointGrid> creases,
                 const SurfaceMesh& own, const implicit::Domain* base)
         : whole_(whole), sheet_(sheet), own_(own), creases_(std::move(creases)),

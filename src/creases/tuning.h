@@ -14,19 +14,20 @@ struct CreaseTuning {
     // If sheets meet this near to the surface, in sides, a crease continues through a seam between two patches, where
     // the surface blends them. Larger: creases appear that another sheet covers.
     double beside_surface = 0.02;
-    // Sheets nearly coincide if they are closer than this, in sides, and their normals differ by less than this, in
-    // radians. Edges between them are not halved to find hidden creases. Larger: shallow creases are coarse.
+    // Sheets nearly coincide if they are closer than this, in sides, and if their normals differ by less than the
+    // second number, in radians. Edges between them are not halved to find hidden creases. Larger: shallow creases are
+    // coarse.
     double alike = 0.02;
-    // The same for sheets that coincide. Larger: sheets are merged that cross.
+    // The same two limits for sheets that coincide. Larger: sheets that cross are merged.
     double equal = 1e-7;
-    // Sheets may meet at most this far from an edge, in sides, or in twice the edge's length if that is less. Larger:
-    // creases of other places are found.
+    // Sheets may meet at most this far from an edge, in sides, or within twice the edge's length if that is less.
+    // Larger: creases of other places are found.
     double farthest_meeting = 1.5;
     // If the sine of half the angle between sheets is below this, they are not tested for a fold, since their curvature
     // may exceed the angle. Larger: creases pass other sheets.
     double least_sine = 0.02;
-    // A crease continues through a seam only if that sine is above this: 11 degrees. Smaller: creases of winding
-    // threads, such as a screw's, leave them.
+    // A crease continues through a seam only if the sine of half the angle between its sheets is above this: 11
+    // degrees. Smaller: creases of winding threads, such as a screw's, leave the threads.
     double sharp_sine = 0.1;
     // Edges shorter than this are not halved, in sides. Smaller: more triangles at corners.
     double shortest_edge = 0.01;
@@ -45,8 +46,8 @@ struct CreaseTuning {
     double longest_piece = 1.0;
     double shortest_piece = 1e-3;
     double straight_turn = 0.995;
-    // A step along a crease counts as forwards or backwards if the cosine of the angle to it is larger. Smaller: more
-    // points are dropped near corners.
+    // A step goes along a crease, forwards or backwards, if the cosine of its angle to the crease exceeds this in
+    // magnitude. Smaller: more points are dropped near corners.
     double returns = 0.7;
     // If the sine of the angle between sheets is below this, the direction of a crease comes from its points, not from
     // the normals.

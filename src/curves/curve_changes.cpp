@@ -26,7 +26,7 @@ struct OnPiece {
     CurvePoint a, b;
     double share;
     CurvePoint found = {};
-    bool astray = false; // whether it moved to another curve; then `found` stays on the cubic
+    bool astray = false; // whether the place moved to another curve; then `found` stays on the cubic
 };
 
 // Brings places onto their curves by one or two Newton steps. Adds to `evaluations`.

@@ -40,7 +40,8 @@ void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* o
     }
 }
 
-// Whether the next step is negligible: after steps s and t = c s^2 it is t^3 / s^2.
+// Whether the next step is negligible. If s and t = c s^2 are the lengths of the last two steps, the next one has the
+// length t^3 / s^2.
 bool is_last(double step, double step_before, double tolerance) noexcept {
     return step <= tolerance ||
            (step <= curve_tuning.may_be_last * tolerance &&
@@ -150,7 +151,7 @@ glm::dvec3 CurvePoint::newton_step() const noexcept {
     return -height * normal - (level - along * height) / glm::dot(across, across) * across;
 }
 
-// Sorts the points by the surface's cells if it has cells and this pays.
+// Sorts the points by the surface's cells, if it has cells and sorting saves time.
 void evaluate(const base::Work& work, const Level& level, base::Array<CurvePoint>& points) {
     base::Array<std::int32_t> order(work.memory);
     if (points.size() > points_a_task) order = implicit::order_by_cell(work, level.surface(), positions_of(points));
@@ -229,7 +230,8 @@ std::int64_t halve(const base::Work& work, const Level& level, const base::Array
         for (std::int64_t i = 0; i < places.size(); ++i)
             points[i].position = 0.5 * (between[i].negative + between[i].positive);
         // The middle of a chord is off the surface by the square of the chord's length; one step leaves the fourth
-        // power. A step longer than half of the chord leads elsewhere, as where f hardly rises or has a crease.
+        // power of it. A step longer than half of the chord leads to another place. This happens where f hardly rises
+        // or has a crease.
         evaluate(work, level, points);
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const glm::dvec3 middle = points[i].position;

@@ -181,7 +181,7 @@ public:
     [[nodiscard]] double length() const noexcept { return length_; }
 
 private:
-    // Returns the chord if the curve has no direction, as where one of its functions is constant.
+    // Returns the chord if the curve has no direction, which happens where one of its functions is constant.
     [[nodiscard]] glm::dvec3 tangent(const CurvePoint& point) const noexcept {
         const glm::dvec3 unit = glm::normalize(point.direction());
         if (std::isfinite(unit.x + unit.y + unit.z)) return unit;
@@ -197,7 +197,7 @@ private:
 // 1971]
 struct Illinois {
     double low = 0.0, high = 1.0;
-    double at_low, at_high; // the values there; that of an end that stays is halved
+    double at_low, at_high; // the values at both ends; the value of an end that stays is halved
     double trial;           // the place of the next evaluation
     int trusted;            // after this many steps the search bisects
     int steps = 0;
@@ -217,7 +217,7 @@ struct Illinois {
         if (kept < -1) at_low *= 0.5;
         trial = low + (high - low) * at_low / (at_low - at_high);
         const bool found = at_low == 0.0 || at_high == 0.0;
-        // The value may jump, as at a sample: then bisection continues.
+        // The value may jump, for example at a sample: then bisection continues.
         if (++steps > trusted || (!found && !(trial > low && trial < high))) trial = 0.5 * (low + high);
     }
     [[nodiscard]] bool done(double width) const noexcept {
@@ -251,13 +251,13 @@ public:
     // `but` is ignored.
     [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but = -1,
                                double most = HUGE_VAL) const;
-    // Returns the nearest such curve if it is within `distance`, else -1.
+    // Returns the nearest curve in the direction `along` if it is within `distance`, else -1.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const {
         return nearest(place, along, but, std::nextafter(distance, HUGE_VAL)).curve;
     }
-    // Whether such a curve is within `distance`. Looks near the point `guess` first, and sets it to the point near
-    // which a curve was found.
+    // Whether a curve in the direction `along` is within `distance`. Looks near the point `guess` first, and sets it to
+    // the point near which a curve was found.
     [[nodiscard]] bool passes(const glm::dvec3& place, const glm::dvec3& along, double distance,
                               std::int64_t& guess) const;
 

@@ -52,7 +52,7 @@ struct ClippedMesh {
     double left_out = 0.0;       // the share of the area that was removed
 };
 
-// The same bits for any thread count.
+// Gives the same bits for any thread count.
 [[nodiscard]] ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& mesh);
 
 // ---- Chains of edges

@@ -198,7 +198,7 @@ void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noex
 }
 
 // Adds the spans of the line with this number. Each span has a place between two crossings, so that each sheet has a
-// piece of its own.
+// separate piece.
 void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const base::Array<double>& bulge,
                 const Line& line, std::int64_t number, Spans& found) {
     if (!(line.low < line.high)) return;

@@ -454,8 +454,9 @@ struct RootLanes {
     std::array<double, size> x, y, z, f, gx, gy, gz;
 };
 
-// Sets the vertices of the edges order[begin] to order[end - 1], or without an order of the edges begin to end - 1.
-// Returns the number of edges whose root was not found; their vertex is the last place of the search.
+// Sets the vertices of the edges order[begin] to order[end - 1]. If `order` is null, these are the edges begin to end -
+// 1. Returns the number of edges whose root was not found. The vertex of such an edge is the last place that the search
+// tried.
 std::int64_t find_some_vertices(const implicit::Implicit& implicit, const CrossedCells& cells,
                                 const base::Array<CrossedEdge>& edges, const std::int32_t* order, std::int64_t begin,
                                 std::int64_t end, double tolerance, RootLanes& lanes, SurfaceMesh& mesh,

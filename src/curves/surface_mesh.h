@@ -18,7 +18,8 @@ struct MeshSettings {
     geometry::Bounds region; // the mesh ends at its walls; outside it f is evaluated at seeds only
     double side = 0.0;       // the largest cell side, > 0: thinner or smaller parts of the surface may be missed
     std::int64_t triangle_limit = 4'000'000;
-    // The mesh may end where the domain says that the surface is nowhere near; it continues for a few cells at least.
+    // The mesh may end where the domain says that the surface is nowhere near. It continues for at least a few cells
+    // beyond the surface's end.
     const implicit::Domain* domain = nullptr;
     double tolerance = 1e-9; // the greatest distance of vertices from the surface, in diagonals
 };
@@ -63,7 +64,7 @@ struct SurfaceMesh {
 [[nodiscard]] SurfaceMesh triangulate(const base::Work& work, const implicit::Implicit& implicit,
                                       const geometry::VecArray& seeds, const MeshSettings& settings);
 
-// The same, but doubles settings.side as often as needed to stay within the triangle limit.
+// Makes a mesh as triangulate() does, but doubles settings.side as often as needed to stay within the triangle limit.
 [[nodiscard]] SurfaceMesh triangulate_of_any_size(const base::Work& work, const implicit::Implicit& implicit,
                                                   const geometry::VecArray& seeds, MeshSettings& settings);
 

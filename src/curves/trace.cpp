@@ -67,7 +67,7 @@ bool is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoint& b) n
            glm::dot(m.direction(), way) > 0.0;
 }
 
-// Drops points near which a longer run passes, as where the mesh crosses a curve to and fro.
+// Drops points near which a longer run passes. This happens where the mesh crosses a curve back and forth.
 Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
     const NearCurves near(runs, longest, distance);
     base::Array<std::uint8_t> doubled(runtime.memory, runs.point.size());
@@ -506,7 +506,7 @@ bool is_low(double a, double b, double c) noexcept {
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
     constexpr std::int64_t triangles_a_task = 8192;
-    base::List<base::Array<std::int32_t>> found(runtime.memory); // by task
+    base::List<base::Array<std::int32_t>> found(runtime.memory); // the vertices found by each task
     for (std::int64_t t = 0; t < mesh.triangles(); t += triangles_a_task) found.add(runtime.memory);
     runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) {
@@ -715,7 +715,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     return lost;
 }
 
-// The same from zeros of g that bisection finds.
+// Follows curves from zeros of g that bisection finds between two places.
 base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& places) {
     base::Array<CurvePoint> points(tracing.work.memory);
     tracing.report.evaluations += halve(tracing.work, tracing.level, places, curve_tuning.halvings, points);
@@ -724,7 +724,7 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& 
     return lost;
 }
 
-// The same from uncovered beads: by Newton's steps, and by bisection where these fail.
+// Follows curves from uncovered beads: by Newton's steps, and by bisection where these fail.
 base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& beads) {
     const base::Array<Bead> left = uncovered(tracing, beads);
     base::Array<CurvePoint> points(tracing.work.memory, left.size());
@@ -734,8 +734,9 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& bead
     return start_from(tracing, edges);
 }
 
-// Meshes the places of changes of sign without a curve again with smaller cells. These need not connect parts that the
-// surface does not connect, as where |grad f| nearly vanishes. Returns the number of changes of sign that remain.
+// Meshes the places of changes of sign without a curve again with smaller cells. Smaller cells also separate parts that
+// larger cells connect although the surface does not, for example where |grad f| nearly vanishes. Returns the number of
+// changes of sign that remain.
 std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
     const base::Work work = tracing.work.standing();
     const SurfaceMesh& mesh = tracing.mesh;

@@ -12,10 +12,10 @@ namespace hrbfnpr::curves {
 
 struct TraceSettings {
     double longest = 1.0;                  // the longest step, in sides of the mesh
-    double shortest = 1e-4;                // in sides: curves that need shorter steps are given up
+    double shortest = 1e-4;                // in sides: curves that need shorter steps are abandoned
     double turn = 0.33;                    // the greatest turn between points, in radians
     double tolerance = 2e-4;               // in sides: a shorter Newton step is the last one
-    std::int32_t evaluation_limit = 20000; // for each start
+    std::int32_t evaluation_limit = 20000; // the limit for each start
 };
 
 struct TraceReport {
@@ -27,9 +27,9 @@ struct TraceReport {
     std::int64_t missed = 0; // changes of sign without a curve
 };
 
-// The same bits for any thread count. near: places near the curves, in order along them, such as moved_contours() of
-// the previous view. They are tried before the changes of sign on the mesh; curves that they miss are still found from
-// these.
+// Gives the same bits for any thread count. near: places near the curves, in order along them, such as moved_contours()
+// of the previous view. They are tried before the changes of sign on the mesh; curves that they miss are still found
+// from these.
 [[nodiscard]] Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                            const TraceSettings& settings, TraceReport& report, const Curves* near = nullptr);
 

@@ -130,8 +130,8 @@ struct CurveTuning {
 
     // ---- Changes along curves
 
-    // A point of a cubic counts as on the curve after a step shorter than this, in lengths of the piece. Larger: fewer
-    // evaluations, points less exact.
+    // A point of a cubic counts as on the curve if Newton's step there is shorter than this, in lengths of the piece.
+    // Larger: fewer evaluations, points less exact.
     double near_curve = 2e-4;
     // A point that moves farther than this from its cubic belongs to another curve, in lengths of the piece.
     double astray = 0.3;

@@ -19,8 +19,8 @@
 namespace hrbfnpr::drawing {
 
 enum class Painting : std::uint8_t {
-    // The surface in front has dimmed each dot and stroke, so the order does not matter if all have one colour. Dots
-    // are in pieces, in any order. A dot that is not drawn has the opacity 0.
+    // Paint order does not matter if all inks have one colour, because each dot and stroke was dimmed by the surfaces
+    // in front of it. Dots are in pieces, in any order. A dot that is not drawn has the opacity 0.
     transmittance,
     // Dots of paper and ink are in the order in which they are painted [NPAR 6.1].
     published
@@ -48,7 +48,7 @@ struct Counts {
     Counts& operator+=(const Counts& other) noexcept; // adds all members except times and bytes
 };
 
-// The same for lines: counts and time.
+// Counts of lines, and the time that they took.
 struct LineCounts {
     std::int64_t curves = 0, cusps = 0, crossings = 0, broken = 0, refined = 0, settled = 0, contradictions = 0;
     std::int64_t tangles = 0;
@@ -98,7 +98,7 @@ struct Drawing {
 
     base::Array<Layer> layers;
     bool one_color = true;     // All inks have one colour, so their order does not matter.
-    glm::vec4 ink_color{0.0F}; // that colour
+    glm::vec4 ink_color{0.0F}; // the colour of all inks, if one_color
 
     base::Array<Dot> dots;
     base::Array<Piece> dot_pieces; // the ranges of `dots` that hold dots
@@ -106,7 +106,7 @@ struct Drawing {
     base::Array<Stroke> strokes;   // far to near
     base::Array<StrokePoint> points;
     base::Array<Splat> splats; // the splats from which the depth layers were found
-    bool has_splats = false;   // false: nothing hides anything
+    bool has_splats = false;   // if false, nothing is hidden by depth layers
     base::Array<Piece> splat_pieces;
 
     // Spatial indexes over the viewport, whose top-left pixel is `first_pixel`. Only Painting::transmittance has them.

@@ -238,7 +238,7 @@ private:
     std::int64_t total_ = 0;
     std::int64_t grain_ = 1;             // number of discs in a part
     base::Array<Rect> rects_;            // the tiles that each disc touches, indexed by the disc's number
-    base::Array<std::uint32_t> counts_;  // the number of discs in each tile, part after part
+    base::Array<std::uint32_t> counts_;  // the number of discs in each tile, for one part of the discs after the other
     base::Array<std::int64_t> offsets_;  // the index of each tile's first entry, and the end
     base::Array<std::uint32_t> entries_; // the discs of each tile, tile after tile
     base::Array<Large> large_;           // discs that touch too many tiles; they are not in `entries_`

@@ -35,7 +35,7 @@ namespace {
 
 // ---- Shape
 
-// This is small, since third derivatives by sums over 100 000 centres take half a millisecond per point.
+// This is small because third derivatives take half a millisecond per point, as sums over 100 000 centres.
 constexpr std::int64_t points_a_look = 32;
 using ShapeColumn = std::array<double, static_cast<std::size_t>(points_a_look)>;
 

@@ -115,9 +115,10 @@ struct FeatureValue {
 
 struct FeatureRequest {
     FeatureKind kind = FeatureKind::suggestive_contour;
-    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0}; // view-dependent: the eye or light as a place (w = 1) or a direction to it
-    glm::dvec3 plane{0.0, 0.0, 1.0};        // sections: the planes' unit normal
-    std::span<const double> levels;         // isophotes, sections: one or several levels
+    // For view-dependent lines: the place (w = 1) of the eye or light, or the direction to it (w = 0).
+    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0};
+    glm::dvec3 plane{0.0, 0.0, 1.0}; // sections: the planes' unit normal
+    std::span<const double> levels;  // isophotes, sections: one or several levels
     // A line continues while its strength is at least `lower`, and is drawn if it reaches `upper` somewhere
     // (hysteresis). To fade it, draw it with (strength - lower) / (upper - lower).
     double lower = 0.0;
@@ -141,7 +142,7 @@ struct FeaturePoint {
     glm::dvec3 normal{0.0};   // unit
     double strength = 0.0;    // see feature_value(); for sections the sine of the angle between plane and surface
     double facing = 1.0;      // see feature_value()
-    bool resolved = false;    // a root was found
+    bool resolved = false;    // whether a root was found
 };
 
 struct FeatureLines : Chains<FeaturePoint> {
@@ -153,7 +154,7 @@ struct FeatureLines : Chains<FeaturePoint> {
     std::int64_t unresolved = 0;     // crossings of the mesh without a root; lines end there
 };
 
-// The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.
+// Gives the same bits for any thread count. Throws Error{out_of_memory, cancelled, callback}.
 [[nodiscard]] FeatureLines find_feature_lines(const base::Work& work, const FeatureSurface& surface,
                                               const FeatureRequest& request);
 

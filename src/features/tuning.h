@@ -29,7 +29,7 @@ struct FeatureTuning {
     double least_aside = 2.0;
     double most_aside = 0.1;
     // The sign of the derivative along a line is the sign of its sum over this many crossings on either side. Larger:
-    // fewer interruptions, and short extrema are missed.
+    // fewer interruptions, but short extrema are missed.
     std::int64_t crossings_beside = 2;
     // Points of a line that are closer than this count as one, in sides. Larger: fewer points.
     double least_gap = 1e-3;

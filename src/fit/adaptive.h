@@ -56,7 +56,7 @@ struct AdaptiveSettings {
 [[nodiscard]] base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count,
                                                     const base::Progress& progress);
 
-// Returns the samples that become centres: the chosen candidates, then the held ones.
+// Returns the samples that become centres: the chosen candidates, then the samples of `held`.
 [[nodiscard]] Samples centres_of(const base::Work& work, const Samples& candidates,
                                  const base::Array<std::int64_t>& centres, const Samples& held);
 

@@ -35,7 +35,8 @@ struct FitInput {
     SolverKind solver = SolverKind::automatic;
     std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
     double solver_tolerance = 0.0;               // 0 = automatic
-    double automatic_tolerance = 0.0;            // the tolerance that 0 stands for; 0 = by the number of centres
+    // The tolerance that is used if `solver_tolerance` is 0; 0 = by the number of centres.
+    double automatic_tolerance = 0.0;
     std::int32_t iteration_limit = 200;
 };
 

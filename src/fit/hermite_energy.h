@@ -17,7 +17,8 @@ namespace hrbfnpr::fit {
 class HermiteEnergy {
 public:
     struct Options {
-        double ridge = 0.0; // added at values, in spacings cubed: the noise's variance divided by that of f
+        // The regularization of values, in spacings cubed: the noise's variance divided by that of f.
+        double ridge = 0.0;
         std::int32_t neighbours = 16;
     };
 

@@ -13,7 +13,7 @@ public:
     // Assembles and factors.  Throws Error{singular_system, out_of_memory, cancelled}.
     DenseLu(const base::Work& work, const HermiteSystem& system);
 
-    // Both use `progress` only to check for a cancel.
+    // Both use `progress` only to check for cancellation.
     [[nodiscard]] double condition(const base::Progress& progress) const;
     // Replaces x (unknowns() long) by the inverse times x.
     void solve(double* x, const base::Progress& progress) const;

@@ -112,7 +112,7 @@ Noise measure_noise(const base::Work& work, const Samples& samples) {
     const Coefficients x = bounded_least_squares(rows, most);
     const double position = std::sqrt(0.5 * x[0] * pairs[0].variance);
     if (x[0] < least_share || position < rounding * samples.bounds.diagonal()) return {};
-    // Both b and the turn contain fine detail besides noise, so the smaller estimate is taken.
+    // Both b and the turn of the normals contain fine detail besides noise, so the smaller estimate is taken.
     const double normal = std::sqrt(2.0 * x[1] * pairs[0].variance) / unit;
     return {position, std::min(normal, pairs[0].turn / turn_median)};
 }

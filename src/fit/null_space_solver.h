@@ -16,7 +16,7 @@ public:
     // Returns false if the matrix is not positive definite there.
     [[nodiscard]] bool factor(const base::Progress& progress);
 
-    // Call both after factor(). They use `progress` only to check for a cancel.
+    // Call both after factor(). They use `progress` only to check for cancellation.
     [[nodiscard]] double condition(const base::Progress& progress) const;
     // Replaces x (unknowns() long) by the inverse times x.
     void solve(double* x, const base::Progress& progress) const;

@@ -62,7 +62,7 @@ private:
     base::Array<double> coarse_factor_; // 4 coarse_.size() x coarse_columns_, column-major
     base::Array<std::int32_t> set_;     // set_size_ per sample; a first element of -1 marks a coarse sample
     base::Array<float> factor_;         // 16 numbers per element of set_
-    // Where each sample's part of use_ begins, which lists the elements of set_ that are the sample.
+    // use_ lists, for each sample, the elements of set_ that refer to it. The list of sample i begins at use_begin_[i].
     base::Array<std::int64_t> use_begin_;
     base::Array<std::int64_t> use_;
     base::Array<double> t_; // L^T r

@@ -11,7 +11,7 @@
 
 namespace hrbfnpr::fit {
 
-// It is not thread-safe, since it keeps working vectors.
+// Keeps working vectors, so it is not thread-safe.
 class HermiteProduct {
 public:
     // A fast product is accurate enough for this `tolerance`, relative to the right-hand side.

@@ -26,7 +26,7 @@ constexpr double exact_enough = 1e-8;
 
 constexpr std::int32_t second_neighbours = 48;
 
-// Set on the Stanford dragon's 435 545 vertices. Smaller: the iterations break down. Much larger: the preconditioner
+// Tuned on the Stanford dragon's 435 545 vertices. Smaller: the iterations break down. Much larger: the preconditioner
 // does not match the system.
 constexpr double softening_of_values = 1.0;
 constexpr double softening_of_gradients = 1e-6;

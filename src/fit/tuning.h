@@ -53,7 +53,7 @@ struct ChoiceTuning {
     // With noisy samples a round must add one centre per this many existing ones, since else only noise is left.
     // Larger: more rounds.
     std::int64_t worthwhile = 200;
-    // The surface may miss the mean of neighbouring samples by the tolerance less this many standard deviations of the
+    // The surface may miss the mean of neighbouring samples by the tolerance minus this many standard deviations of the
     // noise, but at least by `least_tolerance` times the tolerance. Larger: more centres in noise.
     double noise_allowed = 2.0;
     double least_tolerance = 0.5;

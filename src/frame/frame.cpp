@@ -7,7 +7,7 @@ namespace {
 // Lines take this share of the time, if there are any.
 constexpr double lines_end = 0.7;
 
-// At the end of the scope, threads stop looking for a cancel.
+// At the end of the scope, threads stop checking for cancellation.
 struct Watch {
     ~Watch() { threads.watch(base::Progress()); }
     base::Parallel& threads;
@@ -21,7 +21,7 @@ Frame::Frame(const base::Runtime& runtime)
 
 void Frame::draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
                  drawing::Drawing& drawing) {
-    runtime_.parallel.watch(progress); // threads look for a cancel before each task
+    runtime_.parallel.watch(progress); // threads check for cancellation before each task
     const Watch watch{runtime_.parallel};
     try {
         set_up(scene_, items, camera, drawing);

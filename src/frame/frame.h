@@ -22,7 +22,7 @@ public:
               drawing::Drawing& drawing);
 
 private:
-    base::Runtime runtime_; // its threads look for a cancel while a frame is drawn
+    base::Runtime runtime_; // its threads check for cancellation while a frame is drawn
     Scene scene_;
     published::PublishedFrame published_;
     LayerFrame depth_layers_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds where a surface ends: the parts of it that its samples do not support, and the box of a surface that closes
-// beyond its samples. An open scan's surface goes on where the samples end, and a fit may grow sheets where there never
-// were any samples.
+// beyond its samples. An open scan's surface continues where the samples end, and a fit may grow sheets where there
+// never were any samples.
 #pragma once
 
 #include "base/operation.h"

@@ -16,10 +16,11 @@ struct GenerateTuning {
     // The normals for the tone of hatching are averaged over this length, in diagonals. A line shows each turn of its
     // surface by its width, whereas stipples average over many turns. Larger: calmer lines, less of small forms.
     double hatching_tone_smoothing = 0.006;
-    // The least and the largest length that a caller may give, in the model's diagonals. Others are mistakes.
+    // The least and the largest length that a caller may give, in the model's diagonals. Other lengths are taken for
+    // mistakes.
     double shortest_length = 1e-12;
     double longest_length = 1e9;
-    // The expected number of evaluations for each mark, for the choice of a prepared function: in the published
+    // The expected number of evaluations for each mark, which decides whether a function is prepared: in the published
     // recursions with curvatures and without, and in BLUE_NOISE with its candidates. Larger: functions are prepared for
     // fewer marks.
     double evaluations_with_curvature = 8.0;
@@ -55,14 +56,15 @@ struct GenerateTuning {
     // From this s on a place is certainly unsupported. s reaches it beyond a border at some 0.8 times the distance of
     // sixth neighbours, and in the middle of a hole at 1.7 times. Larger: more holes stay closed.
     double doubtless = 6.0;
-    // The expected number of evaluations for all of the surface, and for each sample at which the first look begins:
-    // guesses. Larger: functions are prepared more often.
+    // The expected number of evaluations for all of the surface, and for each sample at which the first look begins.
+    // Both are guesses. Larger: functions are prepared more often.
     double evaluations_of_surface = 2e5;
     double evaluations_of_sample = 30.0;
 
     // ---- The box of points along curves (find_trim.cpp)
 
-    // Such boxes are found for at most this many samples. With more, finding the box takes longer than the fit.
+    // Boxes of surfaces along curves are found for at most this many samples. With more, finding the box takes longer
+    // than the fit.
     std::int64_t most_samples_along_curves = 20000;
     // The surface must close within this part of a diagonal around the samples. Larger: wider boxes.
     double bulge = 1.0 / 3.0;

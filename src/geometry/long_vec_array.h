@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays of vectors that take long to touch for the first time. These functions check for a cancel meanwhile.
+// Arrays of vectors whose memory takes long to touch for the first time. These functions check for cancellation.
 #pragma once
 
 #include "base/long_array.h"

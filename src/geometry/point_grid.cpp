@@ -22,7 +22,7 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     base::resize_long(begin_, buckets + 1, progress);
     base::Array<std::uint64_t> cells(points.memory()); // in the order of the given points
     cells.resize_for_overwrite(points.size());
-    // This counting sort keeps the order of the points within a bucket.
+    // The counting sort keeps the order of the points within a bucket.
     for (const std::int64_t i : progress.over(points.size())) {
         cells[i] = CellGrid::pack(grid_.cell_of(points[i]));
         ++begin_[bucket(cells[i]) + 1];

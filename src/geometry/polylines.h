@@ -64,9 +64,9 @@ void thin(std::span<const V> points, typename V::value_type tolerance, base::Arr
 }
 
 // Follows chains of lines from end to end. Line i begins at end 2 i and finishes at end 2 i + 1. partner[end] is the
-// end of another line where the chain goes on, or -1. For each line of a chain it calls enter(end) with the end at
-// which the chain enters the line, and after the chain leave(closed). Open chains come first, in the order of their
-// first lines, then closed ones.
+// end of the line that continues the chain, or -1. For each line of a chain it calls enter(end) with the end at which
+// the chain enters the line, and after the chain leave(closed). Open chains come first, in the order of their first
+// lines, then closed ones.
 template <class Enter, class Leave>
 void follow_chains(const base::Array<std::int32_t>& partner, Enter&& enter, Leave&& leave) {
     HRBFNPR_ASSERT(partner.size() % 2 == 0);

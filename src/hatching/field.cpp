@@ -361,7 +361,7 @@ glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, cons
     return std::cos(angle) * u + std::sin(angle) * v;
 }
 
-// Interpolates the line of an existing vertex, and its waves.
+// Interpolates the line of a vertex, and the waves along it, from the samples around the vertex.
 void interpolate(const Waves& samples, base::Array<Heard>& heard, const glm::dvec3& normal, std::int64_t vertex,
                  Waves& result) noexcept {
     const glm::dvec3 line = mean_line(samples, heard, normal);
@@ -418,7 +418,7 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
     return result;
 }
 
-// Both ends of an edge are neighbours of each other; at a border, only one end has the other one as a neighbour.
+// Both ends of an edge are neighbours of each other. At a border only one of the two lists the other.
 Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
     Graph graph(memory);
     graph.first.resize(mesh.vertices() + 1);

@@ -190,7 +190,7 @@ Lines walk(const curves::SurfaceMesh& mesh, const Crossings& found, const base::
 
 // ---- Ends of lines
 
-// End 2 l is the begin of line l, and 2 l + 1 its end; `way` points outwards.
+// End 2 l is the start of line l, and 2 l + 1 its end; `way` points outwards.
 struct Ends {
     geometry::VecArray place, way;
 };

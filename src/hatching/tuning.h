@@ -44,11 +44,11 @@ struct HatchingTuning {
     // Curvatures below this, over the diagonal, count as 0: a flat face has such curvatures within the tolerance of its
     // fit. Their weight rises to 1 at twice this. Larger: lines do not follow shallow forms.
     double flat_bend = 0.1;
-    // Between creases, where curvature and axis have less confidence than this, as on a flat face across the axis,
-    // lines follow another axis with this weight.
+    // Between creases, curvature and axis may have less confidence than this, for example on a flat face across the
+    // axis. Lines then follow another axis with this weight.
     double unsure = 1e-3;
-    // A named guide has this weight against curvature of full confidence. Larger: it is smoothed less, and hardly
-    // turned by the axis.
+    // A named guide has this weight, against 1 for a curvature of full confidence. Larger: neighbours and the axis
+    // change the guide's direction less.
     double guide_strength = 4.0;
     // How strongly lines are pulled to unit length. Larger: singular points are held more firmly where they are.
     double pull_to_unit = 0.2;
@@ -98,13 +98,15 @@ struct HatchingTuning {
     double shortest = 3.0;
     // Rounds of smoothing by weights 1/4, 1/2, 1/4 over neighbours along a line.
     int smoothings = 2;
-    // Neighbouring lines are searched up to this far across. Larger: lines also move where they have more room.
+    // Neighbouring lines are searched up to this distance across a line. Larger: lines with more room beside them move,
+    // too.
     double beside = 1.75;
-    // A line can be its own neighbour, as where it winds round, at points at least this far away along it.
+    // A line that winds round can be its own neighbour, at points at least this far away along it.
     double winding = 5.0;
     // Two lines are neighbours if the cosine of the angle between them is larger than this.
     double parallel_cosine = 0.7;
-    // Places this close to the tangent plane are never too steep.
+    // A point within this many separations of another point's tangent plane is always accepted as its neighbour,
+    // however steep the way to it.
     double thickness = 0.1;
     // In each of this many rounds, the neighbouring lines are searched again, and points make `moves` moves, each by
     // the share `move_share` of the way to the middle. Larger: lines are more even, more time.

@@ -137,7 +137,7 @@ void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
     }
 }
 
-// Whether a model can matter at a point where it is at least `beyond`, according to its box.
+// Whether a model can matter at a point where its f is at least `beyond`, according to its box.
 bool Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
                     double beyond) const noexcept {
     const CsgOp& both = plan_.ops[step.than];
@@ -306,7 +306,8 @@ void Run::evaluate_nearest(std::int32_t root, Contest& contest) {
     }
 }
 
-// Walks down the tree of boxes. At each box it keeps the points at which the box allows a value that is less or equal.
+// Walks down the tree of boxes. At each box it keeps the points at which a member in the box may be no larger than the
+// best value found before.
 void Run::evaluate_others(std::int32_t root, Contest& contest) {
     struct Part {
         std::int32_t node;

@@ -217,7 +217,7 @@ CsgGroup group_of(CsgPlan& plan, const base::Array<BoundedOp>& parts, std::int32
     return group;
 }
 
-// Makes groups where they pay; if `always`, also where pairs are faster.
+// Makes groups where they are faster than pairs, or everywhere if `always` is true.
 void make_groups(CsgPlan& plan, const base::Array<BoundedOp>& parts, bool always) {
     struct Task {
         std::int32_t op;

@@ -2,8 +2,8 @@
 // The plan by which a tree of solids is evaluated. Complements and differences become signs of leaves, offsets become
 // numbers that are added, and transforms become one map for each leaf. The rest are minima, maxima and blends of two
 // operands at a time, and shells. Steps evaluate these in an order that keeps few intermediate results, so that trees
-// of any depth need no recursion. A chain of minima, or of maxima, becomes a group where that pays: its members are in
-// a tree of boxes, and only members whose boxes allow a lesser value are evaluated.
+// of any depth need no recursion. A chain of minima, or of maxima, becomes a group where that saves time: its members
+// are in a tree of boxes, and only members whose boxes allow a lower value are evaluated.
 #pragma once
 
 #include "implicit/csg_shapes.h"
@@ -72,7 +72,7 @@ struct CsgStep {
     std::int32_t than = -1;
 };
 
-// An operand of a group, with steps of its own.
+// An operand of a group, with separate steps.
 struct CsgMember {
     std::int32_t op = 0;
     std::int32_t first_sheet = 0; // index of its first sheet in the group

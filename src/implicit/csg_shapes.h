@@ -138,8 +138,8 @@ public:
     [[nodiscard]] std::int32_t sheets() const noexcept;
     // Returns f, and writes the sheet that f is.
     [[nodiscard]] double value(const glm::dvec3& p, std::int32_t& sheet) const noexcept;
-    // Returns one sheet, everywhere. Where it has no gradient, as at the centre of a sphere, gradient and Hessian are
-    // 0.
+    // Returns one sheet, everywhere. Where it has no gradient, for example at the centre of a sphere, gradient and
+    // Hessian are 0.
     [[nodiscard]] Jet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
     // Returns the bounds if the solid is moved by x -> linear x + translation and f becomes scale f.
     [[nodiscard]] CsgReach reach(const glm::dmat3& linear, const glm::dvec3& translation, double scale) const noexcept;

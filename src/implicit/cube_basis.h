@@ -37,7 +37,7 @@ public:
     [[nodiscard]] const geometry::VecArray& nodes() const noexcept { return nodes_; }
     // The matrix from values at the nodes to coefficients, column-major with columns of term_stride().
     [[nodiscard]] const base::Array<double>& to_coefficients() const noexcept { return to_coefficients_; }
-    // Its transpose, with columns of stride().
+    // The transpose of to_coefficients(), with columns of stride().
     [[nodiscard]] const base::Array<double>& to_coefficients_transposed() const noexcept { return transposed_; }
 
     void forget_matrices() noexcept {
@@ -45,7 +45,7 @@ public:
         transposed_.release();
     }
 
-    // Writes all terms at a point, in the order of a, then b, then c.
+    // Writes all terms T_a(x) T_b(y) T_c(z) at a point, in the order of a, then b, then c.
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
     // Returns the matrix from values at the nodes of this basis to values at `count` points, column-major with columns
     // of padded(count).

@@ -45,7 +45,7 @@ struct HrbfData {
 // Does the same as Hrbf::evaluate, for data that no Hrbf owns yet.
 void evaluate(base::InstructionSet set, const HrbfData& data, const PointBatch& points,
               const FieldBatch& fields) noexcept;
-// The same as plain code, which tests compare the vectors with.
+// Does the same as Hrbf::evaluate in plain code. Tests compare the vectorised code with it.
 void evaluate(const HrbfData& data, const PointBatch& points, const FieldBatch& fields) noexcept;
 
 class Hrbf final : public Implicit {

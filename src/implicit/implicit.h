@@ -29,7 +29,7 @@ struct FieldBatch {
 
     [[nodiscard]] bool wants_gradient() const noexcept { return gradient[0] != nullptr; }
     [[nodiscard]] bool wants_hessian() const noexcept { return hessian[0] != nullptr; }
-    // The same fields from element `begin` on.
+    // Returns the same fields, from element `begin` on.
     [[nodiscard]] FieldBatch from(std::int64_t begin) const noexcept;
 };
 

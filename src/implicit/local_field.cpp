@@ -17,9 +17,9 @@ namespace {
 // accuracy took twice the degrees.
 constexpr int separation = 2;
 
-// Returns the default limit: cubes with more near centres are divided. The near pairs then cost about as much as the
-// polynomial, and a little more, because cubes and polynomials have to be made, too. With many centres the cubes take
-// longer to make than a million points to evaluate.
+// Cubes with more near centres than this are divided by default. At this number the near pairs cost slightly more time
+// than the polynomial, because dividing also takes time. With many centres, making the cubes takes longer than
+// evaluating a million points.
 constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
 // A child of a cube is made if there are centres within this many of its half widths from its middle.

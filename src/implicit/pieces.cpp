@@ -63,10 +63,10 @@ struct Term {
     std::int32_t point;
     std::int32_t next; // next term of the sheet, or -1
     Jet jet;
-    Jet weight; // sum over all cells that it rules
+    Jet weight; // the sum of the weights of all cells in which f is this term
 };
 
-// A cell that reaches a point.
+// A cell whose weight is above 0 at a point.
 struct Hit {
     PiecesNode cell;
     std::int32_t leaf;         // -1: the sphere far outside
@@ -123,7 +123,7 @@ private:
     static constexpr std::int64_t most_hits = 768;    // cells of all points
     static constexpr std::int64_t most_terms = 768;
 
-    // A sheet, the points that it alone rules, and the terms that need it.
+    // A sheet, the points at which it alone equals f, and the terms that need it.
     struct Group {
         std::int32_t sheet;
         std::int32_t point, term; // first element of each chain, or -1
@@ -157,9 +157,9 @@ private:
     std::int64_t groups_ = 0;
     std::int64_t first_hit_[most_points + 1];
     std::int64_t first_term_[most_points + 1];
-    std::int32_t alone_[most_points];      // the sheet that is known to rule each point, or -1
+    std::int32_t alone_[most_points];      // for each point: the sheet that is known to equal f there, or -1
     std::int32_t next_alone_[most_points]; // next point of the same sheet, or -1
-    std::int32_t ruler_[most_points];      // for the other points: the term that rules all cells, or -1
+    std::int32_t ruler_[most_points];      // for the other points: the term that is the result of all cells, or -1
     Hit hit_[most_hits];
     Term term_[most_terms];
     Group group_[most_points + most_terms];
@@ -306,7 +306,8 @@ std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept
     return depth == 1 ? stack[0] : -1;
 }
 
-// Finds the sheet that rules each cell, and sums the weights of the cells of each sheet: 1 if all cells have the same.
+// Finds the sheet that equals f in each cell, and sums the weights of the cells of each sheet: the sum is 1 if all
+// cells have the same sheet.
 void PiecesBlock::choose(std::int64_t point) noexcept {
     const std::span<Hit> hits = this->hits(point);
     bool one = !hits.empty();

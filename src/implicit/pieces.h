@@ -67,13 +67,15 @@ private:
     PiecesData own_;
 };
 
-// The same function for many points, up to rounding and the errors of each Prepared sheet.
+// The function of an implicit of pieces, prepared for many points. It differs only by rounding and by the errors of
+// each Prepared sheet.
 class PreparedPieces final : public PiecesOf {
 public:
     // The parts that are prepared: zones only, or zones and the sheets with many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
-    // Returns the scope that takes less time for this number of points than it saves; nullopt: no scope does.
+    // Returns the scope whose preparation saves more time than it takes, for this number of points; nullopt: no scope
+    // does.
     [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
 
     // `of` must outlive this.

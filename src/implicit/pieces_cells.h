@@ -2,8 +2,9 @@
 // The cells and zones of an implicit of pieces. PiecesData is plain data, which a fit makes and a file holds: sheets,
 // and an octree of cells, each with a program that takes minima and maxima of a few sheets. A cell reaches a place if
 // its weight there is above 0, which it is beyond its sides, too. A sheet rules a cell at a place if the cell's program
-// ends with it. PiecesZones are for many points: cells are divided into zones that know which cells reach them, and
-// which sheets of these can be the largest or smallest. Far from a crease that is one sheet, and f is that sheet.
+// results in its value there. PiecesZones are for many points: cells are divided into zones that know which cells reach
+// them, and which sheets of these can be the largest or smallest. Far from a crease that is one sheet, and f is that
+// sheet.
 #pragma once
 
 #include "base/list.h"
@@ -105,7 +106,7 @@ public:
     };
     // The sheets that may matter at a place.
     struct At {
-        std::int32_t sheet = -1;     // the sheet that alone rules it; -1: none is known
+        std::int32_t sheet = -1;     // the sheet that equals f there; -1: no single sheet is known to
         std::span<const Part> parts; // otherwise: cells, some of which reach the place; empty: nothing is known
     };
     [[nodiscard]] At at(const glm::dvec3& place) const noexcept;
@@ -113,8 +114,8 @@ public:
         return {program_.data() + part.begin, program_.data() + part.end};
     }
     [[nodiscard]] const PiecesNode& node(std::int32_t leaf) const noexcept { return node_[leaf]; }
-    // Cells in the sense of implicit::Implicit: one for each sheet that rules alone, one for each leaf, and one for all
-    // other places.
+    // Cells in the sense of implicit::Implicit: one for each sheet that equals f in a zone, one for each leaf, and one
+    // for all other places.
     [[nodiscard]] std::int64_t cells() const noexcept { return data_.sheet.size() + data_.leaves() + 1; }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& place) const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept {
@@ -133,7 +134,7 @@ private:
         return static_cast<std::int32_t>((digit[0] >> shift & 1U) | (digit[1] >> shift & 1U) << 1U |
                                          (digit[2] >> shift & 1U) << 2U);
     }
-    // Returns the zone that a place lies in, or `-1 - sheet` if one sheet alone rules that zone, or nowhere.
+    // Returns the zone that a place lies in, or `-1 - sheet` if f equals this sheet all over the zone, or nowhere.
     [[nodiscard]] std::int32_t code_at(const glm::dvec3& place) const noexcept;
 
     const PiecesData& data_;
@@ -143,7 +144,7 @@ private:
     base::Array<std::int8_t> cuts_;   // for each leaf: it has 2^cuts zones along each side; -1: it has none
     base::Array<std::int32_t> first_; // for each leaf: its first zone
     base::Array<std::int32_t> code_;  // for each zone: the result of code_at()
-    base::Array<Zone> zone_;          // the zones that no single sheet rules
+    base::Array<Zone> zone_;          // the zones in which f is not known to equal a single sheet
     base::Array<Part> part_;
     base::Array<std::int32_t> program_;
 };

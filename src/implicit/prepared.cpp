@@ -18,9 +18,9 @@ constexpr std::int64_t fewest_centres = 512;
 // The measured error, a maximum over some hundred places, may be this many times the tolerance before the field is made
 // finer, or given up.
 constexpr double slack = 200.0;
-// The same limit where a finer field is no better. Parts of a mesh that cross, or lie close to each other, have weights
-// of many digits, and rounding alone is then a hundred or a thousand times the tolerance. Sums over all centres do not
-// look better, and with them lines and every frame take minutes.
+// The limit of the same error where a finer field is no better. Parts of a mesh that cross, or lie close to each other,
+// have weights with large numbers of digits, so rounding alone gives a hundred or a thousand times the tolerance.
+// Drawings from sums over all centres do not look better, but lines and every frame then take minutes.
 constexpr double slack_of_rounding = 5000.0;
 constexpr double no_better = 0.5; // a finer field is no better if its error is above this share of the error before
 constexpr double gradients_share = 100.0;

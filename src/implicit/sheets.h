@@ -27,7 +27,7 @@ public:
     virtual void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const = 0;
 };
 
-// One sheet as an implicit of its own.
+// One sheet as a separate implicit.
 class OneSheet final : public Implicit {
 public:
     // `sheets` belong to `whole`, which must outlive this.

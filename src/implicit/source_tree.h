@@ -21,7 +21,7 @@ namespace hrbfnpr::implicit {
 
 struct SourceTreeOptions {
     double spacing = 1.0;         // mean spacing of the centres
-    int finer = 0;                // number of steps of two degrees; each divides the error by about 10
+    int finer = 0;                // each step raises the polynomial degree by 2, and divides the error by about 10
     std::int64_t leaf_size = 600; // the most centres in a cube that is not divided
     double tolerance = 1e-8;      // error of sums with a fit's weights, relative to the fit's right-hand side
     int separation = 1;           // the fewest cubes between two cubes that act on each other by their nodes; 1 or 2

@@ -7,7 +7,7 @@
 
 namespace hrbfnpr::implicit {
 
-// Set on `scripts/bench edges --only=csg` and `--only=rows`.
+// Tuned with `scripts/bench edges --only=csg` and `--only=rows`.
 struct CsgTuning {
     // Number of points that a run of steps works on at a time. Larger: less overhead for each step, but intermediate
     // results leave the fast caches.
@@ -15,7 +15,8 @@ struct CsgTuning {
     // The minimum of at least this many primitives is taken as a group, by a tree of boxes, and not two at a time.
     // Larger: more primitives that are far away are evaluated.
     std::int64_t primitives = 16;
-    // The same if one member holds a model. Members of which two hold a model are always a group.
+    // A minimum with a model among its members is taken as a group from this many members on. Members of which two hold
+    // a model are always a group.
     std::int64_t beside_model = 3;
     // Groups are nested at most this deep; deeper operands are combined two at a time. Larger: more stack.
     std::int32_t nested = 8;
@@ -25,7 +26,7 @@ struct CsgTuning {
 };
 inline constexpr CsgTuning csg_tuning;
 
-// Set on `scripts/bench edges --only=pieces`.
+// Tuned with `scripts/bench edges --only=pieces`.
 struct PiecesTuning {
     // Number of points that are evaluated together; points of one sheet are placed side by side. Larger: fuller
     // vectors, more memory.
@@ -47,9 +48,9 @@ struct ZoneTuning {
     int cuts = 2;
     // A cell that more cells than this reach gets no zones. Larger: more memory for crowded cells.
     std::int64_t parts = 64;
-    // A sheet is left out of a maximum if it is less than the other by more than this share of the range of their
-    // difference over the corners and the middle of a zone; likewise for a minimum. Smaller: the sheet that f is may be
-    // missing.
+    // A maximum of two sheets leaves out the lower sheet if it is lower everywhere in the zone by more than this share
+    // of the range of their difference over the zone's corners and middle. The same holds for a minimum. Smaller: the
+    // sheet that equals f may be left out.
     double margin = 0.5;
     // Zones are widened by this share, for places that rounding puts beside them.
     double rounding = 1e-6;

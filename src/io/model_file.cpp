@@ -26,7 +26,8 @@ constexpr std::uint32_t tag_trim_ends = tag("TEND");
 constexpr std::int32_t highest_degree = 3;
 constexpr std::int64_t longest_report = 1024;
 
-// Limits for the inputs and results of a fit. It merges samples nearer to each other than 1e-9 diagonals.
+// Limits for the inputs and results of a fit. A fit merges samples closer to each other than 1e-9 diagonals, which
+// bounds its scale.
 constexpr double smallest_side = 1e-110;
 constexpr double most_scales = 1e12; // the largest ratio of the bounds' longest side to the scale
 constexpr double radius_limit = 1e30;

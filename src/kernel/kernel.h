@@ -25,7 +25,7 @@ struct Radial {
 // in the direction of d, so 0 is their mean over all directions.
 [[nodiscard]] Radial radial(Kind kind, double radius, double r) noexcept;
 
-// Returns the next of these functions, c'/r, which fourth derivatives of psi need:
+// Returns c'/r, which the fourth derivatives of psi need:
 //   fourth = b (3 terms delta delta) + c (6 terms delta d d) + (c'/r) d d d d
 // It requires r > 0. For the triharmonic and Wendland kernels it grows without bound towards r = 0.
 [[nodiscard]] double radial_fourth(Kind kind, double radius, double r) noexcept;

@@ -190,13 +190,13 @@ struct Layer {
 
     Kind kind;
     LayerName name;
-    bool progressive = false;                // each prefix in the order of falling ranks is evenly spread
-    base::Array<float> position;             // 3n, relative to the set's origin
-    base::Array<float> normal;               // 3n
-    base::Array<float> direction;            // 3n
-    base::Array<float> curvature;            // 3n, or empty
-    base::Array<float> rank;                 // n
-    base::Array<std::uint8_t> level;         // n
+    bool progressive = false;        // each prefix in the order of falling ranks is evenly spread
+    base::Array<float> position;     // 3n, relative to the set's origin
+    base::Array<float> normal;       // 3n
+    base::Array<float> direction;    // 3n
+    base::Array<float> curvature;    // 3n, or empty
+    base::Array<float> rank;         // n
+    base::Array<std::uint8_t> level; // n; the level at which each mark was added, in a recursion or in nested hatching
     base::Array<std::uint32_t> stroke;       // 2n
     base::Array<float> width;                // n, or empty: all 1
     base::Array<float> tone_normal;          // 3n, or empty: `normal`

@@ -26,7 +26,7 @@ namespace {
     return sum;
 }
 
-// Closes each component's holes by fans about their middles, and adds the volume below the fans.
+// Closes each component's holes by fans of triangles, and adds the volume between each fan and the component's middle.
 void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
                  const base::Array<std::int32_t>& component, const base::Array<glm::dvec3>& middle,
                  base::Array<Component>& result) {

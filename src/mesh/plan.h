@@ -64,8 +64,9 @@ enum class SharpEdges {
 
 // The limits beyond which the edges of a component are sharp.
 struct Sharpness {
-    double angle;  // Edges that bend by more are sharp, in degrees.
-    double coarse; // Faces stay flat if they would be farther than this from a surface curved as their normals are.
+    double angle; // Edges that bend by more are sharp, in degrees.
+    // Faces stay flat if they are farther than this from the curved surface that their vertex normals imply.
+    double coarse;
 };
 // `far` and `tolerance` are distances in the unit of the mesh.
 [[nodiscard]] Sharpness plan_sharpness(double angle, double far) noexcept;
@@ -163,7 +164,7 @@ struct SampleWishes {
     bool flips = false;       // all normals are turned
     bool refines = false;     // the samples move
     bool judges = false;      // outliers or flipped normals are looked for
-    bool regularizes = false; // the regularization follows the noise
+    bool regularizes = false; // the regularization is chosen from the noise
 };
 // Tells whether a fit to the mesh takes as many samples as it needs.
 [[nodiscard]] bool chooses_samples(const SampleWishes& wishes) noexcept;
@@ -171,8 +172,8 @@ struct SampleWishes {
 // Return the tolerance of a fit, and the distance that no place may exceed. If the wish is 0 they return the default.
 [[nodiscard]] double plan_tolerance(double wish, double diagonal) noexcept;
 [[nodiscard]] double plan_far(double wish, double tolerance) noexcept;
-// Returns the tolerance of a group beside others, which are `across` wide together. A camera sees the group from as far
-// as the whole, so the tolerance lies between that of the whole and that of the group alone.
+// Returns the tolerance for a group of parts. All groups together are `across` wide. The camera is as far away as for
+// the whole, so the tolerance lies between that of the whole and that of the group alone.
 [[nodiscard]] double plan_tolerance_of_group(double diagonal, double across) noexcept;
 
 // ---- Where the surface ends

@@ -30,7 +30,8 @@ struct MeshTuning {
 
     // ---- Orientation
 
-    // An open component has an inside if its holes have less than this share of its area. Larger: bowls are turned.
+    // An open component has an inside if its holes have less than this share of its area. Larger: open shapes such as
+    // bowls are turned, too.
     double small_holes = 0.25;
     // Rays from this many faces of a component tell whether it lies inside another. Larger: slower, and fewer parts
     // that stick out a little are left out.
@@ -56,7 +57,7 @@ struct MeshTuning {
     double least_inset = 0.9;
     // The row replaces even samples that are within this many insets from the border. Larger: a gap beside the row.
     double replaced = 1.7;
-    // A place of the border is covered by the row if a place of the row is within this many insets.
+    // The row covers a place of the border if one of its own places is nearer than this many insets.
     double covered = 2.0;
     // The number of candidates for each even sample. Larger: slower, more even.
     std::int64_t candidates_each = 4;
@@ -94,8 +95,8 @@ struct PlanTuning {
     double nearly_all = 0.98;
     // Meshes with at most this many faces may be divided. Larger: finer meshes are examined, in more time.
     std::int64_t most_coarse = 50'000;
-    // A mesh whose mean edge is shorter than this, in diagonals, bends by noise and is not divided. Larger: fewer
-    // meshes are divided.
+    // A mesh whose mean edge is shorter than this, in diagonals, is not divided: its faces bend because of noise.
+    // Larger: fewer meshes are divided.
     double coarse_edge = 0.025;
     // The largest number of subdivision rounds. Each round makes four times as many faces.
     std::int32_t most_rounds = 3;
@@ -109,9 +110,11 @@ struct PlanTuning {
 
     // ---- Parts
 
-    // All lost parts together have at most this share of the area. Larger: more parts are lost.
+    // Far parts are dropped only if all of them together have at most this share of the area. Larger: more parts are
+    // dropped.
     double lost_area = 0.001;
-    // Parts are lost beyond a distance of (this - 1) times the size of all other parts. Larger: fewer parts are lost.
+    // A part is dropped only if it is farther from all other parts than (this - 1) times their size. Larger: fewer
+    // parts are dropped.
     double lost_distance = 4.0;
     // Parts with at most this many faces, and this share of the total area, are too small for a surface of their own.
     // Larger: more faces are removed where three meet in an edge.

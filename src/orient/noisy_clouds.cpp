@@ -146,7 +146,8 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
     }
     const glm::dvec3 plane = plane_of(sum).normal;
     const double cosine = glm::dot(plane, side);
-    // A plane that stands across the side is that of a wall, so only the side is known.
+    // A plane at a steep angle to the mean normal belongs to the wall of another face. Only the mean normal is known
+    // then.
     if (std::abs(cosine) < tuning.plane_across) return side;
     return glm::normalize(side + std::copysign(tuning.plane_weight, cosine) * plane);
 }

@@ -6,8 +6,8 @@
 
 namespace hrbfnpr::orient {
 
-// Returns the mean of the normals around each place that point the same way, weighted by a Gaussian of this standard
-// deviation.
+// Returns for each place a mean of the normals around it. Only normals that point to the same side as the place's own
+// are averaged, weighted by a Gaussian of the standard deviation `deviation`.
 [[nodiscard]] geometry::VecArray smooth_directions(const base::Work& work, const geometry::PointTree& tree,
                                                    const Near& near, const geometry::VecArray& normal,
                                                    double deviation);

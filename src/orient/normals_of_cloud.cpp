@@ -33,7 +33,7 @@ constexpr double ridge_factor = 3.1622776601683795; // half a power of ten
 
 struct Noise {
     double deviation = 0.0; // standard deviation, in spacings
-    double ridge = 0.0;     // the ridge that the noise calls for; 0 for a clean cloud
+    double ridge = 0.0;     // the regularization for this noise; 0 for a clean cloud
 };
 
 // Returns consecutive places of the tree's order, which are close to each other in space.
@@ -184,9 +184,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return levels;
 }
 
-// Returns the coarser cloud whose normals stay, or null. Noise has more energy, and changes directions more, the nearer
-// points are to each other. If the energy of all points is no less than that of fewer points, the result is the cloud
-// of least energy among those with the same signs as these.
+// Returns the coarser cloud whose normals stay, or null if the energy of all points is lower. The nearer noisy points
+// are to each other, the more energy they have, and the more they change directions. So the result is, among the
+// coarser clouds with the same signs as the cloud of least energy for its spacing, the one of least energy.
 [[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy) noexcept {
     const auto least = std::min_element(coarser.begin(), coarser.end(),
                                         [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
@@ -228,8 +228,8 @@ void fit(const base::Work& work, const Cloud& cloud, const Near& near, const Noi
         fit_even(work, cloud, near, noise, given, result);
 }
 
-// Returns means of the cloud's points, in the cloud's coordinates, that are far enough apart for their noise. Writes
-// that noise.
+// Replaces the cloud's points by means, in the cloud's coordinates. The means are far enough apart for their noise.
+// Sets `noise` to the noise of the means.
 [[nodiscard]] Cloud reduced(const base::Work& work, const Cloud& cloud, Noise& noise) {
     Cloud means(work.memory);
     const Cloud* last = &cloud;

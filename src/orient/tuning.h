@@ -54,9 +54,10 @@ struct OrientTuning {
     // own energy, which is more than rounding.
     int most_sweeps = 4;
     double least_gain = 1e-6;
-    // A patch is a place with those of its `patch_neighbours` nearest neighbours whose normals have at least the
-    // |cosine| `patch_alike` with its own, and whose chord has at most the sine `patch_beside` to both tangent planes.
-    // Larger sine or smaller cosine: patches may reach over edges.
+    // A patch is a place together with some of its `patch_neighbours` nearest neighbours. It takes neighbours whose
+    // normals have at least the |cosine| `patch_alike` with the place's normal, and whose chord makes an angle of at
+    // most the sine `patch_beside` with both tangent planes. Larger sine or smaller cosine: patches may reach over
+    // edges.
     std::int64_t patch_neighbours = 8;
     double patch_alike = 0.9;
     double patch_beside = 0.35;
@@ -99,8 +100,9 @@ struct OrientTuning {
     double no_order_above = 0.02;
     double noisy_rival = 1.05;
     double same_signs = 0.9;
-    // Ridges are tried from `first_ridge` on, each larger by the same factor, until the energy is below
-    // `settled_below`; fewer than `most_ridges` are tried. Larger settled_below: less smooth, and nearer to the points.
+    // The regularization starts at `first_ridge` and is multiplied by a constant factor until the energy is below
+    // `settled_below`. Fewer than `most_ridges` values are tried. Larger settled_below: less smooth, and nearer to the
+    // points.
     double first_ridge = 10.0;
     int most_ridges = 11;
     double settled_below = 0.0025;
@@ -152,9 +154,9 @@ struct OrientTuning {
     // `face_rounds` rounds.
     double smooth_enough = 2.0;
     int face_rounds = 3;
-    // The faces at a place are the places within `faces_within` spacings whose normals have at least the |cosine|
-    // `along_face` with its own. Weights fall by a factor of e over `faces_over` spacings; those of the other face must
-    // sum to more than `least_other_face`.
+    // The own face of a place consists of the places within `faces_within` spacings whose normals have at least the
+    // |cosine| `along_face` with the place's normal. Weights fall by a factor of e over `faces_over` spacings. The
+    // weights of the other face must sum to more than `least_other_face`.
     double faces_within = 3.0;
     double faces_over = 1.5;
     double along_face = 0.3;
@@ -243,8 +245,8 @@ struct OrientTuning {
 inline constexpr OrientTuning tuning;
 
 struct DepthTuning {
-    // An image has at least `least_seen` points. The correlation of x / z with the column, and of y / z with the row,
-    // is above `in_line`.
+    // Input counts as a depth image if at least `least_seen` pixels have a point, and if x / z is correlated with the
+    // column, and y / z with the row, by more than `in_line`.
     std::int64_t least_seen = 64;
     double in_line = 0.99;
     // A disc has this radius, in pixels, where one standard deviation of depth is as wide as a pixel, and grows with

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums of products start at 0, follow the order of the indices, and are not fused. So cameras of two machines differ at
-// most by their sines and cosines.
+// Finds the camera of a picture. Sums of products start at 0, are added in the order of the indices, and are not fused.
+// So the cameras of two machines can differ only by the rounding of sines and cosines.
 #include "picture/look.h"
 
 #include "base/assert.h"

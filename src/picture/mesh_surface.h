@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes surfaces from a mesh. It repairs the mesh, divides coarse faces that stand for a round shape, groups parts that
-// make no surface together, fits a model to each group, and ends it where the mesh ends.
+// Makes surfaces from a mesh. It repairs the mesh, and divides coarse faces that approximate a round shape. It groups
+// parts that cannot belong to one surface, fits a model to each group, and ends the model where the mesh ends.
 #pragma once
 
 #include "picture/call.h"

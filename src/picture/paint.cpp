@@ -80,7 +80,7 @@ struct HeldPaint {
         : pool(memory), tone{PaintedMap(dabs, map, pool)} {}
 
     Pool pool;
-    PaintedTone tone; // For other maps only the `map` in it is used.
+    PaintedTone tone; // For maps other than the tone, only PaintedTone::map is used.
 };
 
 std::shared_ptr<HeldPaint> held_paint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, const Pool& pool) {

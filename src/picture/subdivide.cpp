@@ -52,7 +52,8 @@ Bends bends_of(const Shape& shape, const FaceEdges& edges, Pool& pool) {
     return bends;
 }
 
-// Joins the faces beside those plain edges for which `joins` is true. The least number of each set names the set.
+// Joins the two faces at each plain edge i for which joins(i) is true. Returns for each face the least face number of
+// its set.
 template <class Joins>
 Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) {
     mesh::Sets sets(pool.memory(), static_cast<std::int64_t>(bends.area.size()));
@@ -343,7 +344,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
 Vector<std::int64_t> parents_of(std::size_t faces, std::size_t finer, Pool& pool) {
     Vector<std::int64_t> parents(&pool);
     parents.reserve(finer);
-    // A round stores the four parts of all faces block by block.
+    // Each round divides every face into four. Part k of face f has the index k * (number of faces) + f.
     for (std::size_t i = 0; i < finer; ++i) parents.push_back(static_cast<std::int64_t>(i % faces));
     return parents;
 }

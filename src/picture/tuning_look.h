@@ -19,7 +19,8 @@ struct UpTuning {
     // A normal with a z component smaller than this, up or down, is ignored. Larger: more shapes count as seen from all
     // sides.
     double side_told = 0.05;
-    // A shape may be a view from one side only if more than this share of its normals is not ignored.
+    // A shape may be a view from one side only if more than this share of its normals has a z component of at least
+    // `side_told`.
     double view_share = 0.98;
     // In a view from one side the mean sign of the normals' z components exceeds this in magnitude. Larger: fewer
     // shapes are such views.

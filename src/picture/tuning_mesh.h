@@ -56,7 +56,8 @@ struct ApartTuning {
     double near = 0.02;
     // Borders nearer than this, in diagonals, may be a single edge that the file has twice. Larger: fewer groups.
     double seam = 0.002;
-    // Two borders are one edge if this share of the border of either part is nearer than `seam`. Larger: more groups.
+    // Two borders are one edge if at least this share of either border is nearer than `seam` to the other. Larger: more
+    // groups.
     double seam_share = 0.2;
     // The cosine between the normals of the faces beside such an edge exceeds this in magnitude. Larger: more groups.
     double seam_cosine = 0.7;

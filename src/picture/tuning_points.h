@@ -69,7 +69,8 @@ struct NormalsTuning {
     double opposed_cosine = -0.25;
     // A neighbour lies beside a sample if its height above the sample's plane is below this share of its distance.
     double beside_height = 0.5;
-    // The same limit for a neighbour that is surely on the same sheet.
+    // A neighbour is surely on the same sheet if its height above the sample's plane is below this share of its
+    // distance.
     double level_height = 0.25;
     // Pairs of neighbours are used only if at least this share is surely on the same sheet.
     double least_level_share = 0.2;

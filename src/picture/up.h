@@ -17,8 +17,8 @@ struct FoundUp {
 // for each point.
 [[nodiscard]] FoundUp find_up(const Shape* shape, const Points& points, const Points& normals, Pool& pool);
 
-// Returns the direction that the options give, or else the one that is found, with a note if that is not y. A part of a
-// solid has y.
+// Returns the direction that the options give, or else the direction that find_up() returns. Reports a found direction
+// other than y in a note. For a part of a solid the result is y.
 [[nodiscard]] glm::dvec3 choose_up(const Call& call, const Shape* shape, const Points& points, const Points& normals);
 
 // Returns the name of an axis such as "x" or "-x", or three numbers with commas between them.

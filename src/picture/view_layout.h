@@ -46,7 +46,7 @@ struct SheetScale {
 
 // Each of these reads a text, and throws Error{invalid_argument} that says which texts are valid.
 [[nodiscard]] Vector<ViewName> parse_views(std::string_view text, const Report& report);    // "front,top"
-[[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report); // "z:20;-x;1:1:0:5"
+[[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report); // such as "z:20;-x;1:1:0:5"
 // "auto" returns nothing.
 [[nodiscard]] std::optional<SheetPage> parse_paper(std::string_view text, const Report& report);
 [[nodiscard]] std::optional<SheetScale> parse_scale(std::string_view text, const Report& report);
@@ -129,7 +129,7 @@ struct ViewCell {
     glm::dvec2 high;
     bool has_label;
     Vector<glm::dvec3> cut_normals; // normals of the planes that are drawn in the view
-    Vector<std::size_t> cuts;       // indices of these planes
+    Vector<std::size_t> cuts;       // the indices of the planes of cut_normals
 
     // Return the box around the drawing alone, and the box that includes its surroundings, relative to the centre.
     // `scale` is in mm per unit.

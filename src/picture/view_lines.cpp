@@ -605,7 +605,7 @@ TracedLines creases_in(const SheetView& view, const Solid& solid, double scale, 
     return lines;
 }
 
-// Appends the lines of one kind to others.
+// Appends the found lines of one kind to `to`.
 void take_kind(LinesByKind& found, std::uint32_t kind, TracedLines& to) {
     const auto lines = found.find(kind);
     if (lines == found.end()) return;

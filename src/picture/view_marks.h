@@ -97,7 +97,7 @@ struct PlacedView {
     const SheetView& view;
     double scale;      // mm per unit of the model
     glm::dvec2 centre; // on the sheet
-    SheetBox seen;     // the box around its drawing
+    SheetBox seen;     // the box around the view's drawing
     SheetBox box;      // the box around the drawing and its annotations
 };
 

@@ -180,7 +180,7 @@ glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
 
 struct NextPiece {
     std::size_t number;
-    bool turned; // The last point of the piece is its joint.
+    bool turned; // The piece joins the line with its last point.
 };
 
 // Finds the piece that continues the line at its end. Returns false if no piece does.

@@ -207,7 +207,7 @@ constexpr std::int32_t sets = 2;
     return glm::normalize(weight * field + (1.0 - weight) * onward); // the two are no more than 90 degrees apart
 }
 
-// Returns the key of a mark, from its stroke and its place along that.
+// Returns the key of a mark, from its stroke and its place along the stroke.
 [[nodiscard]] std::uint64_t stroke_key(std::uint32_t stroke, std::int32_t place) noexcept {
     return static_cast<std::uint64_t>(stroke) << 32U | static_cast<std::uint32_t>(place);
 }
@@ -247,7 +247,7 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
                            static_cast<std::uint32_t>(i), 0, marks);
         },
         site.work);
-    auto full_count = static_cast<std::uint64_t>(seeds); // the marks before a level if none had been dropped
+    auto full_count = static_cast<std::uint64_t>(seeds); // the number of marks before a level if none were dropped
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
         // In a full tree of n marks, mark `key` has the children n + 4 key + {0, 1, 2, 3}.
         const auto key_of = [&](std::int64_t i) {

@@ -38,8 +38,9 @@ struct DensitySettings {
     void* user = nullptr;
 };
 
-// Thins an even order to at most `wanted` marks: a mark whose place in the order, divided by the density there, is too
-// high is left out. So every prefix of the result is, at each place, a prefix of the even order.
+// Thins an even order to at most `wanted` marks. Each mark's place in the order is divided by the density there. The
+// mark is left out if the result is too high. So any first part of the result has, around each place, the same marks as
+// some first part of the even order.
 [[nodiscard]] EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                           const DensitySettings& density);
 

@@ -28,7 +28,8 @@ struct StageSettings {
     double farthest_move = 0.0;     // less than half a side
 };
 
-// The cells of the last stage. Marks of all stages must stay in them, because the last stage finds no other marks.
+// The cells of the last stage. All marks must stay within them, because the last stage looks for marks in these cells
+// only.
 struct Home {
     std::int32_t level;
     CellMap cells;

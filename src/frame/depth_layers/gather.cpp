@@ -4,7 +4,7 @@
 // 1. set_up_items: how each item is seen, how much ink it has, and what its layers let through
 // 2. add_tasks: tasks of several clusters of a run
 // 3. ask_tones: tau of the marks whose tone a callback gives
-// 4. gather_cluster, on threads: passes over clusters that are outside; makes splats of a cluster's first marks
+// 4. gather_cluster, on threads: skips clusters that are outside; makes splats of a cluster's first marks
 //    (put_splats), and ink of the marks that its tone shows (put_ink)
 #include "frame/depth_layers/gather.h"
 
@@ -35,7 +35,7 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
     return table;
 }
 
-// Whether two items have the same table.
+// Whether two items get the same table of transmittances.
 [[nodiscard]] bool are_alike(const ItemView& one, const ItemView& other) noexcept {
     const Style& a = one.style;
     const Style& b = other.style;
@@ -52,7 +52,8 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
     float lines = 0.0F;
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
-        if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue; // hatching makes its own tone
+        // Tone is made by other layers: hatching makes its own.
+        if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue;
         // Blue-noise hatching has lines of one direction. Other strokes have two directions with half of the marks
         // each.
         const bool has_one = run.is_scattered() || (run.is_even() && run.marks->kind == marks::Kind::hatch);
@@ -182,7 +183,7 @@ struct Gathered {
     Counts counts;
 };
 
-// A cluster that is not passed over.
+// A cluster that is not skipped.
 struct Local {
     const marks::Cluster& cluster;
     const MarkBlock* blocks;
@@ -239,7 +240,7 @@ struct Local {
     return selection;
 }
 
-// How many of a cluster's first marks belong to the share `shown` of all marks.
+// Returns how many of a cluster's first marks belong to the share `shown` of all marks.
 [[nodiscard]] std::int64_t count_shown(const Local& local, float shown) noexcept {
     if (!(shown > 0.0F)) return 0;
     std::int64_t low = 0;
@@ -260,7 +261,7 @@ struct Local {
     return local.whole ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
 }
 
-// How many of a cluster's first marks are splats.
+// Returns how many of a cluster's first marks are splats.
 [[nodiscard]] std::int64_t count_splats(const Run& run, const Local& local) noexcept {
     if (!run.splats) return 0;
     // The first lines of a nested set leave the places of the others open, so all marks are needed.
@@ -392,7 +393,7 @@ void put_ink(const RunView& v, const Local& local, const Selection& selection, c
             const std::int64_t i = first + std::countr_zero(bits);
             const float radius = v.run.pen.front_ink(seen.pixels_per_unit[i]) *
                                  (width.empty() ? 1.0F : width[local.cluster.block * MarkBlock::size + i]);
-            // The dot's side is that of the splats.
+            // The dot is on the same side as the splats.
             const bool faces_back = (seen.nu[i] > 0.0F) != v.run.turned;
             const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
                                                          (v.item.model != nullptr ? dot_is_exact : 0));

@@ -73,7 +73,7 @@ struct TransmittanceTable {
     }
 };
 
-// Consecutive clusters of a run.
+// Consecutive clusters of a run, the work of one task.
 struct GatherTask {
     std::int64_t run, begin, end;
 };

@@ -64,8 +64,8 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
 
-// Planes reach some pixels beyond their tile. Dots just outside of the picture need this, and so does the test of how
-// far surfaces go on where items end.
+// Planes reach some pixels beyond their tile. Dots just outside the picture need these pixels, and so does the test of
+// how far a surface continues where an item ends.
 constexpr std::int32_t tile_size = drawing::tile_size;
 constexpr std::int32_t narrow_apron = 4;
 constexpr std::int32_t wide_apron = 9;
@@ -104,8 +104,8 @@ struct Dimming {
     return row * p.stride + column;
 }
 
-// Whether the layer goes on in all directions. In each it must be seen, or something nearer must lie where its slope
-// leads.
+// Whether the layer continues in all directions. In each direction it must be visible, or something nearer must cover
+// the place to which its slope leads.
 [[nodiscard]] bool goes_on(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
     const float reach = layer_tuning.border_reach * p.largest_splat;
     const std::int32_t here = pixel_at(p, place);
@@ -264,7 +264,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
 }
 
 // Bins the drawing's splats, and sets the opacity of each dot to the transmittance of the depth layers that the splats
-// stand for. The dots are in tiles already; dots of hatching are in tiles of their own. Returns how many are drawn.
+// represent. The dots are in tiles already; dots of hatching are in separate tiles. Returns how many are drawn.
 [[nodiscard]] std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, const HatchTiles& hatching,
                                          DepthLayers& scratch, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;

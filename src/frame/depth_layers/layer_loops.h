@@ -22,7 +22,7 @@ struct LayerPlanes {
     float* transmittance[layers];
     float* halo; // depth of the nearest contour whose halo reaches the pixel
     float* halo_transmittance;
-    float largest_splat; // radius of the splats laid, pixels
+    float largest_splat; // the radius of the largest splat drawn into the planes, pixels
 };
 
 // Splats, given by their numbers. (left, top) is the first pixel of the planes.

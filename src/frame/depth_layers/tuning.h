@@ -53,7 +53,7 @@ struct LayerTuning {
     // of the splats. Larger: fewer marks are hidden by their own layer, and more shine through close layers.
     float own_gap = 5.0F;
     // Discs reach beyond the border of a surface, and would hide a strip of another surface that begins there. Up to
-    // `border_gap` radii behind such a layer, ink is hidden only if the layer goes on to all sides for `border_reach`
+    // `border_gap` radii behind such a layer, ink is hidden only if the layer continues to all sides for `border_reach`
     // radii. Larger: less of the strip is hidden, and more shines through small parts.
     float border_gap = 2.0F;
     float border_reach = 1.5F;

@@ -32,7 +32,8 @@ constexpr float most_pieces = 4096.0F;
                           0.0F, 1.0F));
 }
 
-// The first share of the way from p at which it enters the disc around the centre. p lies outside.
+// Returns the first share of the way from p to q at which the way enters the disc around the centre. p lies outside the
+// disc.
 [[nodiscard]] float entry_of_disc(const glm::vec2& p, const glm::vec2& way, const glm::vec2& centre,
                                   float radius) noexcept {
     const glm::vec2 from = p - centre;
@@ -42,7 +43,7 @@ constexpr float most_pieces = 4096.0F;
     return half < 0.0F && root >= 0.0F ? (-half - std::sqrt(root)) / square : NearerEdges::nowhere;
 }
 
-// The same for the points within `radius` of a segment: two discs at its ends and the strip between them.
+// Returns the same share for the points within `radius` of a segment: two discs at its ends and the strip between them.
 [[nodiscard]] float entry_of_strip(const glm::vec2& p, const glm::vec2& way, const glm::vec2& from, const glm::vec2& to,
                                    float radius) noexcept {
     const glm::vec2 along = to - from;
@@ -60,15 +61,15 @@ constexpr float most_pieces = 4096.0F;
     return first;
 }
 
-// How many pixels nearer to the eye than `depth` the edge's point nearest to `at` is.
+// Returns how many pixels nearer to the eye than `depth` the edge is, at its point nearest to `at`.
 [[nodiscard]] float nearer_at(const NearerEdge& edge, const glm::vec2& at, float depth,
                               float pixels_per_unit) noexcept {
     const float share = geometry::nearest_share(at, edge.a, edge.b);
     return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
 }
 
-// How many pixels nearer to the eye the edge is than a line from a to b, at the place where both, continued, would
-// cross. So it is 0 for an edge of the line's own surface, however steep the surface is.
+// Returns how many pixels nearer to the eye the edge is than a line from a to b. Both are continued to the place where
+// they would cross. So the result is 0 for an edge of the line's own surface, however steep the surface is.
 [[nodiscard]] float nearer_on(const NearerEdge& edge, const Dot& a, const Dot& b) noexcept {
     const glm::vec2 way = place(b) - place(a);
     const glm::vec2 along = edge.b - edge.a;

@@ -198,7 +198,7 @@ HWY_INLINE void put_around(float* row, std::int64_t count, bool closed, std::int
     }
 }
 
-// The largest of the numbers at most two places away.
+// Returns the largest of the numbers at most two places away.
 HWY_INLINE W largest_near(const float* row) {
     const F d;
     const auto pair = [&](std::int64_t away)
@@ -245,7 +245,7 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
 }
 
 // Makes margins and widths change gradually, since a line may change its level from one mark to the next. Each becomes
-// half of its own value and a quarter of either neighbour's.
+// the sum of half of its value and a quarter of either neighbour's.
 HWY_INLINE void soften(const HatchRows& rows, std::int64_t count, bool closed) {
     const F d;
     for (const HatchRow own : {own_margin, own_width}) {

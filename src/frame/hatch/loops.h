@@ -22,7 +22,7 @@ enum class HatchRow : std::int64_t {
     tone_y,
     tone_z,
     level,
-    gap,  // the factor by which lines around it are farther apart than was asked
+    gap,  // the factor by which the lines around the mark are farther apart than was asked for
     left, // in the picture, pixels
     top,
     window,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes even samples along the lines of a run's strokes in the picture, whatever the distance of the marks.
 //
-// Most of a frame's strokes are not drawn. So whole pieces of a stroke are passed over by their bounds first, and then
+// Most of a frame's strokes are not drawn. So whole pieces of a stroke are skipped by their bounds first, and then
 // marks by their normals alone. The other marks are projected and given widths on vectors of the processor (loops.h).
 // The result is chains of consecutive marks, which are sampled at even steps and where the line may end.
 #pragma once
@@ -38,7 +38,7 @@ struct HatchMark {
     float way;            // distance from the mark before, pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
-    float begins_chain; // 1: marks before this one were left out, and the line does not go on over them; else 0
+    float begins_chain; // 1: marks before this one were left out, and the line does not continue across them; else 0
     float unused;
     std::uint32_t id;
 
@@ -59,7 +59,7 @@ struct HatchStroke {
         std::int64_t begin, end;
     };
 
-    base::Array<HatchMark> mark; // the marks near places that are drawn; a ring ends with its first mark
+    base::Array<HatchMark> mark; // the marks near places that are drawn; in a ring, the last mark repeats the first
     bool ring = false;           // the stroke is closed, and none of its marks was left out
     std::int64_t first_kept = 0; // the row of mark[0]; this is its number along the stroke if no marks were left out
     StrokeEnd begins = StrokeEnd::open, ends = StrokeEnd::open;
@@ -94,13 +94,14 @@ struct HatchSample {
     float x, y, window, depth;
     float side_x, side_y;                    // as in HatchMark
     float width;                             // line width, pixels: the mean over half a step to either side
-    float overshoot;                         // how far a hand runs on past the end of the line's tone, pixels
+    float overshoot;                         // how far an overshoot runs past the end of the line's tone, pixels
     std::array<float, hatch_margins> margin; // as in HatchMark
     float pixels_per_unit;
     std::array<float, 2> unused;
     std::uint32_t id; // the number of the nearest mark
 
-    // The direction in the picture across a contour that would be here, with any length.
+    // Returns the direction in the picture across a contour at this sample, as if a contour were there; it has any
+    // length.
     [[nodiscard]] glm::vec2 across_rim() const noexcept { return {side_x, -side_y}; }
 };
 static_assert(sizeof(HatchSample) == sizeof(HatchMark) &&
@@ -110,8 +111,8 @@ static_assert(sizeof(HatchSample) == sizeof(HatchMark) &&
 
 // Consecutive samples at even steps. A stroke has several chains where marks between them were left out.
 struct HatchChain {
-    std::int64_t first = 0; // its first sample
-    std::int64_t count = 0; // 2 and more; the last sample of a ring is its first one
+    std::int64_t first = 0; // the index of the first sample
+    std::int64_t count = 0; // at least 2; in a ring, the last sample equals the first
     bool ring = false;
     bool has_begin = false, has_end = false; // the stroke begins at its first sample; ends at its last one
     StrokeEnd begins = StrokeEnd::open, ends = StrokeEnd::open;

@@ -62,10 +62,10 @@ struct RunSight {
     std::int32_t levels;      // the finest level
     double per_unit;          // 1 / the item's unit, a power of two
     const float* tone_normal; // the normals that light is bounded by: the marks' own, or those for tone
-    bool has_bounds;          // whether marks can be passed over by their normals
-    bool is_unsteady;         // the hand is unsteady: it needs the numbers of all marks, and runs past the end of the
-                              // tone
-    float beyond;             // the strip around the picture in which lines may end unseen, pixels
+    bool has_bounds;          // whether marks can be skipped by their normals
+    // The hand is unsteady: a wobble needs the numbers of all marks, and an overshoot runs past the end of the tone.
+    bool is_unsteady;
+    float beyond; // the strip around the picture in which lines may end unseen, pixels
     HatchLaw law{};
     float lightest = std::numeric_limits<float>::infinity(); // n . l above which a mark is too light
     float separation = 0.0F;  // between lines of level 0 alone, in the item's unit; 0: not known
@@ -203,7 +203,7 @@ bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count
             base::prefetch_many(v.run.marks->tone_normal.data() + 3 * std::int64_t{own.first},
                                 3 * std::int64_t{own.count});
     }
-    // An unsteady hand needs the numbers of all marks, and runs past the end of the tone.
+    // A wobble needs the numbers of all marks, and an overshoot reaches marks beyond the end of the tone.
     if (any && v.is_unsteady) std::fill(seen.may_draw.begin(), seen.may_draw.end(), all);
     return any;
 }
@@ -374,9 +374,9 @@ bool has_seam(const HatchStroke& seen) noexcept {
            seen.range.span().back().end == seen.first + seen.count;
 }
 
-// Marks of a gap count as near, too, if the gap is short enough in the picture for the line to go on over it. Where
-// marks were left out, the straight distance counts. In a closed stroke, the marks before the first near one and after
-// the last form one gap.
+// Marks of a gap count as near, too, if the gap is short enough in the picture for the line to continue across it.
+// Where marks were left out, the straight distance counts. In a closed stroke, the marks before the first near one and
+// after the last form one gap.
 void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::near];
@@ -441,7 +441,7 @@ void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     }
     const std::int64_t kept = to - seen.mark.data();
     if (has_seam(seen) && is_near(near[0]) && is_near(near[count - 1])) {
-        // The line goes on over the seam. It begins after the first gap; without gaps it is a ring.
+        // The line continues across the seam. It begins after the first gap; without gaps it is a ring.
         HatchMark* const first =
             std::find_if(seen.mark.data(), to, [](const HatchMark& m) { return m.begins_chain > 0.0F; });
         seen.ring = first == to;
@@ -455,7 +455,7 @@ void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     seen.mark.resize(kept + (seen.ring ? 1 : 0));
 }
 
-// Sets how the line ends at the ends of its stroke, where creases may be.
+// Sets the kinds of the line's two ends: an end is open or lies at a crease.
 void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
     HRBFNPR_ASSERT(!seen.mark.empty());
     const auto id_at = [&](std::int64_t at) {
@@ -806,7 +806,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     Place place{0, 0.0F};
     Place edge{0, 0.0F}; // the end of the stretch over which a sample's width is averaged
     const float half_step = 0.5F * whole / static_cast<float>(steps);
-    float last = 0.0F; // the length and the area up to the last edge
+    float last = 0.0F; // the length up to the last edge, and the area up to it
     float last_area = 0.0F;
     const auto area_at = [&](float length) {
         if (std::abs(length - last) < hatch_tuning.least_step) return last_area;

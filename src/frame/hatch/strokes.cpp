@@ -21,7 +21,7 @@ namespace {
 // Distances from a tip at which points are added, in pixels. They are close, since the width changes like a root there.
 constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
-// The directions from a point in which its line may go on, which are those that pass near enough to all points since.
+// The directions from a point in which its line may continue: those that pass near enough to all points since.
 struct Passage {
     // How far x, y and radius of a point may be off.
     static constexpr std::array<float, 3> even = {hatch_tuning.straight, hatch_tuning.straight,
@@ -72,8 +72,8 @@ enum Presence : std::size_t {
     of_all,
     scratch,
     beyond_tone,
-    full_width, // the line's width, up to where all widths count alike
-    filling,    // the factor by which a length counts, for its level
+    full_width, // the line's width; all widths above a limit count alike
+    filling, // the factor by which the line's length counts; a line of a level that is still fading in counts for less
     presences
 };
 
@@ -270,7 +270,7 @@ private:
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
         const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
-        std::int64_t solid = 0; // the end of the last stretch that is long enough by itself
+        std::int64_t solid = 0; // the end of the last stretch that is long enough alone
         for (std::int64_t i = 0; i < size(); ++i) {
             if (i >= solid && is_solid(i)) {
                 std::int64_t last = i;
@@ -335,8 +335,8 @@ private:
         return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
     }
 
-    // The presence of a reason, as far as it narrows the line. Fading near a contour does not: a line that crosses it
-    // goes on in full.
+    // The presence of a reason, as far as it narrows the line. Fading near a contour does not narrow it: a line that
+    // crosses the contour keeps its full width.
     [[nodiscard]] float tapering(Presence reason, std::int64_t i) const noexcept {
         const float p = row(reason)[i];
         const bool fades = reason == by_level || reason == by_hiding || sample(i).margin[reason] <= 0.0F;
@@ -402,12 +402,13 @@ private:
         return least;
     }
 
-    // The same where the line ends between samples j and k. Samples do not see tapers that are shorter than a pixel.
+    // Returns the width at the place where the line ends between samples j and k, as a share of its full width. Samples
+    // do not see tapers that are shorter than a pixel.
     [[nodiscard]] float profile_at_end(std::int64_t j, std::int64_t k, int way) const noexcept {
         float longest = -1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
             if (row(reason)[j] > 0.0F && !(row(reason)[k] > 0.0F)) longest = std::max(longest, taper(reason, k, way));
-        if (longest < 0.0F) return 0.0F; // the line goes on, but for too short a way to be drawn
+        if (longest < 0.0F) return 0.0F; // the line continues, but too short a stretch of it is drawn
         return 1.0F - std::min(longest, 1.0F);
     }
 
@@ -488,7 +489,7 @@ private:
         points.clear();
         float opacity = 1.0F;
         for (std::int64_t k = drawn.first; k <= drawn.last; ++k) {
-            if (!is_seen(order_[k])) continue; // the line goes on over a hidden sample
+            if (!is_seen(order_[k])) continue; // the line continues across a hidden sample
             opacity = dot(order_[k]).opacity;
             break;
         }

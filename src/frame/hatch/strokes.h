@@ -51,7 +51,7 @@ public:
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
     // The largest radius, up to `radius`, with which a line through the point in the direction `along` covers no edge
-    // before it, nor the edge's halo, nor a crease of its own surface.
+    // before it, nor the edge's halo, nor a crease of the point's surface.
     [[nodiscard]] float room(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
                              float halo) const noexcept;
 

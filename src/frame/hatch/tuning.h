@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of hatching on the screen. Set on a ramp, a sphere, a torus, knots, a head and a bunny, by
+// The tuning constants of hatching on the screen. Tuned on a ramp, a sphere, a torus, knots, a head and a bunny, by
 // `scripts/bench strokes`.
 #pragma once
 
@@ -30,11 +30,12 @@ struct HatchTuning {
     // A line is fully present where it is this much darker than where lines begin. Below, it fades, and holds the parts
     // on either side together less. Larger: ends are softer where the tone changes slowly.
     float tone_ramp = 0.03F;
-    // The same for the margin of the line's level. Larger: levels with hardly any room change more of the lines beside
-    // them.
+    // The margin of its level up to which a line fades. Larger: levels with hardly any room change more of the lines
+    // beside them.
     float level_ramp = 0.8F;
 
-    // The same for n . v. Larger: lines that run along a contour are more broken there.
+    // The range of n . v over which a line fades towards the contour. Larger: lines that run along a contour are more
+    // broken there.
     float rim_ramp = 0.05F;
 
     // ---- Gaps and short parts
@@ -51,8 +52,8 @@ struct HatchTuning {
     // A part between two hidden ones must be at least this many times hatch_shortest long, since it lies in the halo of
     // a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
     float between_hidden = 3.0F;
-    // Where short parts are left out, a line between others with hardly any room counts as this share of its length.
-    // Smaller: fewer short lines between long ones.
+    // Where short parts are left out, the length of a line counts as this share if its level has hardly any room
+    // between other lines. Smaller: fewer short lines between long ones.
     float length_of_filling = 1.0F / 3.0F;
     // Widths above this many pens count alike in a part's length. Larger: thin parts must be longer.
     float full_width = 0.5F;
@@ -71,8 +72,8 @@ struct HatchTuning {
     // the sine `runs_along` narrows before it. Larger: more lines narrow.
     float crosses = 0.5F;
     float runs_along = 0.25F;
-    // That angle is measured on the chord over this share of hatch_taper, since in the end all lines touch the contour.
-    // Larger: lines that bend count as crossing.
+    // The angle between a line and a contour is measured on the chord over this share of hatch_taper, since in the end
+    // all lines touch the contour. Larger: lines that bend count as crossing.
     float rim_part = 0.5F;
     // The first point from a tip is at most this wide, in pens. Larger: blunter tips of wide lines.
     float widest_tip = 0.1F;
@@ -81,10 +82,10 @@ struct HatchTuning {
 
     // The distance between samples of a line, in pixels. Smaller: closer to the curve, more time.
     float step = 2.75F;
-    // This many marks on either side of those that may be drawn are looked at, too: the first that is not drawn, one
+    // On either side of the marks that may be drawn, this many other marks are loaded: the first that is not drawn, one
     // for its tangent, and one for the spacing there. Fewer: ends are wrong.
     std::int64_t marks_around = 3;
-    // If fewer marks than this lie between two ranges that may be drawn, they are looked at, too. Larger: fewer ranges,
+    // If fewer marks than this lie between two ranges that may be drawn, they are loaded, too. Larger: fewer ranges,
     // more marks.
     std::int64_t fewest_left_out = 16;
     // A line is straight between marks that are nearer to each other than this, in pixels. It leaves the curve by at
@@ -104,9 +105,9 @@ struct HatchTuning {
 
     // ---- Closed strokes
 
-    // A stroke is closed if its ends are no farther apart than `closed_gap`, in steps from mark to mark, and go on into
-    // each other with at least the cosine `closed_cosine`. Larger gap, smaller cosine: more strokes are closed, also
-    // spirals.
+    // A stroke is closed if its ends are no farther apart than `closed_gap`, in steps from mark to mark, and if their
+    // directions agree with at least the cosine `closed_cosine`. Larger gap, smaller cosine: more strokes are closed,
+    // also spirals.
     float closed_gap = 1.5F;
     float closed_cosine = 0.8F;
     // Ends that are nearer to each other than this are one mark, in steps. Larger: a mark is lost.
@@ -115,7 +116,8 @@ struct HatchTuning {
 
     // ---- An unsteady hand
 
-    // The length of a swing: of the wobble in pens, and of the ends in longest overshoots. Larger: calmer.
+    // The length of a swing of the wobble, in pens, and of a swing of the stroke ends, in longest overshoots. Larger:
+    // calmer.
     float wobble_swing = 60.0F;
     float end_swing = 4.0F;
     // The noise has this many knots in a swing, and at least `fewest_knots` around a closed stroke. Larger: rounder,

@@ -162,7 +162,7 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::Li
         contours->from_last = near != nullptr;
         contours->broken = report.broken + report.missed;
     };
-    // Tracing begins with the last contours if nearly all of their points go on.
+    // Tracing begins with the last frame's contours if nearly all of their points have moved little.
     if (last != nullptr) {
         const curves::Curves moved =
             curves::moved_contours(work.memory, view, last->traced, line_tuning.farthest_move * mesh.side);
@@ -191,7 +191,8 @@ void trace_contours(const base::Work& work, const Source& source, ContourList& l
     }
 }
 
-// Adds the creases that are contours: the surface turns over where only one sheet of a crease faces the eye.
+// Adds the creases that are contours. A crease is a contour where one of its two sheets faces the eye and the other
+// faces away.
 void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     if (lines.creases().count() == 0) return;
@@ -427,7 +428,8 @@ base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFami
     return votes;
 }
 
-// Lines that go on from the last frame keep their numbers; others get new ones.
+// Returns the numbers of the lines. Lines that continue lines of the last frame keep their numbers; others get new
+// ones.
 LineNumbers number_lines(base::Memory& memory, const base::Array<visibility::Subject>& subjects,
                          const base::Array<visibility::Occluder>& occluders, const visibility::ImageLines& lines,
                          KnownLines& last) {

@@ -36,7 +36,7 @@ struct LineFamily {
     friend bool operator==(const LineFamily&, const LineFamily&) = default;
 };
 
-// The data about a frame's lines by which the next frame numbers its own.
+// The data about a frame's lines from which the next frame numbers its own lines.
 struct KnownLines {
     explicit KnownLines(base::Memory& memory) noexcept : line(memory), place(memory), direction(memory) {}
 
@@ -44,7 +44,7 @@ struct KnownLines {
         LineFamily family;
         std::int64_t first, count; // the range of its points
         std::uint32_t number;
-        glm::dvec3 origin; // where its first piece began when the line was new, or a place near that
+        glm::dvec3 origin; // the place where the line's first piece began when the line was new, or a place near it
     };
     base::Array<Known> line;
     geometry::VecArray place, direction; // some points of the lines, and the directions there

@@ -16,7 +16,7 @@ struct DrawnAs {
     std::uint32_t layer;
     const float* strength = nullptr;  // the strength at each point of the subject's curves; null: all have the same
     float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
-    float halo = 0.0F; // pixels left free between a nearer line and the end of this one, by the item's style
+    float halo = 0.0F; // the gap in pixels between a nearer line and the end of this one, by the item's style
     bool cut = false;  // parts weaker than `lower` are not drawn
     const float* factor = nullptr; // the factor of the width at each point of the subject's curves; null: 1
 };

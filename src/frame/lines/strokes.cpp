@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Makes strokes of lines. At each point of a curve, the factors of depth and light (point_factors) are multiplied by
-// that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a factor of its
-// own, which fades out along the line beyond the outline's ends (along). Intervals of a line that look alike form a
+// that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a separate
+// factor, which fades out along the line beyond the outline's ends (along). Intervals of a line that look alike form a
 // part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends go on as other
 // lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots between them
 // where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is strong
@@ -26,7 +26,8 @@ namespace {
 struct Part {
     visibility::Interval interval; // its `sheets` is not used
     std::int32_t layers;           // number of surface layers before it; each is two sheets
-    bool free_begin, free_end;     // ends where no other part goes on: at cusps, and at ends of open lines
+    // The end is free because no other part continues there: at cusps, and at ends of open lines.
+    bool free_begin, free_end;
 };
 
 // A place along a line.
@@ -69,7 +70,7 @@ struct DepthRange {
     double farthest = -std::numeric_limits<double>::infinity();
 };
 
-// A factor that changes evenly from 1, where the share is 0, to `factor`, where it is 1.
+// Returns a factor that changes linearly from 1, where the share is 0, to `factor`, where it is 1.
 double by(float factor, double share) noexcept {
     return glm::mix(1.0, static_cast<double>(factor), std::clamp(share, 0.0, 1.0));
 }
@@ -407,14 +408,14 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     return hugs;
 }
 
-// Returns two numbers for each line, for its begin and its end. The number is 1 where an open line of a `joined`
-// subject goes on as another line, or is hidden. A contour may come out of a crease too weak to be drawn, and turn back
-// as the crease that it hides. Such a contour begins like one at a cusp.
+// Returns two numbers for each line, for its start and its end. The number is 1 where an open line of a `joined`
+// subject continues as another line, or is hidden. A contour may come out of a crease too weak to be drawn, and turn
+// back at the crease that it hides. Such a contour begins like one at a cusp.
 base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in, const base::Array<std::uint8_t>& hugs,
                                       double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     geometry::VecArray seen(memory);
-    base::Array<std::int64_t> ends(memory); // 2 * line for a place at a line's begin, 2 * line + 1 at its end
+    base::Array<std::int64_t> ends(memory); // 2 * line for the place where a line starts, 2 * line + 1 for its end
     for (std::int64_t i = 0; i < intervals.size(); ++i) {
         const std::int32_t number = intervals[i].line;
         const visibility::Line& line = in.line(number);
@@ -538,7 +539,7 @@ drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Pl
     return point;
 }
 
-// The same on the chord from a place to the next. It uses double, since a chord may begin far outside of the window.
+// Makes a point on the chord from a place to the next. It uses double, since a chord may begin far outside the window.
 drawing::StrokePoint point_between(const StrokeInput& in, const Path& path, std::int64_t i, double at) {
     HRBFNPR_ASSERT(i >= 0 && i + 1 < path.place.size());
     const double span = path.place[i + 1].at - path.place[i].at;

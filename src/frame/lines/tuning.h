@@ -8,12 +8,12 @@ struct LineTuning {
     // ---- Tracing
 
     // Tracing begins with contours of the last frame where their points move by at most this, in sides of the mesh.
-    // Larger: more contours that go on wrongly, and are traced again.
+    // Larger: more contours are continued wrongly, and are traced again.
     double farthest_move = 1.0;
     // Tracing begins anew if more than this share of all points moves farther. Larger: more contours may be missed.
     double most_left_out = 0.1;
-    // Contours that go on from the last frame are traced to this tolerance, in sides of the mesh. After a step of this
-    // length the error is a millionth of a side, and the next frame starts from there.
+    // Contours that continue contours of the last frame are traced to this tolerance, in sides of the mesh. After a
+    // step of this length the error is a millionth of a side, and the next frame starts from there.
     double moved_tolerance = 1e-3;
     // Lines of the caller's own may lie this deep inside the surface, in sides of the mesh. Larger: surface just before
     // such lines does not hide them.
@@ -22,24 +22,25 @@ struct LineTuning {
     double shortest_feature = 0.01;
     // Apparent ridges are refined this many times.
     int ridge_rounds = 2;
-    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. Contours are the same then,
-    // to all digits that they are found to.
+    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. The contours found are then
+    // the same to the last digit.
     double parallel_from = 1e9;
     // The camera of models with creases moves by this share of the scene's radius, so that no face is seen exactly
     // edge-on. Larger: lines move visibly.
     double off_planes = 2e-5;
-    // This share of that move goes to one side, at an angle that a plane of symmetry is unlikely to have.
+    // This share of the camera's move off the planes of faces goes to one side, at an angle that a plane of symmetry is
+    // unlikely to have.
     double aside = 0.05;
     double aside_angle = 0.9;
 
     // ---- Numbers of lines
 
-    // At most this many points of a line are compared with the last frame. Larger: more time, surer numbers.
+    // At most this many points of a line are compared with the last frame. Larger: more time, and fewer wrong numbers.
     int most_points = 16;
     // One in this many points of a line is kept for the next frame.
     int kept_each = 4;
-    // A contour moves by at most this on its surface between frames, in sides of the mesh. Larger: lines take the
-    // numbers of other lines.
+    // A contour keeps its number from frame to frame if it moves on its surface by at most this many sides of the mesh.
+    // Larger: lines take the numbers of other lines.
     double farthest_number = 3.0;
 
     // ---- Parts

@@ -28,8 +28,8 @@ struct Camera {
 [[nodiscard]] Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, const glm::dvec3& up,
                                 double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);
-// The same for points of 3 components relative to `origin`; there is at least one. The points appear as large as the
-// picture allows, in its middle.
+// Returns a camera that looks at points of 3 components relative to `origin`; there is at least one. The points appear
+// as large as the picture allows, in its middle.
 [[nodiscard]] Camera fit_points(const base::InView& points, const glm::dvec3& origin, const glm::dvec3& direction,
                                 const glm::dvec3& up, double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);

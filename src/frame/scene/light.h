@@ -3,7 +3,7 @@
 // Dots, hatching, lines and published marks all use these functions.                                        [NPAR 6.2]
 //
 // 1. lit: n . l of a normal; see_loops.cpp has a version for vectors.
-// 2. LightTone: tau of n . l, and a bound by which clusters are passed over.
+// 2. LightTone: tau of n . l, and a bound by which clusters are skipped.
 // 3. DepthTone, zoom_scale: the share of the marks that is left at a distance and a zoom.
 // 4. front_verdict, silhouette_shown: whether a mark is drawn.
 // 5. front_alpha, back_alpha, layer_transmittance: how much marks and layers hide.
@@ -192,8 +192,8 @@ inline constexpr std::uint32_t item_bits = 15;
 
 // ---- The order of painting, as published
 
-// How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies behind all ink of its
-// own layer. Within the disc's radius R, a sphere of any size that faces the eye at the angle theta falls back by at
+// How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies behind all ink of the
+// mark's layer. Within the disc's radius R, a sphere of any size that faces the eye at the angle theta falls back by at
 // most R (1 + sin(theta)) / cos(theta). This holds for a plane (R tan(theta)) as well as for a sphere so small that its
 // contour is just within reach.
 [[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
@@ -201,8 +201,8 @@ inline constexpr std::uint32_t item_bits = 15;
     return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
 }
 
-// The same distance for a back mark. Its disc must not cover the ink of the contour, where its layer turns to the
-// front. The contour is nearer to the eye, so only some slack is needed.
+// How far behind its mark a back mark's disc of paper is painted, in eye units. The disc must not cover the ink of the
+// contour, where its layer turns to the front. The contour is nearer to the eye, so only some slack is needed.
 [[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
 
 } // namespace hrbfnpr::frame

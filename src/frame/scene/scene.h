@@ -63,7 +63,7 @@ struct Item {
 struct Pen {
     const Style* style = nullptr; // the caller keeps both
     const LayerStyle* layer = nullptr;
-    float spacing = 0.0F;     // a mark stands for spacing^2 of surface; eye units
+    float spacing = 0.0F;     // a mark represents spacing^2 of surface; eye units
     float separation = 0.0F;  // distance between neighbouring strokes of the group, eye units; 0: not known
     float zoom_at_one = 0.0F; // the zoom where a pixel is an eye unit; 0: no reference, and the zoom is 1
     float largest_splat = 0.0F;
@@ -268,14 +268,14 @@ struct Frustum {
 
 // Bounds that hold for all marks of a cluster or of a piece of a stroke.
 struct ClusterView {
-    float beyond = -1.0F; // all marks surely lie farther than this outside of the picture, pixels; < 0: not known
+    float beyond = -1.0F; // a lower bound of the distance of all marks outside the picture, pixels; < 0: not known
     bool inside = false;  // all marks surely lie in the picture
     float pixels_per_unit = 1.0F; // at the centre
     float nearest = 0.0F;         // a lower bound of w of the projection; 0: some marks may be behind the camera's
                                   // plane
     float nu_min = -1.0F;
     float nu_max = 1.0F;
-    float lit_min = -1.0F; // from the normals; tone may have normals of its own
+    float lit_min = -1.0F; // from the normals; tone may use other normals
 };
 
 [[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,

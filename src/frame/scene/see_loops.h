@@ -12,16 +12,16 @@ namespace hrbfnpr::frame {
 
 // How normals in an item's own space are lit. light.h makes tones from the result.
 struct Light {
-    bool rigid;         // `towards` is a direction in the item's own space, and `normal` is not needed
+    bool rigid;         // `towards` is a direction in the item's own space, so `normal` is not used
     float normal[3][3]; // takes normals to the space of the light
     float towards[3];   // unit vector towards the light
 };
 
 // The matrices that take the positions and normals of a set to the picture, as rows.
 struct Seer {
-    float clip[4][4];   // to x w, y w, window depth w, w
+    float clip[4][4];   // to (x w, y w, window depth w, w)
     float eye[3][4];    // to eye space
-    bool rigid;         // `normal` keeps lengths
+    bool rigid;         // the matrix `normal` keeps lengths
     float normal[3][3]; // to eye space
     Light light;
     float centre[3]; // centre of projection, eye space; if `parallel`, the direction of all lines of sight
@@ -62,8 +62,8 @@ struct Seen {
 
 // The rules by which the front marks of one cluster are drawn as ink.
 struct Selection {
-    // The screen with the strip around it from which a disc can still reach the screen. all_inside: all marks surely
-    // lie there.
+    // The screen, widened by the strip in which a disc can still reach it. all_inside: all marks surely lie in this
+    // area.
     float left, right, top, bottom;
     bool all_inside;
 
@@ -74,7 +74,7 @@ struct Selection {
     const float* needed; // ink per area needed for each coverage k / needed_steps, k from 0 to needed_steps
     float per_ink, share, more, scale;
     float fade; // 0: a mark is shown in full or not at all
-    float turn; // > 0: ink vanishes where |nu| falls below it
+    float turn; // if > 0: ink fades out where |nu| is below this
 };
 inline constexpr int needed_steps = 64;
 

@@ -18,15 +18,14 @@ struct SceneTuning {
     // used that do not hold all normals.
     float angle_tolerance = 1e-4F;
 
-    // Bounds of lengths are multiplied by this, since they are computed in float. Larger: fewer clusters are passed
-    // over.
+    // Bounds of lengths are multiplied by this, since they are computed in float. Larger: fewer clusters are skipped.
     float rounding = 1.0001F;
 
     // A halo cuts ink that is farther than its line by at least this many pixels. Larger: fewer lines are cut that
     // touch the contour, and fewer that lie just behind it.
     float halo_gap = 4.0F;
 
-    // A disc of paper is this many spacings of its marks wide. Larger: no gaps, but wider rims. Set on evenly spread
+    // A disc of paper is this many spacings of its marks wide. Larger: no gaps, but wider rims. Tuned on evenly spread
     // marks.
     float splat_spacings = 1.5F;
 

@@ -396,7 +396,7 @@ struct Choice {
 struct Node {
     glm::dvec3 centre;
     double half;
-    std::int64_t parent; // its number in the level above
+    std::int64_t parent; // the number of the parent node in the level above
 
     [[nodiscard]] CellBox box() const noexcept { return {centre, PiecesData::cell_reach * half}; }
 };

@@ -202,8 +202,8 @@ void find_patches(const Task& task, const Bends& bends, Creases& creases) {
     creases.patches = numbers.count();
 }
 
-// Makes the edges of faces sharp that are too far from a surface curved as their normals are. Returns whether there
-// were any such faces.
+// Makes the edges of coarse faces sharp. A face is coarse if it is too far from the curved surface that its vertex
+// normals imply. Returns whether any edge was made sharp.
 bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
     const base::Array<glm::dvec3> normal = patch_normals(task.work, task.mesh, creases).normal;
     bool sharpened = false;

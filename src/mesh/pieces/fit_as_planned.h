@@ -13,7 +13,8 @@ namespace hrbfnpr::mesh {
 
 struct PlannedCreases {
     std::optional<Creases> creases; // The creases of the surface; empty if one smooth fit is enough.
-    double doubtful = 0.0;          // The length of edges beyond the crease angle that do not stand out, in diagonals.
+    // The total length of doubtful edges, in diagonals: they bend by more than the crease angle but do not stand out.
+    double doubtful = 0.0;
 };
 
 // Finds the creases that settings.edges asks for. `known` is the evidence at default_crease_angle.

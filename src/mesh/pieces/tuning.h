@@ -166,7 +166,8 @@ struct CellTuning {
     std::int64_t most_cells = 60'000;
     // Within this distance from the surface signs may be wrong, in diagonals. Larger: fewer cells, rougher edges.
     double near = 2e-4;
-    // The function of a cell without surface falls by at most this share of its value within the cell.
+    // In a cell without surface, a linear function replaces f. It falls by at most this share of its value within the
+    // cell.
     double plain_fall = 0.8;
 
     // ---- Tests of a cell's tree

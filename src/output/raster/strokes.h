@@ -273,7 +273,7 @@ private:
         Place along{}; // unit
         [[nodiscard]] Place left() const noexcept { return {along.y, -along.x}; }
     };
-    // The place where two legs meet.
+    // The end at which two adjacent segments meet.
     struct Joint {
         Kind kind = Kind::cap;
         bool left_outside = false;
@@ -741,7 +741,7 @@ private:
         }
         const auto first = static_cast<std::int32_t>(low);
         const auto last = static_cast<std::int32_t>(high);
-        if (first == last || first + 1 >= width_ + 1) { // within one pixel: the mean area to the right
+        if (first == last || first + 1 >= width_ + 1) { // The edge is within one pixel: add the mean area to its right.
             const double beyond = 0.5 * (low + high) - first;
             steps_[first] += height * (1.0 - beyond);
             steps_[first + 1] += height * beyond;

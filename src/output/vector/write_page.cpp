@@ -380,7 +380,7 @@ public:
         PagePath piece = path;
         piece.closed = false;
         piece.begin = piece.end = drawing::Cap::flat;
-        std::size_t at = 0; // index in the pattern
+        std::size_t at = 0; // the index in the pattern
         double left = scale * first;
         part_.clear();
         part_.push_back(path.points[0]);
