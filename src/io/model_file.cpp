@@ -156,7 +156,7 @@ void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
         decoder.damaged("its kernel radius is not positive");
     if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");
     check_extent(decoder, data);
-    // The fit itself may choose a radius as large as the bounds.
+    // The radius that a fit chooses itself may be as large as the bounds.
     if (data.kernel != kernel::Kind::triharmonic &&
         (data.kernel_radius < 1.0 / radius_limit ||
          data.kernel_radius > std::max(radius_limit, 2.0 * longest_side(data.bounds) / data.scale)))

@@ -244,8 +244,8 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
 constexpr std::size_t most_lines = 64; // the largest number of lines beside a mark
 constexpr std::int64_t strokes_a_task = 16;
 
-// Returns the gap around a mark. The marks beside it, and those of its own line, have offsets across the line. The gap
-// is the mean of the differences between these, where nearer ones have more weight. It is 1 if no mark is beside it.
+// Returns the gap around a mark. Marks of its line and of the lines beside it have offsets across the line. The gap is
+// the mean of the differences between these, where nearer ones have more weight. It is 1 if no mark is beside it.
 float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
                  std::int64_t mark) noexcept {
     const glm::dvec3 n = vector_at(layer.normal, mark);
@@ -293,7 +293,8 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
     geometry::VecArray place(work.memory, marks);
     for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
     const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, work);
-    // A file may give any separation. If too many marks lie around each mark, gaps are not measured.
+    // A file may give any separation. If too many marks lie around each mark, gaps are not measured, because that would
+    // take too long.
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
     std::int64_t visits = 0;
     for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });

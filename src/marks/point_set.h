@@ -103,7 +103,7 @@ struct MarkBlock {
     static constexpr std::int64_t size = 16;
     float x[size], y[size], z[size]; // relative to the set's origin, in the set's unit
     float nx[size], ny[size], nz[size];
-    float rank[size];         // falls within a block, and from block to block of a cluster
+    float rank[size];         // descends within a block, and from block to block of a cluster
     std::uint32_t mark[size]; // the mark's number in the layer
 
     [[nodiscard]] glm::vec3 place_at(std::int64_t i) const noexcept { return {x[i], y[i], z[i]}; }
@@ -226,7 +226,7 @@ struct PointSet {
     Distribution distribution = Distribution::published;
     SeedSource seed_source = SeedSource::points;
     glm::dvec3 origin{0.0};
-    geometry::Bounds bounds; // the box around all marks, absolute
+    geometry::Bounds bounds; // the box around all marks, in absolute coordinates
     double spacing = 0.0;
     double unit = 1.0; // the clusters' unit of length, a power of two, chosen by cluster_marks()
     LevelReport seeds;
@@ -246,9 +246,9 @@ void index_strokes(Layer& layer, const base::Progress& progress = {});
 // threads.
 void cluster_marks(const base::Work& work, PointSet& set);
 
-// Fills `moved` with the same marks in the same clusters at other places, as on an animated surface. `position`
-// (relative to the set's origin) and `normal` hold three floats for each mark. `unit` is the set's. Allocates nothing
-// if `moved` has held as many marks before.
+// Fills `moved` with the same marks in the same clusters at other places, for example on an animated surface.
+// `position` (relative to the set's origin) and `normal` hold three floats for each mark. `unit` is the set's.
+// Allocates nothing if `moved` has held as many marks before.
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved);
 
 // Fills `turned` with the same marks in the same clusters with opposite normals. Allocates nothing if `turned` has held

@@ -30,8 +30,8 @@ struct Site {
     }
 };
 
-// A stage handles this many points at a time. This bounds its scratch memory and the time between two checks for a
-// cancel, and is enough work for all threads.
+// A stage handles this many points at a time. This bounds its scratch memory and the time between two checks for
+// cancellation, and is enough work for all threads.
 inline constexpr std::int64_t chunk_size = 16384;
 
 // Projects a chunk of points and keeps those that converged near where they started.
@@ -136,7 +136,7 @@ struct Marks {
     base::Array<std::array<float, 3>> curvature; // k1, k2, confidence; may be empty
     base::Array<double> bend;                    // curvature strokes only: the normal curvature along the direction
     base::Array<std::uint64_t> key;    // the mark's identity, whatever marks were dropped; keys random numbers
-    base::Array<std::uint32_t> stroke; // for a stroke: 2 * seed + set; for a stipple: its seed
+    base::Array<std::uint32_t> stroke; // for a stroke: 2 * seed + its direction, 0 or 1; for a stipple: its seed
     base::Array<std::int32_t> place;   // the place along the stroke, in finest steps from the seed
     base::Array<std::uint8_t> level;
     base::Array<float> rank;  // may be empty: assemble() makes them. If not, marks are in their final order

@@ -30,7 +30,7 @@ struct MarksTuning {
     double gap_cosine = 0.5;
     // Marks whose offsets across differ by less than this belong to one line. Larger: close lines count as one.
     double same_line = 0.3;
-    // The largest gap: wider ones count as this wide. Larger: lines at holes are drawn wider.
+    // The largest gap: wider gaps count as this wide. Larger: lines beside holes are drawn wider.
     double widest_gap = 2.0;
     // The number of marks of a line from one measurement of its gap to the next, and the number of measurements on
     // either side that are averaged: over some three separations. Larger: less time, slower changes.

@@ -33,7 +33,7 @@ private:
     base::Array<std::int32_t> above_;
 };
 
-// Gives names numbers from 0, in the order in which they come.
+// Numbers names from 0, in the order in which they come.
 class NumbersInOrder {
 public:
     // All names are below `names`.

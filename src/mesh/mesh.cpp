@@ -5,7 +5,7 @@
 //   agree                 turns faces to agree with those beside them
 //   measure_components    measures the components, and the volumes that they enclose
 //   find_nested           finds components that lie inside others
-//   turn_components       turns closed components so that they look outward
+//   turn_components       turns closed components so that they face outward
 //   keep_components       makes the mesh of the components that are wanted
 //   measure               measures its borders, area, volume and genus
 //   set_corner_normals    sets the normals of its corners

@@ -19,7 +19,7 @@ namespace {
     return doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
 }
 
-// Returns how much more often the faces at an edge run through it forward than backward.
+// Returns how often the faces at an edge run through it forward, minus how often they run backward.
 [[nodiscard]] std::int64_t surplus(const Side* first, const Side* last) noexcept {
     std::int64_t sum = 0;
     for (const Side* side = first; side != last; ++side) sum += side->forward != 0 ? 1 : -1;
@@ -102,7 +102,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 }
 
 // Returns the faces with the farthest corners along each axis, in both directions, and others at random places of even
-// stretches. Every n-th face would not do: in a mesh of rows and columns these may all lie in one column.
+// stretches. Taking every n-th face instead could miss most of a mesh of rows and columns, because these faces may all
+// lie in one column.
 [[nodiscard]] base::Array<std::int32_t> faces_to_test(const base::Array<glm::dvec3>& vertex,
                                                       const base::Array<Triangle>& triangle,
                                                       std::span<const std::int32_t> faces) {
@@ -133,7 +134,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 
 std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle) {
     const base::Array<std::int64_t> beyond = sides_beyond(triangle, sides_by_edge(work, triangle), work);
-    base::Array<std::int8_t> way(work.memory, triangle.size()); // 1 as the first face of its patch, -1 against it
+    // 1: the face has the orientation of its patch's first face; -1: the opposite one.
+    base::Array<std::int8_t> way(work.memory, triangle.size());
     base::Array<std::int32_t> patch(work.memory);
     std::int64_t turned = 0;
     for (std::int64_t first = 0; first < triangle.size(); ++first) {
@@ -142,7 +144,7 @@ std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex
         patch.clear();
         patch.push_back(static_cast<std::int32_t>(first));
         way[first] = 1;
-        double balance = 0.0; // the area of agreeing faces minus the area of others
+        double balance = 0.0; // the area of faces that agree with the first face, minus the area of the others
         for (std::int64_t at = 0; at < patch.size(); ++at) {
             work.check();
             const std::int32_t face = patch[at];

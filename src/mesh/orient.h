@@ -14,7 +14,7 @@ struct Component {
     double volume = 0.0; // the enclosed volume, with holes closed by fans
     double holes = 0.0;  // the area of its holes
     bool closed = true;  // Faces run through each edge equally often in both directions.
-    bool nested = false; // It lies inside another component.
+    bool nested = false; // The component lies inside another one.
     bool turned = false;
 };
 

@@ -16,7 +16,7 @@ namespace hrbfnpr::mesh {
 bool is_turned(const Component& component, Parts parts, Faces faces) noexcept {
     // The caller keeps the faces as they are.
     if (faces == Faces::keep) return false;
-    // If all parts are kept, one inside another is a cavity, whose faces look into it.
+    // If all parts are kept, a part inside another is a cavity, whose faces point into it.
     if (parts == Parts::all && component.nested) return false;
     // A component with a negative volume is inside out. An open component has an inside only if its holes are small.
     return inside_out(component);
@@ -25,9 +25,9 @@ bool is_turned(const Component& component, Parts parts, Faces faces) noexcept {
 Facing plan_facing(const FacingFacts& facts, bool keeps_faces) {
     // The caller keeps the faces, or make_mesh() has already turned them.
     if (keeps_faces || facts.closed) return Facing::right;
-    // A terrain looks up.
+    // A terrain faces up.
     if (const char axis = facts.hangs_along(); axis != 0) return axis == 'z' ? Facing::down_z : Facing::down_y;
-    // A mesh with holes looks outward.
+    // A mesh with holes faces outward.
     return facts.inward() ? Facing::inward : Facing::right;
 }
 

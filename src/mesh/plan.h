@@ -17,14 +17,14 @@ namespace hrbfnpr::mesh {
 // Tells whether make_mesh() turns a component inside out.
 [[nodiscard]] bool is_turned(const Component& component, Parts parts, Faces faces) noexcept;
 
-// The reasons to turn all faces of a mesh after a look at samples of it.
+// The reasons to turn all faces of a mesh after an inspection of samples.
 enum class Facing { right, down_z, down_y, inward };
 
 struct FacingFacts {
     bool closed = false; // make_mesh() has already turned it.
     // The axis along which a terrain looks down, 'y' or 'z', or 0.
     std::function<char()> hangs_along;
-    std::function<bool()> inward; // All normals look inward.
+    std::function<bool()> inward; // All normals point inward.
 };
 [[nodiscard]] Facing plan_facing(const FacingFacts& facts, bool keeps_faces);
 
@@ -81,8 +81,8 @@ enum class SaidOfEdges {
     some_are_sharp,
     all_are_sharp,
 };
-// Reads the statement from the number of edges that bend, and the number of these at which faces have normals of their
-// own.
+// Reads the statement from the number of edges that bend, and from the number of those edges at which each face has
+// separate normals.
 [[nodiscard]] SaidOfEdges plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
 // The caller's wishes for a picture. Distances are in diagonals.
@@ -142,13 +142,13 @@ struct FittedEdges {
 // Tells whether make_mesh() keeps a component.
 [[nodiscard]] bool is_kept(const Component& component, bool is_largest, Parts parts) noexcept;
 
-// Tells whether a part is too small in area to be kept if it is far away.
+// Tells whether a part has so little area that it is dropped if it is far away (a crumb).
 [[nodiscard]] bool is_crumb(double area, double whole) noexcept;
-// Tells whether a crumb is lost. Its distance from the rest is in diagonals of the rest.
+// Tells whether a crumb is so far away that it is dropped. Its distance from the rest is in diagonals of the rest.
 [[nodiscard]] bool is_lost(double distance) noexcept;
 
-// Tells whether a part is too small for a surface of its own. Such a part is left out if it hangs on an edge of two
-// other faces.
+// Tells whether a part is too small for a separate surface. Such a part is left out if it hangs on an edge of two other
+// faces.
 [[nodiscard]] bool is_flap(std::int64_t faces, double area, double whole) noexcept;
 
 // Tells whether to look for parts that cross or are close to each other.
@@ -161,9 +161,9 @@ inline constexpr double default_tolerance = 0.002; // in diagonals
 // The options of a picture that only a fit to samples supports.
 struct SampleWishes {
     bool count = false;       // a number of samples
-    bool flips = false;       // all normals are turned
+    bool flips = false;       // all normals are to be turned
     bool refines = false;     // the samples move
-    bool judges = false;      // outliers or flipped normals are looked for
+    bool judges = false;      // outliers or flipped normals are to be found
     bool regularizes = false; // the regularization is chosen from the noise
 };
 // Tells whether a fit to the mesh takes as many samples as it needs.
@@ -205,9 +205,9 @@ struct EndFacts {
 };
 // `may_end` is false if the caller keeps all of the surface.
 [[nodiscard]] EndPlan plan_end(const EndFacts& facts, bool may_end) noexcept;
-// Does the same for a picture, whose fit has only ended surfaces with a border.
+// Decides where the surface of a picture ends. The fit of a picture has only ended surfaces with a border.
 [[nodiscard]] EndPlan plan_end_of_picture(const EndFacts& facts, bool may_end) noexcept;
-// Does the same for a picture of a fit to samples that are `spacing` apart.
+// Decides where the surface of a picture ends that is a fit to samples `spacing` apart.
 [[nodiscard]] EndPlan plan_end_of_samples(double spacing, double diagonal, bool may_end) noexcept;
 
 } // namespace hrbfnpr::mesh

@@ -142,7 +142,7 @@ MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree
         const std::int64_t at = nearest_in(row_tree, border.position[i]);
         return at >= 0 && glm::distance(row.position[at], border.position[i]) < mesh_tuning.covered * inset;
     };
-    // Where there is no room for a row, as on a narrow strip, border places take part instead.
+    // Where there is no room for a row, for example on a narrow strip, border places are added instead.
     for (std::int64_t i = 0; i < border.position.size(); ++i)
         if (!has_row(i)) add_to_row(border.position[i], border.face[i]);
     base::Array<std::uint8_t> replaced(work.memory, even.position.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tuning constants of make_mesh(), of the samples on a mesh, and of plan.cpp. A diagonal is the diagonal of the
-// mesh's bounds. Set on the meshes of tests/mesh and on files of scanners and CAD programs.
+// mesh's bounds. Tuned on the meshes of tests/mesh and on files of scanners and CAD programs.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 namespace hrbfnpr::mesh {
 
 struct MeshTuning {
-    // Loops over faces, vertices and samples check for a cancel after this many. Larger: a cancel is seen later.
+    // Loops over faces, vertices and samples check for cancellation after this many. Larger: calls react later to a
+    // cancellation.
     std::int64_t at_once = 4096;
 
     // ---- Vertices and faces
@@ -103,7 +104,8 @@ struct PlanTuning {
     // No round surface goes through the vertices if the division moves them by more than this factor times the bulge of
     // the faces. Figures and rings reach a factor of 1.2 at most. Larger: more meshes with long faces are divided.
     double most_moved = 1.5;
-    // The same factor for places between the vertices. It is 1.8 for a ball of 156 faces, and 2.7 at most for figures.
+    // No round surface goes through the vertices if the division moves places between the vertices by more than this
+    // factor times the bulge of the faces. The factor is 1.8 for a ball of 156 faces, and 2.7 at most for figures.
     double most_raised = 3.0;
     // If all faces are flat, edges that bend by more than this many degrees are sharp. Larger: fewer edges are sharp.
     double flat_bend = 5.0;
@@ -116,8 +118,8 @@ struct PlanTuning {
     // A part is dropped only if it is farther from all other parts than (this - 1) times their size. Larger: fewer
     // parts are dropped.
     double lost_distance = 4.0;
-    // Parts with at most this many faces, and this share of the total area, are too small for a surface of their own.
-    // Larger: more faces are removed where three meet in an edge.
+    // Parts with at most this many faces, and at most this share of the total area, are too small for a separate
+    // surface. Larger: more faces are removed where three meet in an edge.
     std::int64_t flap_faces = 2;
     double flap_area = 2e-4;
     // Meshes with more faces are one group. The first limit holds for meshes of one component (connected by vertices),
@@ -149,7 +151,7 @@ struct PlanTuning {
     // surface, which is large where faces are coarse. For a fit to samples it is this factor times their spacing,
     // because the fit rounds edges off by that much.
     double of_coarse_faces = 1.5;
-    // This many places show where a mesh ends. Larger: the end is more exact, and takes longer to find.
+    // The end of a mesh is found from this many places. Larger: the end is more exact, and takes longer to find.
     std::int64_t places = 40000;
 };
 inline constexpr PlanTuning plan_tuning;

@@ -7,7 +7,7 @@
 //   split_slivers     replaces a face without area by half of its neighbour
 //   leave_out_faces   drops faces without area, and repeated ones
 //   leave_out_walls   drops pairs of faces that are a wall between two solids
-//   part_edges        gives solids that touch in an edge or a corner vertices of their own there
+//   part_edges        gives solids that touch in an edge or a corner separate vertices there
 #include "mesh/weld.h"
 
 #include "base/bits.h"
@@ -412,12 +412,12 @@ enum class Twin : std::uint8_t {
 // Returns the kind of each face. Only faces that were given equally often in both orientations, twins, may be walls or
 // contacts. A sheet of connected twins is a wall if it meets other faces at its ends, and nowhere ends without them: a
 // leaf of two sides and a solid given in both orientations meet no others. The sheet is part of a contact if those
-// other faces lie on each other as well, in triangles of their own.
+// other faces lie on each other as well, in separate triangles.
 [[nodiscard]] base::Array<Twin> find_walls(const base::Work& work, const Welded& welded,
                                            const base::Array<Repeated>& repeated, double rounding) {
     constexpr unsigned ends = 1;    // the sheet ends at an edge with fewer than two other faces
     constexpr unsigned meets = 2;   // the sheet meets two or more other faces
-    constexpr unsigned goes_on = 4; // two of these lie on each other and look against each other
+    constexpr unsigned goes_on = 4; // two of these faces lie on each other and face each other
     const std::int64_t faces = welded.triangle.size();
     const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
     Sets sheets(work.memory, faces);
@@ -533,13 +533,13 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     end_before_begin(about);
     for (std::int64_t i = 0; i < about.size(); ++i)
         if (about[i].side->forward == about[(i + 1) % about.size()].side->forward) return pair_flattest(about);
-    // A face that runs through the edge backward looks against the sense of turn. Its solid follows it, up to the next
+    // A face that runs through the edge backward faces against the sense of turn. Its solid follows it, up to the next
     // face.
     if (about[0].side->forward != 0) std::rotate(about.begin(), about.begin() + 1, about.end());
     return true;
 }
 
-// Gives each set of corners at a vertex a vertex of its own. The first set keeps the old one.
+// Gives each set of corners at a vertex a separate vertex. The first set keeps the old one.
 void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
                    const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
@@ -559,9 +559,9 @@ void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welde
     }
 }
 
-// Where an edge has four or more faces, the two faces around each solid get an edge of their own, by new vertices at
-// the same places. Each solid is then closed. Solids that share a vertex and no edge also get vertices of their own,
-// unless a border passes there: they are then separate components, for which later steps test whether they touch.
+// Where an edge has four or more faces, the two faces around each solid get a separate edge, with new vertices at the
+// same places. Each solid is then closed. Solids that share a vertex and no edge also get separate vertices, unless a
+// border passes there: they are then separate components, for which later steps test whether they touch.
 void part_edges(const base::Work& work, double rounding, Welded& welded) {
     const base::Array<Side> sides = sides_by_edge(work, welded.triangle);
     Sets corners(work.memory, 3 * welded.triangle.size()); // sets of corners that share a vertex

@@ -47,7 +47,7 @@ struct CompareTask {
     return on;
 }
 
-// Returns distance(i) of all i. Some take long, because places may be far from all faces.
+// Returns distance(i) for all i. Some distances take long, because places may be far from all faces.
 template <class Distance>
 [[nodiscard]] base::Array<double> distances(const CompareTask& task, std::int64_t count, Distance&& distance) {
     base::Array<double> result(task.work.memory, count);

@@ -34,8 +34,9 @@ namespace {
 
 // ---- The fit at many places
 
-// Times measured on two cores, AVX2: for each pair of a place and a centre, and for a field of the precision and the
-// number of near centres below, plus its time for each centre. The field must pay off by the factor `worth`.
+// Times measured on two cores with AVX2: the time for each pair of a place and a centre, and for making a field of the
+// precision and the number of near centres below, in total and for each centre. A field must save `worth` times the
+// time that it takes to make.
 constexpr double seconds_a_pair = 1.1e-9;
 constexpr double seconds_a_field = 0.05;
 constexpr double seconds_a_centre = 8.5e-5;
@@ -181,7 +182,8 @@ Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshRep
 
 // ---- The surface from the mesh
 
-// Returns the distance of each place from the mesh. It is 0 beyond a border, because a drawing trims the surface there.
+// Returns the distance of each place from the mesh. The distance is 0 beyond a border, because a drawing trims the
+// surface there.
 base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray& place) {
     base::Array<double> distance(task.work.memory, place.size());
     task.work.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
@@ -195,7 +197,7 @@ base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray
 
 // Adds centres off the mesh at places of the surface that are far from it, farthest first. The distance between centres
 // is about their distance from the mesh. f is held to the signed distance there, if the side of the place is certain.
-// `held` are the centres that the fit has already; new ones go to `added`.
+// `held` are the centres that the fit has already; new centres go to `added`.
 void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base::Array<double>& distance,
                    double tolerance, std::int64_t room, const fit::Samples& held, fit::Samples& added) {
     HRBFNPR_ASSERT(distance.size() == place.size());
@@ -321,8 +323,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
         report.mesh = spread_of(distance, report.tolerance, report.far);
         const bool mesh_good = report.mesh.is_within(share, report.far);
-        // The rest of the surface is examined only when most of the mesh is within the tolerance, because most wrong
-        // surface disappears by itself before. It is examined again while it is far off, and at the end.
+        // The rest of the surface is examined only when most of the mesh is within the tolerance, because most spurious
+        // surface has disappeared by then. It is examined again while it is far off, and at the end.
         const bool far = !(report.surface.most <= report.far);
         const bool looked = mesh_good || (report.mesh.share > fit_mesh_tuning.first_look && far);
         bool grown = looked && look_at_surface(field, now, growth);

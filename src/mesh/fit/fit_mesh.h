@@ -31,7 +31,7 @@ struct FitMeshReport {
     std::int32_t rounds = 0;
     Spread surface;
     Spread mesh;
-    Touching touching; // parts closer to each other than the tolerance, which the surface may join
+    Touching touching; // parts closer to each other than the tolerance, which the fitted surface may join
     double seconds_sample = 0.0;
     double seconds_fit = 0.0;
     double seconds_measure = 0.0;

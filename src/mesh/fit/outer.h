@@ -29,7 +29,7 @@ class OuterFaces {
 public:
     OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all);
 
-    // The faces of this tree may have other numbers than in the mesh. If they do, none of them is at a border.
+    // The faces of this tree may have other numbers than in the mesh. If so, none of them is at a border.
     [[nodiscard]] const FaceTree& tree() const noexcept { return outer_ ? *outer_ : all_; }
     [[nodiscard]] const FaceTree& all() const noexcept { return all_; }
 
@@ -40,23 +40,23 @@ private:
 
 [[nodiscard]] bool has_parts(const Mesh& mesh) noexcept;
 
-// Two parts that a fit may join, because it knows distances and no topology.
+// Two parts that a fit may join by mistake, because it knows distances but no topology.
 struct Touching {
     std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
     glm::dvec3 place{0.0};
-    bool may_cross = false; // They cross or are near each other; if false, they are near.
+    bool may_cross = false; // The parts may cross. If false, they are only near each other.
 };
 
 // Finds the first edge that goes through a face of another component.
 [[nodiscard]] Touching find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
 // Finds the first place of `places` from which another component is no farther than `near` along the normal or against
-// it. If solids are fitted separately, they may cross, and touch only if their normals there are nearly parallel or
+// it. Solids that are fitted separately may cross, and touch only if their normals there are nearly parallel or
 // opposite. Otherwise find_crossing() is tried first.
 [[nodiscard]] Touching find_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const MeshSamples& places, double near, bool solids_apart);
 
-// Does the same as find_touching(), and logs a warning about the parts that it found.
+// Does what find_touching() does, and logs a warning about the parts that it found.
 [[nodiscard]] Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                         const MeshSamples& places, double near, bool solids_apart);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The tuning constants of comparing a surface with a mesh, of outer.h, and of a smooth fit. A diagonal is the diagonal
-// of the mesh's bounds. Set on the meshes of tests/mesh and on fitted scans.
+// of the mesh's bounds. Tuned on the meshes of tests/mesh and on fitted scans.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ struct MeshFitTuning {
 
     // ---- Parts that touch
 
-    // The search along an edge for a face of another part passes at most this many faces of its own part. Larger:
+    // The search along an edge for a face of another part passes at most this many faces of the edge's part. Larger:
     // slower on folded meshes.
     int most_own = 8;
     // The normals of parts that are near and do not cross have at least this cosine, or at most minus this. Larger:
@@ -30,7 +30,7 @@ struct MeshFitTuning {
 
     // A mesh is flat if its corners are at most this far from the plane of its largest face, in diagonals.
     double flatness = 1e-6;
-    // A flat mesh has no inside if more than this share of its area looks the other way.
+    // A flat mesh has no inside if more than this share of its area faces the other way.
     double other_way = 0.01;
 
     // ---- The surface beside a mesh
@@ -46,8 +46,8 @@ struct MeshFitTuning {
     // search.
     double on_surface = 1e-6;
     double on_surface_of_seeds = 1e-4;
-    // Cells are halved if more than this share of the triangles looks away from the gradient. Sharp edges make a
-    // smaller share. Larger: thin walls are missed.
+    // Cells are halved if more than this share of the triangles faces against the gradient. Sharp edges make a smaller
+    // share. Larger: thin walls are missed.
     double turned_share = 1e-2;
     // Cells are not halved if that makes more triangles than this.
     std::int64_t most_triangles = 1'200'000;
@@ -85,8 +85,8 @@ struct FitMeshTuning {
     std::int32_t idle_rounds = 2;
     // A candidate at which f grows inward counts as off by at least this many tolerances.
     double wrong_side = 2.0;
-    // The surface is examined once this share of the mesh is within the tolerance, because most spurious parts of it
-    // disappear by themselves before. Larger: more rounds; smaller: more centres off the surface.
+    // The surface is examined once this share of the mesh is within the tolerance, because most spurious parts have
+    // disappeared by then. Larger: more rounds; smaller: more centres off the surface.
     double first_look = 0.9;
     // The result is measured at this many other places of the mesh.
     std::int64_t verified_places = 10000;
@@ -105,8 +105,8 @@ struct FitMeshTuning {
     // Beyond a border, surface whose support by the candidates (s of surface/support.h) is above this limit is left
     // out.
     double support_limit = 3.0;
-    // Each look at the surface adds at most this many centres off it. Each centre moves the surface around it, which
-    // makes others near it needless. Larger: fewer rounds, and centres that were not needed.
+    // Each look at the surface adds at most this many centres off the mesh. Each centre moves the surface around it, so
+    // others near it are not needed. Larger: fewer rounds, and centres that were not needed.
     std::int64_t most_held = 200;
     // The distance between centres off the surface, as a share of their distance from the mesh. Larger: fewer of them.
     double held_apart = 0.7;

@@ -71,9 +71,9 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
 
 // ---- Sides of the mesh
 
-// The place of the mesh nearest to a given place.
+// The place on the mesh nearest to a given place.
 struct Beside {
-    double distance = 0.0; // signed distance; below 0 is inside
+    double distance = 0.0; // the signed distance; negative inside
     std::int64_t face = -1;
     glm::dvec3 place{0.0};
     bool inner = false; // The place is inside its face, not on an edge.
@@ -98,8 +98,8 @@ public:
         if (inside) result.distance = -result.distance;
         return result;
     }
-    // Returns a distance, at most `most`, by which one can go from a place inside a face along a direction so that the
-    // mesh ahead is no nearer than the place.
+    // Returns how far one can go from a place inside a face along a direction, but at most `most`. On that way, the
+    // mesh ahead is never nearer than the face that was left.
     [[nodiscard]] double room(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
@@ -180,14 +180,15 @@ bool Sides::look_solid(const base::Work& work, const base::Array<std::int64_t>& 
 }
 
 glm::dvec3 Sides::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
-    constexpr double on_edge = 1e-6; // the share of a corner at which a place is on an edge
+    // A place whose coordinate in a face is below this share is on the edge opposite that corner.
+    constexpr double on_edge = 1e-6;
     const glm::dvec3 shares = shares_of(mesh_.corners(face), place);
     inner = shares.x > on_edge && shares.y > on_edge && shares.z > on_edge;
     if (inner) return normal_[face];
     for (int k = 0; k < 3; ++k)
         if (shares[k] >= 1.0 - on_edge) return vertex_[mesh_.triangle[face][static_cast<std::size_t>(k)]];
     const int without_share = shares.x <= on_edge ? 0 : shares.y <= on_edge ? 1 : 2;
-    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite to that corner
+    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite to the corner whose share is 0
 }
 
 // ---- Cells and faces
@@ -251,8 +252,8 @@ struct CellTask {
     const double near; // the distance from the surface within which signs may be wrong
     const std::uint64_t seed;
 
-    // Returns the distance from a face within which signs may be wrong: `near`, and an allowance for the surface that
-    // the face stands for.
+    // Returns the distance from a face within which signs may be wrong: `near`, and an allowance for the distance
+    // between the face and the smooth surface that it approximates.
     [[nodiscard]] double slack(std::int64_t face) const noexcept {
         const Triangle& t = mesh.triangle[face];
         return near + 1.5 * std::max({chord[t[0]], chord[t[1]], chord[t[2]]});
@@ -540,7 +541,7 @@ ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memo
             Programs& to = trees.add(memory);
             if (set > 0) add_trees(set, top, topped, to);
         }
-    first_.resize(2); // no trees over no functions
+    first_.resize(2); // there are no trees over no functions
     for (std::int32_t functions = 1; functions <= most; ++functions) {
         const std::uint32_t all = (1U << static_cast<unsigned>(functions)) - 1U;
         for (std::uint32_t top = 0; top < (functions > 1 ? 2U : 1U); ++top)

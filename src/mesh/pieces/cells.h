@@ -43,7 +43,7 @@ struct CellsReport {
 };
 
 // Fills in the cells of `data`, which has a sheet for each patch, in their order. `chord` tells for each vertex how far
-// its faces are from the smooth surface that they stand for.
+// its faces are from the smooth surface that they approximate.
 [[nodiscard]] CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const Creases& creases, const base::Array<double>& chord, std::uint64_t seed,
                                      implicit::PiecesData& data);

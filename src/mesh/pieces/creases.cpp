@@ -90,7 +90,7 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
     for_edges(task.sides, task.work, [&](const Side* first, const Side* last) {
         const std::int32_t from = low_end(*first);
         const std::int32_t to = high_end(*first);
-        if (!is_plain(first, last)) { // a patch ends here, and a crease may
+        if (!is_plain(first, last)) { // a patch ends at this edge, and a crease may end there, too
             ++degree[from];
             ++degree[to];
             return;
@@ -117,7 +117,7 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
     return {std::move(edge), std::move(at), std::move(degree)};
 }
 
-// Extends sharp edges that end in a vertex, until they meet another sharp edge or no edge goes on.
+// Extends sharp edges that end in a vertex, until they meet another sharp edge or no edge continues them.
 void grow(const Mesh& mesh, Bends& bends) {
     const auto grow_from = [&](std::int32_t before, std::int32_t end) {
         while (bends.degree[end] == 1) {
@@ -217,7 +217,7 @@ bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
     return sharpened;
 }
 
-// Drops short creases that separate nothing, unless they lead from one other crease to another, as at the corner of a
+// Drops short creases that separate nothing, unless they connect two other creases, for example at the corner of a
 // plate. Returns whether any was dropped.
 bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
     const std::int64_t vertices = task.mesh.vertex.size();

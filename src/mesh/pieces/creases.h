@@ -31,11 +31,11 @@ struct Creases {
     double fading = 0.0; // the length of creases with one patch on both sides, even after cutting
 };
 
-// Finds the creases of a mesh. Creases that end freely are extended along edges that go on in their direction. Short
+// Finds the creases of a mesh. Creases that end freely are extended along edges that continue in their direction. Short
 // pieces that separate nothing are dropped.
 [[nodiscard]] Creases find_creases(const base::Work& work, const Mesh& mesh, const Sharpness& sharpness);
-// Does the same with limits for each component. Creases begin only at sides of the faces, 3 face + k, whose entry in
-// `sides` is not 0, if they bend by more than the angle.
+// Finds creases as above, with limits for each component. Creases begin only at sides of the faces, 3 face + k, whose
+// entry in `sides` is not 0, if they bend by more than the angle.
 [[nodiscard]] Creases find_creases(const base::Work& work, const Mesh& mesh, const base::Array<Sharpness>& of_component,
                                    const base::Array<std::uint8_t>& sides);
 // Returns the known creases, and the edges that bend by more than an angle within those patches whose entry in `within`

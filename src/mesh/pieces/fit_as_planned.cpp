@@ -14,7 +14,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Finds the creases of each component by its own evidence, because one may have edges and another none.
+// Finds the creases of each component from the evidence of that component, because one may have edges and another none.
 Creases creases_that_are_meant(const base::Work& work, const Mesh& mesh, const CreaseEvidence& whole,
                                const FitMeshSettings& settings, double far, double tolerance) {
     const CreaseEvidenceOfParts found = look_for_creases_of_parts(work, mesh, settings.crease_angle);

@@ -130,8 +130,8 @@ struct Sheets {
     base::Array<double> chord;           // chord_errors() of the vertices
 };
 
-// Takes over the fits of unchanged patches. Patches are only divided, never joined, so those with the same number of
-// faces are unchanged.
+// Takes over the fits of unchanged patches. Patches are only divided, never joined, so patches with an unchanged number
+// of faces are unchanged.
 void borrow(Sheets& before, Sheets& sheets) {
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) {
         const std::int32_t q = before.creases.patch[sheets.faces[p][0]];
@@ -205,8 +205,8 @@ void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& norma
 void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     const std::int32_t patches = sheets.creases.patches;
-    // A sheet that lies against another part grows until the two cross. Where both are 0, or nearly so, there would be
-    // surface inside the solid.
+    // A sheet that lies against another part grows until the two cross. Otherwise both would be 0, or nearly so, at the
+    // contact, and there would be surface inside the solid.
     base::Array<std::uint8_t> grows(runtime.memory, patches);
     if (!result.mesh.supported && has_parts(task.mesh))
         grows = patches_in_contact({runtime, progress}, task.mesh, task.tree, sheets.creases, task.places,
@@ -237,7 +237,7 @@ void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
         if (made.report.input_distance_max > task.tolerance && made.data.count() >= most) starved.push_back(p);
         progress.update(0.5 * (1.0 - static_cast<double>(faces_left) / all_faces));
     }
-    // A few coarse faces may stand for a shape that needs many centres, as those of cones do.
+    // A few coarse faces, such as those of a cone, may approximate a shape that needs many centres.
     for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
         const std::int64_t before = sheets.fit[p]->data.count();
         const std::int64_t more = std::max<std::int64_t>(room, 0) / left--;

@@ -24,7 +24,8 @@ struct SidedMesh {
     const Mesh& mesh;
     base::Array<glm::dvec3> normal;   // The unit normal of each face.
     base::Array<std::int64_t> beyond; // The side of the neighbour with the same edge; -1: there is no neighbour.
-    base::Array<double> bend;         // The angle between the normals of both, in degrees; below 0 in hollows.
+    // The angle between the normals of a side's face and its neighbour, in degrees; below 0 in hollows.
+    base::Array<double> bend;
 
     [[nodiscard]] static std::int64_t next(std::int64_t side) noexcept { return side / 3 * 3 + (side + 1) % 3; }
     [[nodiscard]] const glm::dvec3& from(std::int64_t side) const noexcept {
@@ -94,7 +95,7 @@ Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexce
         if (exit < 0 || distance >= reach || sided.beyond[exit] < 0) return turn;
         reach -= distance;
         place += distance * way;
-        // The way keeps its angle with the edge that it crosses.
+        // The walk keeps its angle with the edge that it crosses.
         const glm::dvec3 edge = glm::normalize(sided.along(exit));
         const double along = glm::dot(way, edge);
         const double across = glm::dot(way, glm::cross(edge, normal));
@@ -123,7 +124,8 @@ base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const SidedM
 // The result of examining the mesh on both sides of an edge.
 struct SeenEdge {
     bool stands_out = false;
-    bool is_round = false; // The mesh goes on turning the same way on both sides, as on a round wall or a fillet.
+    // The mesh continues to turn the same way on both sides, as it does on a round wall or a fillet.
+    bool is_round = false;
 };
 
 // Examines both sides of an edge. The edge stands out if the mesh turns little on both sides. If one of its faces

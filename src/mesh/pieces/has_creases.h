@@ -16,13 +16,13 @@ namespace hrbfnpr::mesh {
 struct CreaseEvidenceOfParts {
     base::Array<CreaseEvidence> part; // the evidence of each component, in its own diagonals
     // A number for each side of the faces, 3 face + k. It is 1 where the mesh bends by more than the angle, unless it
-    // goes on turning the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where a
-    // face is too coarse to be round.
+    // continues to turn the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where
+    // a face is too coarse to be round.
     base::Array<std::uint8_t> sharp;
     CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
 };
 
-// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged by itself: a
+// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged separately: a
 // statue is smooth even on a block with edges.
 [[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle);
 

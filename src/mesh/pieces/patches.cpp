@@ -27,7 +27,8 @@ namespace {
 
 // ---- Fans
 
-// Tells whether the face of corner `b` lies across the side that starts at corner `a`, and the side is no crease.
+// Tells whether a fan continues from corner `a` to corner `b`: the face of `b` lies across the side that starts at `a`,
+// and that side is no crease.
 [[nodiscard]] bool goes_on(const Mesh& mesh, const Creases& creases, std::int64_t a, std::int64_t b) noexcept {
     const auto ahead = [&](std::int64_t corner, std::int64_t by) {
         return mesh.triangle[corner / 3][static_cast<std::size_t>((corner % 3 + by) % 3)];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the smooth surface that a patch stands for: its normals, and samples that its sheet is fitted to.
+// Finds the smooth surface that a patch approximates: its normals, and samples that its sheet is fitted to.
 #pragma once
 
 #include "fit/samples.h"
@@ -20,12 +20,12 @@ struct PatchNormals {
     base::Array<std::uint8_t> tip;  // 1: the corner is at the tip of a cone, where each face has its own normal
 };
 
-// Returns for each corner the mean normal over the faces of its own patch, by area and angle. A flat that would then
-// bulge by more than the tolerance keeps its own normal beside much smaller flats.
+// Returns for each corner the mean normal over the faces of its patch, weighted by area and angle. A flat that would
+// then bulge by more than the tolerance keeps its own normal where all other flats are much smaller.
 [[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                          double tolerance = std::numeric_limits<double>::infinity());
 
-// Returns the largest distance of the middles of a face's sides from the surface that is curved as the normals are.
+// Returns the largest distance of the middles of a face's sides from the curved surface that has these normals.
 [[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
 // Returns the largest chord_error() of the faces at each vertex.
 [[nodiscard]] base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal);

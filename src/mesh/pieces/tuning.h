@@ -12,13 +12,13 @@ struct HasCreasesTuning {
     // How far beside an edge the mesh is examined, in heights of the face there. Beyond 1 this reaches the edges of the
     // next faces, however quads are cut. Larger: edges beside narrow faces stand out less.
     double reach = 1.5;
-    // An edge stands out if it bends by this many times as much as the mesh turns beside it. Larger: fewer edges stand
-    // out.
+    // An edge stands out if it bends by this many times the angle by which the mesh turns beside it. Larger: fewer
+    // edges stand out.
     double stands_out = 4.0;
     // Two faces belong to one flat polygon if the edge between them bends by less than this, in degrees. Larger:
     // coordinates of fewer digits are enough, and more bent quads are taken for flat ones.
     double flat = 0.2;
-    // Edges that bend by more than this many degrees are not round: a ring of six sides does not stand for a circle.
+    // Edges that bend by more than this many degrees are not round: a ring of six sides does not approximate a circle.
     // Such edges stand out if they bound a flat polygon. Larger: fewer edges between narrow walls are sharp.
     double surely_sharp = 60.0;
     // Faces farther than this from a round surface are flat, in diagonals. A ball of 80 faces is off by 0.009, an
@@ -35,9 +35,10 @@ inline constexpr HasCreasesTuning has_creases_tuning;
 // The constants of creases and of the patches between them. Set by scripts/bench edges on its models of parts and
 // machines.
 struct CreaseTuning {
-    // A crease that ends goes on along edges that bend by at least this, in degrees. Larger: fading creases end sooner.
+    // A crease that ends is extended along edges that bend by at least this, in degrees. Larger: fading creases end
+    // sooner.
     double least_bend = 8.0;
-    // Such a crease goes on only if the cosine of its turn is at least this. Larger: creases stop at turns.
+    // A crease that ends is extended only if the cosine of its turn is at least this. Larger: creases stop at turns.
     double aligned = 0.6;
     // A crease that separates no patches is noise if it is shorter than this, in diagonals, or has fewer edges. Larger:
     // fewer short creases.
@@ -80,7 +81,8 @@ struct PatchTuning {
     // A vertex with more corners than this has one normal for each patch, and no flats or tips are looked for there.
     // Larger: slow on fans.
     std::int64_t most_corners = 1024;
-    // The normals of the faces of one flat have at least this cosine: one degree, as in files. Larger: flats end early.
+    // The normals of the faces of one flat have at least this cosine: one degree, because files round normals. Larger:
+    // flats end early.
     double flat_cosine = 0.99985;
     // A flat keeps its normal if its area is this many times that of any other flat at the vertex. Larger: fewer stay
     // flat. At 0 the base of a cone of 24 sides is off by half as much again.
@@ -130,8 +132,8 @@ struct WindingTuning {
     // each other: at least the second share of their distance is along the normal.
     double flat = 0.9;
     double along_normal = 0.5;
-    // This many faces of a patch are probed. The patch is cut if at least half of them lie beside another turn, which
-    // is looked for among the second number of faces.
+    // To find whether a patch winds around beside itself, this many of its faces are probed. The patch is cut if at
+    // least half of them lie beside another turn. That turn is looked for among the second number of faces.
     std::int64_t probes = 256;
     std::int64_t known = 4096;
     // A patch is cut into at most this many parts, each at most this share of a turn long.
@@ -148,8 +150,8 @@ struct CellTuning {
     double folded = 0.4;
     // The two sides of a face are tested at this distance from it, in diagonals.
     double off_face = 1e-4;
-    // This many faces of a mesh with gaps are probed. The mesh is solid if rays agree with at least the second share of
-    // them. Larger: fewer are solid.
+    // To find whether a mesh with gaps is solid, this many of its faces are probed. It is solid if rays agree with the
+    // orientation of at least the second share of them. Larger: fewer meshes are solid.
     std::int64_t probes = 128;
     double solid_share = 0.95;
 
