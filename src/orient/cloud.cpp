@@ -225,7 +225,7 @@ void Moments::add(const glm::dvec3& p, double weight) noexcept {
 }
 
 Plane plane_of(const Moments& moments) noexcept {
-    constexpr int sweeps = 8; // The sweeps converge quadratically, so four are enough.
+    constexpr int sweeps = 8; // Four sweeps are enough, because the sweeps converge quadratically.
     Plane plane;
     if (!(moments.count > 0.0)) return plane;
     const glm::dvec3 c = moments.sum / moments.count;

@@ -45,7 +45,7 @@ struct Cloud : Places {
 // lie on one line.
 [[nodiscard]] Cloud read_cloud(const base::Work& work, const base::InView& points);
 
-// The first places of a cloud's farthest-first order, in an order of their own.
+// The first places of a cloud's farthest-first order, in a separate order.
 struct FirstPlaces : Places {
     FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_t count);
 
@@ -66,7 +66,7 @@ void for_places(const base::Work& work, std::int64_t count, F&& f) {
 // The nearest neighbours of every place, nearest first, without the place itself.
 class Near {
 public:
-    static constexpr std::int64_t most = 63;      // the tree finds no more
+    static constexpr std::int64_t most = 63;      // the largest number of neighbours that the tree finds
     static constexpr std::int64_t of_spacing = 6; // a local spacing is the mean distance to this many neighbours
 
     Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t each);
@@ -83,12 +83,12 @@ private:
     base::Array<std::int32_t> index_;
 };
 
-// Returns the mean distance from each place to its Near::of_spacing nearest neighbours. The area that a place stands
-// for is proportional to the square of this distance.
+// Returns the mean distance from each place to its Near::of_spacing nearest neighbours. The area that a place
+// represents is proportional to the square of this distance.
 [[nodiscard]] base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree,
                                                 const Near& near);
 
-// Returns the number of components that places form when near neighbours are connected.
+// Returns the number of connected components of the places, where near neighbours are connected.
 [[nodiscard]] std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree,
                                         const Near& near);
 
@@ -111,7 +111,8 @@ struct Plane {
 [[nodiscard]] geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree,
                                                const Near& near, std::int64_t count);
 
-// Returns the larger of two shares: of the places whose normals point the same way, and of those whose normals do not.
+// Returns the share of places whose normals point the same way in both arrays, or the share of all others if that is
+// larger.
 [[nodiscard]] double share_alike(const geometry::VecArray& a, const geometry::VecArray& b) noexcept;
 
 } // namespace hrbfnpr::orient

@@ -34,8 +34,8 @@ struct Case {
 };
 
 struct Likeness {
-    double same_sign = 0.0; // share whose signs are those of least energy
-    double far = 0.0;       // share of lines more than 60 degrees off
+    double same_sign = 0.0; // share of the given normals whose signs are those of least energy
+    double far = 0.0;       // share of the given lines more than 60 degrees off the lines of least energy
     double median = 0.0;    // median |cosine| between given lines and those of least energy
 };
 
@@ -57,19 +57,19 @@ struct Likeness {
     return likeness;
 }
 
-// In doubt, only the winding numbers of the given normals decide.
+// If the least energy is doubtful, only the winding numbers of the given normals decide.
 [[nodiscard]] bool are_inward(const Case& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
     return measure_sides({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
 }
 
-// Returns whether the given signs look random: neighbours agree with the signs of least energy as often as not. In
-// doubt, neighbours that point opposite ways must not be the two sides of walls, either.
+// Returns whether the given signs look random: neighbours agree with the signs of least energy as often as not. If the
+// least energy is doubtful, neighbours that point opposite ways must not be the two sides of walls, either.
 [[nodiscard]] bool are_tossed(const Case& c) {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;
     std::int64_t opposite = 0;
-    std::int64_t behind = 0; // neighbours at a place's back, less those at its front
+    std::int64_t behind = 0; // the number of neighbours behind a place, minus the number of those in front of it
     for (std::int64_t at = 0; at < c.tree.size(); ++at) {
         if (!c.known(at)) continue;
         const glm::dvec3 own = c.given.normal[at];
@@ -105,8 +105,9 @@ struct Border {
     double size = 0.0;
 };
 
-// Returns the patches: connected places whose normals are against those of least energy, if their directions agree. In
-// doubt it returns only patches that the given normals show to be turned, by how they continue over the border.
+// Returns the patches: connected places whose normals are against those of least energy, if their directions agree. If
+// the least energy is doubtful, it returns only patches that the given normals show to be turned, by how they continue
+// over the border.
 [[nodiscard]] base::Array<std::int32_t> patches_against(const Case& c, const Signs& signs) {
     double side = 0.0;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;
@@ -189,7 +190,7 @@ Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, co
         turn_everything();
         return judgement;
     }
-    // The majority of the given normals tells which side of an open surface is meant.
+    // The majority of the given normals tells which side of an open surface is outward.
     judgement.follows_given = evidence.open && mode != NormalMode::unoriented;
     if (judgement.follows_given && alike < 0.5) judgement.made_sign = -1.0;
     if (mode == NormalMode::unoriented || (looks && are_tossed(c))) {

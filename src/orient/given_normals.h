@@ -27,7 +27,7 @@ struct GivenNormals {
 // The evidence that given normals are judged by.
 struct Evidence {
     const geometry::VecArray& least; // normals of least energy, outward
-    bool open = false;               // winding numbers do not tell the outside, a rule does
+    bool open = false;               // winding numbers do not show the outside, so a rule decides
     bool doubtful = false;           // the confidence of `least` is low, so given normals stay in doubt
 };
 

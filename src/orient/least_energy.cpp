@@ -65,7 +65,7 @@ public:
             return true;
         }
         if (pairs_ == 0) return false;
-        pairs_ = 0; // the remembered curvature misleads
+        pairs_ = 0; // the remembered curvature does not lower the energy
         return true;
     }
 
@@ -259,8 +259,8 @@ void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbo
     return to;
 }
 
-// Returns normals of planes through the nearest `count` of the first places in the farthest-first order, where 1 place
-// in `share` is a first one. So neighbours are on all sides even where places stand along lines.
+// Returns normals of planes through the nearest `count` of the first places in the farthest-first order. One place in
+// `share` is a first place. So neighbours are on all sides even where places lie along lines.
 [[nodiscard]] VecArray coarse_normals(const base::Work& work, const Places& places, std::int64_t share,
                                       std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;
@@ -297,7 +297,7 @@ struct Result {
     double energy;
 };
 
-// Returns how far other results agree with the chosen one. A result counts more the nearer its energy is to the chosen
+// Returns how well other results agree with the chosen one. A result counts more the nearer its energy is to the chosen
 // one's; the coarser cloud that was begun from counts, too. Writes LeastEnergy's rival.
 double agreement(const std::vector<Result>& results, const Result& chosen, const Begin* begin, double& rival) noexcept {
     // Rounding may bring a sum of squares below 0.

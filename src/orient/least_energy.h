@@ -9,7 +9,7 @@
 namespace hrbfnpr::orient {
 
 // The result for a coarser cloud: its normals of least energy, blended at every place, its energy, and the agreement of
-// its own starts.
+// its starts.
 struct Begin {
     explicit Begin(base::Memory& memory) noexcept : normal(memory) {}
 
@@ -35,11 +35,11 @@ struct LeastEnergy {
     geometry::VecArray normal; // unit normal of each place
     double energy = 0.0;       // per degree of freedom; points without any order have 0.025
     double agreement = 1.0;    // 0 .. 1: how far starts with about as little energy have the same signs
-    // The least energy of a start with other signs, over the chosen one's: near 1 where the noise decides.
+    // The least energy of a start with other signs, divided by the chosen energy: near 1 where the noise decides.
     double rival = std::numeric_limits<double>::infinity();
 };
 
-// ridge: see fit::HermiteEnergy. given: signed normals to start from, or null.
+// `ridge` is the regularization, as in fit::HermiteEnergy. `given` has signed normals to start from, or is null.
 [[nodiscard]] LeastEnergy least_energy(const base::Work& work, const Places& places, const Near& near, double ridge,
                                        const geometry::VecArray* given, const Effort& effort);
 

@@ -41,7 +41,7 @@ struct Refined {
     return all[all.size() / 2] / distance_to_sixth;
 }
 
-// Returns, for each place, the mean of the places around it whose normals point the same way.
+// Returns, for each place, the mean of those places around it whose normals point the same way.
 [[nodiscard]] VecArray mean_places(const Refined& r, const Near& near) {
     VecArray mean(r.work.memory, r.tree.size());
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
@@ -60,8 +60,8 @@ struct Refined {
     return mean;
 }
 
-// Returns the sum over pairs of places on one face of (2 sin)^2, where the angle is between their chord and the tangent
-// plane of their mean normal.
+// Returns the sum of (2 sin)^2 over pairs of places on one face. The angle is that between the pair's chord and the
+// tangent plane of their mean normal.
 [[nodiscard]] double misfit(Refined& r, const VecArray& place, const VecArray& normal) {
     const double from = tuning.chords_from * r.spacing;
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
@@ -100,7 +100,8 @@ struct Refined {
 
 // ---- Means of points
 
-// Returns the nearest mean for each place. The means' coordinates are relative to `centre`, in units of `spacing`.
+// Returns the nearest mean of points for each place. The means' coordinates are relative to `centre`, in units of
+// `spacing`.
 [[nodiscard]] base::Array<std::int64_t> nearest_means(const base::Work& work, const Cloud& cloud,
                                                       const geometry::PointTree& means, const glm::dvec3& centre,
                                                       double spacing) {
@@ -124,7 +125,7 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
             sum.square[k] += weight * (moments.square[k] + o[i] * s[j] + s[i] * o[j] + n * o[i] * o[j]);
 }
 
-// Returns the normal at a place in the means' coordinates.
+// Returns the normal at a place p in the means' coordinates.
 [[nodiscard]] glm::dvec3 normal_by_means(const Cloud& means, const base::Array<Moments>& moments,
                                          const VecArray& normal, const glm::dvec3& p) noexcept {
     std::array<std::int64_t, tuning.gathered_means> found;
@@ -220,7 +221,7 @@ VecArray normals_by_means(const base::Work& work, const Cloud& cloud, const Clou
     HRBFNPR_ASSERT(normal.size() == means.size() && means.spacing > 0.0);
     const base::Array<std::int64_t> nearest = nearest_means(work, cloud, *means.tree, means.centre, means.spacing);
     const auto place = [&](std::int64_t at) { return (cloud.point(at) - means.centre) / means.spacing; };
-    // For each mean: the moments of its points about it, in the means' unit.
+    // For each mean: the moments of its points about the mean, in the means' unit.
     base::Array<Moments> moments(work.memory, means.size());
     for (std::int64_t at = 0; at < cloud.size(); ++at) moments[nearest[at]].add(place(at) - means.point(nearest[at]));
     VecArray result(work.memory, cloud.size());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The steps are:
 //
-//   measure_noise      finds the ridge on the values that brings the energy of the cloud, or of patches of it, down
+//   measure_noise      finds the regularization that lowers the energy of the cloud, or of patches of it, enough
 //   reduced            replaces the points of a large cloud by means, if the noise is above their spacing
-//   fit_even           fits clean points, and many noisy ones: the least energy with that ridge
-//   fit_noisy          fits few noisy points: the least energy over a rising ridge, then means of the directions
+//   fit_even           fits clean points, and many noisy ones: the least energy with that regularization
+//   fit_noisy          fits few noisy points: the least energy as regularization rises, then means of directions
 //   fit_curves         fits points along curves: the least energy of a few of them, then of twice as many, which start
 //                      from the normals before, until all points have one
-//   confidence_of      measures how far starts, ridges and coarser clouds agree
+//   confidence_of      measures how well starts, regularizations and coarser clouds agree
 #include "orient/normals_of_cloud.h"
 
 #include "base/assert.h"
@@ -66,7 +66,7 @@ struct Noise {
         work.runtime().log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < tuning.settled_below) break;
     }
-    // A ridge loses the signs of few points on thin tubes, which were clear without it.
+    // On thin tubes, regularization loses the signs of few points, which were clear without it.
     if (clear && share_alike(clean.normal, fitted.normal) < tuning.same_signs) return {};
     noise.deviation = std::sqrt(noise.ridge * fitted.energy);
     return noise;
@@ -92,8 +92,8 @@ struct Noise {
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
-// Where starts disagree or signs change with the ridge, signs were wrong more often than not. Noise lowers the
-// confidence further, because a sheet with such noise may be a wall of three standard deviations.
+// Where starts disagree, or signs change with the regularization, signs were wrong more often than not. Noise lowers
+// the confidence further, because a sheet with such noise may be a wall three standard deviations thick.
 [[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
     const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
     return confidence_of(agreement, found.roughest, noise) * agreement * agreement *
@@ -117,7 +117,7 @@ void fit_even(const base::Work& work, const Cloud& cloud, const Near& near, cons
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
-    // A lower ridge should give the same signs. It does not where walls are as thin as the noise.
+    // A lower regularization should give the same signs. It does not where walls are as thin as the noise.
     const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.standing());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
@@ -157,9 +157,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return all;
 }
 
-// Returns the normals of least energy for the first places that spread all over the surface, then for twice as many,
-// and so on, each level started from the one before. As points get nearer to each other, the energy falls without
-// noise, and rises if noise is interpolated.
+// Returns the normals of least energy for the first places, which spread all over the surface, then for twice as many
+// places, and so on. Each level starts from the normals of the level before. As points get nearer to each other, the
+// energy falls if there is no noise, and rises if noise is interpolated.
 [[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
     std::vector<Begin> levels;
     const std::int64_t most = std::min(cloud.size(), tuning.few_points);

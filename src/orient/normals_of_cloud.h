@@ -22,12 +22,12 @@ struct CloudNormals {
 
 struct RidgeFit {
     LeastEnergy fitted;
-    double roughest = 0.0;   // energy at the lowest ridge, which removes no noise
-    double steadiness = 1.0; // the least share of equal signs between the ridges tried
+    double roughest = 0.0;   // the energy with the lowest regularization, which removes no noise
+    double steadiness = 1.0; // the least share of equal signs between the regularizations tried
 };
 
-// Fits a noisy cloud with rising ridges: from one that only begins to see the noise, up to `most`, the ridge that the
-// noise calls for. It stops before the signs change, because a ridge that is too high makes one sheet of two, and
+// Fits a noisy cloud with rising regularization: from a value that hardly affects the noise, up to `most`, the value
+// that suits the noise. It stops before the signs change, because too much regularization makes one sheet of two, and
 // merges tips.
 [[nodiscard]] RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& near, double most,
                                      const geometry::VecArray* given, const Effort& effort);

@@ -42,7 +42,7 @@ void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray&
             report.made += look_only ? 0 : 1;
             continue;
         }
-        // Each of several coinciding points has a normal of its own.
+        // Several coinciding points may have different normals.
         const bool against = glm::dot(own, given.normal[at]) < 0.0;
         const bool turned = (judgement.signs[at] < 0) != (against && judgement.by_place);
         result.normal.set(i, turned ? -own : own);

@@ -50,8 +50,8 @@ struct Orientation {
 // Throws Error{invalid_argument, out_of_memory, cancelled}.
 [[nodiscard]] Orientation orient(const base::Work& work, const OrientInput& input);
 
-// Returns whether given normals plainly all point into a closed surface. It takes almost no time, because it uses only
-// some thousand points.
+// Returns whether it is clear that all given normals point into a closed surface. This takes almost no time, because it
+// uses only some thousand points.
 [[nodiscard]] bool plainly_inward(const base::Work& work, const base::InView& points, const base::InView& normals);
 
 } // namespace hrbfnpr::orient

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the outside of a cloud. measure_sides() compares winding numbers on both sides of its places; where these are
-// alike, side_by_rule() decides.
+// Finds the outside of a cloud. measure_sides() compares winding numbers on both sides of its places. If both sides
+// look the same, side_by_rule() decides.
 #include "orient/outward.h"
 
 #include "base/assert.h"
@@ -18,7 +18,7 @@ constexpr double area_share = 0.8660254037844386; // in a hexagonal lattice: are
 constexpr double sphere = 12.566370614359172;     // solid angle of a sphere
 
 // Returns 1 if most area faces up, or faces the viewpoint if there is one, else -1. If the area faces neither up nor
-// down, as with upright walls, z, y and x are tried in turn.
+// down, for example on upright walls, z, y and x are tried in turn.
 [[nodiscard]] int side_by_rule(const Cloud& cloud, const base::Array<double>& spacing, const OutwardRule& rule,
                                const VecArray& normal) {
     glm::dvec3 area{0.0};
@@ -82,7 +82,8 @@ Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near,
     Whole whole;
     int side = 0;
     if (cloud.is_of_curves()) {
-        // Places along curves stand for no area, but the first of them do.
+        // Places along curves have no area around them. Only the first places of the cloud, which spread over the
+        // surface, have one.
         const FirstPlaces first(work, cloud, cloud.all_over);
         const Near around(work, *first.tree, Near::of_spacing);
         const Sides sides = measure_sides(work, *first.tree, around, first.pick(normal));

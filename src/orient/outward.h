@@ -9,10 +9,10 @@ namespace hrbfnpr::orient {
 struct Sides {
     // Mean |winding number| at places a little way along the normals: 0 if the normals point out of a closed surface.
     double along = 0.5;
-    double against = 0.5; // the same, a little way against the normals
+    double against = 0.5; // mean |winding number| at places a little way against the normals
 
     [[nodiscard]] bool closed() const noexcept;
-    // The same with the wider limit for some hundred places.
+    // Whether the surface is closed, by the wider limit for the few hundred first places of a cloud of curves.
     [[nodiscard]] bool nearly_closed() const noexcept;
     // 1: the normals point outward, -1: inward, 0: both sides look the same.
     [[nodiscard]] int outward() const noexcept;
@@ -37,7 +37,7 @@ struct Whole {
     OutwardBy by = OutwardBy::inside;
 };
 
-// Turns all normals outward by winding numbers. Where these do not tell the outside, the rule decides.
+// Turns all normals outward by winding numbers. If winding numbers do not show the outside, `rule` decides.
 [[nodiscard]] Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near, const OutwardRule& rule,
                                  geometry::VecArray& normal);
 

@@ -2,7 +2,7 @@
 // The steps of the solver are:
 //
 //   find_patches    joins a few neighbours whose normals agree, in place of single places; large clouds only
-//   Agglomeration   makes rounds in which each cluster finds its partner, and partners join, until one is left
+//   Agglomeration   makes rounds in which each cluster finds a partner and joins it, until one is left
 //   improve         sweeps from the coarsest clusters to single places, and turns each where that lowers the energy
 //
 // The energy is a sum of squares made from the terms of the sparse factor. The elements of a sparse term are a few
@@ -27,7 +27,7 @@ namespace {
 constexpr std::int64_t clusters_a_task = 256;
 constexpr std::int64_t places_a_look = 512;
 
-// Adds up a sum for each cluster, by its name.
+// Adds up numbers for each cluster, by the cluster's name.
 struct SumsByName {
     explicit SumsByName(const base::Runtime& runtime) noexcept
         : sum(runtime.memory), is_there(runtime.memory), names(runtime.memory) {}
@@ -65,7 +65,7 @@ struct SignTerms {
         for (std::int64_t k = 0; k < blocks.coarse_count; ++k) dense[blocks.coarse[k]] = k + 1;
     }
 
-    // Returns the part of its term that an element adds.
+    // Returns the part that an element adds to its term.
     [[nodiscard]] Four part(std::int64_t element, const Signs& signs) const noexcept {
         const float* const a = terms.add.data() + 4 * element;
         const auto s = static_cast<float>(signs[blocks.set[element]]);
@@ -122,7 +122,7 @@ public:
             mark_over();
             for_names([&](std::int32_t name) { partner_[name] = find_partner(name); });
             join_partners();
-            if (names_.size() == before) break; // no clusters are coupled
+            if (names_.size() == before) break; // no two clusters are coupled
             if (static_cast<double>(names_.size()) > tuning.kept_share * static_cast<double>(kept)) continue;
             kept = names_.size();
             levels_.emplace_back(memory_, size_);
@@ -134,11 +134,11 @@ private:
     struct Partner {
         std::int32_t name = -1; // -1: no cluster is coupled to this one
         double coupling = 0.0;
-        double strength = -1.0; // |coupling| over the root of the product of both self energies
+        double strength = -1.0; // |coupling| divided by the root of the product of both self energies
     };
     struct Joined {
         std::int32_t to; // the cluster that it joined in this round; a root is joined to itself
-        bool turned;     // its sign differs from that of `to`
+        bool turned;     // the cluster's sign differs from that of `to`
     };
 
     template <class F>
@@ -218,7 +218,7 @@ private:
         const base::ScratchPool<SumsByName>::Lease sums(sums_);
         sums->clear(size_);
         for_terms(name, [&](std::int64_t term) {
-            progress_.check(); // A large cluster has many terms.
+            progress_.check(); // this may take long, because a large cluster has many terms
             const Four own = part_of(name, term);
             energy_.for_elements(term, [&](std::int64_t e) {
                 const std::int32_t other = cluster_[blocks_.set[e]];
@@ -240,8 +240,8 @@ private:
         return best;
     }
 
-    // Joins clusters that are each other's partner. Of the others, it joins those whose coupling leaves little doubt,
-    // and small ones with a large one, which would otherwise have to wait for their turn.
+    // Joins clusters that are each other's partner. It also joins other clusters whose coupling leaves little doubt,
+    // and small clusters with a large one. Otherwise these would have to wait for many rounds.
     void join_partners() {
         for (const std::int32_t name : names_) joined_[name] = {name, false};
         for (const bool mutual_ones : {true, false})
@@ -267,7 +267,7 @@ private:
         return result;
     }
 
-    // partner.coupling is for the signs at the beginning of the round.
+    // partner.coupling belongs to the signs at the beginning of the round.
     void join(std::int32_t one, const Partner& partner) noexcept {
         Joined a = root_of(one);
         Joined b = root_of(partner.name);
@@ -293,7 +293,7 @@ private:
     const base::Progress& progress_;
     base::Array<std::int32_t> cluster_; // for each place: the name of its cluster
     base::Array<std::int32_t> next_;    // for each place: the next member; -1: it is the last
-    base::Array<std::int32_t> last_;    // last member, by the name of the cluster, as the four arrays below
+    base::Array<std::int32_t> last_;    // last member, by the name of the cluster, like the four arrays below
     base::Array<double> self_;          // energy of the cluster's members alone
     base::Array<Partner> partner_;
     base::Array<std::int64_t> count_; // number of members
@@ -382,8 +382,8 @@ private:
     base::Array<double> total_;
     base::Array<double> dense_total_;
     base::Array<double> dense_part_;
-    base::Array<std::int64_t> seen_;  // for each term: the last visit that met it
-    base::Array<std::int32_t> terms_; // terms that the members are in
+    base::Array<std::int64_t> seen_;  // for each term: the number of the last visit that reached it
+    base::Array<std::int32_t> terms_; // the terms that have one of the members
     base::Array<double> part_;        // for each of these terms: the members' part
     std::int64_t visit_ = 0;
 };

@@ -21,8 +21,8 @@ struct OrientTuning {
     // `link_length` local spacings away. Larger: solids that are close count as one component.
     std::int64_t linked = 8;
     double link_length = 3.0;
-    // The first level of points along curves has from this to twice this many places, all over the surface. Larger: it
-    // may see single curves.
+    // The first level of points along curves has this many points to twice as many, all over the surface. Larger: the
+    // level may show single curves.
     std::int64_t fewest_all_over = 64;
 
     // ---- Effort
@@ -95,8 +95,8 @@ struct OrientTuning {
     double clean_below = 0.012;
     // Clean clouds that are much too sparse for their details may have more energy, too. The best other choice of signs
     // has more energy than the chosen one by at least the factor `noisy_rival`. Such a cloud is clean if its energy is
-    // above `no_order_above`, or if a ridge leaves less than the share `same_signs` of its signs unchanged. Larger:
-    // more clouds count as noisy.
+    // above `no_order_above`, or if regularization leaves less than the share `same_signs` of its signs unchanged.
+    // Larger: more clouds count as noisy.
     double no_order_above = 0.02;
     double noisy_rival = 1.05;
     double same_signs = 0.9;
@@ -115,14 +115,14 @@ struct OrientTuning {
 
     // ---- A rising ridge
 
-    // Noisy clouds of up to this many points are fitted with a rising ridge. Larger: more time.
+    // Noisy clouds of up to this many points are fitted with rising regularization. Larger: more time.
     std::int64_t few_for_path = 2000;
-    // A ridge is high enough for the signs if the energy is below `trusted_below`, and for the directions if it is
-    // below `path_settled`.
+    // The regularization is high enough for the signs if the energy is below `trusted_below`, and high enough for the
+    // directions if the energy is below `path_settled`.
     double trusted_below = 0.0095;
     double path_settled = 0.004;
-    // A higher ridge is rejected if it keeps at most this share of the signs. Larger: walls stay apart, more noise is
-    // left.
+    // A higher regularization is rejected if it keeps at most this share of the signs. Larger: walls stay apart, more
+    // noise is left.
     double path_same_signs = 0.97;
     // The directions are then averaged by a Gaussian of this standard deviation, in spacings. Larger: smoother, edges
     // are rounder.
@@ -164,31 +164,32 @@ struct OrientTuning {
 
     // ---- Means of points
 
-    // Clouds with more noise than this, in spacings, are replaced by means, at most `most_reductions` times. Larger:
-    // wrong signs of scans; smaller: less detail.
+    // Clouds with more noise than this, in spacings, are replaced by means of points, at most `most_reductions` times.
+    // Larger: wrong signs of scans; smaller: less detail.
     double noisiest = 0.55;
     int most_reductions = 3;
-    // The means are this many standard deviations of the noise apart: nearer, they would be layers of the noise. There
-    // are at least `fewest_means` of them.
+    // The means are this many standard deviations of the noise apart: nearer means would form layers because of the
+    // noise. There are at least `fewest_means` of them.
     double means_apart = 2.0;
     std::int64_t fewest_means = 500;
-    // The `blended_means` nearest means tell the side of a place. The points of the `gathered_means` nearest ones give
-    // its plane, weighted by a Gaussian of the standard deviation `means_reach`, in spacings of the means. Larger:
-    // smoother.
+    // The normals of the `blended_means` nearest means tell to which side a place's normal points. The points of the
+    // `gathered_means` nearest ones give its plane, weighted by a Gaussian of the standard deviation `means_reach`, in
+    // spacings of the means. Larger: smoother.
     std::size_t blended_means = 4;
     std::size_t gathered_means = 48;
     double means_reach = 2.0;
-    // A plane whose normal has a smaller |cosine| with the side than `plane_across` stands across it, like a wall's,
-    // and is left out. Other normals are added to the side with the weight `plane_weight`.
+    // A plane is left out if the |cosine| between its normal and the mean normal of the place is below `plane_across`:
+    // it belongs to the wall of another face. The normals of other planes are added to the mean normal with the weight
+    // `plane_weight`.
     double plane_across = 0.5;
     double plane_weight = 2.0;
 
     // ---- Points along curves
 
-    // Without noise, twice as many points along curves have at most 0.8 of the energy. So a coarser cloud stays if its
-    // energy is below this multiple of the energy of all points. Larger: detail is lost.
+    // Without noise, twice as many points along curves have at most 0.8 of the energy. So the normals of a coarser
+    // cloud stay if its energy is below this multiple of the energy of all points. Larger: detail is lost.
     double falling = 1.2;
-    // Then another level of less energy is taken if more than this share of its signs is the same.
+    // Then another level with less energy replaces it if more than this share of the signs is the same.
     double signs_of_level = 0.97;
 
     // ---- Confidence
@@ -197,9 +198,9 @@ struct OrientTuning {
     double doubtful = 0.5;
     // At this energy the points have no order, and the confidence is 0.
     double no_order = 0.03;
-    // Confidence falls by a factor of e for this share of signs that change with the ridge.
+    // Confidence falls by a factor of e for this share of signs that change with the regularization.
     double unsteady = 0.03;
-    // Signs should stay the same if the ridge is multiplied by this factor.
+    // Signs should stay the same if the regularization is multiplied by this factor.
     double softer = 0.125;
 
     // ---- The outside
@@ -214,7 +215,7 @@ struct OrientTuning {
     double nearly_closed_below = 0.12;
     // The sides are told apart if their mean |winding numbers| differ by more than this.
     double told_apart = 0.2;
-    // plainly_inward() takes at most this many points.
+    // plainly_inward() uses at most this many points.
     std::int64_t most_compared = 4096;
 
     // ---- Given normals
@@ -222,7 +223,7 @@ struct OrientTuning {
     // Given vectors are normals if the median |cosine| with the normals of least energy is at least this. The median of
     // colours is 0.5.
     double meaningful = 0.75;
-    // Where the least energy is sure, at most this share of true normals has a |cosine| with it below 0.5.
+    // Where the least energy is certain, at most this share of correct normals has a |cosine| with it below 0.5.
     double senseless = 0.2;
     // The signs are all alike if at least this share agrees, or disagrees, with the least energy. Otherwise they are
     // mixed.
@@ -237,9 +238,9 @@ struct OrientTuning {
     // below. Around walls too thin for the noise, where the least energy is wrong and the normals are right, it is -0.2
     // to -0.8.
     double torn = -0.9;
-    // In doubt, neighbours that point opposite ways are the two sides of walls if the share of them that lies at the
-    // back of the place differs by more than this from the share at its front. Random signs give equal shares. Larger:
-    // fewer walls are seen.
+    // If the least energy is doubtful, neighbours that point opposite ways may be the two sides of walls. They are if
+    // the share of them that lies behind the place differs by more than this from the share in front of it. Random
+    // signs give equal shares. Larger: fewer walls are seen.
     double walls = 0.3;
 };
 inline constexpr OrientTuning tuning;

@@ -72,7 +72,7 @@ Sizes sizes_of(const Labels& labels, const Vector<double>& areas, Pool& pool) {
     return sizes;
 }
 
-// Marks the parts that are too small for a surface of their own.
+// Marks the parts that are too small for a separate surface.
 Vector<std::uint8_t> little_parts(const Sizes& sizes, Pool& pool) {
     const double area = sum_in_pairs(sizes.area);
     Vector<std::uint8_t> little(&pool);
@@ -197,7 +197,7 @@ struct BorderPlaces {
 
     PlacesOnParts on;
     Points normal;         // The normal of the face at each place.
-    Vector<double> weight; // The length of border that each place stands for.
+    Vector<double> weight; // The length of border that each place represents.
     double step = 0.0;     // The approximate distance between neighbouring places.
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Finds parts of a mesh that are not fitted together with the others: crossing parts, lost parts, and flaps.
+// Finds parts of a mesh that are not fitted together with the others: crossing parts, tiny parts far away ("lost
+// parts"), and flaps.
 //
 // One implicit function is fitted to a mesh, and its surface continues beyond the border of each part. Where another
 // part is near, the two continuations cannot be told apart. So the parts of an open mesh that cross or lie close to
-// each other are split into groups, and each group gets a surface of its own. Closed parts need no groups, because the
+// each other are split into groups, and each group gets a separate surface. Closed parts need no groups, because the
 // library joins them as solids.
 #pragma once
 
@@ -32,7 +33,7 @@ struct LostParts {
     std::int64_t parts = 0;
 };
 
-// Finds lost parts: parts of almost no area that are far from the rest. The mesh is much smaller without them.
+// Finds lost parts: parts of almost no area that are far from the rest. Without them, the mesh is much smaller.
 [[nodiscard]] LostParts find_lost_parts(const Mesh& mesh, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -46,7 +46,7 @@ public:
 
     // Sets each field of a record for which the list has "section.FIELD", in the order of the list: apply("fit", desc).
     // T is a struct of Record that starts with struct_size. Texts of the record point into this object. Two sections
-    // have rules of their own:
+    // have special rules:
     //   "fit"            "auto" of regularization sets its mode AUTO. normal_mode is skipped: Options read it
     //   "style.layers"   `share` is multiplied
     template <class T>

@@ -435,8 +435,8 @@ void append_decimals(String& text, double number) {
     const Decimal decimal = decimal_of(number);
     const std::string_view digits(decimal.digits.data(), decimal.count);
     if (decimal.is_negative) text += '-';
-    constexpr int least_fixed = -4;  // Smaller exponents are written with "e".
-    constexpr int end_of_fixed = 16; // This exponent and larger ones are written with "e".
+    constexpr int least_fixed = -4;  // Numbers with smaller exponents are written with "e".
+    constexpr int end_of_fixed = 16; // Numbers with this exponent and larger ones are written with "e".
     if (decimal.exponent < least_fixed || decimal.exponent >= end_of_fixed) {
         text += digits[0];
         if (digits.size() > 1) (text += '.') += digits.substr(1);

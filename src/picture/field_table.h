@@ -99,7 +99,7 @@ void store_text(const NamedField& field, const char* text, void* record) noexcep
 // Appends the shortest decimals that read as the same number, as Python writes them: "1.0", "0.05", "1e-07". The number
 // must be finite.
 void append_decimals(String& text, double number);
-// If the number is exactly a float, returns the number that the shortest decimals of the float stand for: 0.1 for 0.1F.
+// If the number is exactly a float, returns the number that the shortest decimals of the float say: 0.1 for 0.1F.
 // Otherwise returns the number itself.
 [[nodiscard]] double shortest_decimals(double number) noexcept;
 

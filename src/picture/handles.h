@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Wraps the library's own handles as values, and its calls as functions that throw.
 //
-// The picture code is the first user of hrbfnpr.h: a caller can do everything that it does.
+// The picture code uses only hrbfnpr.h, so a caller can do everything that the picture code does.
 #pragma once
 
 #include "base/status.h"

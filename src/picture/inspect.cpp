@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Inspects points and meshes in the order in which a picture uses them. Values that stand for missing data and strays
-// are removed. Then follow positions, duplicates, the topology of a mesh, normals, and the up direction. A note tells a
-// repair that a picture would make, and a warning tells what may go wrong.
+// Inspects points and meshes in the order in which a picture uses them. Strays and values that mark missing data are
+// removed. Then follow positions, duplicates, the topology of a mesh, normals, and the up direction. A note names a
+// repair that a picture would make, and a warning names a risk.
 #include "picture/inspect.h"
 
 #include "api/barrier.h"
@@ -131,7 +131,8 @@ std::uint32_t look_of_found(std::uint32_t found) noexcept {
     }
 }
 
-// Does the same for points along curves, where neighbours and winding numbers say nothing about normals.
+// Finds which way the normals of points along curves point, where neighbours and winding numbers say nothing about
+// normals.
 void inspect_orientation_on_curves(const Call& call, const InspectedSamples& samples, hrbfnpr_source_info& info) {
     Report& report = call.report;
     std::uint32_t found = HRBFNPR_NORMALS_GIVEN;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A line set is made in four steps. The lines that are found once are listed. The edges of a mesh are joined to
-// polylines, for models without creases of their own. The end of the surface is decided. The library finds the lines.
+// polylines, for models without creases. The end of the surface is decided. The library finds the lines.
 #include "picture/lines.h"
 
 #include "base/assert.h"
@@ -36,7 +36,7 @@ hrbfnpr_line_desc LinesOnce::view() const noexcept {
 
 namespace {
 
-// The sharp edges of a mesh, each as one of its two sides.
+// The sharp edges of a mesh. Each edge is given by one of its two sides.
 struct SharpEdges {
     struct Edge {
         std::int64_t from, to; // numbers of places
@@ -265,7 +265,7 @@ LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation*
 }
 
 // Returns the support limit of the line set, beyond which the surface ends for lack of samples. It is 0, which is no
-// limit, unless a border is wanted. A trimmed model has a border of its own and needs no limit.
+// limit, unless a border is wanted. A trimmed model already has a border and needs no limit.
 double support_of_lines(const hrbfnpr_model& model, const Vector<WantedLine>& wanted) {
     auto trim = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_trim_info(&model, &trim, error); });

@@ -331,8 +331,8 @@ void tell_divided(const Call& call, const Divided& found) {
                               percent_of(found.coarseness, 2, pool).c_str(), divided.c_str()));
 }
 
-// Makes a mesh round where it is coarse but stands for a round shape, and keeps its sharp edges, as far as the two can
-// be distinguished.
+// Makes a mesh round where it is coarse but approximates a round shape, and keeps its sharp edges, as far as the two
+// can be distinguished.
 Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     Pool& pool = call.pool;
     const Options& options = call.options;
@@ -437,8 +437,8 @@ struct MeshGroup {
     std::shared_ptr<const Shape> shape;
 };
 
-// Tells whether there may be several surfaces. There is only one if the caller asks for one, or for a plate, which
-// shows one.
+// Tells whether there may be several surfaces. There is only one if the caller asks for one surface, or for a plate,
+// which shows one surface.
 bool may_be_apart(const Options& options) {
     const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
                            options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
@@ -477,7 +477,7 @@ MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole,
     return {std::move(made), std::move(shape)};
 }
 
-// Returns the mesh itself, or groups of parts that make no surface together, the largest first.
+// Returns the mesh itself, or groups of parts that cannot belong to one surface, the largest first.
 Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
     Vector<MeshGroup> groups(&call.pool);
     std::optional<FaceGroups> found;

@@ -12,7 +12,7 @@ struct NormalsLook {
     double closed = 0.0;
     double against = 0.0;    // the share of normals that oppose nearly all their neighbours
     double flipped = 0.0;    // the share of normals that, flipped at random, would make as many neighbours differ
-    double outside_in = 0.0; // the share of negative sums among those that are far enough from 0 to tell
+    double outside_in = 0.0; // the share of negative sums, among the sums that differ enough from 0
 
     // Tells whether all normals point inward, for a surface that is closed except for holes.
     [[nodiscard]] bool inward() const noexcept;
@@ -20,7 +20,7 @@ struct NormalsLook {
     [[nodiscard]] bool mixed() const noexcept;
 };
 
-// Examines winding numbers and neighbours. `even` tells that all samples stand for the same area. There is one unit
+// Examines winding numbers and neighbours. `even` tells that all samples represent the same area. There is one unit
 // normal for each point.
 [[nodiscard]] NormalsLook look_at_normals(const Points& points, const Points& normals, bool even, Pool& pool);
 
@@ -70,7 +70,7 @@ void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info);
 // is a constant HRBFNPR_NORMALS_*; GIVEN keeps the normals.
 [[nodiscard]] String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
                                     std::uint32_t mode, const SeenFrom& seen);
-// Does the same with the library's normals, whatever the given ones look like.
+// Turns the normals of points outward as settle_normals() does, but always replaces the given normals by the library's.
 [[nodiscard]] String repaired_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
                                       std::uint32_t mode, const SeenFrom& seen);
 

@@ -149,7 +149,7 @@ void change_style(const Call& call, Style& style) {
     if (call.options.has(HRBFNPR_PICTURE_TRANSPARENT)) style.base.paper[3] = 0.0F;
 }
 
-// Applies the changes "style.KIND.F" in order. A kind that is named for the first time gets an element of its own.
+// Applies the changes "style.KIND.F" in order. A kind that is named for the first time gets a new element.
 void change_kinds(const Call& call, Style& style) {
     for (const Change& change : call.options.changes.list()) {
         const ChangedField path = parts_of_path(change.path);
@@ -281,7 +281,7 @@ void set_budget(LayerPlan& layer, std::int64_t budget) noexcept {
     layer.has_budget = true;
 }
 
-// Plans few marks where a style draws lines alone, because lines find their hidden parts without marks.
+// Plans few marks for a style that draws lines alone, because lines find their hidden parts without marks.
 void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
     const bool shows_marks = std::any_of(style.layers.begin(), style.layers.end(),
                                          [](const hrbfnpr_layer_style& layer) { return layer.shown != 0; });

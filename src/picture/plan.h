@@ -33,7 +33,7 @@ namespace hrbfnpr::picture {
 [[nodiscard]] PointSet generate_marks(const Call& call, const Model& model, const Marks& marks);
 
 // Returns the sides of the surface on which marks are drawn (HRBFNPR_SIDES_*). The inside of a surface that ends is
-// visible, too. A null model stands for a point set.
+// visible, too. A null model means that a point set is drawn.
 [[nodiscard]] std::uint32_t sides_of(const Call& call, const Model& model);
 
 } // namespace hrbfnpr::picture

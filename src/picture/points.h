@@ -7,7 +7,7 @@
 
 namespace hrbfnpr::picture {
 
-// Removes faces with a corner that is not finite, and points at a value that stands for missing data.
+// Removes faces with a corner that is not finite, and points whose coordinates mark missing data.
 void leave_out_unusable(const Call& call, Shape& shape);
 
 // Tells whether points have normals that are not all zero.

@@ -55,7 +55,7 @@ std::string_view field_of(std::string_view option) noexcept {
 }
 
 bool is_number(std::string_view text) noexcept {
-    if (text == "N") return true; // It stands for a number.
+    if (text == "N") return true; // "N" is a placeholder for a number.
     return parse_number(text).has_value();
 }
 

@@ -78,7 +78,8 @@ private:
     friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               std::string_view advice = {});
-    // Returns the entry of an earlier call's stage of the same kind; null if there was none or planning goes on.
+    // Returns the entry of an earlier call's stage of the same kind; null if there was none, or if planning has not
+    // ended.
     [[nodiscard]] FinishedStage* kept_before(std::uint32_t stage) noexcept;
     const FinishedStage& keep(FinishedStage&& finished);
 

@@ -84,7 +84,7 @@ bool keep_points(Shape& shape, const PointMask& kept, Pool& pool) {
         keep_joined(shape.triangles, kept, number);
         keep_joined(shape.sharp_edges, kept, number);
     } else {
-        shape.columns = shape.rows = 0; // Without some of its points it is no image.
+        shape.columns = shape.rows = 0; // An image without some of its points is no longer an image.
     }
     keep_elements(shape.points, kept);
     if (!shape.normals.empty()) keep_elements(shape.normals, kept);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds points that lie too far away, since they would shrink all others to a dot in the picture. They are values that
-// stand for missing data, and strays.
+// Finds points that lie too far away, since they would shrink all others to a dot in the picture. Such points are
+// strays, or values that mark missing data.
 #pragma once
 
 #include "picture/shape.h"
@@ -16,7 +16,7 @@ struct NoData {
     double value = 0.0;
 };
 
-// Removes points with a coordinate that stands for missing data and is far below all others, together with their faces.
+// Removes points with a coordinate that marks missing data and is far below all others, together with their faces.
 NoData leave_out_no_data(Shape& shape, Pool& pool);
 
 // Removes the points that far_from_most() finds, and returns their number.

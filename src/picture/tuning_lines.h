@@ -11,7 +11,7 @@ struct LinesTuning {
     // Creases at most this long on average are the facets of a rounded shape, in diagonals of the shape. Larger: more
     // shapes lose their short creases.
     double mean_facet = 0.05;
-    // Such a shape keeps creases longer than this, in diagonals of the shape. Larger: fewer stay.
+    // A rounded shape keeps creases longer than this, in diagonals of the shape. Larger: fewer stay.
     double long_crease = 0.06;
     // Lines may be missing if more than this share of the triangles faces away from the surface. Larger: the warning
     // comes later.

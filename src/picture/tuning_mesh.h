@@ -7,9 +7,10 @@
 
 namespace hrbfnpr::picture {
 
-// Inspection, division and fit of a mesh. Set on figures, machine parts and balls of 80 to 300 000 faces.
+// Inspection, division and fit of a mesh. Tuned on figures, machine parts and balls of 80 to 300 000 faces.
 struct MeshTuning {
-    // The number of samples that decide which way a mesh faces and which direction is up. Larger: surer, in more time.
+    // The number of samples that decide which way a mesh faces and which direction is up. Larger: more reliable, in
+    // more time.
     std::int64_t looked_at = 2000;
     // The number of samples if neither the fit nor the options choose it. Larger: finer surfaces, in more time.
     std::int64_t samples = 1000;
@@ -50,7 +51,7 @@ struct MeshTuning {
 };
 inline constexpr MeshTuning mesh_tuning;
 
-// Parts of an open mesh that are surfaces of their own, lost parts, and leftover faces.
+// Parts of an open mesh that are separate surfaces, far crumbs, and leftover faces.
 struct ApartTuning {
     // Parts nearer than this, in diagonals, disturb each other. Larger: more groups.
     double near = 0.02;
@@ -70,7 +71,7 @@ struct ApartTuning {
 };
 inline constexpr ApartTuning apart_tuning;
 
-// Division of meshes that stand for a round shape.
+// Division of meshes that approximate a round shape.
 struct SubdivideTuning {
     // The limit of faces after the last round. Larger: some gigabytes of memory more.
     std::int64_t most_faces = 4'000'000;

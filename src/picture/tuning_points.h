@@ -29,11 +29,11 @@ struct PointsTuning {
 };
 inline constexpr PointsTuning points_tuning;
 
-// The direction of normals. Set on balls, tori, knots, plates and scans with some normals turned.
+// The direction of normals. Tuned on balls, tori, knots, plates and scans with some normals turned.
 struct NormalsTuning {
-    // At most this many samples represent all. Larger: surer, and more time.
+    // At most this many samples represent all. Larger: more reliable, and more time.
     std::size_t most_sources = 2500;
-    // The winding number is computed at this many samples. Larger: surer, and more time.
+    // The winding number is computed at this many samples. Larger: more reliable, and more time.
     std::size_t most_queries = 300;
     // A normal is compared with this many neighbours. Larger: smoother decisions, but thin parts look wrong.
     std::int64_t neighbours = 8;
@@ -90,7 +90,7 @@ inline constexpr NormalsTuning normals_tuning;
 
 // Points that lie far from all others.
 struct StraysTuning {
-    // Coordinates that stand for missing data in terrain and scanner formats.
+    // Coordinates that mark missing data in terrain and scanner formats.
     std::array<double, 7> no_data{
         -9999.0, -99999.0, -999999.0, -32767.0, -32768.0, -3.4028234663852886e38, -1.7976931348623157e308};
     // A few points are removed if they are this many times as far from the middle as all others. Larger: fewer are
@@ -141,7 +141,7 @@ inline constexpr EndsTuning ends_tuning;
 
 // Defects that an inspection finds in a source.
 struct InspectTuning {
-    // This many samples of a mesh show its normals and its up direction. Larger: surer, and more time.
+    // This many samples of a mesh show its normals and its up direction. Larger: more reliable, and more time.
     std::size_t mesh_samples = 1000;
     // A source loses details in single precision, which has seven digits, if its middle is farther from the origin than
     // this, in diagonals.

@@ -6,7 +6,7 @@
 
 namespace hrbfnpr::picture {
 
-// The lines of a view. Set on bracket, a flanged bush, lamp, gargoyle.
+// The lines of a view. Tuned on bracket, a flanged bush, lamp, gargoyle.
 struct ViewLinesTuning {
     // The size in mm of a pixel of the drawings that supply the lines, which are exact to a twentieth of it. Larger:
     // faster, with rougher lines.
@@ -22,7 +22,7 @@ struct ViewLinesTuning {
     // A ray from an edge of a mesh begins this far outside the surface, in diagonals, because the fit may be that far
     // from the edge. Larger: edges in narrow grooves look visible. Smaller: edges hide themselves.
     double off_edge = 0.006;
-    // The same distance for lines on the surface itself.
+    // A ray from a line on the surface itself begins this far outside the surface, in diagonals.
     double off_surface = 5e-4;
     // Contours up to this size, in mm, are ripples of the fit if the model has sharp edges. Larger: more contours are
     // left out.
@@ -69,7 +69,7 @@ inline constexpr SightTuning sight_tuning;
 struct ViewOrderTuning {
     // Nearly parallel lines nearer than this are one line. Larger: fewer double lines, and narrow gaps close.
     double reach = 0.35;
-    // The same distance for lines that are not sharp.
+    // Nearly parallel lines that are not sharp are one line if they are nearer than this.
     double smooth_reach = 0.8;
     // The distance between the places of a line that are compared. Larger: faster, with rougher ends.
     double step = 0.15;
@@ -147,7 +147,7 @@ struct ViewsTuning {
     // A plane is one of symmetry if nine of ten mirrored samples are this near to the surface, in diagonals.
     double symmetric = 0.004;
     double symmetric_percent = 90.0;
-    // This many samples are mirrored. Larger: slower, and surer.
+    // This many samples are mirrored. Larger: slower, and more reliable.
     std::int64_t mirrored = 1000;
     // A frame must have some marks. This many are placed, but none is drawn.
     std::int64_t marks = 20;

@@ -177,8 +177,9 @@ double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAx
     return least;
 }
 
-// Returns the axis, y or z, along which both sides are alike while along the other axis they are not; 0 if neither is.
-// Most objects have a left and a right that are alike, but few look the same above and below [Fu et al. 2008].
+// Returns the axis, y or z, along which both sides are alike while they differ along the other axis; 0 if there is no
+// such axis. Most objects have a left and a right that are alike, but few look the same above and below [Fu et al.
+// 2008].
 UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& pool) {
     if (points.size() < 8) return 0;
     base::Memory& memory = pool.memory();

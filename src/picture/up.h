@@ -10,7 +10,7 @@ namespace hrbfnpr::picture {
 
 struct FoundUp {
     glm::dvec3 direction;
-    String reason; // It follows "up is z: " in a note.
+    String reason; // The text that follows "up is z: " in a note.
 };
 
 // Finds the up direction from the samples of a surface and the data of its file. `shape` may be null. `normals` has one

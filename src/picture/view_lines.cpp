@@ -119,7 +119,7 @@ TracedLines joined(TracedLines parts, Pool& pool) {
     for (const std::size_t number : order) {
         std::optional<TracedLine> line = ends.take(number);
         if (!line) continue;
-        for (const bool is_turned : {false, true}) { // It extends the line at its end, and then at its beginning.
+        for (const bool is_turned : {false, true}) { // The line is extended at its end, and then at its beginning.
             if (is_turned) turn_round(*line);
             while (!is_round(*line)) {
                 const std::optional<TracedLine> part = ends.take_next_at(line->points.back());
@@ -332,7 +332,7 @@ RaySamples even_samples(const Vector<double>& lengths, std::size_t steps, Pool& 
     return samples;
 }
 
-// Finds whether f is below 0 somewhere on each ray. It looks at finer steps where f is least.
+// Finds whether f is below 0 somewhere on each ray. It uses finer steps where f is least.
 void look_up_solid(const Sight& sight, const Points& starts, const Vector<double>& lengths, std::uint8_t* hidden) {
     const auto steps = static_cast<std::size_t>(sight_tuning.steps);
     RaySamples samples = even_samples(lengths, steps, sight.pool);

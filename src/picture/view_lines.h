@@ -24,7 +24,7 @@ struct Solid {
     Vector<std::uint32_t> smooth; // HRBFNPR_LINE_KIND_* of lines that are not sharp
     glm::dvec3 middle;
     double diagonal = 0.0;  // > 0
-    bool is_open = false;   // It is a sheet that ends, so either of its sides may be visible.
+    bool is_open = false;   // The object is a sheet that ends, so either of its sides may be visible.
     double lipschitz = 0.0; // the Lipschitz constant for rays, if the surface is open
 };
 

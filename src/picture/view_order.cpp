@@ -110,7 +110,8 @@ void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
             std::fill(free.begin() + static_cast<std::ptrdiff_t>(runs[i].begin),
                       free.begin() + static_cast<std::ptrdiff_t>(runs[i].end), std::uint8_t{1});
     }
-    // The line that replaces this one is within reach already before they meet, so free parts are extended by `reach`.
+    // Before the two lines meet, the line that replaces this one is already within reach, so free parts are extended by
+    // `reach`.
     const auto more = static_cast<std::size_t>(std::ceil(reach / tuned.step));
     for (const Run& run : runs_of(free, pool)) {
         if (!run.value) continue;
@@ -205,7 +206,7 @@ Vector<PaperLine> bridged(Vector<PaperLine> rest, Pool& pool) {
     while (!rest.empty()) {
         PaperLine line = std::move(rest.front());
         rest.erase(rest.begin());
-        for (int turn = 0; turn < 2; ++turn) { // It extends the beginning first, then the end.
+        for (int turn = 0; turn < 2; ++turn) { // The line is extended at its beginning first, then at its end.
             std::reverse(line.begin(), line.end());
             for (NextPiece next{}; find_next(line, rest, next);) {
                 PaperLine& part = rest[next.number];

@@ -359,8 +359,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
     }
     SheetContent content(options.line_width, options.hidden == HiddenLines::shown, pool);
     Stage stage(call.report, HRBFNPR_STAGE_VIEWS);
-    hrbfnpr_operation part(
-        call.context); // The stage cancels the calls of a view, which report no progress of their own.
+    hrbfnpr_operation part(call.context); // The stage cancels the calls of a view, which report no progress themselves.
     part.operation.be_part_of(&stage.operation()->operation);
     String names(&pool);
     const double scale = plan.layout.unit_scale;

@@ -34,8 +34,8 @@ struct Growth {
     }
 };
 
-// Reserves room for `count` marks in each column that grows. Checks for a cancel between the columns, because growing
-// one takes long.
+// Reserves room for `count` marks in each column that grows. Checks for cancellation between the columns, because
+// growing a column takes long.
 void make_room(Growth& growth, std::int64_t count, const base::Progress& progress) {
     marks::Marks& marks = growth.grown;
     const auto make = [&](auto&... column) { (make_room_long(column, count, progress), ...); };
@@ -44,7 +44,7 @@ void make_room(Growth& growth, std::int64_t count, const base::Progress& progres
     if (growth.by_curvature()) make(marks.bend, marks.curvature);
 }
 
-// Calls append(i) for the seeds that fit into the budget. Returns whether some did not.
+// Calls append(i) for the seeds that fit into the budget. Returns whether some seeds did not fit.
 template <class KeyOf, class Append>
 bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const Append& append,
                  const base::Progress& progress) {
@@ -96,8 +96,8 @@ bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const
     return thinning.active();
 }
 
-// Refines level by level, with steps of a third of the one before, until the budget cuts a level. refine(level, step,
-// progress) returns whether it did. `full` tells that level 0 was cut.
+// Refines level by level until the budget cuts a level. Each step is a third of the step before. refine(level, step,
+// progress) returns whether the budget cut the level. `full` tells that level 0 was cut.
 template <class Refine>
 void refine_levels(const Growth& growth, bool full, const base::Progress& progress, const Refine& refine) {
     HRBFNPR_ASSERT(growth.children > 0 && growth.settings.levels >= 0);
@@ -294,7 +294,8 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     geometry::VecArray landed(site.memory());
     geometry::VecArray landed_normal(site.memory());
     refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
-        // Places are numbered in steps of the last level that was asked for. The children lie backward and forward.
+        // Places along strokes are numbered in steps of the finest level that was asked for. The children lie backward
+        // and forward.
         const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - level));
         const auto place_of = [&](std::int64_t i) { return marks.place[i / 2] + (i % 2 == 0 ? -finest : finest); };
         const auto key_of = [&](std::int64_t i) { return stroke_key(marks.stroke[i / 2], place_of(i)); };

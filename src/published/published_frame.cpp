@@ -112,7 +112,7 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
                                                             : front_push(radius, mark.nu, mark.pixels_per_unit));
 }
 
-// Returns the depth of ink. Ink is pulled toward the eye by its own radius, so that it lies over the paper of its own
+// Returns the depth of ink. Ink is pulled toward the eye by its own radius, so that it lies over the paper of the same
 // layer.
 [[nodiscard]] float ink_depth(const Mark& mark, float radius) noexcept {
     return mark.depth - radius / mark.pixels_per_unit;

@@ -255,7 +255,8 @@ struct Landed {
     std::uint8_t kept = 0, strayed = 0;
 };
 
-// Makes the projections of a trial: its own, and then others around that one in the tangent plane.
+// Makes the projections of a trial: first the projection of the trial itself, then others around it in the tangent
+// plane.
 [[nodiscard]] Landed land(const marks::Site& site, const JudgedCells& judged, const glm::dvec3& trial,
                           std::uint32_t first_ticket, double distance, const glm::dvec3& gradient, std::uint32_t count,
                           Projection* to) noexcept {
@@ -396,7 +397,7 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
 
 // ---- 4. Both kinds together
 
-// Stores the candidates of both kinds cell by cell. Each cell has groups of its own; cells without candidates are left
+// Stores the candidates of both kinds cell by cell. Each cell has separate groups; cells without candidates are left
 // out.
 void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates) {

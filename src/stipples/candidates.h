@@ -90,7 +90,7 @@ struct LayerCandidates {
     std::uint32_t rounds = 0;
     double trials = 0.0;
     std::int64_t near = 0;    // the number of projections of trials within the band
-    std::int64_t strayed = 0; // the number of those that are outside the region or its cells
+    std::int64_t strayed = 0; // the number of those projections that are outside the region or its cells
     bool all_bent = false;    // one step was not enough even where the planes of cells are right
 };
 

@@ -44,7 +44,7 @@ struct Judged {
 }
 
 // The flood skips cells that the plane of this cell puts too far off; a neighbour's plane may still reach them. If
-// planes have been wrong, as at a sharp rim or if the function is not a distance, the flood goes everywhere.
+// planes have been wrong, the flood goes everywhere. This happens at a sharp rim, or if the function is not a distance.
 [[nodiscard]] std::uint32_t onward_from(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
                                         bool anywhere) noexcept {
     const double side = cells.grid.side;

@@ -115,11 +115,11 @@ struct StippleTuning {
     // A candidate may move into its gap if its distance from marks is at least this share of the kept distance.
     // Smaller: more gaps are tried in vain.
     double nearness = 0.8;
-    // It aims at a place that is this factor farther from marks than the kept distance. Larger: fewer moves fail by
-    // rounding.
+    // A candidate that moves into its gap aims at a place that is this factor farther from marks than the kept
+    // distance. Larger: fewer moves fail by rounding.
     double aim = 1.02;
-    // It moves at most this share of a side of the candidates' cells; farther away, candidates are not true to the
-    // surface.
+    // A candidate moves by at most this share of a side of the candidates' cells, because farther away candidates do
+    // not lie on the surface.
     double farthest_move = 0.25;
     // After a failed move, the candidate's squared distance is set to this share of the needed one. Larger: more
     // trials.

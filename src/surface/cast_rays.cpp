@@ -42,7 +42,7 @@ struct Ray {
     double low = 0.0;   // the bracket of a root [low, high], and the last change of s in it
     double high = 0.0;
     double change = 0.0;
-    double behind = 0.0; // s and f of the bracket's far end as found, from which the march goes on
+    double behind = 0.0; // s and f of the bracket's far end as found; the march continues from there
     double behind_value = 0.0;
     std::int32_t evaluations = 0;
     std::int32_t hits = 0;

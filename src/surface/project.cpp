@@ -127,7 +127,7 @@ void ProjectedBatch::evaluate(const base::Progress& progress) {
     implicit_.evaluate({x_.data(), y_.data(), z_.data(), static_cast<std::int64_t>(active_count_)}, fields);
 }
 
-// Accepts or rejects the evaluated trial of a lane. Returns whether the search goes on for the point.
+// Accepts or rejects the evaluated trial of a lane. Returns whether the search continues for the point.
 bool ProjectedBatch::take_trial(Projection& points, std::size_t lane) noexcept {
     const std::size_t i = active_[lane];
     const double f = f_[lane];

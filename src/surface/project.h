@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Projection onto the surface by steepest descent on f^2 with Armijo's rule.   [NPAR 4.2]
-// At a crease descent goes to and fro between sheets, with ever shorter steps. Points that it does not bring onto the
-// surface are then projected onto the sheets that meet there (project_creases.h). Minima and maxima of parts also have
-// local minima of |f| off the surface, as between two parts of an intersection. The surface is searched for around such
-// points, and also where a bound on |grad f| is known (project_search.h).
+// At a crease descent goes back and forth between sheets, with ever shorter steps. Points that it does not bring onto
+// the surface are then projected onto the sheets that meet there (project_creases.h). Minima and maxima of parts also
+// have local minima of |f| off the surface, for example between two parts of an intersection. The surface is searched
+// for around such points, and also where a bound on |grad f| is known (project_search.h).
 #pragma once
 
 #include "base/memory.h"

@@ -99,7 +99,7 @@ private:
     double least_sharpness_ = 0.0;
     base::Array<std::uint8_t> surrounded_;
     geometry::CellGrid grid_;
-    geometry::CellSet kept_, ends_; // where the surface goes on, and where it may end, if limit_ > 0
+    geometry::CellSet kept_, ends_; // where the surface continues, and where it may end, if limit_ > 0
     double limit_ = 0.0;
 };
 

@@ -99,7 +99,7 @@ constexpr std::int64_t pairs_a_task = 16;
 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-// A place on a curve in the image, and its velocity as the curve goes on.
+// A place on a curve in the image, and its velocity along the curve.
 struct Moving {
     glm::dvec3 point;
     glm::dvec2 place, velocity; // pixels
@@ -165,7 +165,7 @@ Grid make_grid(base::Memory& memory, const ImageLines& lines) {
     grid.side = std::max(grid.side, std::sqrt(size.x * size.y / visibility_tuning.most_cells));
     grid.columns = static_cast<std::int64_t>(size.x / grid.side) + 1;
     grid.rows = static_cast<std::int64_t>(size.y / grid.side) + 1;
-    // Counting sort. An element of `begin` holds first the count of the cell two places before it, then the begin of
+    // Counting sort. An element of `begin` holds first the count of the cell two places before it, then the start of
     // the cell one place before it, and at last the end of that cell.
     grid.begin.resize(grid.columns * grid.rows + 2);
     for_cells(lines, grid, [&](std::int64_t, std::int64_t cell) { ++grid.begin[cell + 2]; });
@@ -322,7 +322,7 @@ double least_gap_of(const Scene& in, const OnLine& a, const OnLine& b) noexcept 
 }
 
 // Fills `crossing`. `turn` > 0: the second image direction is clockwise from the first, as seen. Returns false if the
-// two curves are the same, as beside a cusp, so that they do not cross.
+// two curves are the same, so that they do not cross. This happens beside a cusp.
 bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Crossing& crossing) noexcept {
     const Moving p = moving_at(in, a);
     const Moving q = moving_at(in, b);

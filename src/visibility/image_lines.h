@@ -35,7 +35,7 @@ struct Subject {
     std::int32_t sheets = 2; // the number of sheets that begin or end at these curves: 2 for a contour or for a crease
                              // that is a contour, 1 for a border, 0 for other lines
     bool mirrored = false;   // the image shows the surface mirrored
-    bool joined = false;     // open curves end at other curves, as at the corners of a crease
+    bool joined = false;     // open curves end at other curves, for example at the corners of a crease
 };
 
 // The cubic between two points of a curve.
@@ -90,13 +90,13 @@ class Lengths {
 public:
     Lengths(base::Memory& memory, const ImageLines& lines);
 
-    // The length from the line's begin to a place, in pixels. It is measured along the chord that the share lies on,
-    // because the image of a cubic is not passed at one speed, least of all at a cusp.
+    // The length from the line's start to a place, in pixels. It is measured along the chord on which the share lies,
+    // because the image of a cubic is not traversed at constant speed, least of all at a cusp.
     [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
-    // The length from the line's begin to a point of the image, in pixels.
+    // The length from the line's start to a point of the image, in pixels.
     [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
     [[nodiscard]] double whole(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
-    // The last piece of the line that begins at `at` or before it.
+    // The last piece of the line that begins at the length `at` or before it.
     [[nodiscard]] std::int64_t piece_at(const Line& line, double at) const noexcept;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Counts sheets along lines. Each round draws the lines and finds their crossings. Events are the places where a line's
-// number changes (collect_events). The parts between events get numbers relative to the line's begin (parts_of). A few
+// number changes (collect_events). The parts between events get numbers relative to the line's start (parts_of). A few
 // rays (best_ray, send_rays) say how much has to be added to all parts of a line (set_numbers). Lines whose changes and
 // rays contradict each other are made finer for the next round (refine_curves). In the last round, each part of such a
 // line gets the number of its own ray (settle). The outline is counted the same way, by rays that come from beyond the
@@ -101,7 +101,7 @@ Ray best_ray(const Counting& in, const Interval& part) noexcept {
     return best;
 }
 
-// Adds the `most` rays with the best scores among those of the line's parts.
+// Adds the `most` rays with the best scores among the rays of the line's parts.
 void add_rays(const Counting& in, std::span<const Interval> parts, std::int64_t most, base::Array<Ray>& rays) {
     base::Array<Ray> all(in.memory());
     for (const Interval& part : parts) all.push_back(best_ray(in, part));
@@ -149,7 +149,7 @@ void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
     }
 }
 
-// Turns numbers relative to a line's begin into absolute numbers. Certain rays decide, or all rays if no ray is
+// Turns numbers relative to a line's start into absolute numbers. Certain rays decide, or all rays if no ray is
 // certain. Returns false if rays contradict each other or a number would be negative.
 bool set_numbers(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
     const auto relative = [&](double at) {
@@ -209,7 +209,7 @@ std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::i
     return uncertain;
 }
 
-// Returns the parts of a line between its events. Their numbers are relative to the line's begin or, for a closed line,
+// Returns the parts of a line between its events. Their numbers are relative to the line's start or, for a closed line,
 // to its first event.
 base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::span<const Event> events) {
     const Line& line = in.line(number);
@@ -338,8 +338,8 @@ struct BesideChange {
     std::int32_t change;
 };
 
-// Finds these changes at crossings. At a crossing, each of the two lines enters or leaves the image of the other's
-// surface.
+// Finds the places where the number of sheets beside a line changes. At a crossing, each of the two lines enters or
+// leaves the image of the other's surface.
 base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<Crossing>& crossings,
                                          std::span<const std::uint8_t> wanted) {
     base::Array<BesideChange> changes(in.memory());
@@ -364,7 +364,7 @@ base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<C
     return changes;
 }
 
-// Adds the stretches of a visible part between the changes of its line, with numbers relative to the line's begin. An
+// Adds the stretches of a visible part between the changes of its line, with numbers relative to the line's start. An
 // interval of a closed line may go round the line's end, so the changes of the line are applied a second time.
 void add_stretches(const Counting& in, const Interval& part, std::span<const BesideChange> changes,
                    base::Array<Interval>& stretches) {
@@ -439,7 +439,7 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
         const double high = group.end + 1e-9 * size;
         return e.near_piece < 0 && ((e.at >= low && e.at <= high) || (line.closed && e.at + whole <= high));
     };
-    // The distance from the group's begin along the line, by the shorter way around a closed one.
+    // The distance from the group's start along the line, by the shorter way around a closed one.
     const auto from_begin = [&](const CuspGroup& group, double at) {
         const double way = at - group.begin;
         return line.closed ? way - whole * std::round(way / whole) : way;

@@ -69,10 +69,10 @@ struct Interval {
 struct InvisibilityReport {
     CrossingReport crossings;
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
-    std::int64_t rounds = 0;         // rounds in which the curves were made finer
-    std::int64_t refined = 0;        // lines that contradicted themselves at first
-    std::int64_t settled = 0;        // lines that still do at the end: each of their parts gets the number of its own
-                                     // ray
+    std::int64_t rounds = 0;  // rounds in which the curves were made finer
+    std::int64_t refined = 0; // lines that contradicted themselves at first
+    // Lines that still do so at the end: each of their parts gets the number of its own ray.
+    std::int64_t settled = 0;
     std::int64_t contradictions = 0; // settled lines with a part whose ray is not certain
 };
 

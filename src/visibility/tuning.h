@@ -33,8 +33,9 @@ struct VisibilityTuning {
     double most_cells = 1.0e6;
     // Segments farther than this outside the image go into the outermost cells of the grid, in pixels.
     double grid_end = 1.0e4;
-    // A cell with more than this many crossings per segment is a tangle, and its crossings are ignored. In a tangle
-    // lines run to and fro over one another within a pixel, as contours do on a flat face that is seen edge-on.
+    // A cell with more than this many crossings per segment is a tangle, and its crossings are ignored. In a tangle,
+    // lines run back and forth over one another within a pixel. This happens with contours on a flat face that is seen
+    // edge-on.
     int most_of_segment = 16;
     // A cell with more segments than this is a tangle, too. Larger: more time for tangles.
     int most_segments = 4096;
@@ -48,9 +49,11 @@ struct VisibilityTuning {
     // Curves that are nearer than this to each other at a crossing are the same curve, in sides of the mesh. Larger:
     // crossings of surfaces that nearly touch are lost.
     double least_gap = 1e-5;
-    // `least_gap` for a line that crosses itself, since it turns back at a cusp. Larger: small loops are lost.
+    // The value of `least_gap` for a line that crosses itself, since it turns back at a cusp. Larger: small loops are
+    // lost.
     double least_loop = 0.02;
-    // `least_gap` for a border or another line and the contours of its own surface, since their images touch.
+    // The value of `least_gap` for a border or another line and the contours of the same surface, since their images
+    // touch.
     double touching = 0.05;
 
     // ---- Verification of crossings

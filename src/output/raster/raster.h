@@ -105,7 +105,7 @@ struct Rect {
 [[nodiscard]] inline float from_linear(float light) noexcept {
     return light <= 0.0031308F ? light * 12.92F : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
 }
-// The same for premultiplied colours; alpha does not change.
+// Converts premultiplied colours in the same way; alpha does not change.
 [[nodiscard]] inline glm::vec4 to_linear(const glm::vec4& c) noexcept {
     if (!(c.w > 0.0F)) return glm::vec4(0.0F);
     return {to_linear(c.x / c.w) * c.w, to_linear(c.y / c.w) * c.w, to_linear(c.z / c.w) * c.w, c.w};

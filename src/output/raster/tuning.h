@@ -15,9 +15,9 @@ struct RasterTuning {
     // The greatest error of an arc's chords, in pixels; it is multiplied by the chord's length if that is below a
     // pixel. Larger: fewer chords.
     double arc_tolerance = 0.006;
-    // The same for an arc of one chord, whose error is all on one side.
+    // The greatest error of an arc of one chord, in pixels; its error is all on one side.
     double chord_tolerance = 0.0008;
-    // Both are multiplied by this where arcs may overlap, since their errors add up.
+    // The tolerances of arcs and chords are multiplied by this where arcs may overlap, since their errors add up.
     double finer = 0.2;
     // A quarter circle has at most two to the power of this many chords.
     int most_halvings = 6;

@@ -74,7 +74,8 @@ double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const 
     return distance / most + turn / plot_tuning.sharpest_join;
 }
 
-// Returns the pairs that may be joined, cheapest first. Sets goes_on for lines that another opacity continues.
+// Returns the pairs that may be joined, cheapest first. Sets goes_on for lines that a line of another opacity
+// continues.
 base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity, const base::Progress& progress) {
     const base::Array<End> ends = ends_of(lines, progress);
     base::Memory& memory = lines.points.memory();

@@ -52,7 +52,7 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
 [[nodiscard]] bool is_wider_than(double pen, std::span<const PagePoint> points) noexcept;
 // Replaces lines that are wider than their pen by lines of the pen's width, and returns the number of lines replaced.
 // The passes are evenly spaced along the line, and two follow its sides; each pass exists only where the line is wide
-// enough. Passes whose ends are close become one line, drawn to and fro.
+// enough. Passes whose ends are close become one line, drawn back and forth.
 std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress& progress);
 
 // A stop of a tour: an open line that may be drawn either way, a closed line that may start at any point, or a dot (one

@@ -88,7 +88,7 @@ struct PlotTuning {
     // shorter tours of many stops, more time.
     std::int64_t longest_reversed = 50000;
     std::int64_t longest_kicked = 1000;
-    // Moves alternate with turning closed lines at most this many times.
+    // The tour's moves and the search for better starts of closed lines alternate at most this many times.
     int most_rounds = 4;
     // The least gain of a move, mm. It is above rounding errors.
     double least_gain = 1e-9;
@@ -102,7 +102,7 @@ struct ShapeTuning {
     double least_radius = 0.005;
     // Outlines are cut at turns above the angle with this cosine, 30 degrees. Larger: more cuts.
     double sharp_cosine = 0.866;
-    // They are also cut where a turn leaves less than this share of a segment at its inner side.
+    // Outlines are also cut where a turn leaves less than this share of a segment at its inner side.
     double left_inside = 0.1;
 };
 inline constexpr ShapeTuning shape_tuning;

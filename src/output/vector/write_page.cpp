@@ -90,7 +90,7 @@ struct Cells {
         for (std::int64_t row = std::max<std::int64_t>(cell(y - radius - top, rows), 0); row <= bottom; ++row)
             for (std::int64_t column = first; column <= right; ++column) visit(row * columns + column);
     }
-    // The same for a stroke, sampled in steps of at most one cell.
+    // Calls visit(cell) for the cells that a stroke may touch, sampled in steps of at most one cell.
     template <class Visit>
     void for_stroke(const Drawing& drawing, const Stroke& stroke, const Visit& visit) const {
         const StrokePoint* const points = drawing.points.data() + stroke.first;
@@ -418,7 +418,7 @@ private:
 bool find_within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from, double& to) noexcept {
     if (!std::isfinite(a.x + a.y + b.x + b.y)) return false;
     const double dx = b.x - a.x, dy = b.y - a.y;
-    // For each side: how fast the segment moves towards it, and the distance from the start to the side.
+    // For each side of the frame: how fast the segment moves towards it, and the distance from the start to the side.
     const std::array<double, 4> speed{-dx, dx, -dy, dy};
     const std::array<double, 4> room{a.x - frame.left, frame.right - a.x, a.y - frame.top, frame.bottom - a.y};
     for (std::size_t side = 0; side < 4; ++side) {
