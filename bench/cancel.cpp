@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How long calls continue after a cancel from another thread, and how long their callbacks are silent.
+// How long calls continue after they are cancelled from another thread, and how long their callbacks are silent.
 //
 //   bench_cancel [--samples=100000] [--marks=1000000] [--dense=2048] [--faces=1000000] [--trials=20] [--threads=0]
 //                [--named=TEXT]

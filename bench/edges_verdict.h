@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a mesh stands for a shape with edges: generated meshes with a known answer, and the library's answer.
+// Whether a mesh approximates a shape with edges: generated meshes with a known answer, and the library's answer.
 #pragma once
 
 #include "calls.h"
@@ -20,8 +20,8 @@ using hrbfnpr::test::Triangles;
 
 using hrbfnpr::test::made;
 
-// The shape that a mesh stands for by construction: a smooth shape, a shape with edges between faces that may be round,
-// or a shape with flat faces only.
+// The shape that a mesh approximates by construction: a smooth shape, a shape with edges between faces that may be
+// round, or a shape with flat faces only.
 enum class Right { smooth, edges, flat };
 
 struct Model {

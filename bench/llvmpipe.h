@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same marks as point sprites of an OpenGL that runs on the processor: Mesa's llvmpipe, off screen.
+// Draws a drawing's marks as point sprites of an OpenGL that runs on the processor: Mesa's llvmpipe, off screen.
 #pragma once
 
 #include "orbit.h"

@@ -79,7 +79,7 @@ private:
                 discs_.push_back({-eye.z, at.x, at.y, double{pen.radius} * mark.width, 1.0, 0.0F});
         }
     }
-    // The paper is placed behind the ink of its own surface.
+    // The paper is placed behind the ink of the same surface.
     void paper(const glm::dvec3& eye, const glm::dvec2& at, double radius, double alpha, double scale) {
         if (with_paper_)
             discs_.push_back({-eye.z + radius / scale, at.x, at.y, radius, std::clamp(alpha, 0.0, 1.0), 255.0F});

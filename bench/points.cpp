@@ -219,7 +219,8 @@ void run_growth(hrbfnpr_context* context) {
     }
 }
 
-// Reports the longest time from a cancel to the call's return, over generations that are cancelled later and later.
+// Reports the longest time from a cancellation to the call's return, over generations that are cancelled later and
+// later.
 void run_cancelling(hrbfnpr_context* context) {
     const Samples samples = bumpy(4096, 0.15);
     const scenes::Model warm = fit(context, samples);

@@ -111,7 +111,7 @@ template <class Found>
 void for_each_gap(const std::vector<DrawnStroke>& strokes, const GapSettings& settings, Found&& found) {
     const StrokeSegments segments(strokes);
     for (std::size_t s = 0; s < strokes.size(); ++s) {
-        double next = 0.5 * settings.step; // from the begin of the segment
+        double next = 0.5 * settings.step; // from the start of the segment
         for (std::size_t i = 0; i + 1 < strokes[s].size(); ++i) {
             const StrokePoint& a = strokes[s][i];
             const StrokePoint& b = strokes[s][i + 1];

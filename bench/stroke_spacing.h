@@ -18,8 +18,10 @@ struct Spacing {
 
 struct SpacingSettings {
     double separation;
-    double beside;     // neighbours are searched up to this far along the stroke, in separations
-    std::size_t apart; // marks of a stroke this many marks apart are neighbours, as where it winds round; 0: none
+    double beside; // neighbours are searched up to this far along the stroke, in separations
+    // Marks of one stroke count as neighbours if they are at least this many marks apart, for example where the stroke
+    // winds round; 0: never.
+    std::size_t apart;
 };
 
 // Measures the only layer of a set: from each seventh mark sideways to the next stroke that is parallel (within 45

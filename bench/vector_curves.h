@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Curves of an SVG against the lines that they stand for: how many points they need, and how far off they are.
+// Curves of an SVG against the lines that they replace: how many points they need, and how far off they are.
 #pragma once
 
 #include "drawn_stroke.h"
@@ -78,7 +78,7 @@ struct CurveLine {
     return most;
 }
 
-// Finds the part of a stroke that a path stands for by its two ends, which are exact.
+// Finds the part of a stroke that a path replaces, from the path's two ends, which are exact.
 class StrokeParts {
 public:
     explicit StrokeParts(const std::vector<PageLine>& strokes) : strokes_(strokes) {

@@ -184,7 +184,7 @@ struct WriteMemory {
     double context_mb, resident_mb;
 };
 
-// Uses a context of its own, whose peak is that of writing alone.
+// Uses a separate context, whose peak is that of writing alone.
 [[nodiscard]] inline WriteMemory write_memory(const hrbfnpr_drawing* drawing, std::uint32_t format) {
     const scenes::Context context = make_context();
     scenes::Check check;

@@ -12,7 +12,7 @@ struct Field {
     std::string type; // type of one element
     std::size_t offset = 0;
     std::size_t count = 1;            // elements
-    std::vector<std::string> choices; // words that stand for numbers; empty: the field is not a choice
+    std::vector<std::string> choices; // words that mean numbers; empty: the field is not a choice
     std::uint32_t first_choice = 0;   // the number of the first word
 };
 

@@ -96,7 +96,7 @@ void mouse_on_canvas(App& app, Ui& ui) {
     const bool brushes = app.brush.kind != Brush::off;
     const bool is_down = ImGui::IsMouseDown(0) || ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2);
     if (!is_down) ui.holds = false;
-    if (over && !ui.holds && is_down) { // a drag begins here and goes on wherever the mouse moves
+    if (over && !ui.holds && is_down) { // a drag begins here and continues wherever the mouse moves
         ui.holds = true;
         ui.aims = ImGui::IsMouseDown(0) && app.scene() != nullptr &&
                   is_inside(io.MousePos, handle_centre(ui), handle_radius + 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs one long job on a thread of its own, reports its progress, and can cancel it.
+// Runs one long job on a separate thread, reports its progress, and can cancel it.
 #pragma once
 
 #include "handles.h"

@@ -66,7 +66,7 @@ template <class T>
     return full;
 }
 
-// Does the same for a struct that may be NULL, in which case all fields have their defaults.
+// Reads a struct that may be NULL, in which case all fields have their defaults.
 template <class T>
 [[nodiscard]] T read_optional_struct(const T* given, const char* name) {
     return given != nullptr ? read_struct(given, name) : defaults<T>();

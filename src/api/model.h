@@ -54,8 +54,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     }
     // The model without its trim; an untrimmed model returns itself.
     [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
-    // Records that no end of the surface was found, as with a closed surface. Call it before other threads know the
-    // model.
+    // Records that no end of the surface was found, for example because the surface is closed. Call it before other
+    // threads know the model.
     void looked_for_end(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // Returns the same function, prepared if that saves time for this number of evaluations. The first such call

@@ -27,7 +27,7 @@ public:
     }
     // Reports that the work is done: sets the progress to 1, and checks for cancellation for the last time.
     void finish() const { progress().update(1.0); }
-    // Does the same for a call that has already made a handle: if the operation was cancelled, the handle is released.
+    // Ends a call that has already made a handle. If the operation was cancelled, the handle is released.
     template <class T>
     [[nodiscard]] T* finish_with(T* handle) const {
         try {

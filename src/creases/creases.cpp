@@ -41,7 +41,7 @@ constexpr double meeting_tolerance = 1e-9; // the tolerance of places where shee
 
 // A node of an edge whose ends belong to different sheets.
 struct EdgeNode {
-    std::int64_t edge;                 // of the two opposite edges, the one that comes first
+    std::int64_t edge;                 // the edge that comes first among the two opposite edges
     std::array<std::int32_t, 2> ends;  // its start and end vertex
     std::array<std::int32_t, 2> sheet; // the sheets of both ends
     CreaseNode at;

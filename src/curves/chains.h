@@ -44,7 +44,7 @@ struct Chains {
 };
 
 // Calls part(begin, end, whole) for each maximal run of wanted points among the points 0 to count - 1. In a closed
-// chain indices continue past its end: i stands for point i % count. whole: all points of a closed chain are wanted.
+// chain indices continue past its end: i means point i % count. whole: all points of a closed chain are wanted.
 template <class Wanted, class Part>
 void for_parts(std::int64_t count, bool closed, Wanted&& wanted, Part&& part) {
     HRBFNPR_ASSERT(count >= 0);

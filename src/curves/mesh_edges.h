@@ -36,8 +36,8 @@ namespace hrbfnpr::curves {
 
 // Cuts triangles at the middles of the given edges, and brings the middles onto the surface; of each edge one of its
 // two sides is given. An edge stays whole if its middle moves farther than `farthest` of the edge's length. If `smooth`
-// is set, it also stays whole if the gradient at the middle points away from those at its ends, as across a thin wall.
-// Returns whether any edge was halved.
+// is set, it also stays whole if the gradient at the middle points away from those at its ends, which happens across a
+// thin wall. Returns whether any edge was halved.
 bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, const base::Array<std::int64_t>& edges,
                  double farthest, bool smooth, SurfaceMesh& mesh);
 

@@ -26,8 +26,8 @@ struct Window {
     DepthConvention depth = DepthConvention::negative_one_to_one;
 };
 
-// Tells whether the surface at a mark faces the camera, faces away, or is near a contour [NPAR 6]. `none` stands for no
-// mark, or for a mark outside the picture. The values equal the constants HRBFNPR_CLASS_*.
+// Tells whether the surface at a mark faces the camera, faces away, or is near a contour [NPAR 6]. `none` means that
+// there is no mark, or that it is outside the picture. The values equal the constants HRBFNPR_CLASS_*.
 enum class MarkClass : std::uint8_t { none = 0, front = 1, back = 2, silhouette = 3 };
 
 // Dots below `smallest_radius` are drawn paler instead of smaller. All rims fade over one pixel, `soft_rim` to either

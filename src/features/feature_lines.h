@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Curvatures of f = 0 and their derivatives, measured once and used for every view, with a mesh. The mesh is refined
-// where curvatures do not change between two vertices as their derivatives there predict, as around the samples of a
-// rough fit.
+// Curvatures of f = 0 and their derivatives, with a mesh. They are measured once and used for every view. The mesh is
+// refined where curvatures do not change between two vertices as their derivatives there predict. This happens for
+// example around the samples of a rough fit.
 //
 // Lines on the surface other than contours: suggestive contours, ridges, valleys, apparent ridges, parabolic lines,
 // isophotes, plane sections.

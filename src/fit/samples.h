@@ -14,7 +14,7 @@ struct Samples {
 
     geometry::VecArray position; // in the caller's coordinates
     geometry::VecArray normal;   // unit length
-    base::Array<double> value;   // the value of f, in the caller's unit; empty: 0, as on the surface
+    base::Array<double> value; // the value of f, in the caller's unit; empty: 0, because all samples are on the surface
     geometry::Bounds bounds;
     double spacing = 0.0; // mean distance to the nearest other sample; 0 for one sample
     std::int64_t merged = 0;

@@ -77,7 +77,7 @@ private:
 };
 
 // Returns the column of a function of degree l + 2 k. It comes after all functions of lower degrees, and after those of
-// its own degree with smaller k.
+// the same degree with smaller k.
 [[nodiscard]] int column_of(int l, int k, int number) noexcept {
     const int degree = l + 2 * k;
     int column = degree > 0 ? triharmonic_size(degree - 1) : 0;

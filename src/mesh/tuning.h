@@ -58,7 +58,7 @@ struct MeshTuning {
     double least_inset = 0.9;
     // The row replaces even samples that are within this many insets from the border. Larger: a gap beside the row.
     double replaced = 1.7;
-    // The row covers a place of the border if one of its own places is nearer than this many insets.
+    // The row covers a place of the border if one of the row's places is nearer than this many insets.
     double covered = 2.0;
     // The number of candidates for each even sample. Larger: slower, more even.
     std::int64_t candidates_each = 4;

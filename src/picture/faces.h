@@ -55,7 +55,7 @@ struct PlainEdge {
 // Returns the diagonal of the points' box, or NaN if a coordinate is NaN.
 [[nodiscard]] double box_diagonal_of(const Points& points) noexcept;
 
-// Sums each half of the numbers by itself (pairwise summation), so that rounding errors stay small.
+// Sums each half of the numbers separately (pairwise summation), so that rounding errors stay small.
 [[nodiscard]] double sum_in_pairs(std::span<const double> numbers) noexcept;
 
 // Returns a percentile, interpolated between the two nearest numbers. Returns 0 if there are no numbers. The numbers

@@ -3,8 +3,8 @@
 // number changes (collect_events). The parts between events get numbers relative to the line's start (parts_of). A few
 // rays (best_ray, send_rays) say how much has to be added to all parts of a line (set_numbers). Lines whose changes and
 // rays contradict each other are made finer for the next round (refine_curves). In the last round, each part of such a
-// line gets the number of its own ray (settle). The outline is counted the same way, by rays that come from beyond the
-// surface.
+// line gets the number that a ray to it finds (settle). The outline is counted the same way, by rays that come from
+// beyond the surface.
 #include "visibility/invisibility.h"
 
 #include "base/assert.h"

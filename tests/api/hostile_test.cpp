@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests functions, boxes, budgets and densities that make no sense: they are refused with a message, and a cancel
+// Tests functions, boxes, budgets and densities that make no sense: they are refused with a message, and cancellation
 // works.
 #include "fixture.h"
 

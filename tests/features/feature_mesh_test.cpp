@@ -18,7 +18,8 @@ base::Runtime& runtime() {
     return instance;
 }
 
-// The cloud has few samples with normals that lean to and fro, so the curvature changes from one sample to the next.
+// The cloud has few samples with normals that lean back and forth, so the curvature changes from one sample to the
+// next.
 fit_test::Cloud rough() {
     fit_test::Cloud cloud = fit_test::bumpy(300);
     for (std::size_t i = 0; i + 2 < cloud.normals.size(); i += 3) {

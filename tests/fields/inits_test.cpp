@@ -10,7 +10,7 @@
 namespace fields_test::inits_test {
 namespace {
 
-// These have no `_init`, or one with rules of its own (tests/api/version_test.cpp).
+// These have no `_init`, or one with special rules (tests/api/version_test.cpp).
 constexpr std::nullptr_t hrbfnpr_array_init = nullptr, hrbfnpr_array_out_init = nullptr, hrbfnpr_error_init = nullptr;
 
 // A struct of a newer version: today's struct with a tail.

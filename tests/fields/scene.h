@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A small scene with one of every descriptor; each descriptor can be run through to a picture by itself.
+// A small scene with one of every descriptor; each descriptor can be run through to a picture alone.
 #pragma once
 
 #include "api/struct_fields.h"

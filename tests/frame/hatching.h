@@ -143,7 +143,7 @@ protected:
         }
         return sum / (4.0 * half_width * half_height);
     }
-    // The same on the plane: the rectangle has whole periods of the coarsest lines, and begins between two lines.
+    // The hatching on the plane: the rectangle has whole periods of the coarsest lines, and begins between two lines.
     [[nodiscard]] double plane_ink(double half) const {
         const double pixels = 0.5 * size / half;
         const double periods = std::floor(std::min(0.9, 0.9 * half) / coarsest);

@@ -15,7 +15,7 @@ using frame::LayerStyle;
 using marks::Kind;
 using ::testing::ElementsAre;
 
-// Adds one mark that faces the eye, in a layer of its own.
+// Adds one mark that faces the eye, in a separate layer.
 marks::Layer& add_named(marks::PointSet& set, Kind kind, const char* name, double z) {
     marks::Layer& layer = set.layers.add(set.layers.memory(), kind);
     layer.name = {};

@@ -75,7 +75,7 @@ TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
     }
 }
 
-// With 100 marks on 400 pixels, discs of layers stand out of their own surface by more than the gap in front of it.
+// With 100 marks on 400 pixels, discs of layers stand out of their surface by more than the gap in front of it.
 TEST_F(LayersTest, ASparseSphereNeverDimsItsOwnFront) {
     for (const int count : {100, 300}) {
         const marks::PointSet set = clustered(runtime, sphere(runtime.memory, count));

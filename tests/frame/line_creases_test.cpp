@@ -266,8 +266,8 @@ TEST_F(LineCreases, ContinueWhereTheyStopBeingContours) {
 }
 
 // The contour ends there. If the continuing crease is drawn, the contour keeps its whole width. If the crease is too
-// weak and the sheet's own contour turns back, hidden behind it, the contour has a taper, as at a cusp. From the other
-// side the sheet's contour continues.
+// weak and the sheet's own contour turns back, hidden behind it, the contour has a taper, like at a cusp. From the
+// other side the sheet's contour continues.
 TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
     const auto wedge = test::fading_wedge();
     struct Case {

@@ -33,8 +33,8 @@ inline double clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec
     return least;
 }
 
-// The same for a point of the solid's own surface: it counts from where the line, having left the surface, comes near
-// to it again.
+// Does the same for a point of the solid's own surface. The solid counts from where the line, having left the surface,
+// comes near to it again.
 inline double own_clearance(const Solid& solid, const glm::dvec3& p, const glm::dvec3& toward, double reach = 20.0) {
     double least = std::numeric_limits<double>::infinity();
     double before = 0.0;

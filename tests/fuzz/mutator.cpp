@@ -15,7 +15,7 @@ using namespace hrbfnpr::io;
 using fuzz::Random;
 
 struct Section {
-    std::size_t begin; // begin of its elements
+    std::size_t begin; // start of its elements
     std::size_t count;
     ElementType type;
 };

@@ -109,7 +109,7 @@ TEST(Seeds, AutoUsesOnlyWellSpreadSamples) {
     EXPECT_EQ(make(Sphere(), settings).seed_source, SeedSource::box) << "there are none";
     const std::vector<double> even = spiral_seeds(200);
     EXPECT_EQ(make(Sphere(), settings, {even, 0.2}).seed_source, SeedSource::samples);
-    // The same points, but every other point is moved next to its predecessor.
+    // Points as before, but every other point is moved next to its predecessor.
     std::vector<double> pairs = even;
     for (std::size_t i = 3; i + 5 < pairs.size(); i += 9)
         for (std::size_t k = 0; k < 3; ++k) pairs[i + k] = pairs[i + k - 3] + (k == 2 ? 0.0 : 1e-3);

@@ -82,7 +82,7 @@ TEST(Hatching, IsEvenAndNestedOnATorus) {
     expect_nested(set);
     expect_flowing(set, torus, 0.012);
     const Layer& marks = hatch_of(set);
-    // Without forks of their own in each level, the waves have 0.124.
+    // Without additional forks in each level, the waves have 0.124.
     EXPECT_LE(spacing_of(set, static_cast<int>(marks.report.levels), marks.report.step).variation, 0.115);
     EXPECT_EQ(marks.report.step, 0.03);
     EXPECT_NEAR(static_cast<double>(marks.count()), torus.area() / (0.03 * 0.012),

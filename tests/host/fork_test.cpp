@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tests processes that fork after they used the library: children go on with old objects, and with new contexts.
+// Tests processes that fork after they used the library: children continue with old objects, and with new contexts.
 #include "host/session.h"
 
 #include <gtest/gtest.h>

@@ -41,7 +41,7 @@ std::int64_t bytes_in_use(const Context& context) {
 TEST_P(SmallStacks, SufficeForAModelThatPreparesItself) {
     static constexpr int centres = 1500;
     static constexpr std::int64_t count =
-        400'000; // with Hessians, enough points to make preparation pay: see _evaluate
+        400'000; // with Hessians, enough points to make preparation worthwhile: see _evaluate
     const Context context = make_context(GetParam());
     const scenes::Samples torus = scenes::torus(centres);
     auto desc = fit_desc(torus);

@@ -58,7 +58,7 @@ struct Lump {
     }
 };
 
-// The same tree, with groups and without.
+// One tree, with groups and without.
 class Both {
 public:
     Both(const Nodes& nodes, Groups groups, const std::vector<const implicit::Implicit*>& models = {})

@@ -201,7 +201,7 @@ TEST(FromArrays, AddsLayersToAnExistingSet) {
     EXPECT_FALSE(set.layers[2].progressive);
     EXPECT_NEAR(glm::distance(position(set, set.layers[2], 1), {0, 2, 0}), 0.0, 1e-6);
     EXPECT_TRUE(set.bounds.contains({0, 0, 3})) << "the bounds hold the new marks too";
-    // With more marks than before, each stands for less of the area.
+    // With more marks than before, each represents less of the area.
     Arrays many;
     many.position = spiral_seeds(8000);
     many.normal = many.position;

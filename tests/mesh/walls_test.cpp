@@ -68,8 +68,8 @@ TEST(Walls, WithDifferentFacesSeparateTheSolids) {
     EXPECT_NEAR(two.report.volume, 2.0, 1e-12);
 }
 
-// Two pyramids, base on base. The bases share two faces, and each has others of its own. The shared faces look like a
-// wall, but are only a part of the contact: without them it would have a window. Turned and rounded to single
+// Two pyramids, base on base. The bases share two faces, and each base also has other faces. The shared faces look like
+// a wall, but are only a part of the contact: without them it would have a window. Turned and rounded to single
 // precision, the bases are not quite in one plane.
 TEST(Walls, CoveringOnlyPartOfTheContactAreKept) {
     const auto runtime = with_threads(2);
@@ -141,7 +141,7 @@ TEST(Walls, SolidsThatTouchInACornerStaySeparate) {
     EXPECT_EQ(made(runtime, sheets).vertex.size(), 5);
 }
 
-// Two wedges share an edge and reach into each other. Each keeps the faces that go on straight.
+// Two wedges share an edge and reach into each other. Each keeps the faces that continue straight.
 TEST(Walls, SolidsThatCrossInAnEdgeAreClosed) {
     const auto runtime = with_threads(2);
     const auto wedge = [](double first, double last) { // about the edge from (0, 0, 0) to (0, 0, 1), in degrees

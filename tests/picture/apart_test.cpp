@@ -108,7 +108,7 @@ TEST_F(PartGroups, AFaceOnAnEdgeOfTwoOthersIsSetAside) {
     const std::int32_t top = mesh.add(0.49, 0.5, 0.004);
     mesh.face(84, 85, top);
     EXPECT_THAT(flaps(mesh), ElementsAre(288));
-    EXPECT_FALSE(groups(mesh)); // The face is too small for a surface of its own.
+    EXPECT_FALSE(groups(mesh)); // The face is too small for a separate surface.
     // Each of three walls is a part, however few faces it has.
     const test::Triangles walls = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1)
                                       .with(wall({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}, 1))

@@ -35,7 +35,7 @@ protected:
 TEST_F(CutFacesTest, PartsInAnyOrderAndDirectionBecomeOutlines) {
     add({{0, 10}, {10, 10}});
     add({{0, 0}, {0, 10}});
-    add({{20, 0}, {30, 0}, {25, 5}, {20, 0}}); // This outline is closed by itself.
+    add({{20, 0}, {30, 0}, {25, 5}, {20, 0}}); // This outline is closed without the others.
     add({{10, 0}, {0, 0}});
     add({{10, 10}, {10, 0}});
     const auto found = closed_outlines(parts, pool);

@@ -20,7 +20,7 @@ constexpr double tau = 2.0 * std::numbers::pi;
 
 class CreasesTest : public testing::Test {
 protected:
-    // Adds a side of four corners as two triangles with points of their own, as in STL files.
+    // Adds a side of four corners as two triangles with separate points, as in STL files.
     void add_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
         for (const glm::dvec3& corner : {a, b, c, a, c, d}) {
             shape.points.push_back(corner);

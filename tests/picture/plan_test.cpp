@@ -88,7 +88,7 @@ TEST(Plan, LinesKeepTheirSeparation) {
     EXPECT_EQ(made.marks.layers[0].budget, 25254);
     EXPECT_EQ(made.marks.layers[1].budget, 0); // The separation sets the number.
     EXPECT_DOUBLE_EQ(made.marks.layers[1].separation, std::sqrt(3.0) / 300.0);
-    EXPECT_EQ(made.marks.layers[0].tone_end, 1.0F); // Hatching has tones of its own, so it gets no share of them.
+    EXPECT_EQ(made.marks.layers[0].tone_end, 1.0F); // Hatching has separate tones, so it gets no share of the others.
     EXPECT_EQ(made.marks.layers[1].tone_end, 0.0F);
     EXPECT_EQ(made.marks.base.tone_ranges, std::uint32_t{HRBFNPR_TONE_RANGES_IN_TURN});
     PlannedCall apart(HRBFNPR_PRESET_STIPPLE);

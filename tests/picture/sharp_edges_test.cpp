@@ -61,7 +61,7 @@ TEST_F(SharpEdges, OnABallCountIfThereAreEnough) {
 
 TEST_F(SharpEdges, InsideFlatPolygonsDoNotCount) {
     // Only the edges of the box bend. Diagonals of its sides and edges between its cells do not.
-    const Shape box = shape_of(test::box(1, 1, 1, 2), pool); // Each side has vertices of its own.
+    const Shape box = shape_of(test::box(1, 1, 1, 2), pool); // Each side has separate vertices.
     const Vector<Edge> all = all_edges(box);
     EXPECT_EQ(said_of_edges(box.points, box.triangles, all, pool), SaidOfEdges::all_are_sharp);
     Vector<Edge> bent(&pool);

@@ -19,7 +19,8 @@ struct Spacing {
 };
 
 // Only marks with a true count(i) are measured. beside: how far along a line its neighbour may be looked for. apart:
-// marks of the same line count as neighbours from this number of marks apart, as where the line winds around; 0: never.
+// marks of the same line count as neighbours from this number of marks apart, for example where the line winds around;
+// 0: never.
 struct SpacingSettings {
     double unit = 1.0;
     double beside = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes with a known answer to whether they stand for shapes with edges: cages of quads that are subdivided and cut in
+// Meshes of which it is known whether they approximate shapes with edges: cages of quads that are subdivided and cut in
 // either direction, grids, scans, folds and parts of machines.
 #pragma once
 

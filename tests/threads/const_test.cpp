@@ -402,7 +402,7 @@ void add_pictures(std::map<std::string, Call>& calls) {
         status = hrbfnpr_picture_rasterize(s.picture.get(), s.picture_drawing.get(), nullptr, &image, error);
         result.add(pixels);
     });
-    CALL(hrbfnpr_picture_write) { // the drawing is shared, but each thread has a picture of its own
+    CALL(hrbfnpr_picture_write) { // the drawing is shared, but each thread has a separate picture
         hrbfnpr::test::Picture own;
         status = restyle(s.picture.get(), own, error);
         if (status != HRBFNPR_STATUS_OK) return;

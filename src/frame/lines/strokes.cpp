@@ -2,9 +2,9 @@
 // Makes strokes of lines. At each point of a curve, the factors of depth and light (point_factors) are multiplied by
 // that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a separate
 // factor, which fades out along the line beyond the outline's ends (along). Intervals of a line that look alike form a
-// part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends go on as other
-// lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots between them
-// where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is strong
+// part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends continue as
+// other lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots between
+// them where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is strong
 // enough (draw), as strokes of points with their widths (add_stroke), which a wobble moves across the line (Wobble).
 #include "base/assert.h"
 #include "base/random.h"
@@ -632,8 +632,8 @@ void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Ar
     }
 }
 
-// Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse; a short
-// part with a free end, as between a cusp and a line beside it, would be a bead, and is thinner.
+// Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse. A short
+// part with a free end, for example between a cusp and a line beside it, would look like a bead, so it is thinner.
 void add_stroke(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
     const DrawnAs& as = path.as;
     const Part& part = path.part;

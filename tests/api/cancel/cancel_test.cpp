@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests that every call that takes an operation can be cancelled by its callback and from another thread: it reports
-// this, keeps no memory, and called again with the same objects gives the same bits as without a cancel.
+// this, keeps no memory, and called again with the same objects gives the same bits as without cancellation.
 #include "stages/stages.h"
 
 #include <algorithm>
