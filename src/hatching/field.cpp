@@ -31,8 +31,8 @@ namespace {
 struct Link {
     Complex factor; // transports the number of node `to` to the node where the link begins
     std::int32_t to;
-    float sense; // -1: the number is conjugated first, because the lines of both nodes point in opposite directions;
-                 // else 1
+    // 1; or -1 if the number is conjugated first, because the lines of both nodes point in opposite directions.
+    float sense;
 };
 
 constexpr std::int64_t nodes_a_task = 2048;

@@ -68,8 +68,9 @@ struct Mesh {
     base::Array<Triangle> triangle;       // counter-clockwise as seen from outside
     base::Array<std::int32_t> component;  // for each face, from 0
     base::Array<std::int32_t> given_face; // the number of each face in the input
-    base::Array<std::uint8_t> border; // for each face: bit k is set if no other face lies across the side from corner
-                                      // k, bit k + 3 if corner k is an end of such a side of any face
+    // For each face: bit k is set if no other face lies across the side from corner k, and bit k + 3 if corner k is an
+    // end of such a side of any face.
+    base::Array<std::uint8_t> border;
     base::Array<glm::dvec3> corner_normal; // unit, three for each face
     geometry::Bounds bounds;
     MeshReport report;

@@ -120,8 +120,9 @@ struct Candidates {
     base::Array<std::uint64_t> code;  // the codes of the cells that hold candidates (geometry/morton.h), ascending
     base::Array<std::int32_t> number; // the number of candidates in each cell
     base::Array<std::int64_t> first;  // the place of each cell's first candidate, which begins a group
-    base::Array<OrderGroup> group; // x, y, z are relative to grid.origin, within about curvature * (side / 4)^2 of the
-                                   // surface; the order sets energies and clearances
+    // x, y, z are relative to grid.origin, within about curvature * (side / 4)^2 of the surface. The order sets
+    // energies and clearances.
+    base::Array<OrderGroup> group;
     base::Array<std::uint32_t> ticket; // a random number for each place in the groups
     marks::LevelReport report;         // `attempted` counts all points that were near the surface
     double area = 0.0;                 // an estimate of the area of the surface inside the region

@@ -184,8 +184,9 @@ struct Stage {
     base::Array<CellMap::Around> neighbour;
     base::Array<float> lowest; // the energy of each cell's best candidate; infinite if none is open
     base::Array<float> floor;  // no candidate of the cell has a lower energy
-    float enough = 0.0F; // candidates are open if their squared distance from marks is at least this; set for the last
-                         // step of a sweep
+    // Candidates are open if their squared distance from marks is at least this. It is set for the last step of a
+    // sweep.
+    float enough = 0.0F;
     OrderGroup* group = nullptr; // `own_group`, or the candidates' own
     base::Array<OrderGroup> own_group;
     base::Array<Extra> extra;

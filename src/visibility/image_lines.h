@@ -32,10 +32,11 @@ struct Subject {
     double clear = visibility_tuning.clear; // in sides: surface nearer than this before a curve does not hide it
     glm::dmat4 to_world{1.0};               // affine
     std::int32_t item = 0;                  // the number of the surface's item among the occluders
-    std::int32_t sheets = 2; // the number of sheets that begin or end at these curves: 2 for a contour or for a crease
-                             // that is a contour, 1 for a border, 0 for other lines
-    bool mirrored = false;   // the image shows the surface mirrored
-    bool joined = false;     // open curves end at other curves, for example at the corners of a crease
+    // The number of sheets that begin or end at these curves: 2 for a contour or for a crease that is a contour, 1 for
+    // a border, 0 for other lines.
+    std::int32_t sheets = 2;
+    bool mirrored = false; // the image shows the surface mirrored
+    bool joined = false;   // open curves end at other curves, for example at the corners of a crease
 };
 
 // The cubic between two points of a curve.

@@ -57,9 +57,9 @@ struct Interval {
     std::int32_t line;
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
-    double begin_at, end_at; // along the line, pixels; an interval that goes round a closed line may end beyond the
-                             // line's end
-    std::int32_t sheets;     // the number of sheets before it
+    // Along the line, pixels; an interval that goes round a closed line may end beyond the line's end.
+    double begin_at, end_at;
+    std::int32_t sheets; // the number of sheets before it
     bool begins_at_cusp, ends_at_cusp;
     float begin_sine, end_sine; // the sine of the angle to the nearer line that crosses there; 0: no line does
     // The occluder of the nearest surface before the part; find_hidden_by() sets it. -1: none.
@@ -112,11 +112,11 @@ struct OutlinePart {
 struct Outline {
     explicit Outline(base::Memory& memory) noexcept : parts(memory) {}
 
-    base::Array<OutlinePart> parts; // line by line, along each line; the parts of a closed line start where its
-                                    // intervals do
+    // Line by line, along each line; the parts of a closed line start where its intervals do.
+    base::Array<OutlinePart> parts;
     std::int64_t rays = 0;
-    std::int64_t settled = 0; // lines whose counts contradict themselves: each of their parts gets the number of its
-                              // own ray
+    // Lines whose counts contradict themselves: each of their parts gets the number that a ray to the part finds.
+    std::int64_t settled = 0;
 };
 
 // Finds the parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: the

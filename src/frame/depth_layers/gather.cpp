@@ -152,8 +152,8 @@ void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
     base::resize_scratch(all.tau, scene.place_count());
-    std::fill(all.tau.begin(), all.tau.end(), 0.0F); // loops read the tones of marks that were not asked for, but do
-                                                     // not use them
+    // The loops read, but do not use, the tones of marks that no callback was asked for.
+    std::fill(all.tau.begin(), all.tau.end(), 0.0F);
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
         all.tone_calls.begin(scene.item_of(run), all.tau.data(), 1);

@@ -70,8 +70,8 @@ struct HatchStroke {
     base::Array<Range> range;            // the places that are looked at, rising
     base::Array<std::uint32_t> number;   // the numbers of these marks in the layer
     base::Array<float> row;              // memory of HatchRows
-    std::int64_t first = 0, count = 0;   // the stroke's places, without the last mark of a closed stroke if it lies
-                                         // where the first does
+    // The stroke's places. A closed stroke's last mark is left out if it lies where the first one does.
+    std::int64_t first = 0, count = 0;
     bool closed = false;
 
     [[nodiscard]] std::int64_t bytes() const noexcept {

@@ -44,8 +44,8 @@ struct LineNumbers {
     explicit LineNumbers(base::Memory& memory) noexcept : number(memory), origin(memory) {}
 
     base::Array<std::uint32_t> number; // the number of each line, from 1 on
-    base::Array<std::int64_t> origin;  // the piece of each line that begins where the line's first piece began when the
-                                       // line was new
+    // For each line: the piece that begins where the line's first piece began when the line was new.
+    base::Array<std::int64_t> origin;
 };
 
 struct LineInput {

@@ -28,9 +28,9 @@ using ll = long long; // the type that messages print
 
 constexpr std::int64_t marks_a_call = 4096;     // a tone callback gets at most this many marks
 constexpr std::int64_t most_marks = 0x7FFFFFFF; // an order key holds a mark and one bit in 32
-constexpr double most_off_unit = 1e-2; // a pose's unit vectors may differ from length 1 by this, since floats are
-                                       // rounded
-constexpr double farthest = 1e33;      // the greatest number that a pose may have, since marks are floats
+// A pose's unit vectors may differ from length 1 by this, since floats are rounded.
+constexpr double most_off_unit = 1e-2;
+constexpr double farthest = 1e33; // the greatest number that a pose may have, since marks are floats
 
 // ---- Items
 

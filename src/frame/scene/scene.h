@@ -271,8 +271,8 @@ struct ClusterView {
     float beyond = -1.0F; // a lower bound of the distance of all marks outside the picture, pixels; < 0: not known
     bool inside = false;  // all marks surely lie in the picture
     float pixels_per_unit = 1.0F; // at the centre
-    float nearest = 0.0F;         // a lower bound of w of the projection; 0: some marks may be behind the camera's
-                                  // plane
+    // A lower bound of w of the projection; 0: some marks may be behind the camera's plane.
+    float nearest = 0.0F;
     float nu_min = -1.0F;
     float nu_max = 1.0F;
     float lit_min = -1.0F; // from the normals; tone may use other normals
