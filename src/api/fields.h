@@ -26,7 +26,7 @@ namespace hrbfnpr::api {
 // The values that a field may have.  A rule is called with the checks, the field's name, and its value.
 namespace rule {
 
-struct Any { // any value, or one that is checked with other fields
+struct Any { // any value, or a value that is checked together with other fields
     template <class T>
     void operator()(const Checks& /*checks*/, const char* /*field*/, const T& /*value*/) const noexcept {}
 };

@@ -18,5 +18,5 @@ struct hrbfnpr_mesh : hrbfnpr::api::Child {
 
     const hrbfnpr::mesh::Mesh mesh;
     const hrbfnpr::mesh::FaceTree tree;
-    const hrbfnpr::mesh::CreaseEvidence creases; // at the default angle
+    const hrbfnpr::mesh::CreaseEvidence creases; // the evidence for creases at the default crease angle
 };

@@ -13,7 +13,7 @@ namespace hrbfnpr::api {
 // A row of the table that bindings/generate makes from bindings/presets.py.
 struct Preset {
     const char* name;
-    hrbfnpr_style style; // its lists are constants, too
+    hrbfnpr_style style; // the lists of the style are constants, too
     std::span<const hrbfnpr_layer_desc> marks;
 };
 

@@ -42,7 +42,7 @@ constexpr double meeting_tolerance = 1e-9; // the tolerance of places where shee
 // A node of an edge whose ends belong to different sheets.
 struct EdgeNode {
     std::int64_t edge;                 // the edge that comes first among the two opposite edges
-    std::array<std::int32_t, 2> ends;  // its start and end vertex
+    std::array<std::int32_t, 2> ends;  // the start and end vertex of the edge
     std::array<std::int32_t, 2> sheet; // the sheets of both ends
     CreaseNode at;
     std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
@@ -238,8 +238,8 @@ void find_edges(const base::Work& work, SheetMesh& in) {
     });
 }
 
-// Where sheets coincide any of them may be active: all vertices are assigned to the first. Returns whether anything
-// changed.
+// Where sheets coincide, any of them may be active. All vertices there are assigned to the first of these sheets.
+// Returns whether anything changed.
 bool settle_equal(SheetMesh& in) {
     bool changed = false;
     for (const EdgeNode& node : in.edges) {

@@ -119,7 +119,7 @@ struct CreaseParts {
                                         const Creases& creases, const View& view);
 
 enum class CreaseSide : std::uint32_t { both = 0, convex = 1, concave = 2 };
-// The angle, positive where the crease bends to that side, and negative where it bends to the other.
+// Returns the angle, positive where the crease bends to this side, and negative where it bends to the other.
 [[nodiscard]] inline float angle_on(CreaseSide side, float angle) noexcept {
     return side == CreaseSide::both ? std::abs(angle) : side == CreaseSide::convex ? angle : -angle;
 }

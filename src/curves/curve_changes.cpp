@@ -94,7 +94,7 @@ double radial(const CurvePoint& p, const View& view) noexcept {
     return glm::dot(p.level_gradient, view.sight(p.position));
 }
 
-// Two cusps may lie between two points, so pieces that may have cusps get points at these parameters.
+// Two cusps may lie between two points, so pieces that may have cusps get additional points at these parameters.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
 
 // Whether the radial curvature may change its sign between the points.

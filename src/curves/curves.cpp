@@ -365,7 +365,7 @@ SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& v
         const CurvePoint& p = curves.point[a];
         const CurvePoint& q = curves.point[b];
         const double u = std::clamp(value[a] / (value[a] - value[b]), 0.0, 1.0);
-        // If a wanted point coincides with that place, it is the end.
+        // If a wanted point coincides with the place where the value vanishes, it is the end.
         if ((u < curve_tuning.at_point && wanted(a)) || (u > 1.0 - curve_tuning.at_point && wanted(b))) return;
         const auto strength =
             static_cast<double>(lines.strength[a]) * (1.0 - u) + static_cast<double>(lines.strength[b]) * u;

@@ -114,8 +114,8 @@ struct CurvePoint {
 
     // The direction of the curve, with negative g to its left; not normalised.
     [[nodiscard]] glm::dvec3 direction() const noexcept { return glm::cross(gradient, level_gradient); }
-    // The shortest step to f = g = 0 if both are linear: -J^T (J J^T)^-1 (f, g). It is not finite if the gradients are
-    // parallel.
+    // Returns the shortest step to f = g = 0 if both functions are linear: -J^T (J J^T)^-1 (f, g). The step is not
+    // finite if the gradients are parallel.
     [[nodiscard]] glm::dvec3 newton_step() const noexcept;
 };
 

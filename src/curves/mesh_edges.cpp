@@ -69,8 +69,8 @@ double area_of(const SurfaceMesh& mesh) noexcept {
     return sum;
 }
 
-// Finds the zero of g on each edge by Newton's steps from the linear interpolation of its values at the ends. If these
-// fail, bisection is used.
+// Finds the zero of g on each edge by Newton's steps, which start from the linear interpolation of the values at the
+// ends. Where Newton's steps fail, bisection is used.
 base::Array<CurvePoint> find_cut_points(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
                                         const base::Array<double>& value, const base::Array<CutEdge>& edges) {
     const double tolerance = curve_tuning.exact * mesh.side;

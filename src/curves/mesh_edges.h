@@ -48,7 +48,7 @@ struct ClippedMesh {
 
     SurfaceMesh mesh; // vertices from `first_cut` on lie on the curve f = g = 0
     std::int64_t first_cut = 0;
-    base::Array<CurvePoint> cut; // the curve's points at these vertices
+    base::Array<CurvePoint> cut; // the curve's point at each vertex from `first_cut` on
     double left_out = 0.0;       // the share of the area that was removed
 };
 
@@ -102,8 +102,8 @@ template <class MayEnter>
 // A place on an edge of the mesh where g changes its sign.
 struct Bead {
     std::int32_t negative, positive; // vertices
-    Straddle edge;                   // their positions
-    glm::dvec3 place;                // by linear interpolation
+    Straddle edge;                   // the positions of the edge's ends
+    glm::dvec3 place;                // the zero of g by linear interpolation
     glm::dvec3 way;                  // the chain's direction, from the previous place to the next one
 };
 

@@ -182,7 +182,8 @@ void merge_ranges(double gap, base::Array<Range>& ranges) noexcept {
     ranges.resize(kept);
 }
 
-// Sorts crossings. Those through edges and corners are found for each triangle there; one of them is kept.
+// Sorts crossings. Crossings through an edge or corner are found once for each triangle there; only one of them is
+// kept.
 void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noexcept {
     std::sort(crossings.begin(), crossings.end(), [](const TriangleCrossing& a, const TriangleCrossing& b) {
         return a.at < b.at || (a.at == b.at && a.rising < b.rising);
@@ -293,7 +294,8 @@ double split_of(const Place& a, const Place& b) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double length = b.at - a.at;
     if (a.negative() != b.negative()) {
-        // The cubic with these values and slopes is monotone, so there is one root. [Fritsch & Carlson 1980]
+        // The cubic with the values and slopes of the piece's ends is monotone, so there is one root. [Fritsch &
+        // Carlson 1980]
         const double rise = b.value - a.value;
         const double first = length * a.slope / rise;
         const double last = length * b.slope / rise;

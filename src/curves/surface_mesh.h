@@ -29,7 +29,7 @@ struct SurfaceMesh {
     explicit SurfaceMesh(base::Memory& memory) noexcept
         : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
 
-    geometry::VecArray position;         // the vertices; all but `unresolved` of them are on the surface
+    geometry::VecArray position;         // the vertices; all except `unresolved` ones are on the surface
     geometry::VecArray gradient;         // grad f at each vertex
     base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none

@@ -227,9 +227,10 @@ struct Path {
     glm::dvec3 predicted{0.0};
     int iteration = 0;
     std::int32_t steps = 0, evaluations = 0;
-    std::int64_t passed = -1;   // index in Paths::passed of the last point; -1: none
-    std::int64_t met = -1;      // the run that the path met
-    std::int64_t met_point = 0; // the point of that run that was met: the first one, or a later one if the ends overlap
+    std::int64_t passed = -1; // index in Paths::passed of the last point; -1: none
+    std::int64_t met = -1;    // the run that the path met
+    // The point of the run `met` that the path met: its first one, or a later one if the ends overlap.
+    std::int64_t met_point = 0;
     PathEnd end = PathEnd::none;
 };
 
@@ -362,7 +363,8 @@ void take(Paths& paths, Path& path) {
         shorten(paths, path, 0.5);
 }
 
-// Follows a path from each of these runs, all in parallel: forwards from its last point, or backwards from its first.
+// Follows a path from each of the given runs, all in parallel: forwards from the run's last point, or backwards from
+// its first.
 void follow_from(const base::Work& work, const Level& level, const base::Array<std::int64_t>& from, double sense,
                  Paths& paths, TraceReport& report) {
     const Curves& runs = paths.runs;
@@ -372,7 +374,8 @@ void follow_from(const base::Work& work, const Level& level, const base::Array<s
         const CurvePoint& last = runs.point[sense > 0.0 ? runs.first[r + 1] - 1 : runs.first[r]];
         Path path{r, sense, last, unit_along(last, sense), glm::dvec3(0.0), curve_tuning.first_step * paths.mesh.side,
                   {}};
-        if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1); // its run counts as steps
+        // The points of the run count as steps.
+        if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1);
         predict(path);
         (sense > 0.0 ? paths.forward : paths.backward)[r] = paths.path.size();
         active.push_back(paths.path.size());

@@ -70,7 +70,8 @@ struct CurveTuning {
     // `most_cells` along a box's diagonal. Larger: more time, fewer curves missed.
     double closer = 8.0;
     double most_cells = 128.0;
-    // With more changes of sign without a curve, smaller cells are not tried: the surface is torn in these as well.
+    // With more changes of sign without a curve, smaller cells are not tried, because the surface is torn in smaller
+    // cells, too.
     std::int64_t most_lost = 2000;
 
     // ---- Runs of points
@@ -108,7 +109,7 @@ struct CurveTuning {
     // A path meets a point only if the cosine between their directions is at least this. Larger: curves may be followed
     // twice at kinks.
     double same_way = 0.7;
-    // A path may meet its own run after this many steps.
+    // A path may meet the run from which it started after this many steps.
     std::int32_t fewest_steps_of_loop = 3;
     // Between points closer than `kink_length`, in sides, a curve may turn by `sharpest_kink` radians, since the
     // Hessian of a Hermite sum jumps at each sample.

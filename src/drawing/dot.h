@@ -84,7 +84,7 @@ struct StrokePoint {
     float depth;           // eye units along the view
     float window;          // depth in the camera's convention
     float pixels_per_unit; // pixels per eye unit at this depth
-    float length;          // length of the stroke from its first point to this one, pixels
+    float length;          // length of the stroke from the stroke's first point to this one, pixels
     std::uint32_t id;      // 1 + running number of the mark; 0 for points of lines
 };
 

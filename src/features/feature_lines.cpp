@@ -280,7 +280,7 @@ base::Array<FeatureValue> vertex_values(const base::Work& work, const FeatureSur
 
 // ---- Chains of crossed edges
 
-// Finds a root in [0, 1] of the cubic with these values and slopes at 0 and 1; the values have different signs.
+// Finds a root in [0, 1] of a cubic, given by its values and slopes at 0 and 1. The values have different signs.
 double cubic_root(double at_0, double at_1, double slope_0, double slope_1, double start) noexcept {
     const double c2 = 3.0 * (at_1 - at_0) - 2.0 * slope_0 - slope_1;
     const double c3 = slope_0 + slope_1 - 2.0 * (at_1 - at_0);
@@ -472,7 +472,7 @@ base::Array<FeaturePoint> refine_crossings(const base::Work& work, const Feature
         active.back().root.trial = c.share;
     }
     surface::Projection at(work.memory);
-    if (request.rounds <= 0) { // without any evaluation of g
+    if (request.rounds <= 0) { // only project the points, without any evaluation of g
         for (const FeaturePoint& p : points) at.position.push_back(p.position);
         surface::project(work, surface.implicit, {}, at);
         for (std::int64_t i = 0; i < points.size(); ++i) {
@@ -700,7 +700,8 @@ ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& impli
         if (edges.empty() || shaped.mesh.triangles() + 2 * edges.size() > feature_tuning.most_triangles ||
             !halve_edges(part.part(0.0, 0.3), implicit, edges, feature_tuning.farthest_middle, true, shaped.mesh))
             break;
-        geometry::VecArray position(work.memory), gradient(work.memory); // at the new vertices
+        // The positions and gradients of the new vertices.
+        geometry::VecArray position(work.memory), gradient(work.memory);
         for (std::int64_t i = shaped.shape.size(); i < shaped.mesh.vertices(); ++i) {
             position.push_back(shaped.mesh.position[i]);
             gradient.push_back(shaped.mesh.gradient[i]);

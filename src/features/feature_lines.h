@@ -60,7 +60,7 @@ struct ShapedMesh {
     explicit ShapedMesh(base::Memory& memory) noexcept : mesh(memory), shape(memory) {}
 
     SurfaceMesh mesh;              // `side` is the cell side of the given mesh
-    base::Array<ShapePoint> shape; // at the vertices of `mesh`
+    base::Array<ShapePoint> shape; // the shape at the vertices of `mesh`
     [[nodiscard]] std::int64_t bytes() const noexcept { return mesh.bytes() + shape.bytes(); }
 };
 

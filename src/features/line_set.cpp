@@ -288,8 +288,8 @@ void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorne
         }
 }
 
-// Joins open lines where the end of one coincides with the start of another. A line becomes closed if these are its own
-// ends.
+// Joins open lines where the end of one coincides with the start of another. A line whose own ends coincide becomes
+// closed.
 SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) {
     const Curves& curves = lines.curves;
     const auto start = [&](std::int64_t line) { return curves.first[line]; };
@@ -402,7 +402,7 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
                           : triangulate(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh);
         if (domain_ != nullptr) clip_mesh(work);
         if (domain_ == nullptr) border_ = border_lines(work.memory, *mesh_);
-        // If walls are thinner than the cells, creases cut very many triangles, and fewer of them in smaller cells.
+        // If walls are thinner than the cells, creases cut very many triangles. In smaller cells they cut fewer.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;

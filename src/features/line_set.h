@@ -54,7 +54,7 @@ struct Thresholds {
 struct LineRequest {
     LineKind kind = LineKind::ridge;
     std::array<char, 64> name{};
-    Thresholds thresholds{0.0, 0.0};     // both 0: default_thresholds()
+    Thresholds thresholds{0.0, 0.0};     // if both are 0, default_thresholds() is used
     double shortest = 0.0;               // diagonals
     glm::dvec3 plane{0.0, 0.0, 1.0};     // sections: the planes' normal
     std::span<const double> levels;      // sections: positions of the planes along their normal
@@ -84,7 +84,7 @@ struct LineSetSettings {
     std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice over the bounds
     double spacing = 0.0;          // the mean spacing of the seeds; 0: unknown
     SupportSettings support;
-    bool with_shape = false; // for lines that depend on the view and on curvatures
+    bool with_shape = false; // whether curvatures are measured, for lines that depend on the view and on curvatures
     std::span<const LineRequest> lines;
 };
 

@@ -70,8 +70,8 @@ struct CandidateOptions {
     double tolerance = 0.0;      // 0: all samples are candidates
     double least_distance = 0.0; // No new centre is nearer to another centre than this.
     std::int64_t most = 0;       // the number of centres to add at most
-    // Set for noisy samples: a sample is judged by the mean over it and these neighbours, and its typical sample
-    // (typical.h) is added in its place.
+    // Set for noisy samples: a sample is judged by the mean over it and these neighbours, and the typical sample of
+    // this neighbourhood (typical.h) is added in its place.
     const geometry::Neighbours* neighbours = nullptr;
     const base::Array<std::int64_t>* typical = nullptr;
 };

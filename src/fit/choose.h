@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chooses which samples become centres: all of them, or a few that represent them.
+// Chooses which samples become centres: all samples, or a few that represent the others.
 #pragma once
 
 #include "base/work.h"

@@ -46,7 +46,8 @@ template <class Solve>
         column = best;
         for (std::int64_t i = 0; i < size; ++i) x[i] = i == column ? 1.0 : 0.0;
     }
-    // The iteration above underestimates some matrices. A vector of growing, alternating elements catches these.
+    // The iteration above underestimates some matrices. A vector of growing, alternating elements finds a better
+    // estimate for these.
     for (std::int64_t i = 0; i < size; ++i)
         x[i] = (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + static_cast<double>(i) / std::fmax(1.0, n - 1.0));
     solve(x);

@@ -28,7 +28,7 @@ struct LocalSystems {
     static constexpr std::int32_t largest_set = 49;
 };
 
-// Returns the working memory that one call needs, in doubles.
+// Returns how much working memory one call needs, in doubles.
 [[nodiscard]] std::int64_t local_factor_room(base::InstructionSet set, std::int32_t set_size) noexcept;
 // Returns how many sets are factored together. Calls with a multiple of it waste nothing.
 [[nodiscard]] std::int64_t local_factor_batch(base::InstructionSet set) noexcept;

@@ -24,8 +24,8 @@ struct Samples {
 // Throws Error{invalid_argument} naming "points" or "normals" and the index.
 [[nodiscard]] Samples read_samples(const base::Work& work, const base::InView& points, const base::InView& normals);
 
-// Replaces all samples that have the same representative (one of them) by their average, in the order of the first
-// sample of each group.
+// Replaces all samples that have the same representative, which is one of these samples, by their average. The order is
+// that of the first sample of each group.
 void merge(Samples& samples, const base::Array<std::int64_t>& representative);
 
 // Measures bounds and spacing of the samples as they are now.

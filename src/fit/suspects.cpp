@@ -37,7 +37,8 @@ constexpr double opposite = 0.5;
 constexpr double height_of_neighbours = 2.0;
 constexpr double height = 0.02; // in mean distances to a neighbour
 constexpr double off_centre = 0.5;
-// After some normals are turned, those beside them may show. A few passes find small groups of them.
+// After some normals are turned, wrong normals beside them may be found. A few passes find small groups of wrong
+// normals.
 constexpr int passes = 4;
 
 constexpr std::int64_t suspects_a_task = 512;

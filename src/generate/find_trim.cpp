@@ -38,7 +38,7 @@ private:
 struct Part {
     double highest = 0.0;  // the highest s in its cells
     double farthest = 0.0; // the largest distance of its places from the nearest sample
-    bool to_end = false;   // it reaches the end of the region
+    bool to_end = false;   // the part reaches the end of the region
     bool left_out = false;
     std::int64_t cells = 0;
 };

@@ -27,7 +27,7 @@ struct TrimSettings {
 struct TrimReport {
     std::int64_t samples = 0;
     std::int64_t parts = 0;        // the number of connected parts that are left out
-    std::int64_t parts_to_end = 0; // the number of these that reach the end of the search box
+    std::int64_t parts_to_end = 0; // the number of connected left-out parts that reach the end of the search box
     double share = 0.0;            // the share of the surface in the box that is left out
     double farthest = 0.0;         // the largest distance of a left-out place from the nearest sample
     double spacing = 0.0;          // the median of the samples' spacings (h of surface/support.h)

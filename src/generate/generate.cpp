@@ -118,7 +118,7 @@ struct Growing {
     }
 
     const LayerSettings& settings;
-    std::int64_t place; // its place in the list
+    std::int64_t place; // the layer's place in the list
     marks::Site site;   // the site, with the layer's own random seed
     marks::Marks marks;
 };
@@ -219,7 +219,7 @@ double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells
 // of the surface.
 double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Ground>& last, marks::LayerReport& report) {
     const base::Stopwatch watch;
-    // The layer uses the random numbers of all layers, not its own.
+    // The layer uses the random numbers common to all layers, not the layer's own.
     const marks::Site site = ground.site.with(layer.part_of(ground).work);
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;

@@ -51,7 +51,7 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
     std::array<std::int64_t, 3> cells{};
     glm::dvec3 covered;
     for (int axis = 0; axis < 3; ++axis) {
-        // A side that is a whole number of cells except for rounding gets that number.
+        // If a side is a whole number of cells except for rounding, that whole number is used.
         std::int64_t& number = cells[static_cast<std::size_t>(axis)];
         number = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(size[axis] / side - 1e-9)));
         covered[axis] = side * static_cast<double>(number);

@@ -11,8 +11,8 @@
 namespace hrbfnpr::generate {
 namespace {
 
-// Returns the number of directions of a layer. Only strokes of the published recursion run in two, and each has its own
-// tone range.
+// Returns the number of directions of a layer. Only strokes of the published recursion run in two directions, and each
+// direction has a separate tone range.
 std::size_t directions_of(const Settings& settings, const LayerSettings& layer) noexcept {
     return layer.has_strokes() && settings.distribution == marks::Distribution::published ? 2 : 1;
 }

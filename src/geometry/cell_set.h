@@ -29,7 +29,7 @@ private:
     };
 
     [[nodiscard]] static std::int64_t place(const base::Array<Block>& table, std::uint64_t name) noexcept;
-    // Inserts these cells of one block, and returns those that were new.
+    // Inserts the cells of one block whose bits are set in `cells`, and returns the bits of those that were new.
     std::uint64_t insert(std::uint64_t name, std::uint64_t cells);
     void grow();
 

@@ -23,7 +23,7 @@ struct Halves {
     [[nodiscard]] Halves low() const noexcept { return {2 * node + 1, begin, middle()}; }
     [[nodiscard]] Halves high() const noexcept { return {2 * node + 2, middle(), end}; }
 
-    // Returns the number of node numbers for `count` items. Some of these numbers are unused.
+    // Returns how many node numbers a tree of `count` items has. Some of these numbers are unused.
     [[nodiscard]] static std::int64_t nodes(std::int64_t count) noexcept {
         std::int64_t nodes = 1;
         for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::int64_t size() const noexcept { return points_.size(); }
     // The points in the tree's order, in which points that are near in space are near in memory.
     [[nodiscard]] const VecArray& points() const noexcept { return points_; }
-    // Returns which of the given points is at position `at` of that order.
+    // Returns which of the given points is at position `at` of the tree's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
     [[nodiscard]] Bounds bounds() const noexcept { return size() > 0 ? bounds_[0] : Bounds{}; }
 

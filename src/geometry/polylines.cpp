@@ -121,7 +121,7 @@ void CurveFit::improve_places(std::int64_t first, std::int64_t last, const Cubic
     }
 }
 
-// Finds the lengths of both handles. Where they are not usable, both are a third of the chord [Schneider 1990].
+// Finds the lengths of both handles. If they are not usable, both are set to a third of the chord [Schneider 1990].
 Cubic CurveFit::least_squares(std::int64_t first, std::int64_t last, const dvec2& from,
                               const dvec2& to) const noexcept {
     const dvec2 start = points_[first], end = points_[last];

@@ -17,7 +17,8 @@
 namespace hrbfnpr::hatching {
 namespace {
 
-// Returns the magnitude of a number whose square neither overflows nor underflows; std::abs handles both.
+// Returns the magnitude of a number whose square neither overflows nor underflows. This is faster than std::abs, which
+// handles these cases, too.
 [[nodiscard]] inline double magnitude(const Complex& z) noexcept {
     return std::sqrt(z.real() * z.real() + z.imag() * z.imag());
 }
@@ -418,7 +419,8 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
     return result;
 }
 
-// Both ends of an edge are neighbours of each other. At a border only one of the two lists the other.
+// Makes a graph in which both ends of an edge are neighbours of each other. The mesh lists an edge at a border for one
+// end only.
 Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
     Graph graph(memory);
     graph.first.resize(mesh.vertices() + 1);

@@ -38,7 +38,7 @@ struct Graph {
 
     [[nodiscard]] std::int64_t nodes() const noexcept { return first.size() - 1; }
 
-    base::Array<std::int64_t> first; // its size is the number of nodes plus 1
+    base::Array<std::int64_t> first; // where the links of each node begin, and the end
     base::Array<std::int32_t> neighbour;
 };
 

@@ -134,7 +134,7 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
     const std::int32_t last = mesh.corner[3 * triangle + 2];
     const bool next_turned = waves.turned(corner, next);
     const bool last_turned = waves.turned(corner, last);
-    if ((next_turned != last_turned) != waves.turned(next, last)) return; // the field turns by half a turn here
+    if ((next_turned != last_turned) != waves.turned(next, last)) return; // the line field reverses its direction here
     open.clear(); // 2 * slot + 1 if the phase rises, in the sense of the first corner's line
     const auto add = [&](std::int64_t crossing, bool backwards, bool owned) {
         const Crossing& c = found.crossing[crossing];
@@ -327,7 +327,7 @@ void set_across(const Lines& lines, const Stretch& line, geometry::VecArray& acr
 struct Neighbour {
     std::int32_t from = -1, to = -1; // -1: there is no neighbouring line
     float share = 0.0F;              // where the place is between the two points: 0 at `from`, 1 at `to`
-    float gap = 0.0F;                // the distance to that place, in separations
+    float gap = 0.0F;                // the distance to the neighbouring line, in separations
     float sense = 0.0F;              // 1 if the neighbouring line's `across` points to the same side, else -1
 };
 

@@ -131,7 +131,7 @@ struct HatchingTuning {
     // A mark gets the median level over this length of its line, in separations. Larger: lines change their level less
     // often, and later.
     double level_length = 6.0;
-    // Consecutive marks stay connected if their distance is between these.
+    // Consecutive marks stay connected if their distance, in steps, is between these two numbers.
     double least_step = 0.5;
     double most_step = 1.6;
     // A piece of a line has at least this many marks.

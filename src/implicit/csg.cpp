@@ -118,7 +118,7 @@ private:
     int columns_;
     bool wants_sheet_;
     Register* registers_ = nullptr; // registers of the steps that are being run
-    std::int64_t nested_ = 0;       // number of groups that these steps are in
+    std::int64_t nested_ = 0;       // the number of groups in which the steps that are being run are nested
 };
 
 void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {

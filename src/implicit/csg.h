@@ -39,7 +39,7 @@ public:
 private:
     struct Celled {
         const CsgPlace* place;
-        std::int64_t first; // its first cell
+        std::int64_t first; // the first cell of the model
     };
     void place_cells(base::Memory& memory);
 

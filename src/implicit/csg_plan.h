@@ -46,11 +46,11 @@ struct CsgPlace {
     glm::dmat3 to_local{1.0};
     glm::dvec3 shift{0.0};
     double scale = 1.0; // negative: turned inside out
-    CsgShape shape;     // for a model: the box that it ends at
+    CsgShape shape;     // for a model: the box at which it ends
     std::int32_t model = -1;
     std::int32_t model_sheets = 0;
-    glm::dvec3 centre{0.0}; // centre of that box
-    CsgReach reach;         // bounds of that box, not turned inside out
+    glm::dvec3 centre{0.0}; // centre of the model's box
+    CsgReach reach;         // bounds of the model's box, not turned inside out
 
     [[nodiscard]] glm::dvec3 local(const glm::dvec3& p) const noexcept { return to_local * p + shift; }
     // Returns the distance beyond a model's box, at a place in the model's coordinates, and the nearest side of the
@@ -68,7 +68,8 @@ struct CsgStep {
     std::int32_t op = 0;
     std::int32_t to = 0;     // register
     std::int32_t sheet = -1; // -1: all sheets
-    // The op that combines this one with its other operand, which is in the register before; -1: none.
+    // For a step that may be skipped: the op that combines this operand with the other one, which is in the register
+    // before; -1: none.
     std::int32_t than = -1;
 };
 
@@ -76,7 +77,7 @@ struct CsgStep {
 struct CsgMember {
     std::int32_t op = 0;
     std::int32_t first_sheet = 0; // index of its first sheet in the group
-    std::int64_t begin = 0;       // its steps are [begin, end)
+    std::int64_t begin = 0;       // the member's steps are [begin, end)
     std::int64_t end = 0;
 };
 

@@ -165,7 +165,7 @@ BlendJet Blend::minimum(double a, double b) const noexcept {
     return exponent == 0.0 ? polynomial_minimum(a, b, radius) : elliptic_minimum(a, b, radius, exponent);
 }
 
-// A blend differs from the lower of two only where both are within its radius.
+// A blend differs from the lower of its two operands only where both are within its radius.
 CsgReach reach_of_minimum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept {
     CsgReach reach{hull(a.inside, b.inside), common(a.outside, b.outside), std::max(a.slope, b.slope)};
     if (blend.radius == 0.0) return reach;

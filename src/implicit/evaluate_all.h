@@ -9,8 +9,8 @@
 
 namespace hrbfnpr::implicit {
 
-// Returns the order in which points are evaluated, cell by cell. Empty if there are no cells: the points keep their own
-// order.
+// Returns the order in which points are evaluated, cell by cell. If there are no cells, the result is empty, and the
+// points keep their order.
 [[nodiscard]] base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& implicit,
                                                       const geometry::VecArray& points);
 

@@ -114,7 +114,7 @@ struct WendlandC2 : InverseRoot {
     }
 };
 
-// Adds in the lanes of the mask only; the others are neither read nor written.
+// Adds only in the lanes of the mask. The other lanes are neither read nor written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }

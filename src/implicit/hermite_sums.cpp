@@ -106,7 +106,7 @@ HWY_INLINE void add_full(const Kernel& kernel, const Sources& s, const Targets& 
     }
 }
 
-// Adds in the lanes of the mask only; the others are neither read nor written.
+// Adds only in the lanes of the mask. The other lanes are neither read nor written.
 HWY_INLINE void add_some(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }

@@ -140,7 +140,7 @@ HWY_INLINE void add_source(const Kernel& kernel, double smoothing, const Sources
               hn::MulSub(along, dz, hn::Mul(k.c, bz)), sum.third);
 }
 
-// Adds in the lanes of the mask only; the others are neither read nor written.
+// Adds only in the lanes of the mask. The other lanes are neither read nor written.
 HWY_INLINE void add_to(double* at, V sum, hn::Mask<D> mask) {
     hn::BlendedStore(hn::Add(hn::MaskedLoad(mask, D(), at), sum), mask, D(), at);
 }

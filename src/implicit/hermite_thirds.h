@@ -34,7 +34,7 @@ using AddHermiteThirds = void (*)(double kernel_radius, double smoothing, const 
 
 [[nodiscard]] AddHermiteThirds hermite_thirds(base::InstructionSet set, kernel::Kind kind) noexcept;
 
-// Does the same as the loops above in plain code, written as the equations. Tests compare the two.
+// Computes the same sums in plain code, written as the equations. Tests compare the two.
 void add_hermite_thirds_plainly(kernel::Kind kind, double kernel_radius, double smoothing, const Sources& sources,
                                 const ThirdTargets& targets) noexcept;
 

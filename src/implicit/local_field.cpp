@@ -24,8 +24,8 @@ constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
 // A child of a cube is made if there are centres within this many of its half widths from its middle.
 constexpr double beside = 1.4;
-// Centres act one by one on a cube's nodes if there are fewer of them than this share of the number of nodes: a
-// translation costs more.
+// A node of the tree with fewer centres than this share of a cube's number of nodes acts on the cube directly, centre
+// by centre, because a translation costs more.
 constexpr double worth_a_node = 0.1;
 // The most centres in an undivided cube of the tree of centres.
 constexpr std::int64_t sources_in_leaf = 24;

@@ -159,7 +159,8 @@ private:
     std::int64_t first_term_[most_points + 1];
     std::int32_t alone_[most_points];      // for each point: the sheet that is known to equal f there, or -1
     std::int32_t next_alone_[most_points]; // next point of the same sheet, or -1
-    std::int32_t ruler_[most_points];      // for the other points: the term that is the result of all cells, or -1
+    // For points without such a sheet: the term that is the result of all cells, or -1.
+    std::int32_t ruler_[most_points];
     Hit hit_[most_hits];
     Term term_[most_terms];
     Group group_[most_points + most_terms];

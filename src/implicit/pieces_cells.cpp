@@ -48,7 +48,7 @@ namespace {
 
 constexpr std::size_t places = 9; // number of places in a zone where programs are evaluated: its corners and its middle
 
-// A program without the operands that cannot matter, and its values at these places.
+// A program without the operands that cannot matter in a zone, and its values at the places of the zone.
 struct Simple {
     std::array<double, places> value{};
     std::array<std::int32_t, std::size_t{2 * PiecesData::most_operands}> code{};
@@ -107,8 +107,8 @@ template <class T>
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// The cells that reach a leaf, their sheets, and the values of these at the places of the leaf's zones: corners, then
-// middles.
+// The cells that reach a leaf, their sheets, and the values of the sheets at the places of the leaf's zones: corners,
+// then middles.
 struct Beside {
     explicit Beside(base::Memory& memory) noexcept : leaf(memory), sheet(memory), value(memory) {}
     base::Array<std::int32_t> leaf;
@@ -136,7 +136,7 @@ struct Beside {
     return beside;
 }
 
-// Appends a program without the operands that cannot matter in the zone that has these places.
+// Appends a program without the operands that cannot matter in a zone, judged at the zone's corners and middle.
 void simplify(std::span<const std::int32_t> program, const std::array<std::int64_t, places>& at, const Beside& beside,
               base::Array<std::int32_t>& to) {
     if (program.size() < 2) {

@@ -106,8 +106,9 @@ public:
     };
     // The sheets that may matter at a place.
     struct At {
-        std::int32_t sheet = -1;     // the sheet that equals f there; -1: no single sheet is known to
-        std::span<const Part> parts; // otherwise: cells, some of which reach the place; empty: nothing is known
+        std::int32_t sheet = -1; // the sheet that equals f there; -1: no single sheet is known to
+        // If no single sheet is known: cells, some of which reach the place; empty: nothing is known.
+        std::span<const Part> parts;
     };
     [[nodiscard]] At at(const glm::dvec3& place) const noexcept;
     [[nodiscard]] std::span<const std::int32_t> program_of(const Part& part) const noexcept {

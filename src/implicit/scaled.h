@@ -6,8 +6,8 @@
 
 namespace hrbfnpr::implicit {
 
-// g(y) = f(unit y) / unit: the same surface in that unit, with the same gradients. A unit that is a power of two causes
-// no rounding.
+// g(y) = f(unit y) / unit: the same surface in another unit of length, with the same gradients. A unit that is a power
+// of two causes no rounding.
 class Scaled final : public Implicit {
 public:
     // `own` must outlive this.

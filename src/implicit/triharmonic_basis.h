@@ -12,7 +12,8 @@
 
 namespace hrbfnpr::implicit {
 
-// The number of them: (degree + 1)^2 + (degree - 1)^2 + (degree - 3)^2, without terms for degrees below 0.
+// Returns the number of triharmonic polynomials: (degree + 1)^2 + (degree - 1)^2 + (degree - 3)^2, without terms for
+// degrees below 0.
 [[nodiscard]] constexpr int triharmonic_size(int degree) noexcept {
     int size = 0;
     for (int rest = degree, k = 0; k < 3 && rest >= 0; ++k, rest -= 2) size += (rest + 1) * (rest + 1);

@@ -50,7 +50,7 @@ private:
 void write_header(Writer& writer, std::uint32_t kind, std::uint32_t version, std::uint64_t payload_length);
 void write_trailer(Writer& writer, std::uint32_t checksum);
 
-// Writes a file. encode(encoder) writes the sections. It is called twice and must do the same both times.
+// Writes a file. encode(encoder) writes the sections. It is called twice, and must write the same both times.
 template <class F>
 void write_file(Writer& writer, std::uint32_t kind, std::uint32_t version, F&& encode) {
     Encoder measure(nullptr);

@@ -139,7 +139,7 @@ struct Extent {
 };
 
 struct Cluster : Extent, Turn {
-    std::int64_t block = 0; // its first block; its last block may be partly empty
+    std::int64_t block = 0; // the cluster's first block; its last block may be partly empty
     std::int32_t count = 0; // the number of marks
     std::uint32_t set = 0;  // the direction, 0 or 1, of the strokes of all its marks; 0 without strokes
 };

@@ -44,7 +44,7 @@ CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept
     const bool stand_out = found.standing >= plan_tuning.enough_standing;
     // Otherwise enough of the faces are too coarse for a round shape.
     found.polyhedron = !stand_out && found.coarse >= plan_tuning.enough_coarse;
-    // In both cases the shape has edges, unless they are very short.
+    // A shape whose edges stand out, or a polyhedron, has edges, unless they are very short.
     found.creases = (stand_out || found.polyhedron) && found.length >= plan_tuning.shortest_edges;
     return found;
 }

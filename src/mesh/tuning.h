@@ -37,7 +37,7 @@ struct MeshTuning {
     // Rays from this many faces of a component tell whether it lies inside another. Larger: slower, and fewer parts
     // that stick out a little are left out.
     std::int64_t tested_faces = 64;
-    // At a vertex with more corners than this, a normal is the mean over about this many of them. Larger: slower on
+    // At a vertex with more corners than this, a normal is the mean over about this many corners. Larger: slower on
     // fans.
     std::int64_t most_corners = 256;
     // A place is on a side of a face if the opposite corner's share in it is at most this. Larger: more places are on

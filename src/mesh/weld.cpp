@@ -182,7 +182,7 @@ struct Sliver {
     std::uint64_t edge; // the longest side
     std::int32_t face;
     bool forward;             // The sliver runs from the lower to the higher vertex there.
-    std::int32_t across = -1; // a face beside that edge, or -1
+    std::int32_t across = -1; // a face across the sliver's longest side, or -1
     bool agrees = false;      // `across` runs the other way there, as a neighbour with the same orientation does.
 };
 
@@ -231,8 +231,8 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     sliver.agrees = agrees;
 }
 
-// Returns the slivers, sorted by longest side, and sets `longest` of each face to that side, or to no_edge if it is no
-// sliver.
+// Returns the slivers, sorted by longest side. Sets `longest` of each face to its longest side, or to no_edge if the
+// face is no sliver.
 [[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
                                                base::Array<std::uint64_t>& longest, const base::Progress& progress) {
     base::Array<Sliver> found(welded.vertex.memory());
@@ -275,7 +275,8 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
         const std::int32_t middle =
             *std::find_if(flat.begin(), flat.end(), [&](std::int32_t v) { return v != a && v != b; });
         const Triangle whole = welded.triangle[sliver.across];
-        if (std::find(whole.begin(), whole.end(), middle) != whole.end()) continue; // the sliver lies on that face
+        // The sliver lies on the face across.
+        if (std::find(whole.begin(), whole.end(), middle) != whole.end()) continue;
         const auto half_with_middle_for = [&](std::int32_t end) {
             Triangle half = whole;
             std::replace(half.begin(), half.end(), end, middle);
@@ -404,7 +405,7 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
 // ---- Walls within solids: faces that two of them share, as boxes beside each other do
 
 enum class Twin : std::uint8_t {
-    none = 0, // not given equally often in both orientations, or a face of a leaf
+    none = 0, // the face was not given equally often in both orientations, or belongs to a leaf
     wall = 1,
     contact = 2 // solids touch here and in the faces beyond
 };
@@ -463,8 +464,8 @@ enum class Twin : std::uint8_t {
     return result;
 }
 
-// A wall between solids is never seen, so it is dropped. Where solids touch in more faces than those that both have,
-// each solid keeps its own faces.
+// A wall between solids is never seen, so it is dropped. Where solids touch in other faces beyond the shared ones, each
+// solid keeps its faces.
 void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeated, double rounding, Welded& welded,
                      MeshReport& report) {
     if (report.repeated_faces == 0) return;

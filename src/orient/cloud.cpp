@@ -17,7 +17,7 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t fewest_points = 4;
-constexpr double coordinate_limit = 1e100; // the same as for a fit
+constexpr double coordinate_limit = 1e100; // the limit of a fit's coordinates
 constexpr double thinnest = 1e-12;         // least ratio of the variances across and along a line; below is rounding
 
 [[nodiscard]] geometry::VecArray checked(const base::Runtime& runtime, const base::InView& points) {

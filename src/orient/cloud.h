@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The points that normals are found for, their neighbours, and planes through these.
+// The points for which normals are found, their neighbours, and planes through the neighbours.
 #pragma once
 
 #include "base/operation.h"
@@ -49,7 +49,7 @@ struct Cloud : Places {
 struct FirstPlaces : Places {
     FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_t count);
 
-    // Returns the elements of the whole cloud's array that belong to these places.
+    // Returns the elements of the whole cloud's array that belong to the first places.
     [[nodiscard]] geometry::VecArray pick(const geometry::VecArray& normal) const;
 
     base::Array<std::int64_t> place; // the place in the whole cloud

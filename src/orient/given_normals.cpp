@@ -3,7 +3,7 @@
 //
 //   compare            measures how alike given normals and those of least energy are: colours are not alike
 //   are_inward         tells whether most normals point inward: then all are turned
-//   are_tossed         tells whether neighbours agree by chance only: then each gets the sign of least energy
+//   are_tossed         tells whether signs are random: then each normal gets the sign of least energy
 //   patches_against    finds patches of places that are against the least energy: otherwise these are turned
 #include "orient/given_normals.h"
 

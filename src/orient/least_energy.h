@@ -26,7 +26,7 @@ struct Effort {
     int starts = 6;               // the most starts; the search ends when two reach the same result
     bool all = false;             // runs all starts, even if two reach the same result
     bool tree = false;            // adds a start whose signs spread along a spanning tree
-    const Begin* begin = nullptr; // adds a start from these normals
+    const Begin* begin = nullptr; // if not null: adds a start from the normals of a coarser cloud
 };
 
 struct LeastEnergy {

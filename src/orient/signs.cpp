@@ -384,7 +384,7 @@ private:
     base::Array<double> dense_part_;
     base::Array<std::int64_t> seen_;  // for each term: the number of the last visit that reached it
     base::Array<std::int32_t> terms_; // the terms that have one of the members
-    base::Array<double> part_;        // for each of these terms: the members' part
+    base::Array<double> part_;        // for each term in `terms_`: the members' part
     std::int64_t visit_ = 0;
 };
 
@@ -421,8 +421,8 @@ double improve(const SignTerms& energy, const Levels& levels, Signs& signs, cons
     return turning.energy();
 }
 
-// Returns patches as clusters: a place and the neighbours on its sheet whose normals agree with its own. Writes the
-// signs of these neighbours.
+// Returns patches as clusters. A patch is a place and those neighbours on its sheet whose normals agree with the
+// place's. Writes the signs of these neighbours.
 [[nodiscard]] base::Array<std::int32_t> find_patches(const Places& places, const Near& near,
                                                      const geometry::VecArray& normal, Signs& signs) {
     base::Array<std::int32_t> patch(signs.memory(), places.size());

@@ -79,8 +79,8 @@ struct OrientTuning {
 
     // ---- Starts
 
-    // Starts end when two of them reach the same result, unless another result has less energy by more than this share.
-    // Larger: fewer starts.
+    // No more starts are made when two starts have reached the same result, unless another result has less energy by
+    // more than this share. Larger: fewer starts.
     double same_energy = 0.03;
     // The weight of a start in the agreement falls by a factor of e if its energy is higher by this share. Larger:
     // failed starts cost more confidence.

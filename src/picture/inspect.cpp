@@ -328,7 +328,8 @@ void tell_inside_out(const Call& call, const MeshFacts& facts) {
     }
 }
 
-// Reports how a fit treats edges of more than two faces. `left` is the number of them that the mended mesh still has.
+// Reports how a fit treats edges of more than two faces. `left` is the number of such edges that the mended mesh still
+// has.
 void tell_nonmanifold(const Call& call, std::int64_t found, std::int64_t left, bool has_repeated_faces) {
     if (left < found)
         call.report.note(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(found - left)},

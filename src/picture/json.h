@@ -17,7 +17,7 @@ enum class JsonKind : std::uint8_t { null, boolean, whole, real, text, list, obj
 struct JsonItem {
     JsonKind kind = JsonKind::null;
     bool is_negative = false;    // Set only for whole numbers.
-    std::uint32_t end = 0;       // The index of the first item after this one and its parts.
+    std::uint32_t end = 0;       // The index of the first item after this item and its parts.
     std::uint32_t key_begin = 0; // The key of an object's part, in the document's texts.
     std::uint32_t key_size = 0;
     std::uint64_t magnitude = 0;  // The magnitude of a whole number, or 1 for true.

@@ -42,7 +42,7 @@ struct SharpEdges {
         std::int64_t from, to; // numbers of places
     };
     Points places;
-    Vector<Edge> edges; // in the order in which the faces list them
+    Vector<Edge> edges; // the edges, in the order in which the faces list them
 };
 
 double diagonal_of_points(const Points& points) noexcept {
@@ -88,7 +88,7 @@ SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angl
     auto desc = defaults<hrbfnpr_mesh_edges_desc>(hrbfnpr_mesh_edges_desc_init);
     desc.edges = HRBFNPR_EDGES_SHARP;
     desc.crease_angle = std::clamp(angle, 1.0, 179.0);
-    desc.far = diagonal_of_points(shape.points); // so that only the angle counts
+    desc.far = diagonal_of_points(shape.points); // this makes only the angle count
     const hrbfnpr_array_out to_sharp{sharp.data(), triangles.count, 0, HRBFNPR_SCALAR_INT32, 3};
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_mesh_edges(mesh.get(), &desc, nullptr, &to_sharp, nullptr, operation, error);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Turns a mesh into surfaces. look_at_mesh() welds it, turns its faces outward, removes lost parts, samples it, and
-// divides coarse faces. groups_of_mesh() separates parts that make no surface together. surface_of_group() fits a
+// divides coarse faces. groups_of_mesh() separates parts that cannot belong to one surface. surface_of_group() fits a
 // model, and end_of_mesh() ends it where the mesh ends.
 #include "picture/mesh_surface.h"
 
@@ -165,7 +165,7 @@ void tell_mesh_repairs(const Call& call, const hrbfnpr_mesh_info& info) {
                     "that crosses itself");
 }
 
-// Removes the faces with these numbers from a mesh, and welds the rest again.
+// Removes the faces with the given numbers from a mesh, and welds the rest again.
 void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Shape& shape,
                      hrbfnpr_operation* operation) {
     const Vector<std::int32_t> given = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE, call.pool);
@@ -653,8 +653,8 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     return ended;
 }
 
-// Makes the surface of a group. `looked` has the samples of the whole mesh, which serve where the fit does not choose
-// its own.
+// Makes the surface of a group. `looked` has the samples of the whole mesh, which are used if the fit does not choose
+// samples.
 Surface surface_of_group(const Call& call, MeshGroup&& group, const LookedAtMesh& looked, double across) {
     Surface surface;
     if (chooses_samples(call.options)) {

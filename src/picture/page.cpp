@@ -268,7 +268,7 @@ namespace {
 
 // The widths in mm that a group of layers is drawn with.
 struct GroupWidths {
-    String group; // the prefix of the names of its groups
+    String group; // the prefix of the names of the layers' groups
     bool is_lines;
     Vector<float> widths;
 
@@ -325,7 +325,7 @@ float median_width(Vector<float>& widths) {
 // The pen for a group, and the width that the group is drawn with.
 struct ChosenPen {
     String groups;
-    std::size_t pen; // its index among the available widths
+    std::size_t pen; // the index of the pen among the available widths
     const char* what;
     double drawn; // mm
 };

@@ -73,7 +73,7 @@ glm::dvec3 painted_light(const hrbfnpr_style& style, const hrbfnpr_camera& camer
     return (1.0 / length) * light;
 }
 
-// The painted data that a style or marks hold. It has its own pool, because copies of the style may outlive the
+// The painted data that a style or marks hold. It has a separate pool, because copies of the style may outlive the
 // original pool.
 struct HeldPaint {
     HeldPaint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, base::Memory& memory)

@@ -57,7 +57,7 @@ struct Part {
 struct Made {
     explicit Made(Pool& pool) : lines_key(&pool), parts(&pool) {}
 
-    std::optional<Marks> marks; // as they were planned
+    std::optional<Marks> marks; // the marks, as they were planned
     String lines_key;           // the key by which the lines are found
     bool has_lines = false;
     Vector<Part> parts;
@@ -66,7 +66,7 @@ struct Made {
 } // namespace hrbfnpr::picture
 
 struct hrbfnpr_picture : hrbfnpr::api::Child {
-    // `root` is the picture whose surfaces this one shares, or null if it has its own.
+    // `root` is the picture whose surfaces this one shares, or null if this picture has separate surfaces.
     hrbfnpr_picture(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc, const hrbfnpr_picture* root)
         : Child(context), root_(root), settings_(desc.settings), pool(context.runtime.memory),
           options(desc, settings_ != nullptr ? settings_->settings : nullptr, pool),

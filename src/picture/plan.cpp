@@ -233,7 +233,7 @@ Vector<LayerPlan> layers_of_style(const Call& call) {
     return layers.empty() ? layers_of_preset(call) : std::move(layers);
 }
 
-// Returns the layers of a file of settings. Each of them gives its number of marks, if only by its default.
+// Returns the layers of a file of settings. Each layer gives its number of marks, if only by its default.
 Vector<LayerPlan> layers_of_settings(const Call& call, Marks& marks) {
     Vector<LayerPlan> layers(&call.pool);
     for (const hrbfnpr_layer_desc& desc : call.options.settings->marks.layers) {

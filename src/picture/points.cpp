@@ -39,7 +39,7 @@ void tell_left_out_strays(const Call& call, std::int64_t count) {
                      " far from all others left out ({outliers=keep} keeps them)");
 }
 
-// Keeps the elements with these numbers, in the given order.
+// Keeps the elements with the given numbers, in the given order.
 void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
     Points some(&pool);
     some.reserve(chosen.size());
@@ -271,7 +271,7 @@ hrbfnpr_fit_desc fit_desc_of(const Call& call, bool of_points, bool normals_made
     if (of_points && !options.gives_fit("regularization")) desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
     if (normals_made) desc.outliers = HRBFNPR_REPAIR_DROP;
     options.changes.apply("fit", desc);
-    // These options override settings, but changes of single fields override these options.
+    // Options of the descriptor override settings, but changes of single fields override the options.
     if (options.desc.tolerance != 0.0 && !changes_fit_field(options.changes, "fit.tolerance"))
         desc.tolerance = options.desc.tolerance;
     if (options.desc.maximum_centres != 0 && !changes_fit_field(options.changes, "fit.maximum_centres"))

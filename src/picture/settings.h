@@ -66,8 +66,8 @@ struct Settings {
 struct PictureParts {
     std::uint32_t preset;
     const hrbfnpr_camera& camera;             // the planned camera, whose viewport is the picture
-    const Style& style;                       // as planned, in pixels of this picture
-    const Marks* marks;                       // as planned; nullptr if no marks were made
+    const Style& style;                       // the style as planned, in pixels of this picture
+    const Marks* marks;                       // the marks as planned; nullptr if no marks were made
     std::span<const hrbfnpr_line_desc> lines; // lines that are found once, without the caller's own
 };
 

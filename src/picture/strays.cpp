@@ -60,7 +60,7 @@ PointMask points_at(const Points& points, double value, Pool& pool) {
     return at;
 }
 
-// Tells whether a value is farther below all other points than the extent of these points.
+// Tells whether a value is below all other points by more than the extent of these points.
 bool is_far_below(double value, const Points& points, const PointMask& at_it) noexcept {
     geometry::Bounds rest;
     for (std::size_t i = 0; i < points.size(); ++i)

@@ -34,7 +34,7 @@ private:
     Vector<std::shared_ptr<const void>> held_;
 };
 
-// hrbfnpr_style with its own layers, lines, names and levels. It corresponds to the class Style in Python.
+// An hrbfnpr_style that owns its layers, lines, names and levels. It corresponds to the class Style in Python.
 class Style {
 public:
     explicit Style(Pool& pool);                    // the library's default style
@@ -75,7 +75,7 @@ private:
     KeptTexts kept_;
 };
 
-// hrbfnpr_generate_desc with its own layers and names.
+// An hrbfnpr_generate_desc that owns its layers and names.
 class Marks {
 public:
     explicit Marks(Pool& pool);
@@ -93,7 +93,7 @@ public:
     // Copies an n x 3 array.
     void set_seed_points(const hrbfnpr_array& points);
     [[nodiscard]] hrbfnpr_generate_desc view() const noexcept;
-    // Tells whether both make the same marks on a surface.
+    // Tells whether this and `other` make the same marks on a surface.
     [[nodiscard]] bool same_as(const Marks& other) const noexcept;
 
 private:

@@ -330,7 +330,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
         return finer;
     }
     Rounds plan = plan_rounds(shape, rounds, crease_angle, pool, progress);
-    Points control(shape.points, &pool); // Plain subdivision of these points comes near to the given vertices.
+    Points control(shape.points, &pool); // Plain subdivision of the control points comes near to the given vertices.
     for (std::int32_t i = 0; i < subdivide_tuning.corrections; ++i) {
         const Points made = refined(control, shape, plan.rounds, pool, progress);
         for (std::size_t v = 0; v < control.size(); ++v) control[v] = control[v] + shape.points[v] - made[v];

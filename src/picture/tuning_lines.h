@@ -58,7 +58,7 @@ struct PlateTuning {
     double digit_width = 0.78;
     // The distance between the lines of a section's hatching, in pens. Larger: paler sections.
     double hatch_period = 9.0;
-    // The width of these lines, in pens. Larger: darker sections.
+    // The width of the lines of a section's hatching, in pens. Larger: darker sections.
     double hatch_line = 0.7;
     // The width of a section's outline, in pens. Larger: a heavier outline.
     double outline = 2.6;

@@ -60,7 +60,8 @@ struct ApartTuning {
     // Two borders are one edge if at least this share of either border is nearer than `seam` to the other. Larger: more
     // groups.
     double seam_share = 0.2;
-    // The cosine between the normals of the faces beside such an edge exceeds this in magnitude. Larger: more groups.
+    // Two borders are one edge only if the cosine between the normals of the faces beside them exceeds this in
+    // magnitude. Larger: more groups.
     double seam_cosine = 0.7;
     // About this many places are spread over all parts. Larger: no contact is missed, in more time.
     double places = 40'000.0;

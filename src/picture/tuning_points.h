@@ -50,7 +50,7 @@ struct NormalsTuning {
     double off_surface = 0.5;
     // The sum of the two winding numbers tells which side is outside if its magnitude is at least this.
     double telling_sum = 0.4;
-    // At least this share of the places must have such a sum.
+    // At least this share of the places must have a sum whose magnitude is at least `telling_sum`.
     double telling_share = 0.3;
     // The sum is 1 on a closed surface, -1 on an inside-out one, and 0 on a flat sheet. Below this all normals are
     // inward. Nearer to 0: open surfaces are turned, too.
@@ -62,7 +62,8 @@ struct NormalsTuning {
     double mixed_share = 0.02;
     // All other normals may be trusted if at most this share is wrong.
     double unsure_share = 0.1;
-    // If the share of places that look inside out lies between these, some parts point inward and others outward.
+    // If the share of places that look inside out lies between these two numbers, some parts point inward and others
+    // outward.
     double least_outside_in = 0.05;
     double most_outside_in = 0.95;
     // Neighbouring normals are opposed if their cosine is below this.
@@ -74,8 +75,8 @@ struct NormalsTuning {
     double level_height = 0.25;
     // Pairs of neighbours are used only if at least this share is surely on the same sheet.
     double least_level_share = 0.2;
-    // A normal is wrong if more than this share of its side neighbours is opposed. There must be at least three of
-    // them.
+    // A normal is wrong if more than this share of its side neighbours is opposed. At least three side neighbours are
+    // needed.
     double against_share = 0.75;
     std::int64_t fewest_beside = 3;
     // Smaller sets of points are not repaired.
@@ -105,7 +106,7 @@ struct StraysTuning {
     // strays.
     double crowd = 24.0;
     // A point is a stray if its cell and the cells around it hold at most this many points. For half of all points
-    // these cells hold a hundred or more.
+    // these cells together hold a hundred points or more.
     std::int64_t alone = 3;
     // If more than this share would be strays, none is removed, because the points are simply uneven.
     double most = 0.1;

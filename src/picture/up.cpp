@@ -159,8 +159,8 @@ double distance_of_most(const geometry::VecArray& places, const geometry::PointT
     return percentile(distances, up_tuning.mirrored_percentile);
 }
 
-// Mirrors samples along an axis in their mean or in the middle of their box, and returns their distance from the
-// others.
+// Mirrors samples along an axis in their mean or in the middle of their box. Returns how far the mirrored samples are
+// from the others.
 double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAxis axis,
                          const geometry::PointTree& tree, Pool& pool) {
     const auto step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(up_tuning.mirrored_most));

@@ -44,7 +44,7 @@ struct SheetScale {
     double value; // 0.5
 };
 
-// Each of these reads a text, and throws Error{invalid_argument} that says which texts are valid.
+// Each of these functions reads a text, and throws Error{invalid_argument} that says which texts are valid.
 [[nodiscard]] Vector<ViewName> parse_views(std::string_view text, const Report& report);    // "front,top"
 [[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report); // such as "z:20;-x;1:1:0:5"
 // "auto" returns nothing.
@@ -97,7 +97,7 @@ struct SheetView {
 [[nodiscard]] Vector<CutPlane> planes_of(std::span<const AskedCut> cuts, std::span<const ViewName> names,
                                          const Standing& axes, const glm::dvec3& middle, Pool& pool);
 
-// Returns the views with these names, followed by a section for each plane.
+// Returns the views with the given names, followed by a section for each plane.
 [[nodiscard]] Vector<SheetView> views_of(std::span<const ViewName> names, const Vector<CutPlane>& planes,
                                          const Standing& axes, Pool& pool);
 

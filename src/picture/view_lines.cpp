@@ -21,7 +21,7 @@ struct TracedLine {
     explicit TracedLine(Pool& pool) : places(&pool), points(&pool), hidden(&pool) {}
 
     Points places;    // places in the model
-    PaperLine points; // the same places in the view, in mm
+    PaperLine points; // the places of the line in the view, in mm
     Flags hidden;     // whether the piece from point i to point i + 1 is hidden
 };
 using TracedLines = Vector<TracedLine>;

@@ -139,7 +139,7 @@ void add_projection_symbol(SheetContent& content, const glm::dvec2& middle, Proj
     add_axis({end, middle.y - large - beyond}, {end, middle.y + large + beyond});
 }
 
-// Returns where a line enters and leaves a box. If it misses the box, both are the given point.
+// Returns where a line enters and leaves a box. If the line misses the box, both places are the given point.
 std::array<glm::dvec2, 2> across_box(const glm::dvec2& point, const glm::dvec2& way, const SheetBox& box) noexcept {
     constexpr double along_side = 1e-9;
     double low = -std::numeric_limits<double>::infinity();
@@ -199,7 +199,7 @@ void SheetContent::add_text(const glm::dvec2& at, std::string_view text, double 
 
 SheetAnnotations annotations_of(const SheetContent& content, Pool& pool) {
     SheetAnnotations made(pool);
-    // The lists refer to the names, so these must not move.
+    // The lists refer to the names, so the names must not move.
     made.groups.reserve(content.layers.size() + kinds_of_lines.size());
     for (std::size_t kind = 0; kind < kinds_of_lines.size(); ++kind)
         for (const SheetLayer& layer : content.layers) {

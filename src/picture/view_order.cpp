@@ -96,8 +96,8 @@ struct CurvePart {
     bool hidden;
 };
 
-// Extends lines up to the lines that they join. Such lines run close to the others before they meet, or continue one of
-// them.
+// Extends lines up to the lines that they join. Before lines meet, they run close to each other, or one continues the
+// other.
 void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
     const Vector<Run> runs = runs_of(free, pool);
     const auto length = [&](std::size_t i) { return at[runs[i].end - 1] - at[runs[i].begin]; };
@@ -160,7 +160,7 @@ PaperLine between_lengths(const ViewCurve& curve, const Vector<double>& along, d
 
 // ---- Short gaps
 
-// Returns the direction in which a line ends, or in which it ends when turned round.
+// Returns the direction of a line at its end or, if `turned`, the direction at the end of the reversed line.
 glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
     const std::size_t count = line.size();
     const auto point = [&](std::size_t i) { return turned ? line[i] : line[count - 1 - i]; };

@@ -269,7 +269,7 @@ void write_fit(JsonDocument& to, const Options& options, Pool& pool) {
     fields.take(options.changes, fit_order);
     put_choice(options, options.changes.is_callers("fit.tolerance"), options.changes.is_callers("fit.maximum_centres"),
                fields, pool);
-    // The options replace these two.
+    // The options replace these two fields: normal_mode and trim.
     fields.remove("normal_mode");
     fields.remove("trim");
     const bool is_auto = fields.text("regularization") == "auto" || fields.text("regularization_mode") == "auto";

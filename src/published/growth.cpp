@@ -204,7 +204,8 @@ constexpr std::int32_t sets = 2;
     if (glm::dot(field, onward) < 0.0) field = -field;
     if (combing) return field;
     const double weight = glm::smoothstep(published_tuning.unsure, published_tuning.sure, c.confidence);
-    return glm::normalize(weight * field + (1.0 - weight) * onward); // the two are no more than 90 degrees apart
+    // The two directions are no more than 90 degrees apart.
+    return glm::normalize(weight * field + (1.0 - weight) * onward);
 }
 
 // Returns the key of a mark, from its stroke and its place along the stroke.

@@ -16,7 +16,7 @@ struct Settings {
     std::int32_t start_level = 0;
 };
 
-// The marks from which a layer starts. A stroke of each of the two sets starts from each of them.
+// The marks from which a layer starts. A stroke of each of the two sets of directions starts from each mark.
 struct Start {
     const geometry::VecArray& position;
     const geometry::VecArray& normal;
@@ -27,12 +27,12 @@ struct Start {
 enum class Directions : std::uint8_t { principal, combing, function };
 
 struct GrowthSettings {
-    std::int64_t layer = 0; // for messages; -1: stipples that serve only as starts of strokes
+    std::int64_t layer = 0; // the layer's number for messages; -1: stipples that serve only as starts of strokes
     std::int32_t levels = 0;
     double step = 0.0;                             // rho_0
     std::int64_t budget = 0;                       // 0 = none
     Directions directions = Directions::principal; // the directions that strokes follow
-    marks::DirectionFunction function;             // with Directions::function
+    marks::DirectionFunction function;             // the function, with Directions::function
 };
 
 // Grows stipples by the x5 recursion.

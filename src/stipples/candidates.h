@@ -83,7 +83,7 @@ struct LayerCandidates {
     std::uint32_t stream = 0;             // the stream of random numbers that points are drawn from
     std::int64_t each = 1;                // the number of projections per trial
     base::Array<std::int32_t> trial_cell; // all cells whose trials may have a projection in a bent cell
-    double volume = 0.0;                  // the volume of these cells
+    double volume = 0.0;                  // the volume of the trial cells
     double reach = 0.0, band = 0.0;       // as in SurfaceCells
     // These grow with each draw.
     base::Array<Projection> projection;

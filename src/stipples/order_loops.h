@@ -58,7 +58,7 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
 // A summary of a cell's energies, which are infinite where no candidate is open.
 struct OrderLowest {
     std::int64_t at; // the first with the lowest energy among those with clearance >= enough; -1: none is open
-    float energy;    // its energy
+    float energy;    // the energy of that candidate
     float of_all;    // the lowest energy at any clearance
 };
 
@@ -73,7 +73,7 @@ struct OrderLoops {
     // both tangent planes, whose square is o . o - 2 (o . m) (o . n) / (1 + m . n).
     Feel feel[2];
     OrderLowest (*lowest)(const OrderBlock& block, float enough);
-    // Does both for one mark.
+    // Adds one mark and finds the lowest candidate in one pass.
     FeelAndFind feel_and_find[2];
     // Returns the index of the first smallest number; -1 if all are infinite.
     std::int64_t (*smallest)(const float* numbers, std::int64_t count);

@@ -68,7 +68,7 @@ struct Fresh {
     float energy;
     std::int32_t cell; // -1 if the gap is too small
     std::uint8_t step;
-    bool linked; // it has one of its cell's slots
+    bool linked; // the mark has one of its cell's slots
 };
 // The most marks that a tile gets in a sweep.
 constexpr std::int64_t most_fresh = 64;
@@ -333,7 +333,7 @@ glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b)
     return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
 }
 
-// The most marks that are looked at around a candidate; a plane has room for about 20 of them within the distance that
+// The most marks that are examined around a candidate. In a plane about 20 marks have room within the distance that
 // counts.
 constexpr std::size_t most_around = 64;
 
@@ -345,7 +345,8 @@ struct Surroundings {
     bool creased;      // the surface has creases
     bool bent = false; // some mark has a very different normal, without a crease
     std::size_t count = 0;
-    std::array<glm::dvec2, most_around> flat; // in the tangent plane, as far away as in space or along the surface
+    // The positions of the marks in the tangent plane, as far away as in space or along the surface.
+    std::array<glm::dvec2, most_around> flat;
     std::array<glm::dvec3, most_around> between;
     std::array<glm::dvec3, most_around> beyond; // the normals of marks over a crease; 0 for other marks
 };
@@ -630,8 +631,8 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
     return false;
 }
 
-// Marks of a step are stored tile by tile. Shuffling each step spreads any part of them like the whole. The marks of a
-// sweep are consecutive.
+// Marks of a step are stored tile by tile. Shuffling the marks within each step spreads any part of the step like the
+// whole step. The marks of a sweep are consecutive.
 [[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const Order& order) {
     struct Lot {
         std::uint64_t bits; // the top eight bits are the step
@@ -695,8 +696,8 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
             edge[1] = third;
             continue;
         }
-        // Three points are at equal distances: this is a maximum if they surround the place; otherwise continue along
-        // the edge that the place is beyond.
+        // Three points are at equal distances. This is a maximum if they surround the place. Otherwise continue along
+        // the edge of their triangle beyond which the place lies.
         const glm::dvec2 b = around[edge[1]];
         const glm::dvec2 c = around[third];
         const double all = turn(a, b, c);

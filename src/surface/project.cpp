@@ -30,7 +30,7 @@ constexpr double smallest_share = 1e-14;
 //               = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
 class ProjectedBatch {
 public:
-    // `order` is the order in which to process the points. Null: their own order.
+    // `order` is the order in which the points are processed. Null: the order in which they are given.
     ProjectedBatch(const implicit::Implicit& implicit, const ProjectionSettings& settings,
                    const std::int32_t* order) noexcept
         : implicit_(implicit), settings_(settings), order_(order), diagonal_(implicit.diagonal()),

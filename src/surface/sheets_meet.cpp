@@ -31,8 +31,8 @@ std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place) 
     return sheet;
 }
 
-// By Gram and Schmidt's method, what each sheet adds is perpendicular to the sheets before it, so these keep their
-// values.
+// By Gram and Schmidt's method, the step that each sheet adds is perpendicular to the gradients of the sheets before
+// it, so their values stay the same.
 glm::dvec3 way_to_zero(std::span<const SheetValue> values) noexcept {
     std::array<glm::dvec3, 3> across{};
     std::size_t count = 0;

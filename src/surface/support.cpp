@@ -43,8 +43,8 @@ double own_and_median(const base::Array<double>& distance, std::span<const std::
 
 } // namespace
 
-// The nearest samples of a point, and -ln of their weights. The least of these is factored out of the sums, so that
-// they do not vanish far away.
+// The nearest samples of a point, and -ln of their weights. The least -ln is factored out of the sums, so that they do
+// not vanish far away.
 struct Support::Near {
     std::array<std::int64_t, nearest> at;
     std::array<double, nearest> facing; // (1 + n_j . m) / 2

@@ -25,11 +25,11 @@ class Support {
 public:
     static constexpr std::int64_t nearest = 24;
 
-    // The value of s at a point with a normal, and its derivatives by both.
+    // The value of s at a point with a normal, and the derivatives of s by place and by normal.
     struct Answer {
         double value;         // infinite if no sample is near or faces the same way
-        glm::dvec3 by_place;  // its gradient for a fixed normal
-        glm::dvec3 by_normal; // its derivative by the normal, perpendicular to the normal
+        glm::dvec3 by_place;  // the gradient of s for a fixed normal
+        glm::dvec3 by_normal; // the derivative of s by the normal, perpendicular to the normal
     };
 
     // `position` and `normal` (unit) belong to the same samples, one or more. Spacings below `closest` are raised to
@@ -65,14 +65,14 @@ public:
     // Tells whether a cube surely holds no surface: s is above `limit` in all of it for any normal, and no cell is
     // kept. Returns false if that is not certain.
     [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
-    // Tells whether the samples are along curves, with nothing between these.
+    // Tells whether the samples are along curves, with nothing between the curves.
     [[nodiscard]] bool along_curves() const { return geometry::along_curves(tree_); }
     [[nodiscard]] geometry::VecArray not_surrounded() const;
 
     // The samples' positions and normals, in this object's own order.
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
     [[nodiscard]] const geometry::VecArray& normals() const noexcept { return normal_; }
-    // Returns which of the given samples is at position `at` of that order.
+    // Returns which of the given samples is at position `at` of this object's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return tree_.index(at); }
     [[nodiscard]] const geometry::CellGrid& grid() const noexcept { return grid_; }
     [[nodiscard]] const geometry::CellSet& kept() const noexcept { return kept_; }

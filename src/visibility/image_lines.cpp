@@ -300,7 +300,7 @@ void go(const Scene& in, OnLine& at, double by) noexcept {
     at = {static_cast<std::int32_t>(line.first_piece + next), back != ends ? 1.0 : 0.0};
 }
 
-// Runs Newton's method on the cubics themselves: both places move until they meet in the image.
+// Runs Newton's method on the cubics: both places move until they meet in the image.
 bool refine(const Scene& in, OnLine& a, OnLine& b) noexcept {
     HRBFNPR_ASSERT(a.share >= 0.0 && a.share <= 1.0 && b.share >= 0.0 && b.share <= 1.0);
     for (int step = 0;; ++step) {
@@ -330,7 +330,8 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
     const Subject& sb = in.subject(b.piece);
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
     const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
-    const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point); // the same for both curves
+    // The line of sight is the same for both curves.
+    const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point);
     const bool second_far = glm::dot(world_q - world_p, sight) > 0.0;
     const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
     crossing.gap = glm::distance(world_p, world_q) / side;
@@ -367,13 +368,13 @@ bool look_at(const Scene& in, const SegmentPair& pair, Crossing& crossing) noexc
 
 // ---- Verification
 
-// A crossing whose curves are near each other in space, and a place on each of them, the farther one first.
+// A crossing whose curves are near each other in space, and a place on each of the curves, the farther one first.
 struct Suspect {
     std::int64_t crossing;
     std::int32_t subject[2];
     glm::dvec3 begin[2];
     curves::CurvePoint point[2];
-    double gap; // between the two places at the start
+    double gap; // the distance between the two places at the start
     bool done, right;
 };
 

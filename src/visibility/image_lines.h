@@ -57,8 +57,8 @@ struct Line {
     std::int32_t subject;
     std::int64_t curve;
     std::int64_t first_piece, pieces;
-    std::int64_t first_point, points; // its range in ImageLines::points
-    bool closed;                      // its first image point is repeated as its last
+    std::int64_t first_point, points; // the line's range in ImageLines::points
+    bool closed;                      // the first image point of the line is repeated as its last
 };
 
 struct ImageLines {

@@ -41,7 +41,7 @@ struct Ray {
     // The ray finds the following values.
     std::int32_t sheets;
     std::int32_t nearest; // the occluder nearest to the place on the ray; -1: none
-    double distance;      // from the place to that occluder, in the world
+    double distance;      // the distance from the place to the nearest occluder, in the world
     bool certain;
 };
 
@@ -444,8 +444,8 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
         const double way = at - group.begin;
         return line.closed ? way - whole * std::round(way / whole) : way;
     };
-    // Whether the branches before a group cross those after the group or within it. The loop of such a crossing has
-    // cusps of this group only.
+    // Whether the branches before a group cross the branches after the group or within it. The loop of such a crossing
+    // has cusps of this group only.
     const auto is_crossing_of = [&](const CuspGroup& group, const Event& e) {
         if (e.near_piece < line.first_piece || e.near_piece >= line.first_piece + line.pieces) return false;
         const double far = from_begin(group, e.at);

@@ -87,7 +87,7 @@ struct Invisibility {
         : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), pierced(memory) {}
 
     base::Array<Subject> subjects;                     // as given, except for curves that had to be made finer
-    base::List<std::unique_ptr<curves::Curves>> finer; // those curves; a subject refers to its last ones
+    base::List<std::unique_ptr<curves::Curves>> finer; // the finer curves; a subject refers to its last ones
     ImageLines lines;
     base::Array<Interval> intervals; // line by line, along it
     base::Array<Crossing> crossings;

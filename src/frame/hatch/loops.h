@@ -34,8 +34,8 @@ enum class HatchRow : std::int64_t {
     distance,
     darkness,    // n . l at first, then the darkness
     width,       // line width, pixels
-    leg,         // distance from the mark before, pixels; 0 if one of both has no place
-    tone_margin, // the line is drawn where none of these four is negative
+    leg,         // distance from the mark before, pixels; 0 if one of the two marks has no place in the picture
+    tone_margin, // the line is drawn where none of the four margins is negative
     level_margin,
     rim_margin,
     picture_margin, // hatch_nowhere: the mark has no place in the picture's plane
@@ -45,7 +45,8 @@ enum class HatchRow : std::int64_t {
 };
 
 inline constexpr float hatch_nowhere = -1e30F;
-// Marks farther than this outside of the picture count as nowhere, and so do marks of wider lines; pixels.
+// Marks farther than this outside the picture, in pixels, count as having no place. So do marks whose lines are wider
+// than this.
 inline constexpr float hatch_farthest = 1e6F;
 
 // Rows of numbers that can be read and written `slack` numbers beyond their ends.
@@ -96,7 +97,7 @@ struct HatchLoops {
     // be drawn and for their neighbours. Rows x, y and z must hold the places before the first and after the last mark,
     // too.
     void (*widen)(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed);
-    // Sets the legs, and finds which marks are near a mark that is drawn.
+    // Sets the distances between consecutive marks, and finds which marks are near a mark that is drawn.
     void (*measure)(const HatchRows& rows, std::int64_t count, bool closed);
 };
 

@@ -68,7 +68,7 @@ struct HatchStroke {
     // Scratch.
     base::Array<std::uint32_t> may_draw; // for each piece, a bit for each of its marks
     base::Array<Range> range;            // the places that are looked at, rising
-    base::Array<std::uint32_t> number;   // the numbers of these marks in the layer
+    base::Array<std::uint32_t> number;   // the numbers of the loaded marks in the layer
     base::Array<float> row;              // memory of HatchRows
     // The stroke's places. A closed stroke's last mark is left out if it lies where the first one does.
     std::int64_t first = 0, count = 0;
@@ -89,7 +89,7 @@ struct HatchView {
 
 // ---- Samples
 
-// A sample has the numbers of a mark at the same offsets, so that all of them are interpolated at once.
+// A sample has the same numbers as a mark, at the same offsets, so that all are interpolated at once.
 struct HatchSample {
     float x, y, window, depth;
     float side_x, side_y;                    // as in HatchMark
@@ -130,7 +130,7 @@ struct HatchSamples {
     base::Array<float> length, area;
     base::Array<glm::vec2> tangent;
     base::Array<float> at;          // lengths at which a chain is sampled
-    base::Array<std::uint8_t> ends; // for each of these lengths, a bit for each margin that is 0 there
+    base::Array<std::uint8_t> ends; // for each of the lengths in `at`, a bit for each margin that is 0 there
 
     void clear() noexcept {
         chain.clear();
@@ -160,7 +160,7 @@ struct HatchDotRun {
 
 // A line is seen on one side of a place between two of its samples, and hidden on the other.
 struct HatchCut {
-    std::int64_t before = -1; // the first of the two samples; -1: there is no such place
+    std::int64_t before = -1; // the first of the two samples between which the line is cut; -1: the line is not cut
     float at = 0.0F;          // along the line, pixels
 
     [[nodiscard]] bool any() const noexcept { return before >= 0; }
@@ -205,7 +205,7 @@ public:
         std::int64_t first_dot = 0; // the number of its first sample among the drawing's dots
         HatchSamples samples;
         HatchStroke stroke;                 // scratch for one stroke
-        base::Array<HatchDotRun> tile_runs; // its samples as runs in one tile each
+        base::Array<HatchDotRun> tile_runs; // the samples of the stroke, as runs in one tile each
         HatchStrokePart part;
     };
 
@@ -246,7 +246,7 @@ private:
     return static_cast<std::int64_t>(std::clamp(at * scale, 0.0F, static_cast<float>(count - 1)));
 }
 
-// The points in each tile of a picture. Points follow each other along lines, so that many of them are one entry.
+// The points in each tile of a picture. Points follow each other along lines, so a run of many points is one entry.
 class HatchTiles {
 public:
     explicit HatchTiles(const base::Runtime& runtime) noexcept

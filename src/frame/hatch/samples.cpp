@@ -26,7 +26,7 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// Bounds of a piece hold for its marks up to these roundings.
+// The bounds of a piece may be wrong by these roundings.
 constexpr float rounding_of_margins = 1e-3F;
 constexpr float rounding_of_darkness = 1e-4F;
 constexpr float most_length = 1.01F; // the length of a unit normal, up to rounding
@@ -197,7 +197,7 @@ bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count
         if (seen.may_draw.back() == 0) continue;
         any = true;
         if (!v.run.marks->stroke_order.empty()) continue;
-        // find_marks() reads these soon.
+        // find_marks() reads the prefetched normals soon.
         base::prefetch_many(v.run.normal + 3 * std::int64_t{own.first}, 3 * std::int64_t{own.count});
         if (v.run.has_tone_normals() && v.run.normal == v.run.marks->normal.data())
             base::prefetch_many(v.run.marks->tone_normal.data() + 3 * std::int64_t{own.first},
@@ -368,7 +368,7 @@ void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const 
     v.view.loops.measure(rows, count, closed);
 }
 
-// Whether the stroke is closed and its first and last marks, which are neighbours, were looked at.
+// Whether the stroke is closed and its first and last marks, which are neighbours, were both loaded.
 bool has_seam(const HatchStroke& seen) noexcept {
     return seen.closed && seen.range.span().front().begin == seen.first &&
            seen.range.span().back().end == seen.first + seen.count;
@@ -829,7 +829,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
         // From one mark to the next a width may change by much, and samples lie elsewhere in the next frame. So a width
         // is the mean over a step around the sample.
         const float reach = std::min({half_step, at[i], whole - at[i]});
-        if (!(reach > 0.0F)) continue; // at the ends the width is that of the mark
+        if (!(reach > 0.0F)) continue; // at the ends the width is that of the mark there
         const float area = area_at(at[i] - reach);
         sample.width = 0.5F * (area_at(at[i] + reach) - area) / reach;
     }

@@ -34,7 +34,7 @@ struct Passage {
     [[nodiscard]] std::array<float, 3> rise(const StrokePoint& to) const noexcept {
         return {to.x - from.x, to.y - from.y, to.radius - from.radius};
     }
-    // Whether all points taken are near enough to the line from the first one to this one, and the opacity is the same.
+    // Whether all points taken are near enough to the line from the first point to `to`, and have the same opacity.
     [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
         const float way = to.length - from.length;
         bool holds = way > 0.0F && to.opacity == from.opacity;

@@ -43,7 +43,8 @@ struct HatchTuning {
     // Gaps shorter than half of this are closed, in widths; longer ones open gradually up to this. Larger: fewer and
     // longer lines.
     float least_gap = 2.0F;
-    // `least_gap` is at least this, in pixels, however thin the line is. Larger: lines cross dots of light.
+    // `least_gap` is never less than this, in pixels, however thin the line is. Larger: lines cross small spots of
+    // light.
     float least_gap_pixels = 1.0F;
     // A gap that something hides is closed if it is no longer than this many halos, since a contour and its halo run
     // out there. Up to `halo_and_more` it opens gradually. Larger: halos are crossed.

@@ -33,7 +33,7 @@
 namespace hrbfnpr::frame {
 namespace {
 
-// The steps of a frame end at these shares of the time.
+// The steps of a frame end at these shares of the frame's time.
 constexpr double traced_end = 0.32;
 constexpr double found_end = 0.8;
 constexpr double hidden_end = 0.9;

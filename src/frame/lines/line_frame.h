@@ -21,9 +21,10 @@ struct Contours {
     std::int64_t part = 0;     // the number of the part in LineSet::parts(); 0 if the set has no parts
     glm::dvec4 eye{0.0};       // as View::eye
     curves::Curves traced;     // as traced, before cusps are added
-    curves::Curves with_cusps; // these contours are drawn
+    curves::Curves with_cusps; // the contours with cusps, which are drawn
     bool from_last = false;    // tracing began with the contours of the last frame
-    std::int64_t broken = 0;   // contours that end inside the surface, and places where one was missed
+    // The number of contours that end inside the surface, and of places where a contour was missed.
+    std::int64_t broken = 0;
 };
 using ContourList = base::List<std::unique_ptr<Contours>>;
 

@@ -30,8 +30,9 @@ struct TracedLines {
     base::Array<visibility::Occluder> occluders;
     base::Array<std::int32_t> items; // the number of each occluder's item in the drawing
     base::Array<DrawnAs> styles;
-    std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
-    // Subjects and styles refer to these.
+    // The number of contours that end inside the surface, and of places where a contour was missed.
+    std::int64_t broken = 0;
+    // The contours. Subjects and styles refer to them.
     ContourList contours;
     base::List<std::unique_ptr<curves::ContourLevel>> levels;
     base::List<std::unique_ptr<curves::SurfaceLines>> lines;
@@ -51,7 +52,7 @@ struct LineNumbers {
 struct LineInput {
     const base::Runtime& runtime;
     const Scene& scene;
-    TracedLines& traced; // its styles get the factors of their widths
+    TracedLines& traced; // the traced lines; their styles get the factors of the widths
     const visibility::Invisibility& found;
     const visibility::Lengths& lengths;
     const LineNumbers& numbers;

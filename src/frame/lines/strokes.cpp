@@ -273,7 +273,7 @@ double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
     return by(as.style->outline_factor, u * u * (3.0 - 2.0 * u));
 }
 
-// Whether that factor changes between two places along a line.
+// Whether the factor of the width changes between two places along a line.
 bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double from, double to) noexcept {
     HRBFNPR_ASSERT(!(from > to));
     if (!changes_along(as)) return false;
@@ -335,7 +335,7 @@ private:
     double aside_, width_;
     double between_;            // distance between knots, pixels
     std::int64_t knots_ = 0;    // number of knots around a closed line; 0: it is open
-    std::uint64_t seed_, line_; // random numbers are made from these
+    std::uint64_t seed_, line_; // the seeds of the random numbers
 };
 
 Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) noexcept {

@@ -70,7 +70,8 @@ struct LineTuning {
 
     // Beyond the ends of the outline, widths change to that of other lines over this many widths. Larger: softer.
     double fade_widths = 6.0;
-    // A line has `fade_steps` points along such a change, and `steps_a_knot` points between two knots of a wobble.
+    // A line has `fade_steps` points along a change of width at an end of the outline, and `steps_a_knot` points
+    // between two knots of a wobble.
     double fade_steps = 8.0;
     double steps_a_knot = 4.0;
     // Curvatures are smoothed along a line over this many widths. Larger: widths change more slowly.

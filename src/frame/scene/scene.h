@@ -61,7 +61,7 @@ struct Item {
 // Sizes and opacities of the discs of one group of marks, as functions of the place on the screen. All lengths are in
 // pixels; `pixels_per_unit` is pixels per eye unit at the mark.
 struct Pen {
-    const Style* style = nullptr; // the caller keeps both
+    const Style* style = nullptr; // the caller keeps the style and the layer style
     const LayerStyle* layer = nullptr;
     float spacing = 0.0F;     // a mark represents spacing^2 of surface; eye units
     float separation = 0.0F;  // distance between neighbouring strokes of the group, eye units; 0: not known
@@ -136,9 +136,9 @@ struct Run {
     const float* normal = nullptr;
     const float* posed_direction = nullptr; // NULL: the pose has none
     const marks::MarkClusters* clusters = nullptr;
-    std::int32_t item = 0;        // its number in the scene
+    std::int32_t item = 0;        // the item's number in the scene
     std::int32_t source = 0;      // the item's number in the drawing
-    std::int32_t layer = 0;       // its number in the item's set
+    std::int32_t layer = 0;       // the layer's number in the item's set
     std::uint32_t first_id = 0;   // the id of its first mark in the drawing
     std::int64_t first = 0;       // the number of its first mark, counted over all runs
     std::int64_t count = 0;       // the number of its marks
@@ -146,8 +146,8 @@ struct Run {
     std::uint32_t directions = 3; // directions of strokes that are front ink: bit 0 the first, bit 1 the second
     Shape shape = Shape::dots;    // how front ink is drawn: marks that form no strokes are dots whatever the style says
     bool draws_front = false;
-    bool makes_tone = true; // its ink counts towards the tone of its item
-    bool splats = false;    // its marks are the splats that show where the layers of its item are
+    bool makes_tone = true; // the ink of the run counts towards the tone of its item
+    bool splats = false;    // the run's marks are the splats that show where the layers of its item are
     bool turned = false;    // it shows the other side of the surface: its normals are opposite to those of the marks
     // With VISIBILITY_PUBLISHED only.
     bool draws_silhouettes = false;
@@ -199,7 +199,7 @@ struct Scene {
         : items(memory), runs(memory), posed(memory), turned(memory), turned_normal(memory) {}
 
     Lens lens;
-    Camera camera;               // its eye space is measured in the frame's unit
+    Camera camera;               // the camera; its eye space is measured in the frame's unit
     base::Array<ItemView> items; // items for the other sides come last
     base::Array<Run> runs;
     base::List<marks::MarkClusters> posed;  // clusters of the layers whose marks have moved

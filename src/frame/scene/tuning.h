@@ -14,8 +14,8 @@ struct SceneTuning {
     // layers, which are spread less evenly, do so more often.
     double enough_stipples = 0.25;
 
-    // A transform keeps cones of normals if it changes no product of unit vectors by more than this. Larger: cones are
-    // used that do not hold all normals.
+    // A transform counts as keeping angles if it changes the scalar product of two unit vectors by no more than this.
+    // Larger: cones of normals are used that do not hold all normals.
     float angle_tolerance = 1e-4F;
 
     // Bounds of lengths are multiplied by this, since they are computed in float. Larger: fewer clusters are skipped.

@@ -29,7 +29,8 @@ class OuterFaces {
 public:
     OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all);
 
-    // The faces of this tree may have other numbers than in the mesh. If so, none of them is at a border.
+    // The faces of this tree may have other numbers than in the mesh. If their numbers differ, no face of the tree is
+    // at a border.
     [[nodiscard]] const FaceTree& tree() const noexcept { return outer_ ? *outer_ : all_; }
     [[nodiscard]] const FaceTree& all() const noexcept { return all_; }
 

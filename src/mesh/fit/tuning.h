@@ -108,7 +108,8 @@ struct FitMeshTuning {
     // Each look at the surface adds at most this many centres off the mesh. Each centre moves the surface around it, so
     // others near it are not needed. Larger: fewer rounds, and centres that were not needed.
     std::int64_t most_held = 200;
-    // The distance between centres off the surface, as a share of their distance from the mesh. Larger: fewer of them.
+    // The distance between centres off the surface, as a share of their distance from the mesh. Larger: fewer centres
+    // off the surface.
     double held_apart = 0.7;
     // Places of the surface farther from the mesh than this many tolerances get centres.
     double held_beyond = 2.0;

@@ -165,7 +165,7 @@ Sides::Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree)
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
 }
 
-// Tells whether at nearly all of these faces rays agree with the orientation of the face.
+// Tells whether rays agree with the orientation of the faces at nearly all of the given faces.
 bool Sides::look_solid(const base::Work& work, const base::Array<std::int64_t>& face) const {
     base::Array<std::uint8_t> right(work.memory, face.size());
     work.for_chunks(face.size(), 16, [&](std::int64_t begin, std::int64_t end) {
@@ -281,7 +281,7 @@ struct Tests {
     geometry::VecArray place;
     base::Array<double> distance;  // the signed distance of each place from the mesh
     base::Array<double> slack;     // how far f may be from the value of `own`
-    base::Array<std::int32_t> own; // on the surface: which of the cell's sheets f should equal; else -1
+    base::Array<std::int32_t> own; // for a place on the surface: which of the cell's sheets f should equal; else -1
 };
 
 // Adds tests on the mesh, where f should equal the sheet of the patch there, and beside it, where f should have the

@@ -147,7 +147,7 @@ void grow(const Mesh& mesh, Bends& bends) {
     }
 }
 
-// Tells whether creases meet in a vertex and none of them goes straight on.
+// Tells whether creases meet in a vertex, and no crease continues straight through it.
 bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexcept {
     const auto way = [&](const Bend& bend) {
         return glm::normalize(task.mesh.vertex[bend.other_end(vertex)] - task.mesh.vertex[vertex]);
@@ -167,8 +167,8 @@ bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexce
     return creases >= 2;
 }
 
-// Makes edges between two corners sharp. Inside a smooth patch no edge joins two corners of its outline, so such an
-// edge lies between two facets.
+// Makes edges between two corners of creases sharp. Inside a smooth patch no edge joins two corners of the patch's
+// outline, so an edge between two corners lies between two facets.
 void sharpen_between_corners(const Task& task, Bends& bends) {
     base::Array<std::int64_t> found(task.work.memory);
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {

@@ -36,7 +36,7 @@ struct PlannedFit {
     FitMeshReport report;
     std::int64_t centres = 0;
     EndPlan end;
-    geometry::VecArray end_place; // The surface ends where these places end, unless `end` is nowhere.
+    geometry::VecArray end_place; // The surface ends at the end of these places, unless `end` is nowhere.
     geometry::VecArray end_normal;
 };
 

@@ -126,7 +126,7 @@ struct Sheets {
     base::List<std::optional<SheetFit>> fit; // the fit of each patch
     base::Array<std::int32_t> lent; // for each patch: the patch of the other sheets from which its fit was taken, or -1
     base::Array<std::uint8_t> unsettled; // for each patch: 1 if too many of its samples are outside their tolerance
-    double unsettled_area = 0.0;         // the area of these patches, weighted by the share of samples outside
+    double unsettled_area = 0.0;         // the area of unsettled patches, weighted by the share of samples outside
     base::Array<double> chord;           // chord_errors() of the vertices
 };
 
@@ -147,7 +147,7 @@ void give_back(Sheets& sheets, Sheets& before) {
 }
 
 // Returns the patches by their numbers of faces. Small patches come first, so that larger ones can use the centres that
-// these leave.
+// small ones do not need.
 [[nodiscard]] base::Array<std::int32_t> small_first(const Sheets& sheets) {
     base::Array<std::int32_t> order(sheets.lent.memory());
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) order.push_back(p);

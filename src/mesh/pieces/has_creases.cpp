@@ -68,7 +68,7 @@ SidedMesh by_sides(const base::Work& work, const Mesh& mesh) {
 
 // The angle by which a mesh turns along a walk, in degrees.
 struct Turn {
-    double all = 0.0; // turns in both senses added up
+    double all = 0.0; // the sum of the magnitudes of all turns
     double net = 0.0; // positive on a hill, below 0 in a hollow
 };
 

@@ -14,7 +14,7 @@
 namespace hrbfnpr::mesh {
 
 struct CreaseEvidenceOfParts {
-    base::Array<CreaseEvidence> part; // the evidence of each component, in its own diagonals
+    base::Array<CreaseEvidence> part; // the evidence of each component, in diagonals of the component
     // A number for each side of the faces, 3 face + k. It is 1 where the mesh bends by more than the angle, unless it
     // continues to turn the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where
     // a face is too coarse to be round.

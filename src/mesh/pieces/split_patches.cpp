@@ -49,8 +49,9 @@ struct Patched {
 struct Seeds {
     explicit Seeds(base::Memory& memory, std::int64_t vertices) : face(memory), on_crease(memory, vertices) {}
 
-    base::Array<std::int32_t> face;      // faces beside creases with the same patch on both sides
-    base::Array<std::uint8_t> on_crease; // for each vertex: 1 on these creases, except at their ends
+    base::Array<std::int32_t> face; // faces beside creases that have the same patch on both sides
+    // For each vertex: 1 on creases that have the same patch on both sides, except at their ends.
+    base::Array<std::uint8_t> on_crease;
 };
 
 // Adds seeds at tips. Where a step in a patch fades, its wall ends in a tip, and the patch goes around the tip from one
@@ -179,15 +180,15 @@ struct Labels {
     }
 
     base::Array<std::int32_t> label; // for each face: the nearest side of a crease; -1: none
-    base::Array<double> distance;    // for each face: the distance from there
+    base::Array<double> distance;    // for each face: the distance from the nearest crease
 };
 
 Labels spread_labels(const Patched& patched, const Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
-    // Faces at the vertices of such a crease belong to one of its sides, except at its ends, where both sides are
-    // connected.
+    // Faces at the vertices of a crease with one patch on both sides belong to one of its sides, except at its ends,
+    // where both sides are connected.
     Sets sets(memory, mesh.faces());
     for (std::int64_t side = 0; side < creases.cut.size(); ++side) {
         if (creases.cut[side] != 0 || patched.across(side) < 0) continue;

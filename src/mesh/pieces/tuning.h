@@ -90,8 +90,8 @@ struct PatchTuning {
     // At the tip of a cone the mean normal differs from the face normals by at least this on average, in radians.
     // Larger: blunt tips are rounded.
     double least_turn = 0.05;
-    // At the far side of these faces the normals differ by at most this share of the difference at the tip. Larger:
-    // bumps are taken for tips.
+    // A tip is straight if the normals at the far side of its faces differ by at most this share of the difference at
+    // the tip. Larger: bumps are taken for tips.
     double straight = 0.25;
     // From one face at the tip to the next the normal turns by at most this share of the whole turn. Larger: corners
     // are taken for tips.
@@ -195,8 +195,8 @@ struct PiecesTuning {
     std::int64_t room_a_sheet = 32;
     // The model keeps this many places all over the mesh, at which searches for its surface begin.
     std::int64_t even_places = 2000;
-    // Contacts of parts are looked for at as many places as the mesh has faces, within these bounds. Larger: fewer are
-    // missed.
+    // Contacts of parts are looked for at as many places as the mesh has faces, within these bounds. Larger: fewer
+    // contacts are missed.
     std::int64_t fewest_on_parts = 4000;
     std::int64_t most_on_parts = 100000;
     // Parts closer to each other than this touch, and grow by this much, in diagonals.

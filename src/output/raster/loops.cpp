@@ -169,7 +169,7 @@ struct Target {
     const StrokePlanes& planes;
     Spans& spans;
     bool even;          // all segments have one opacity, so the `ink` plane is unused
-    float alpha;        // that opacity times the alpha of the stroke's ink
+    float alpha;        // the opacity of the segments times the alpha of the stroke's ink, if `even`
     bool at_once;       // there is only one outline; it is blended directly, without the planes
     const float* color; // the ink's colour; NULL if all inks have one colour
 };

@@ -218,12 +218,13 @@ private:
     // One for each worker, on separate cache lines.
     struct alignas(base::Memory::alignment) Numbers {
         explicit Numbers(base::Memory& memory) noexcept : of_tile(memory) {}
-        base::Array<std::uint32_t> of_tile; // its dots, then its segments
+        base::Array<std::uint32_t> of_tile; // the dots of the tile, then its segments
     };
 
     const base::Runtime& runtime_;
     RasterLoops loops_;
-    drawing::Tiles published_tiles_; // for drawings in published mode, which have no tiles of dots
+    // The tiles of the discs for drawings in published mode, which have no tiles of dots.
+    drawing::Tiles published_tiles_;
     base::Array<float> planes_;      // the planes of a tile, for each worker
     base::Array<float> colors_;      // InkList::colors
     base::List<Numbers> numbers_;    // one for each worker

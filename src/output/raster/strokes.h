@@ -107,7 +107,8 @@ inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches)
     const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a pointed tip reaches farther
     for (Stretch& stretch : std::span(stretches).first(count))
         for (std::int64_t i = stretch.begin; i <= stretch.end; ++i)
-            stretch.reach(list.points[i], widest * list.points[i].radius + 1.0F); // so that no pixel meets two of them
+            // So that no pixel meets two stretches.
+            stretch.reach(list.points[i], widest * list.points[i].radius + 1.0F);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
             if (!follow(stretches[i], stretches[j], *list.stroke) && !stretches[i].is_apart_from(stretches[j]))
@@ -278,8 +279,9 @@ private:
         Kind kind = Kind::cap;
         bool left_outside = false;
         bool corner_a = false, corner_b = false; // whether the inner corner of one leg lies outside the other
-        Place inner{}, outer{}; // the edge that both legs share; for Kind::shared, `outer` is its left end
-        Place middle{};         // unit vector from the centre to the middle of the outer arc
+        // The edge that the polygons of both segments share; for Kind::shared, `outer` is its left end.
+        Place inner{}, outer{};
+        Place middle{}; // unit vector from the centre to the middle of the outer arc
     };
 
     bool find_leg(std::int64_t number, Leg& leg) const noexcept {
@@ -325,7 +327,7 @@ private:
         if (crossing(corner_a, edge_a, corner_b, edge_b, back, on) && -back <= 0.5 && -back >= -1e-9 && on <= 0.5 &&
             on >= -1e-9) {
             joint.inner = corner_a + back * edge_a;
-            return cross(edge_a, edge_b) * side < 0.0; // otherwise both corners lie outside the other leg
+            return cross(edge_a, edge_b) * side < 0.0; // false: both corners lie outside the other leg
         }
         const Place end_a = corner_a - b.a;
         if (crossing(b.a, end_a, corner_b, edge_b, back, on) && back >= 0.0 && back <= 1.0 && on >= 0.0 && on <= 0.5) {
@@ -353,7 +355,8 @@ private:
         const double bend = std::abs(sine) * scale; // tangent of half the turn
         const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
         joint.left_outside = sine >= 0.0;
-        // The corner lies outside the arc over twice this length. A pixel sees at most its own width of that.
+        // The corner is outside the arc along a length of twice this. A pixel sees at most its own width of that
+        // length.
         const double reach = radius * bend;
         const double taper = std::max(a.taper, b.taper);
         bool gentle = fits && reach * (0.5 * bend + taper) < raster_tuning.edge_tolerance;

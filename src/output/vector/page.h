@@ -96,7 +96,7 @@ struct PageGroup {
     static constexpr std::size_t most = 96;
     char name[most] = "";
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
-    double pen_width = 0.0; // the width of all lines, mm; 0: each line has its own
+    double pen_width = 0.0; // the width of all lines, mm; 0: each line has a separate width
     std::uint32_t pen = 1;  // the number of a plotter's pen
     LineType line_type{};
 };
@@ -145,7 +145,7 @@ struct PageInfo {
     const char* program = ""; // the version of the program that writes the file
 };
 
-// Writers and filters count these.
+// The counts that writers and filters make.
 struct PageCounts {
     std::int64_t bytes = 0;
     std::int64_t paths = 0, dots = 0, groups = 0;
@@ -171,7 +171,7 @@ struct ShapeSettings {
 
 struct PenSpeeds {
     double draw = 30.0, travel = 80.0; // mm/s
-    double seconds = 0.15;             // to lower or to raise the pen
+    double seconds = 0.15;             // the time to lower or to raise the pen
 };
 
 struct PlotSettings {
@@ -242,7 +242,7 @@ struct Placement {
     std::string_view name;
     double x = 0.0, y = 0.0;    // the position of the viewport's top-left corner on the page, mm
     double scale = 25.4 / 96.0; // mm per pixel
-    bool with_paper = true;     // else the page has the paper
+    bool with_paper = true;     // if true, the view has the drawing's paper; else the page has it
     bool far_to_near = true;    // keep this order where inks of several colours overlap; else each colour is one group
 };
 

@@ -166,14 +166,14 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
 // ---- Filling: nodes
 
 struct Node {
-    dvec2 place, normal; // unit, to the left
+    dvec2 place, normal; // the place, and the unit normal to the left
     double reach;        // how far the pen's centre may go to either side
     double at;           // position along the line
 };
 
 // One pass: a range along the line, on one side of it.
 struct Pass {
-    std::int64_t first, count; // its points
+    std::int64_t first, count; // the points of the pass
     double begin, end;         // positions along the line
     bool used;
 };

@@ -30,7 +30,7 @@ struct PlotLines {
     [[nodiscard]] PagePath path_of(const PlotLine& line) const noexcept {
         return {points_of(line), line.begin, line.end, line.closed, line.opacity};
     }
-    // Adds a line through these points; `line` gives its other attributes.
+    // Adds a line through the points `its`; `line` gives the other attributes.
     void add(PlotLine line, std::span<const PagePoint> its) {
         line.first = points.size();
         line.count = static_cast<std::int64_t>(its.size());

@@ -344,7 +344,7 @@ private:
 
     // ---- Closed lines, and the result
 
-    // Moves closed lines to their best starting points. Returns false if all have these already.
+    // Moves closed lines to their best starting points. Returns false if all of them already start there.
     bool turn_closed() {
         bool turned = false;
         Looks looks(progress_, steps_a_look);
