@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The floating-point state: the library computes with the default one (round to nearest, subnormals kept, nothing
-// trapped) and restores the caller's.
+// The floating-point state. The library computes in the default state (round to nearest, subnormals kept, nothing
+// trapped), and restores the caller's state afterwards.
 #pragma once
 
 #include <cfenv>

@@ -46,10 +46,11 @@ struct EdgeNode {
     std::array<std::int32_t, 2> sheet; // the sheets of both ends
     CreaseNode at;
     std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
-    std::array<bool, 2> equal; // equal[0]: the start may belong to the end's sheet; equal[1]: the end to the start's
-    bool alike;                // the sheets nearly coincide at both ends
-    bool meet;                 // the sheets meet near the edge, on the surface or off the surface
-    bool near;                 // the sheets meet slightly off the surface, at an angle
+    // Equal[0]: the start may belong to the sheet of the end; equal[1]: the end may belong to the sheet of the start.
+    std::array<bool, 2> equal;
+    bool alike; // the sheets nearly coincide at both ends
+    bool meet;  // the sheets meet near the edge, on the surface or off the surface
+    bool near;  // the sheets meet slightly off the surface, at an angle
 };
 
 // A node of a triangle whose corners belong to three sheets.

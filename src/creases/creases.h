@@ -42,7 +42,7 @@ struct SharpMesh {
 };
 
 // The first vertices are those of `mesh`. Edges are also halved where their sheets meet near them but off the surface,
-// since another sheet lies between. The same bits for any thread count.
+// since another sheet lies between. Gives the same bits for any thread count.
 [[nodiscard]] SharpMesh split_at_creases(const base::Work& work, const implicit::Implicit& implicit, SurfaceMesh mesh);
 
 struct SheetPart {

@@ -128,8 +128,9 @@ void bring_closer(const base::Work& work, const Level& level, const base::Array<
                   base::Array<CurvePoint>& points, std::int64_t& evaluations);
 
 struct NewtonSettings {
-    double tolerance = 0.0; // a shorter step is the last one, and a longer one if the next would be negligible
-    double farthest = 0.0;  // a point that moves farther from its start is given up
+    // A step shorter than this is the last one; so is a longer step if the step after it would be negligible.
+    double tolerance = 0.0;
+    double farthest = 0.0; // a point that moves farther from its start is given up
 };
 
 // Brings points onto curves, all in parallel. found[i] is 1 if point i got there. Returns the number of evaluations.

@@ -68,7 +68,8 @@ struct Stroke {
     float depth = 0.0F; // depth of its middle in eye units along the view; strokes are painted from far to near
     Cap cap_begin = Cap::round;
     Cap cap_end = Cap::round;
-    bool closed = false; // The last point is at the first one, and they are joined. A closed stroke has no caps.
+    // The last point coincides with the first one, and the two are joined. A closed stroke has no caps.
+    bool closed = false;
     // Only lines set these: a number that stays the same from frame to frame, the number of surface layers in front of
     // the stroke, and the item of the nearest such layer, or -1 if no layer hides the stroke.
     std::uint32_t line = 0;

@@ -199,7 +199,8 @@ struct SegmentEnds {
     return left > 0.0F && square - beyond * beyond <= left * left;
 }
 
-// Puts the segments of strokes into tiles like those of the dots, also where only the bounding box touches a tile.
+// Puts the segments of strokes into tiles in the way in which dots are put into tiles. A tile may get a segment of
+// which only the bounding box touches it.
 void bin_segments(const base::Parallel& parallel, Drawing& drawing);
 
 // ---- Far-to-near order

@@ -27,7 +27,7 @@ namespace hrbfnpr::curves {
 // that a ball has k < 0. All values are 0 where there is no gradient.
 struct ShapePoint {
     glm::dvec3 normal{0.0};
-    glm::dvec3 d1{0.0}; // the direction of k1; that of k2 is d2()
+    glm::dvec3 d1{0.0}; // the direction of k1; the direction of k2 is d2()
     double k1 = 0.0;    // k1 >= k2
     double k2 = 0.0;
     std::array<double, 4> c{}; // C111 C112 C122 C222: derivatives of the second fundamental form

@@ -327,7 +327,7 @@ SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) 
         builder.add(p.position + share * way, p.gradient, static_cast<double>(lines.strength[at]), p.direction());
     };
     base::Array<std::uint8_t> done(memory, curves.count());
-    for (const bool from_ends : {true, false}) // first open chains, then closed ones
+    for (const bool from_ends : {true, false}) // first for open chains, then for closed ones
         for (std::int64_t l = 0; l < curves.count(); ++l) {
             if (done[l] != 0 || (from_ends && (before[l] >= 0 || curves.closed[l] != 0))) continue;
             for (std::int64_t at = l; at >= 0 && done[at] == 0; at = after[at]) {

@@ -62,7 +62,7 @@ Misfits misfits_of(const base::Work& work, const Samples& samples, const base::A
             samples.position[i], 1, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, &nearest);
         found.to_centre[i] = glm::distance(samples.position[i], tree.points()[nearest]);
         found.spacing[i] = spacing[nearest];
-        // Where f grows inward, the distance is that to another sheet, or to no sheet.
+        // Where f grows inward, the distance is measured to another sheet, or to no sheet at all.
         const bool wrong_side = off > 1.4142135623730951;
         found.error[i] = wrong_side ? std::max(std::abs(distance), adaptive_tuning.wrong_side * options.tolerance)
                                     : std::abs(distance);

@@ -29,7 +29,7 @@ struct AdaptiveFit {
     double seconds_before = 0.0;       // the time from the start of the loop to the start of the last fit
 };
 
-// The centres that the next round adds to those of the last fit.
+// The centres that the next round adds to the centres of the last fit.
 struct Growth {
     Growth(base::Memory& memory, const Smoothing& smooth) noexcept : centres(memory), held(memory), smoothing(smooth) {}
 

@@ -24,7 +24,7 @@ struct CentreFit {
     double variance = 0.0;
 };
 
-// `centres.bounds` are the model's bounds, and may differ from those of the centres' positions.
+// `centres.bounds` are the model's bounds. They may differ from the bounds of the centres' positions.
 [[nodiscard]] CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres,
                                     const Smoothing& smoothing);
 

@@ -14,10 +14,12 @@ namespace hrbfnpr::fit {
 namespace {
 
 constexpr int starts = 8;
-// The recursion's residual must reach this share of the tolerance. The rest covers its drift.
+// The residual of the recursion must reach this share of the tolerance. The remaining share leaves room for its drift
+// from the true residual.
 constexpr double headroom = 0.8;
 
-// Above `few_samples` the recursion's residual is compared with the true one at `some_samples` of the samples only.
+// Above `few_samples` samples, the recursion's residual is compared with the true residual at only `some_samples` of
+// them.
 constexpr std::int64_t few_samples = 2048;
 constexpr std::int64_t some_samples = 512;
 
@@ -75,7 +77,7 @@ public:
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
         run_until_confirmed(options, solution, progress);
-        // The last residual used the approximate product. Callers that judge the solution need the true one.
+        // The last residual used the approximate product. Callers that judge the solution need the true residual.
         if (!solution.converged && solution.residual <= hopeless_residual) confirm(options, solution, progress);
         solution.x.resize(size_ + polynomials_.terms());
         std::copy_n(c_.data(), polynomials_.terms(), solution.x.data() + size_);
@@ -114,7 +116,8 @@ private:
         }
     }
 
-    // Checks the residual. With few samples it computes the true one, which replaces the recursion's.
+    // Checks the residual of the recursion. With few samples it computes the true residual, which replaces that of the
+    // recursion.
     bool confirm(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const bool few = size_ <= 4 * few_samples;
         if (few) find_residual(progress);
@@ -136,7 +139,7 @@ private:
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         c_.fill(0.0);
         polynomials_.explain(r_.data(), c_.data());
-        polynomials_.explain(r_.data(), c_.data()); // removes the rest that rounding left
+        polynomials_.explain(r_.data(), c_.data()); // removes the part that rounding has left
     }
 
     // Estimates how far r is from the true residual (relative, 2-norm) from some of the samples.

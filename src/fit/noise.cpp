@@ -10,8 +10,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// A group of a sample's neighbours, by rank in distance. It has several: among nearly equally near ones the noise
-// decides which is nearest, and favours similar noise.
+// A group of a sample's neighbours, by rank in distance. A group has several neighbours: if it had only the nearest
+// one, the noise would decide which neighbour that is, and would favour similar noise.
 struct Group {
     std::size_t begin;
     std::size_t end;

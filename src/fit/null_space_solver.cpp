@@ -80,7 +80,7 @@ void NullSpaceSolver::assemble_tile(const HermiteSystem& system, const double* x
         map.noalias() -= x.middleRows(i * tile_side, height) * v.middleRows(j * tile_side, width).transpose();
         map.noalias() -= v.middleRows(i * tile_side, height) * x.middleRows(j * tile_side, width).transpose();
     }
-    // The fixed rows and columns are not part of the matrix: those of the identity replace them, as padding.
+    // The fixed rows and columns are not part of the matrix. Rows and columns of the identity replace them, as padding.
     const std::int64_t free_height = std::clamp<std::int64_t>(space_.free() - i * tile_side, 0, tile_side);
     const std::int64_t free_width = std::clamp<std::int64_t>(space_.free() - j * tile_side, 0, tile_side);
     Matrix whole(tile, tile_side, tile_side, Eigen::OuterStride<>(tile_side));

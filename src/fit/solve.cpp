@@ -36,7 +36,7 @@ constexpr double softened_tolerance = 3e-4;
 // iterations for 4096, 16 384 and 65 536 even samples; for 5182 samples chosen for a mesh 19 with 16 neighbours, 14
 // with 24).
 [[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
-    if (kernel == kernel::Kind::gaussian) return 40; // near samples do not screen far ones
+    if (kernel == kernel::Kind::gaussian) return 40; // with this kernel, near samples do not screen far ones
     return samples < 3000 ? 16 : samples < 12000 ? 24 : samples < 40000 ? 28 : 32;
 }
 

@@ -115,7 +115,8 @@ private:
         return median(values, near.size());
     }
 
-    // Returns the local usual distance. Where samples are heaped it is that of all samples.
+    // Returns the usual local distance between samples. Where samples are crowded, it is the usual distance of all
+    // samples.
     [[nodiscard]] double usual_distance(std::int64_t i) const {
         return std::max(typical_distance_, median_of_neighbours(i, &Local::distance));
     }

@@ -76,8 +76,8 @@ struct Followed {
     base::Array<Part> part;
 };
 
-// Follows the surface from samples, finds its parts, and reports those left out. A wary look has fewer cells and lower
-// limits.
+// Follows the surface from samples, finds its parts, and reports the parts that are left out. If `wary` is set, the
+// search uses coarser cells and lower limits.
 [[nodiscard]] Followed follow(const base::Work& work, const implicit::Implicit& implicit,
                               const surface::Support& support, const TrimSettings& settings, bool wary,
                               const geometry::VecArray& samples, TrimReport& report) {

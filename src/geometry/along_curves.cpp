@@ -45,7 +45,7 @@ bool on_a_line(std::span<const glm::dvec3> offsets, double across) noexcept {
     return all - along < across * across * along;
 }
 
-// Applies each of the looks to one point, and counts those that hold. Points that coincide with it are ignored.
+// Applies each of the tests to one point, and counts the tests that hold. Points that coincide with it are ignored.
 void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, looks.size()>& on_lines) noexcept {
     constexpr std::size_t asked = most + 8;
     const glm::dvec3 p = tree.points()[at];

@@ -141,7 +141,7 @@ FarthestOrder farthest_order(const VecArray& points, std::int64_t count, const b
     FarthestTree tree(points, progress);
     for (std::int64_t k = 0; k < picks; ++k) {
         if (k % 256 == 0) progress.update(static_cast<double>(k) / static_cast<double>(picks));
-        progress.check(); // the first picks look at all points
+        progress.check(); // the first picks examine all points
         const std::int64_t at = k == 0 ? tree.nearest_to_centre() : tree.farthest();
         result.order[k] = tree.index(at);
         result.distance[k] = k == 0 ? HUGE_VAL : std::sqrt(tree.squared_distance());

@@ -79,7 +79,7 @@ public:
     [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
         return (around(i, z) + z[i]) / (1.0 + count(i));
     }
-    // Turns the links into those of waves of half the period: along each link the phase grows by twice as much.
+    // Turns the links into links for waves of half the period: along each link the phase grows by twice as much.
     void halve_period(const base::Work& work) {
         for_nodes(work, nodes(), [&](std::int64_t i) {
             for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k)
@@ -344,8 +344,8 @@ struct Heard {
     Complex factor{1.0}; // transports the sample's wave to the vertex
 };
 
-// Returns the unit line of a vertex from those of the samples around it; 0 if it has none. A line has no sign, so
-// angles are doubled before they are added.
+// Returns the unit line of a vertex from the lines of the samples around it; 0 if the vertex has no line. A line has no
+// sign, so angles are doubled before they are added.
 glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, const glm::dvec3& normal) noexcept {
     const glm::dvec3 u = geometry::any_perpendicular(normal);
     const glm::dvec3 v = glm::cross(normal, u);

@@ -51,7 +51,7 @@ struct FieldSettings {
     double axis_weight = 0.06;      // the weight of the axis against curvature
     Guide guide = Guide::curvature;
     glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // unit: to the light, or to the eye
-    double guide_weight = 1.0;                 // the share of `guide`; curvature has the rest
+    double guide_weight = 1.0;                 // the share of `guide`; curvature has the remaining share
     double diagonal = 1.0;
 
     [[nodiscard]] bool operator==(const FieldSettings& other) const noexcept = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Hatching on a surface: evenly spaced lines along one smooth field cover it, in nested levels. Each level has the
-// lines between those of the coarser levels. The steps are:
+// lines between the lines of the coarser levels. The steps are:
 //   field.h       even samples -> a graph of neighbours -> a smooth field of lines -> waves on the samples, of the
 //                 longest period and of halves of it -> waves on a mesh
 //   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances -> marks on the surface

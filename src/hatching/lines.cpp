@@ -747,7 +747,7 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     const base::Array<std::uint8_t> starts = starts_at_creases(site, lines);
     const Lines pieces = cut(site, lines, starts, step);
     // Settled marks that are in no piece count as strayed. Marks on creases and repeated marks of closed lines are
-    // extra.
+    // counted in addition.
     const std::int64_t all = pieces.position.size();
     const std::int64_t added = std::max<std::int64_t>(0, all - level.placed);
     level.attempted += added;

@@ -22,7 +22,7 @@ struct Lines {
     [[nodiscard]] std::int64_t points(std::int64_t line) const noexcept { return first[line + 1] - first[line]; }
     void add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
                    const base::Progress& progress);
-    // Makes a line of the points that were added since the last one.
+    // Makes a line of the points that were added since the last line.
     void end_line(bool is_closed);
 
     base::Array<std::int64_t> first;  // the first point of each line, and the end
@@ -48,7 +48,8 @@ struct Lines {
 [[nodiscard]] Lines even_out(const base::Work& work, const Lines& lines, double separation);
 
 // Appends marks a step apart along each line, projected onto the surface, line after line; lines with marks of a coarse
-// level come first. `separation` is that of all levels together. Marks outside the region are dropped.
+// level come first. `separation` is the distance between the lines of all levels together. Marks outside the region are
+// dropped.
 void add_line_marks(const marks::Site& site, const Lines& lines, double separation, double step,
                     const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report);
 

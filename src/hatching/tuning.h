@@ -22,7 +22,7 @@ struct HatchingTuning {
     double sample_spacing = 1.5;
     std::int64_t fewest_samples = 4096;
     std::int64_t most_samples = 32768;
-    // Each sample is linked to this many of the nearest ones, except to those farther away than `farthest_link`
+    // Each sample is linked to this many of its nearest samples, but not to samples farther away than `farthest_link`
     // spacings.
     std::int64_t neighbours = 8;
     double farthest_link = 3.0;
@@ -36,7 +36,8 @@ struct HatchingTuning {
 
     // ---- The field
 
-    // Curvatures are averaged with those of neighbours in this many rounds. Larger: lines do not follow finer forms.
+    // Curvatures are averaged with the curvatures of neighbours in this many rounds. Larger: lines do not follow finer
+    // forms.
     int bend_averages = 48;
     // A curvature counts in full if its radius is below this share of the diagonal. Larger: lines follow flatter forms
     // rather than the axis.
@@ -59,8 +60,8 @@ struct HatchingTuning {
     // neighbours. A smaller shift or more steps come closer to the eigenvector and take more time.
     double eigen_shift = 0.02;
     int eigen_steps = 12;
-    // The shortest wave that samples can represent, in their spacings. The mesh represents shorter ones, down to its
-    // cells.
+    // The shortest wave that samples can represent, in spacings of the samples. The mesh represents shorter waves, down
+    // to the size of its cells.
     double finest_period = 1.5;
     // Rounds of plain means after a wave is halved, on samples and on vertices of the mesh; they create forks. Larger:
     // lines are more even, and have more forks.

@@ -62,7 +62,7 @@ struct CsgScratch {
     explicit CsgScratch(const base::Runtime& runtime) noexcept
         : registers(runtime.memory), contests(runtime.memory), steps(runtime.memory), pending(runtime.memory) {}
 
-    base::Array<Register> registers; // registers of the plan, then those of nested groups
+    base::Array<Register> registers; // the registers of the plan, then the registers of nested groups
     base::Array<Contest> contests;
     base::Array<CsgStep> steps;
     base::Array<CsgPlan::Pending> pending;

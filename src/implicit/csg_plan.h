@@ -83,8 +83,8 @@ struct CsgMember {
 
 struct CsgGroup {
     std::int32_t op = 0;
-    // Roots of two trees of boxes: of the members without models, which are cheap and come first, and of those with
-    // models.
+    // The roots of two trees of boxes: the first of the members without models, which take little time and come first,
+    // the second of the members with models.
     std::array<std::int32_t, 2> boxes{-1, -1};
     double size = 0.0; // the largest coordinate of the boxes
 };

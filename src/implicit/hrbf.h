@@ -55,7 +55,7 @@ public:
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
-    // Sets the box in which the surface is looked for from now on.
+    // Sets the box in which the surface is searched for from now on.
     void set_bounds(const geometry::Bounds& bounds) noexcept { data_.bounds = bounds; }
     [[nodiscard]] const HrbfData& data() const noexcept { return data_; }
 

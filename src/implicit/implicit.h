@@ -48,7 +48,7 @@ public:
     // Throws Error{callback} where a caller's function fails.
     virtual void evaluate(const PointBatch& points, const FieldBatch& fields) const = 0;
 
-    // Whether evaluate() may run on several threads at once, and on other threads than the caller's.
+    // Whether evaluate() may run on several threads at once, and on threads other than the caller's.
     [[nodiscard]] virtual bool concurrent() const noexcept = 0;
 
     // The number of cells of space; points of one cell cost less if they are evaluated side by side. 0: there are no

@@ -115,7 +115,7 @@ private:
         });
     }
 
-    // Adds the polynomials of the cells above to those of their children.
+    // Adds the polynomials of the cells of the level above to the polynomials of their children.
     void pass_down(std::int32_t level, const base::Progress& progress) {
         const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
         runtime_.parallel.for_chunks(
@@ -323,7 +323,7 @@ private:
     std::int64_t end_ = 0;                      // end of this level
     base::Array<std::int64_t> candidate_begin_; // for each cell of the level: its first candidate
     base::Array<std::int64_t> candidates_;      // nodes of the tree that may act on a cell, given by its parent
-    base::Array<Kind> kind_;                    // for each candidate
+    base::Array<Kind> kind_;                    // how each candidate acts on the cell
     base::Array<double> incoming_; // for each cell of the level: values at its nodes of the centres that act on it
 };
 

@@ -183,7 +183,8 @@ void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std
         if (hits_ < limit) add_hit(cell, -1 - child, data_.program_of(-1 - child));
         return;
     }
-    // Along each axis the lower children reach beyond the middle, and the upper ones below it.
+    // Along each axis, the reach of the lower children ends beyond the middle, and the reach of the upper children
+    // begins before it.
     const glm::dvec3 off = place - cell.centre;
     const double both = (PiecesData::cell_reach - 1.0) * 0.5 * cell.half;
     const int low = (off.x < both ? 1 : 0) | (off.y < both ? 2 : 0) | (off.z < both ? 4 : 0);

@@ -19,8 +19,8 @@ public:
     };
 
     // Returns null if there is no local field for this kind of function, or if it would not be accurate, because
-    // weights contradict each other. The data must outlive the result. options.spacing is ignored: the spacing is the
-    // data's.
+    // weights contradict each other. The data must outlive the result. options.spacing is ignored; the spacing comes
+    // from the data.
     [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Work& work, const HrbfData& data,
                                                         const LocalFieldOptions& options = {});
     // Whether preparing for this number of points takes less time than it saves.

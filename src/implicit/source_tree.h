@@ -40,7 +40,8 @@ public:
 
     [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
     [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return *at(level).basis; }
-    // Returns the matrix from a level's nodes to those of a child. Call gather() first; the child's level must exist.
+    // Returns the matrix from a level's nodes to the nodes of a child. Call gather() first; the child's level must
+    // exist.
     [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
         return at(level).transfers->to_child[static_cast<std::size_t>(octant)];
     }
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // For each octant, the matrix from the nodes of a basis to those of a child.
+    // For each octant, the matrix from the nodes of a basis to the nodes of a child.
     struct Transfers {
         std::vector<base::Array<double>> to_child;
         std::vector<base::Array<double>> transposed;

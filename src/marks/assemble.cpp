@@ -113,7 +113,7 @@ NeighbourDistances neighbour_distances(const base::Work& work, const geometry::V
     work.for_chunks(points.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) distance[at] = tree.nearest_other(at);
     });
-    // The distance 0 of coincident points is ignored: it tells nothing about the spacing of the others.
+    // The distance 0 of coincident points is ignored, because it says nothing about the spacing of the surface's marks.
     const double smallest = 1e-9 * tree.bounds().diagonal();
     double sum = 0.0;
     double sum_of_squares = 0.0;

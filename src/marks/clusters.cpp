@@ -245,7 +245,8 @@ constexpr std::size_t most_lines = 64; // the largest number of lines beside a m
 constexpr std::int64_t strokes_a_task = 16;
 
 // Returns the gap around a mark. Marks of its line and of the lines beside it have offsets across the line. The gap is
-// the mean of the differences between these, where nearer ones have more weight. It is 1 if no mark is beside it.
+// the mean of the differences between these offsets, where nearer marks have more weight. It is 1 if no mark is beside
+// it.
 float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
                  std::int64_t mark) noexcept {
     const glm::dvec3 n = vector_at(layer.normal, mark);

@@ -32,7 +32,7 @@ using LayerName = std::array<char, 64>;
 // Returns the name that an unnamed layer of this kind gets, such as "stipples"; empty for Kind::any.
 [[nodiscard]] LayerName default_name(Kind kind) noexcept;
 
-// The numbers of candidates: attempted = placed + all dropped ones.
+// The numbers of candidates: attempted = placed + the sum of all dropped candidates.
 struct LevelReport {
     std::int64_t attempted = 0;
     std::int64_t placed = 0;

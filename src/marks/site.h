@@ -86,7 +86,7 @@ struct Seeds {
     geometry::VecArray normal;   // unit
     SeedSource source = SeedSource::points;
     LevelReport report;
-    double step = 0.0; // rho_0: the caller's, or the estimate for this source
+    double step = 0.0; // rho_0: the caller's value, or the estimate for this source
 };
 
 // Functions of the caller that return directions or densities at places.
@@ -163,8 +163,8 @@ inline constexpr std::int64_t most_even_marks = 100000000;
 // only as starts of strokes.
 void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget);
 
-// A random choice of `kept` candidates: those with the smallest random keys. So the choice does not depend on the order
-// of the candidates.
+// A random choice of `kept` candidates: it keeps the candidates with the smallest random keys. So the choice does not
+// depend on the order of the candidates.
 class Thinning {
 public:
     Thinning() noexcept = default; // keeps all candidates

@@ -19,7 +19,7 @@ struct MarksTuning {
 
     // ---- Gaps between lines; lengths are in separations
 
-    // Lines are looked for up to this distance on either side. Larger: smoother gaps.
+    // Lines are searched for up to this distance on either side. Larger: smoother gaps.
     double gap_reach = 2.5;
     // Half the width of the strip across a line in which marks of other lines are looked for. The strip holds a mark or
     // two of each line. Larger: lines beside a bend are counted where they are not.

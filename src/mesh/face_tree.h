@@ -33,7 +33,7 @@ public:
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                 double t_max) const noexcept;
     // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the tree's order. The sign is 1 where the
-    // face looks along the ray, so that the ray leaves the solid, else -1.
+    // face's normal points along the ray, so that the ray leaves the solid, else -1.
     template <class Visit>
     void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
         double limit = std::numeric_limits<double>::infinity();

@@ -230,7 +230,7 @@ EndPlan plan_end_of_picture(const EndFacts& facts, bool may_end) noexcept {
     if (facts.has_border) return {End::as_fitted, off};
     // The sheets of a closed mesh bound each other, unless some surface is far off.
     if (facts.has_creases && facts.closed && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
-    // Surface far from a closed mesh is made up by the fit.
+    // Surface far from a closed mesh was invented by the fit.
     return {End::at_places, off};
 }
 

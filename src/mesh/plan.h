@@ -22,7 +22,7 @@ enum class Facing { right, down_z, down_y, inward };
 
 struct FacingFacts {
     bool closed = false; // make_mesh() has already turned it.
-    // The axis along which a terrain looks down, 'y' or 'z', or 0.
+    // The axis along which a terrain faces down, 'y' or 'z', or 0.
     std::function<char()> hangs_along;
     std::function<bool()> inward; // All normals point inward.
 };
@@ -77,7 +77,7 @@ struct Sharpness {
 
 // The statement of a file's normals about the edges that bend.
 enum class SaidOfEdges {
-    nothing, // The file says nothing, or that all edges are smooth, which is also what computed normals look like.
+    nothing, // The file says nothing, or says that all edges are smooth, as a file with computed normals also does.
     some_are_sharp,
     all_are_sharp,
 };
@@ -144,14 +144,15 @@ struct FittedEdges {
 
 // Tells whether a part has so little area that it is dropped if it is far away (a crumb).
 [[nodiscard]] bool is_crumb(double area, double whole) noexcept;
-// Tells whether a crumb is so far away that it is dropped. Its distance from the rest is in diagonals of the rest.
+// Tells whether a crumb is so far away that it is dropped. `distance` is its distance from all other parts, in
+// diagonals of these parts.
 [[nodiscard]] bool is_lost(double distance) noexcept;
 
 // Tells whether a part is too small for a separate surface. Such a part is left out if it hangs on an edge of two other
 // faces.
 [[nodiscard]] bool is_flap(std::int64_t faces, double area, double whole) noexcept;
 
-// Tells whether to look for parts that cross or are close to each other.
+// Tells whether parts that cross or are close to each other should be searched for.
 [[nodiscard]] bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept;
 
 // ---- How near the surface is to come

@@ -78,8 +78,8 @@ struct PlanTuning {
     double enough_coarse = 0.25;
     // The least length of the edges beyond the angle, in diagonals. Larger: shapes with a short edge are smooth.
     double shortest_edges = 0.05;
-    // A mesh has creases if its components with creases hold at least this share of its area. This keeps crumbs of a
-    // scan from giving the scan edges. Larger: smooth figures on blocks need larger blocks.
+    // A mesh has creases if its components with creases hold at least this share of its area. So tiny parts of a scan
+    // do not give the whole scan edges. Larger: smooth figures on blocks need larger blocks.
     double enough_area = 0.1;
     // Faces farther than this share of `far` from a round surface stay flat. Larger: fewer faces stay flat.
     double too_coarse = 0.8;

@@ -306,7 +306,7 @@ void split_slivers(double rounding, Welded& welded, MeshReport& report, const ba
 
 // Counts the given faces with the same corners as a face that is kept.
 struct Repeated {
-    std::int32_t balance = 0; // the faces of one orientation minus those of the other
+    std::int32_t balance = 0; // the number of faces of one orientation minus the number of faces of the other
     std::int32_t last = -1;   // the number of the last one
 };
 

@@ -60,8 +60,8 @@ struct Camera {
     [[nodiscard]] std::int32_t row_of(std::int64_t i) const noexcept {
         return static_cast<std::int32_t>(i / depth.columns);
     }
-    // Returns the disc radius for an inverse depth. The error of a plane's slope is that of its depths over the disc's
-    // width, so the radius grows with the noise of z over the width of a pixel, z / focal_length.
+    // Returns the disc radius for an inverse depth. The error of a plane's slope is the error of its depths divided by
+    // the disc's width. So the radius grows with the noise of z over the width of a pixel, z / focal_length.
     [[nodiscard]] double radius_at(double inverse_depth, double smoothing) const noexcept {
         const double wrong = noise / inverse_depth * focal_length;
         return std::clamp(smoothing * depth_tuning.widening * std::sqrt(wrong), double{Discs::least},

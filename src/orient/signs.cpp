@@ -298,7 +298,7 @@ private:
     base::Array<Partner> partner_;
     base::Array<std::int64_t> count_; // number of members
     base::Array<Joined> joined_;
-    base::Array<std::uint8_t> over_; // for each term
+    base::Array<std::uint8_t> over_; // 1 for each term that is over
     base::Array<std::int32_t> names_;
     base::ScratchPool<SumsByName> sums_;
 };

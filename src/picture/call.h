@@ -33,7 +33,7 @@ public:
     std::shared_ptr<const Settings> settings; // nullable
     bool takes_style_of_settings = false;     // If no style is named, style and layers come from the settings.
     Changes changes;                          // The fields of the settings come first, then the caller's changes.
-    Vector<hrbfnpr_dab> dabs;                 // The caller's dabs, or else those of the settings.
+    Vector<hrbfnpr_dab> dabs;                 // The caller's dabs, or else the dabs of the settings.
     std::optional<Style> style;               // The caller's style is used unchanged. Its lengths are pixels.
     std::optional<hrbfnpr_camera> camera;     // The caller's camera is used unchanged.
     Points seed_points;                       // Empty if the caller gives no seed points.

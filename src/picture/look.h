@@ -45,7 +45,7 @@ struct View {
     std::optional<double> elevation;      // degrees above the horizon
     std::optional<glm::dvec3> direction;  // From the eye into the scene. It replaces azimuth and elevation.
     std::optional<glm::dvec3> eye;        // If given, the direction is ignored.
-    std::optional<glm::dvec3> target;     // The eye looks at it.
+    std::optional<glm::dvec3> target;     // The eye looks at this place.
     std::optional<double> fov;            // degrees, vertical; 0: orthographic
     double margin = 0.0;                  // share of the picture that is free on each side
     glm::dvec3 up{0.0, 1.0, 0.0};

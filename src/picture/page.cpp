@@ -444,7 +444,7 @@ Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const
     return annotations;
 }
 
-// Lists the chosen pens first, then the caller's, which take precedence.
+// Lists the chosen pens first, then the caller's pens, which take precedence.
 Vector<hrbfnpr_pen> pens_of_page(const Vector<ChosenPen>& chosen, const base::Array<double>& at_hand,
                                  const hrbfnpr_page_desc& page, Pool& pool) {
     Vector<hrbfnpr_pen> pens(&pool);

@@ -19,7 +19,7 @@ namespace hrbfnpr::picture {
 // The dabs of one map in the order in which they were painted. A grid finds the dabs at a place.
 class PaintedMap {
 public:
-    // Takes those of `dabs` that belong to this map (HRBFNPR_DAB_*).
+    // Takes the elements of `dabs` that belong to this map (HRBFNPR_DAB_*).
     PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Pool& pool);
     PaintedMap(PaintedMap&&) noexcept = default;
     PaintedMap(const PaintedMap&) = delete; // A copy would leave the pool.

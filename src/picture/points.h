@@ -16,7 +16,7 @@ void leave_out_unusable(const Call& call, Shape& shape);
 // Reduces the sensor's noise in the image of a depth camera by the factor in the options. The shape keeps the points
 // that were seen, with normals towards the camera.
 [[nodiscard]] hrbfnpr_depth_image_info smooth_depth_image(const Call& call, Stage& stage, Shape& shape);
-// Returns the standard deviation of the depths. The library measures that of the inverse depth.
+// Returns the standard deviation of the depths, from the deviation of the inverse depth, which the library measures.
 [[nodiscard]] constexpr double depth_noise_of(const hrbfnpr_depth_image_info& info) noexcept {
     return info.noise * info.depth * info.depth;
 }

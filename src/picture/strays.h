@@ -25,7 +25,7 @@ std::int64_t leave_out_far(Shape& shape, Pool& pool);
 // Selects a few of many points if they lie far from all others. It never selects points that are not finite.
 [[nodiscard]] PointMask far_from_most(const Points& points, Pool& pool);
 
-// Selects the finite points that are strays. They are a scanner's dust, would make sheets in the air, and get no
+// Selects the finite points that are strays. Strays are dust in a scan. They would make sheets in the air, and get no
 // normals.
 [[nodiscard]] PointMask find_strays(const Points& points, Pool& pool);
 

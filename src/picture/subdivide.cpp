@@ -363,7 +363,7 @@ DividedParts subdivide_coarse_parts(const Shape& shape, std::int32_t rounds, dou
     coarse.points = shape.points;
     coarse.has_sharp_edges = shape.has_sharp_edges;
     coarse.sharp_edges = shape.sharp_edges;
-    Vector<Triangle> triangles(&pool); // the faces that stay, then those of the finer parts
+    Vector<Triangle> triangles(&pool); // the faces that stay, then the faces of the finer parts
     Vector<std::int64_t> parents(&pool);
     Vector<std::int64_t> divided(&pool);
     for (std::size_t f = 0; f < shape.triangles.size(); ++f) {

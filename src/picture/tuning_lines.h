@@ -47,7 +47,7 @@ struct PlateTuning {
     // The width of the bar's outline, in pens. Larger: smaller white fields.
     double bar_line = 0.8;
     // The height of the capitals in the bar's figures, in pens: on a page, and in an image. Larger: larger figures.
-    // Above 15, those of an image do not fit into the least strip.
+    // Above 15, the figures of an image do not fit into the least strip.
     double page_capitals = 11.0;
     double image_capitals = 11.7;
     // The distance from the upper edge of an image's bar to the baseline of its figures, in pens. Larger: figures stand

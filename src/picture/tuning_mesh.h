@@ -51,7 +51,7 @@ struct MeshTuning {
 };
 inline constexpr MeshTuning mesh_tuning;
 
-// Parts of an open mesh that are separate surfaces, far crumbs, and leftover faces.
+// Parts of an open mesh that are separate surfaces, tiny parts far away ("lost parts"), and leftover faces.
 struct ApartTuning {
     // Parts nearer than this, in diagonals, disturb each other. Larger: more groups.
     double near = 0.02;

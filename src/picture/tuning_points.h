@@ -97,7 +97,7 @@ struct StraysTuning {
     // A few points are removed if they are this many times as far from the middle as all others. Larger: fewer are
     // removed.
     double far = 4.0;
-    // The few are at most this share of all points.
+    // At most this share of all points may be removed because they are far from the others.
     double few = 0.005;
 
     // Smaller sets of points are not searched for dust.

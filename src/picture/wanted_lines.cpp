@@ -141,7 +141,7 @@ hrbfnpr_line_style contour_style_of(const Style& style) noexcept {
     return found != style.lines.end() ? *found : usual_contour();
 }
 
-// Adds the style elements for one kind of lines. Their widths are relative to that of the contour.
+// Adds the style elements for one kind of lines. Their widths are relative to the width of the contour.
 void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, Style& style) {
     if (wanted.kind == HRBFNPR_LINE_KIND_CONTOUR) {
         style.lines.push_back(contour);
@@ -158,7 +158,7 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);
     if (!is_crease) return;
-    // Creases are the model's own, or those of the mesh to which a smooth model was fitted.
+    // The creases are those of the model, or those of the mesh to which a smooth model was fitted.
     line.kind = HRBFNPR_LINE_KIND_OWN;
     line.name = "crease";
     style.lines.push_back(line);

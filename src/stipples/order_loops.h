@@ -57,9 +57,11 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
 
 // A summary of a cell's energies, which are infinite where no candidate is open.
 struct OrderLowest {
-    std::int64_t at; // the first with the lowest energy among those with clearance >= enough; -1: none is open
-    float energy;    // the energy of that candidate
-    float of_all;    // the lowest energy at any clearance
+    // The candidate with the lowest energy, the first if there are several, among candidates with clearance >= enough;
+    // -1: none is open.
+    std::int64_t at;
+    float energy; // the energy of that candidate
+    float of_all; // the lowest energy at any clearance
 };
 
 struct OrderLoops {

@@ -589,8 +589,8 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
             if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
             continue;
         }
-        // Afterwards, each cell's lowest energy is that of its candidates that keep the distance of the last step, or
-        // infinite.
+        // Afterwards, each cell's lowest energy is the lowest energy of its candidates that keep the distance of the
+        // last step, or infinite.
         stage.for_cells([&](std::int64_t c) { stage.refresh(static_cast<std::int32_t>(c), stage.enough); });
         const float lowest = *std::min_element(stage.lowest.begin(), stage.lowest.end());
         missed = after == before && lowest < threshold;

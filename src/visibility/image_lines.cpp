@@ -493,7 +493,7 @@ base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::
 }
 
 // Whether f may be 0 between two places where it has the same sign. It is not 0 if f, taken for a cubic, keeps its
-// sign. It does not count if f stays within `in_surface` of 0, because then the line lies in the surface.
+// sign. The result is also false if f stays within `in_surface` of 0, because then the line lies in the surface.
 bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surface) noexcept {
     const double length = b.share - a.share;
     const double sign = a.value < 0.0 ? -1.0 : 1.0;

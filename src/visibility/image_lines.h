@@ -128,8 +128,8 @@ struct CrossingReport {
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report);
 
-// Removes crossings that the curves themselves do not have, among those of curves that are near in space, too. Beside a
-// cusp the cubics may cross where the curve does not. Returns the number of removed crossings.
+// Removes crossings that the curves do not have. It tests only crossings of curves that are near each other in space.
+// Beside a cusp the cubics may cross where the curve does not. Returns the number of removed crossings.
 std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
                               base::Array<Crossing>& crossings);
 

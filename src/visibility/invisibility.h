@@ -71,7 +71,7 @@ struct InvisibilityReport {
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
     std::int64_t rounds = 0;  // rounds in which the curves were made finer
     std::int64_t refined = 0; // lines that contradicted themselves at first
-    // Lines that still do so at the end: each of their parts gets the number that a ray to the part finds.
+    // Lines that contradict themselves at the end: each of their parts gets the number that a ray to the part finds.
     std::int64_t settled = 0;
     std::int64_t contradictions = 0; // settled lines with a part whose ray is not certain
 };

@@ -114,8 +114,8 @@ void set_up_items(const Scene& scene, Gathering& all) {
 
 // ---- Tasks and tones
 
-// Returns how many marks are in no task. Hatching looks at its marks itself, so a run of hatching is in a task only if
-// its marks are splats.
+// Returns how many marks are in no task. The code for hatching examines its marks itself, so a run of hatching is in a
+// task only if its marks are splats.
 std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
     tasks.clear();
     std::int64_t unused = 0;
@@ -264,7 +264,7 @@ struct Local {
 // Returns how many of a cluster's first marks are splats.
 [[nodiscard]] std::int64_t count_splats(const Run& run, const Local& local) noexcept {
     if (!run.splats) return 0;
-    // The first lines of a nested set leave the places of the others open, so all marks are needed.
+    // The first lines of a nested set leave gaps where the other lines lie, so all marks are needed.
     if (run.marks->kind == marks::Kind::hatch || (!run.is_even() && !run.is_scattered())) return local.cluster.count;
     const float pixels = run.pen.spacing * local.view.pixels_per_unit / least_splat_spacing(local);
     if (!(pixels < 1.0F)) return local.cluster.count; // also for NaN, if a float does not hold the spacing

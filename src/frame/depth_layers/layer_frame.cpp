@@ -165,8 +165,9 @@ Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::v
     return result;
 }
 
-// Dims the dots whose centres lie in a tile: first through the nearest layers and then, if any ink is still seen behind
-// those, through the next ones. Returns how many dots are drawn. Sets `largest` to the radius of the largest splat.
+// Dims the dots whose centres lie in a tile: first through the nearest layers and then, if any ink is still seen
+// through these layers, through the next layers. Returns how many dots are drawn. Sets `largest` to the radius of the
+// largest splat.
 std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile,
                       float& largest) noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;

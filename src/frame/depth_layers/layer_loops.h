@@ -35,8 +35,9 @@ struct SplatList {
 };
 
 struct LayerLoops {
-    void (*lay)(const LayerPlanes& planes, const SplatList& list);      // the nearest layers
-    void (*lay_next)(const LayerPlanes& planes, const SplatList& list); // the next ones, once the nearest are laid
+    void (*lay)(const LayerPlanes& planes, const SplatList& list); // finds the nearest layers
+    // Finds the next layers, after the nearest layers were found.
+    void (*lay_next)(const LayerPlanes& planes, const SplatList& list);
     void (*lay_halos)(const LayerPlanes& planes, const SplatList& list);
 };
 

@@ -259,8 +259,8 @@ struct Gap {
     return true;
 }
 
-// Finds the cut near sample `last`, the last one that is seen in the direction `way`, 1 or -1. The search begins at a
-// sample that is near no edge, but not before `first_seen`, and ends at `last_hidden`.
+// Finds the cut near sample `last`, the last sample that is seen in the direction `way`, 1 or -1. The search begins at
+// a sample that is near no edge, but not before `first_seen`, and ends at `last_hidden`.
 [[nodiscard]] HatchCut search(const SeenLine& line, std::int64_t last, std::int64_t way, std::int64_t first_seen,
                               std::int64_t last_hidden) noexcept {
     std::int64_t i = last;
@@ -275,7 +275,7 @@ struct Gap {
     return {};
 }
 
-// Makes samples seen up to the cut, and hidden after it.
+// Marks samples as seen up to the cut, and as hidden after it.
 void apply(const SeenLine& line, const HatchCut& cut, std::int64_t last, std::int64_t way) noexcept {
     const std::int64_t end = way > 0 ? cut.before : cut.before + 1; // the last sample that is seen from now on
     const float opacity = line[last].opacity;

@@ -152,8 +152,8 @@ void coverage(const HatchLaw& law, const float* darkness, std::int64_t count, fl
                 [&](std::int64_t at) HWY_ATTR { hn::StoreU(coverage(law, hn::LoadU(d, darkness + at)), d, to + at); });
 }
 
-// The widths of lines at one place, in pixels. Lines of levels up to `full` have `width`, and those of the next
-// `fading`.
+// The widths of lines at one place, in pixels. Lines of levels up to `full` have the width `width`, and lines of the
+// next level have the width `fading`.
 struct Widths {
     W lambda; // how many levels there is room for
     W full, width, fading;
@@ -190,7 +190,8 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     return w;
 }
 
-// Fills `reach` numbers before the first and after the last one, from a closed stroke's other end or with `otherwise`.
+// Fills `reach` numbers before the first mark and after the last one, from a closed stroke's other end or with
+// `otherwise`.
 HWY_INLINE void put_around(float* row, std::int64_t count, bool closed, std::int64_t reach, float otherwise) {
     for (std::int64_t k = 1; k <= reach; ++k) {
         row[-k] = closed && k <= count ? row[count - k] : otherwise;

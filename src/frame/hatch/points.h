@@ -38,7 +38,7 @@ struct HatchMark {
     float way;            // distance from the mark before, pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
-    float begins_chain; // 1: marks before this one were left out, and the line does not continue across them; else 0
+    float begins_chain; // 1: marks before this mark were left out, and the line does not continue across them; else 0
     float unused;
     std::uint32_t id;
 
@@ -67,7 +67,7 @@ struct HatchStroke {
 
     // Scratch.
     base::Array<std::uint32_t> may_draw; // for each piece, a bit for each of its marks
-    base::Array<Range> range;            // the places that are looked at, rising
+    base::Array<Range> range;            // the places of the marks that are loaded, ascending
     base::Array<std::uint32_t> number;   // the numbers of the loaded marks in the layer
     base::Array<float> row;              // memory of HatchRows
     // The stroke's places. A closed stroke's last mark is left out if it lies where the first one does.

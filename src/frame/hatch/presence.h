@@ -59,7 +59,7 @@ template <class Presence, class Weight, class EndShare>
     const float own = presence(i);
     if (!(own > 0.0F)) return {0.0F, i};
     HeldLength held;
-    float least = 1.0F; // the least presence up to here, as a share of sample i's
+    float least = 1.0F; // the least presence up to here, as a share of the presence at sample i
     float before = weight(i);
     for (std::int64_t steps = 0; steps < line.size(); ++steps) {
         float step = 0.0F;

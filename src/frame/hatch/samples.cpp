@@ -227,7 +227,7 @@ bool find_marks(const RunSight& v, std::int64_t piece, HatchStroke& seen) noexce
 }
 
 // Finds the ranges of marks that may be drawn, with the marks around them that their ends, tangents and spacing need.
-// If only a few marks lie between two ranges, they are looked at, too.
+// If only a few marks lie between two ranges, they are loaded, too.
 void find_ranges(HatchStroke& seen) {
     const std::int64_t end = seen.first + seen.count;
     const auto add = [&](std::int64_t from, std::int64_t to) {
@@ -343,7 +343,7 @@ void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers,
 
 void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
-    // Sets the places before the first and after the last mark.
+    // Sets the place before the first mark and the place after the last mark, which widths need.
     for (const HatchRow row : {HatchRow::x, HatchRow::y, HatchRow::z}) {
         rows[row][-1] = rows[row][closed ? count - 1 : 0];
         rows[row][count] = rows[row][closed ? 0 : count - 1];
@@ -514,9 +514,9 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
 // before it.
 constexpr float length_steps = 1024.0F;
 
-// An unsteady hand: how far a line strays, and how far it runs past the end of its tone. Both are smooth noise over the
-// numbers of the stroke's marks, so that the noise stays in place on the surface from frame to frame. When the eye
-// comes nearer, swings of half the length take over, so that swings keep their length in the picture.
+// An unsteady hand: how far a line wobbles to the side, and how far it runs past the end of its tone. Both are smooth
+// noise over the numbers of the stroke's marks, so the noise stays in place on the surface from frame to frame. When
+// the eye comes nearer, swings of half the length take over, so that swings keep their length in the picture.
 struct HatchHand {
     float wobble, overshoot;        // pixels
     double wobble_level, end_level; // log2 of the length of a swing in marks

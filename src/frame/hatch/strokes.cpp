@@ -220,8 +220,8 @@ private:
         std::copy_n(closed, size(), p);
     }
 
-    // Closes short hidden gaps, where a contour and its halo run out. Leaves out short parts between two hidden ones,
-    // which lie in the halo of a contour that they run along.
+    // Closes short hidden gaps, where a contour and its halo end. Leaves out short parts between two hidden parts,
+    // because such parts lie in the halo of a contour along which they run.
     void close_hidden() {
         float* const p = row(by_hiding);
         if (std::all_of(p, p + size(), [](float seen) { return seen == 1.0F; })) return;

@@ -14,7 +14,7 @@ struct HatchTuning {
     // in later and are more visible when they do.
     float thinnest_fading = 0.5F;
     // A line that fades in has its whole width where the law gives it this much more than `thinnest_fading`, in pens.
-    // Until then the full lines get the rest. Larger: levels come in more slowly.
+    // Until then, the full lines get the missing width. Larger: levels come in more slowly.
     float fading_ramp = 0.25F;
     // From this weight on, from 0 to 1, the margin of a level that fades in rises to that of a full line. Larger: a
     // steeper change at the end.
@@ -50,8 +50,8 @@ struct HatchTuning {
     // out there. Up to `halo_and_more` it opens gradually. Larger: halos are crossed.
     float halo_alone = 1.0F;
     float halo_and_more = 1.5F;
-    // A part between two hidden ones must be at least this many times hatch_shortest long, since it lies in the halo of
-    // a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
+    // A part between two hidden parts must be at least this many times hatch_shortest long, because it lies in the halo
+    // of a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
     float between_hidden = 3.0F;
     // Where short parts are left out, the length of a line counts as this share if its level has hardly any room
     // between other lines. Smaller: fewer short lines between long ones.

@@ -61,7 +61,7 @@ public:
     // drawing. All items with lines hide each other's lines. Throws Error{callback, cancelled, out_of_memory}.
     const LineStrokes& run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
                            drawing::Drawing& drawing);
-    // Is called after a frame that was not finished. The next frame then uses no contours of the last one.
+    // Called after a frame that was not finished. The next frame then uses no contours of the last frame.
     void forget() noexcept { contours_.clear(); }
 
 private:

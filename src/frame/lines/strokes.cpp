@@ -268,7 +268,7 @@ double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
         if (next != parts.end()) nearest = std::min(nearest, next->begin_at - here);
         if (next != parts.begin()) nearest = std::min(nearest, std::max(0.0, here - std::prev(next)->end_at));
     }
-    // Falls from 1 to 0, with slope 0 at either end.
+    // falls from 1 to 0, with slope 0 at either end
     const double u = std::clamp(1.0 - nearest / fade_of(as), 0.0, 1.0);
     return by(as.style->outline_factor, u * u * (3.0 - 2.0 * u));
 }

@@ -69,7 +69,7 @@ struct LightTone {
     float exponent, fill;
 };
 
-// tau_d is 1 up to depth_min, 0 from depth_max on, and falls with the logarithm between.
+// tau_d is 1 up to depth_min and 0 from depth_max on. In between it falls linearly with the logarithm of the distance.
 [[nodiscard]] inline float depth_tone(double distance, double depth_min, double depth_max) noexcept {
     if (!(distance > depth_min)) return 1.0F;
     const double tone = 1.0 - std::log(distance / depth_min) / std::log(depth_max / depth_min);

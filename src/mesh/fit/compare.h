@@ -53,12 +53,12 @@ inline constexpr double default_far = 0.01; // in diagonals
 inline constexpr std::int64_t default_points = 20000;
 inline constexpr double cells_a_diagonal = 128.0;
 
-// Returns the box in which the surface beside a mesh is looked for.
+// Returns the box in which the surface beside a mesh is searched for.
 [[nodiscard]] geometry::Bounds search_region(const Mesh& mesh) noexcept;
 [[nodiscard]] Spread spread_of(base::Array<double>& distance, double tolerance, double far); // reorders `distance`
 
 struct SurfaceSearch {
-    geometry::Bounds region; // The surface is looked for in this box.
+    geometry::Bounds region; // The surface is searched for in this box.
     double side = 0.0;       // the side of a cell
     bool finer = false;      // Cells are halved repeatedly while the surface is thinner than they are.
     double precision = 1e-9; // the precision of the surface's vertices, in diagonals

@@ -61,8 +61,8 @@ struct Touching {
 [[nodiscard]] Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                         const MeshSamples& places, double near, bool solids_apart);
 
-// Throws Error{invalid_argument} if all faces lie in one plane and look both ways: a surface through both sides cannot
-// be told from no surface.
+// Throws Error{invalid_argument} if all faces lie in one plane and face both ways, because the two sides of such a
+// solid cannot be distinguished from no surface.
 void refuse_flat_solid(const Mesh& mesh);
 
 } // namespace hrbfnpr::mesh

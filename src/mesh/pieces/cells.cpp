@@ -128,8 +128,8 @@ private:
     bool by_rays_ = false;
 };
 
-// Returns faces chosen evenly by area. Chosen by number, the many small faces of a tray's rounded corners would make it
-// look solid.
+// Returns faces chosen evenly by area. If they were chosen by number, the many small faces of a tray's rounded corners
+// would make the tray look solid.
 [[nodiscard]] base::Array<std::int64_t> faces_to_probe(const Mesh& mesh) {
     const auto probes = static_cast<double>(cell_tuning.probes);
     base::Array<std::int64_t> faces(mesh.vertex.memory());

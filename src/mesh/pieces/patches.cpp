@@ -75,8 +75,8 @@ using Fan = std::span<const std::int32_t>; // corners, in rising order
 struct Flats {
     explicit Flats(base::Memory& memory) noexcept : region(memory), area(memory), normal(memory), bulge(memory) {}
 
-    base::Array<std::int32_t> region; // for each face
-    base::Array<double> area;         // for each region
+    base::Array<std::int32_t> region; // the region of each face
+    base::Array<double> area;         // the area of each region
     base::Array<glm::dvec3> normal;
     base::Array<double> bulge; // for each region: the largest chord_error() of its faces with the mean normals
 };
@@ -185,7 +185,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
         const double angle = angle_at(mesh.corners(corner / 3), static_cast<std::size_t>(corner % 3));
         const double turned = turned_at(mesh, normals, corner, corner);
         here += angle * turned;
-        // The corner that is turned less counts, because the other one may be a tip itself.
+        // The corner whose normal is turned less counts, because the other one may be at a tip itself.
         beyond += angle * std::min(turned_at(mesh, normals, corner, first + (corner + 1) % 3),
                                    turned_at(mesh, normals, corner, first + (corner + 2) % 3));
         angles += angle;
@@ -288,7 +288,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
             for (std::int64_t fan = begin; fan < end; ++fan) visit(fans[fan]);
         });
     };
-    // At a vertex with very many corners, flats and tips are not looked for.
+    // At a vertex with very many corners, the search for flats and tips is skipped.
     const auto has_many = [&](const Fan& fan) {
         return corners.count(mesh.triangle[fan[0] / 3][static_cast<std::size_t>(fan[0] % 3)]) >
                patch_tuning.most_corners;

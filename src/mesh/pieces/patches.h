@@ -50,7 +50,7 @@ struct PatchTolerance {
                                         const PatchTolerance& tolerance);
 
 // Returns 1 for each patch that lies against another solid, as boxes that stand on each other do. At one of `places` on
-// such a patch, a face of another component looks the other way and is no farther than `near`. The patch of that face
+// such a patch, a face of another component faces the other way and is no farther than `near`. The patch of that face
 // gets 1, too.
 [[nodiscard]] base::Array<std::uint8_t> patches_in_contact(const base::Work& work, const Mesh& mesh,
                                                            const FaceTree& tree, const Creases& creases,

@@ -266,8 +266,9 @@ base::Array<Creases::Shared> shared_bands(const Patched& patched, const Labels& 
 
 using Patch = std::span<const std::int32_t>; // faces
 
-// Sets the ways along a patch's edges from a face to the others. Returns the farthest face among those connected with
-// it. The ways go along edges, because faces may be slivers: a path through their middles would be a zigzag.
+// Sets the lengths of the ways along a patch's edges from a face to the other faces. Returns the farthest face that is
+// connected with it. The ways go along edges, because faces may be slivers: a path through their middles would be a
+// zigzag.
 [[nodiscard]] std::int32_t measure_ways(const Mesh& mesh, const Creases& creases, const base::Groups& corners,
                                         std::int32_t from, Patch patch, base::Array<double>& to_vertex,
                                         base::Array<double>& way) {

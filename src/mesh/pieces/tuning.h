@@ -195,7 +195,7 @@ struct PiecesTuning {
     std::int64_t room_a_sheet = 32;
     // The model keeps this many places all over the mesh, at which searches for its surface begin.
     std::int64_t even_places = 2000;
-    // Contacts of parts are looked for at as many places as the mesh has faces, within these bounds. Larger: fewer
+    // Contacts of parts are searched for at as many places as the mesh has faces, within these bounds. Larger: fewer
     // contacts are missed.
     std::int64_t fewest_on_parts = 4000;
     std::int64_t most_on_parts = 100000;

@@ -44,7 +44,7 @@ inline Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a)))
 
 // ---- Whether parts overlap
 
-// Consecutive segments whose directions are within 60 degrees of the first segment's, and their bounding box.
+// Consecutive segments whose directions are within 60 degrees of the direction of the first, and their bounding box.
 struct Stretch {
     float along_x, along_y, square; // the first segment's vector, pixels, and its squared length
     float left, top, right, bottom;

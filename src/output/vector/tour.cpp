@@ -392,7 +392,8 @@ private:
     };
     std::span<const Stop> stops_;
     const base::Progress& progress_;
-    std::int32_t pen_, count_;            // the pen's number, which follows the stops', and the number of stops with it
+    // The pen's number, which follows the numbers of the stops, and the number of stops including the pen.
+    std::int32_t pen_, count_;
     std::int64_t work_ = 0, checked_ = 0; // the work left for moves, and its value at the last check for cancellation
     std::int64_t longest_ = 0;            // the largest number of stops that a move may reverse or pass
     double gained_ = 0.0;                 // the length that the last moves saved, mm

@@ -9,8 +9,8 @@
 namespace hrbfnpr::output {
 
 struct LayOutTuning {
-    // A stroke is cut where its opacity differs by more than this from that of the part's first point. Larger: fewer
-    // parts, visible steps.
+    // A stroke is cut where its opacity differs by more than this from the opacity of the part's first point. Larger:
+    // fewer parts, visible steps.
     float opacity_step = 1.0F / 32.0F;
     // The least side of the cells that detect overlapping inks, in pixels. Larger: more runs.
     double least_cell = 4.0;

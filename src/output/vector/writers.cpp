@@ -168,8 +168,8 @@ private:
     }
     void end_shape() override { out_ << "\"/>\n"; }
 
-    // Writes places relative to the current point, and moves that to the last one. A repeated command letter is
-    // omitted.
+    // Writes places relative to the current point, and moves the current point to the last of them. A repeated command
+    // letter is omitted.
     void command(char letter, std::span<const Place> places) {
         char before = letter == letter_ ? ' ' : letter;
         for (const Place& p : places) {
@@ -216,7 +216,7 @@ private:
 // ---- PDF
 
 constexpr double points_of_mm = 72.0 / 25.4;
-// The numbers of the PDF objects; those of groups follow.
+// The numbers of the PDF objects. The objects of groups have the numbers after these.
 enum Object : std::int64_t { content = 1, content_length, catalog, pages, page, information, first_of_groups };
 
 // Decodes the UTF-8 character at text[at] and advances `at` to the next one.
