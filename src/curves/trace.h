@@ -34,7 +34,8 @@ struct TraceReport {
                            const TraceSettings& settings, TraceReport& report, const Curves* near = nullptr);
 
 // Predicts where points of another view's contours lie in this view, by one Newton step with the stored derivatives of
-// f: grad g changes as little as the view. Points that move by more than `farthest` are dropped.
+// f. This works because grad g changes little if the view changes little. Points that move by more than `farthest` are
+// dropped.
 [[nodiscard]] Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest);
 
 } // namespace hrbfnpr::curves

@@ -30,8 +30,8 @@ struct Window {
 // there is no mark, or that it is outside the picture. The values equal the constants HRBFNPR_CLASS_*.
 enum class MarkClass : std::uint8_t { none = 0, front = 1, back = 2, silhouette = 3 };
 
-// Dots below `smallest_radius` are drawn paler instead of smaller. All rims fade over one pixel, `soft_rim` to either
-// side. Both are in pixels.
+// Dots below `smallest_radius` are drawn paler instead of smaller. All rims fade over one pixel, `soft_rim` on either
+// side of the rim. Both are in pixels.
 inline constexpr float smallest_radius = 0.5F;
 inline constexpr float soft_rim = 0.5F;
 

@@ -186,7 +186,7 @@ private:
                 static_cast<std::uint16_t>(bottom)};
     }
 
-    // Calls f(number, disc) for a range of numbers. They count the elements of all pieces.
+    // Calls f(number, disc) for a range of numbers. The numbers count the discs of all pieces, piece after piece.
     template <class F>
     void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
         const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
@@ -238,7 +238,7 @@ private:
     std::int64_t total_ = 0;
     std::int64_t grain_ = 1;             // number of discs in a part
     base::Array<Rect> rects_;            // the tiles that each disc touches, indexed by the disc's number
-    base::Array<std::uint32_t> counts_;  // the number of discs in each tile, for one part of the discs after the other
+    base::Array<std::uint32_t> counts_;  // for each part of the discs: the number of its discs in each tile
     base::Array<std::int64_t> offsets_;  // the index of each tile's first entry, and the end
     base::Array<std::uint32_t> entries_; // the discs of each tile, tile after tile
     base::Array<Large> large_;           // discs that touch too many tiles; they are not in `entries_`

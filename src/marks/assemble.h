@@ -48,7 +48,7 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
 
 // ---- Ready-made marks
 
-// The arrays of one layer. hrbfnpr_layer_arrays documents the meaning of empty ones.
+// The arrays of one layer. hrbfnpr_layer_arrays documents the meaning of an empty array.
 struct LayerArrays {
     Kind kind = Kind::own;
     LayerName name{};

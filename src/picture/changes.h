@@ -56,7 +56,7 @@ public:
     [[nodiscard]] const Vector<Change>& list() const noexcept { return list_; }
     // Tells whether the caller's own list gives the path a value.
     [[nodiscard]] bool is_callers(std::string_view path) const noexcept;
-    // Returns how many changes come from settings. They are the first ones of the list.
+    // Returns how many changes come from settings. These come first in the list.
     [[nodiscard]] std::size_t from_settings() const noexcept { return from_settings_; }
 
 private:

@@ -396,7 +396,7 @@ double distance_from_segment(const glm::dvec2& place, const Segment& segment) no
     return glm::length(place - segment[0] - at * along);
 }
 
-// Draws a text with round strokes. Their rims are soft over half a pixel to either side.
+// Draws a text with round strokes. Their rims are soft over half a pixel on either side.
 void draw_text(PlatePixels& part, std::string_view text, const glm::dvec2& begin, double capitals,
                const glm::dvec3& ink, Pool& pool) {
     const Vector<Segment> strokes = strokes_of_text(text, begin, capitals, pool);

@@ -93,7 +93,7 @@ struct HatchView {
 struct HatchSample {
     float x, y, window, depth;
     float side_x, side_y;                    // as in HatchMark
-    float width;                             // line width, pixels: the mean over half a step to either side
+    float width;                             // line width, pixels: the mean over half a step on either side
     float overshoot;                         // how far an overshoot runs past the end of the line's tone, pixels
     std::array<float, hatch_margins> margin; // as in HatchMark
     float pixels_per_unit;

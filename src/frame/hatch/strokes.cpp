@@ -193,7 +193,7 @@ private:
         return share;
     }
 
-    // The length to either side of sample i that holds together, up to `most` on each side.
+    // The length on either side of sample i that holds together, up to `most` on each side.
     template <class Of, class Weight, class Share>
     [[nodiscard]] float held_around(std::int64_t i, float most, float beyond, const Of& presence, const Weight& weight,
                                     const Share& share) const noexcept {

@@ -191,8 +191,8 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.makes_tone = is_surface(layer) || !any_surface;
     run.splats = style.hidden_lines != HiddenLines::show && splats;
     run.draws_silhouettes = published && own.contours && is_surface(layer);
-    // With a given overlap, one evenly spread layer is as opaque as all layers. In published drawings every mark
-    // counts.
+    // If the style gives an overlap, one evenly spread layer is as opaque as all layers together, so only the layer of
+    // the splats paints paper. In published drawings every mark counts.
     run.paints_paper = style.hidden_lines == HiddenLines::attenuate && (splats || !(style.splat_overlap > 0.0F));
     run.occludes = style.hidden_lines == HiddenLines::hide && splats;
     // The size of a mark's piece of surface is known for the largest layer. For others it follows from their mark

@@ -43,7 +43,7 @@ struct PatchTolerance {
     double ramp;
 };
 
-// Returns the vertices of a patch's faces, and places between them on the surface that is curved as the normals are
+// Returns the vertices of a patch's faces, and places between them on the curved surface that has the vertices' normals
 // (Vlachos et al., "Curved PN triangles", 2001).
 [[nodiscard]] PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Creases& creases,
                                         const PatchNormals& normals, std::span<const std::int32_t> faces,

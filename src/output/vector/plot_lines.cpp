@@ -167,7 +167,7 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
 
 struct Node {
     dvec2 place, normal; // the place, and the unit normal to the left
-    double reach;        // how far the pen's centre may go to either side
+    double reach;        // how far the pen's centre may go on either side of the line
     double at;           // position along the line
 };
 
