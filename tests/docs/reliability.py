@@ -16,8 +16,8 @@ def commands(text):
     """The code in the last column of the table of promises."""
     for line in text.splitlines():
         cells = [cell.strip() for cell in re.split(r"(?<!\\)\|", line)]
-        if len(cells) == 7 and not set(cells[1]) <= set("- "):
-            yield from re.findall(r"`([^`]+)`", cells[5])
+        if len(cells) == 6 and not set(cells[1]) <= set("- "):
+            yield from re.findall(r"`([^`]+)`", cells[4])
 
 
 def tests_of(program, test_filter):
