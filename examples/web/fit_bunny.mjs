@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits the bunny once, so that the page need not: fit_bunny.mjs PACKAGE MESH.obj MODEL
+// Fits the bunny when the page is built: fit_bunny.mjs PACKAGE MESH.obj MODEL
 import { readFile, writeFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";

@@ -125,13 +125,13 @@ async function files() {
   const before = await picture(page);
   await drop(page, "broken.obj", "v 0 0 0\nv 1 zero 0\nf 1 2 3\n");
   await page.waitForSelector("#message:not([hidden])");
-  assert.match(await page.textContent("#message"), /broken\.obj, line 2: vertex y must be a number, not "zero"/);
+  assert.match(await page.textContent("#message"), /broken\.obj, line 2: vertex y is "zero"; it must be a number/);
   await settled(page);
   await screenshot(page, "bad-file");
   assert.equal((await picture(page)).hash, before.hash, "the picture before stays");
   assert.equal(await page.inputValue("#model"), "torus");
   await drop(page, "picture.png", "nothing");
-  await page.waitForFunction(() => /cannot be read: use one of \.ply/.test(document.getElementById("message").textContent));
+  await page.waitForFunction(() => /cannot be read; convert it to \.ply/.test(document.getElementById("message").textContent));
   await page.click("#message button");
   await drop(page, "tetrahedron.obj", tetrahedron);
   await page.waitForFunction(() => /^file tetrahedron\.obj/.test(document.documentElement.dataset.made ?? ""));

@@ -84,30 +84,31 @@ test("clouds come with their normals, or without", () => {
 });
 
 test("what is wrong is named by its line, with the remedy", () => {
-  fails("a.xyz", "1 2 3\n1 2\n", /a\.xyz, line 2: there are 2 columns, and 3 before: each row takes x y z/);
-  fails("a.xyz", "1 2 3\n1 two 3\n", /line 2: y must be a number, not "two"/);
-  fails("a.obj", "v 0 0 0\nv 1 0\n", /line 2: vertex z must be a number, not missing/);
-  fails("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", /line 3: a face has 2 corners: it takes 3 or more/);
-  fails("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", /line 3: a face has the corner 3, but there are 2 vertices/);
+  fails("a.xyz", "1 2 3\n1 2\n", /a\.xyz, line 2: there are 2 columns, but 3 in the rows before; each row must have x y z/);
+  fails("a.xyz", "1 2 3\n1 two 3\n", /line 2: y is "two"; it must be a number/);
+  fails("a.obj", "v 0 0 0\nv 1 0\n", /line 2: vertex z is missing; it must be a number/);
+  fails("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", /line 3: a face has 2 corners; it needs at least 3/);
+  fails("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", /line 3: a face has the corner 3, but there are only 2 vertices/);
   fails("a.obj", "f 1.5 2 3\n", /corner 1.5/);
   fails("a.obj", "", /a\.obj is empty/);
   fails("a.obj", "# nothing\n", /no points/);
-  fails("a.png", "x", /files ending in "\.png" cannot be read: use one of \.ply/);
+  fails("a.png", "x", /files that end in "\.png" cannot be read; convert it to \.ply/);
 });
 
 test("a PLY that is cut off or odd is refused", () => {
   fails("a.ply", asciiPly.slice(0, 40), /no "end_header"/);
-  fails("a.ply", asciiPly.split("\n").slice(0, -3).join("\n"), /line 18: the file ends before all/);
+  fails("a.ply", asciiPly.split("\n").slice(0, -3).join("\n"), /line 18: the file ends before the last/);
   fails("a.ply", binaryPly(true).slice(0, -5), /the file ends at byte \d+/);
   fails("a.ply", asciiPly.replace("ascii 1.0", "text 1.0"), /the format is "text"/);
-  fails("a.ply", asciiPly.replace("property float y", "property float w"), /no x, y and z/);
+  fails("a.ply", asciiPly.replace("property float y", "property float w"), /need the properties x, y and z/);
   fails("a.ply", asciiPly.replace("3 0 2 1", "3 0 2 9"), /line 16: face 0 has the corner 9/);
   fails("a.ply", asciiPly.replace("property float x", "property real x"), /the type "real"/);
 });
 
 test("an STL whose size is wrong is refused", () => {
-  fails("a.stl", binaryStl().slice(0, -10), /says 4 facets, which are 284 bytes, and has 274/);
-  fails("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\n", /2 vertices: each facet takes 3/);
+  fails("a.stl", binaryStl().slice(0, -10), /needs 284 bytes for its 4 facets, but it has 274/);
+  fails("a.stl", "short", /needs 84 bytes for its header, but it has 5/);
+  fails("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\n", /2 vertices, but each facet needs 3/);
 });
 
 test("edges between faces with different normals are sharp", () => {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page: what the user does becomes settings, settings become requests to the worker, answers become the picture.
+// The page turns what the user does into settings, settings into requests to the worker, and answers into the picture.
 import { Controls } from "./controls.js";
 import { save, copyText } from "./exports.js";
 import { lightBy, orbitBy, showLight } from "./orbit.js";
@@ -7,19 +7,19 @@ import { SCENES } from "./scenes.js";
 import { SETTINGS, defaults, fromLink, toLink } from "./settings.js";
 import { compileModule, Painter } from "./workers.js";
 
-const MOVING = 160; // ms without a change after which a picture is drawn in full
-const SLOW = 45; // ms of a frame above which moving pictures are drawn smaller
-const RESTING = 250; // ms without a change after which another picture is made
-const MAKING = ["model", "preset", "marks", "angle"]; // settings that want another picture
+const MOVING = 160; // A picture is drawn in full after this many ms without a change.
+const SLOW = 45; // Moving pictures are drawn smaller if a frame takes more ms than this.
+const RESTING = 250; // A new picture is made after this many ms without a change.
+const MAKING = ["model", "preset", "marks", "angle"]; // A change of these settings needs a new picture.
 
-const files = new Map(); // models that come with the page, by the names of their scenes
+const files = new Map(); // the model files of the page, by the name of the scene
 
 const find = (id) => document.getElementById(id);
 const canvas = find("picture");
 let settings = fromLink(location.hash);
-let source; // what is to be drawn: { key, scene } or { key, saved } or { key, name, bytes }
-let chosen; // the name of the scene that was chosen last
-let shown; // the request for the picture that is drawn
+let source; // what to draw: { key, scene } or { key, saved } or { key, name, bytes }
+let chosen; // the scene that was chosen last
+let shown; // the request that made the shown picture
 let painter;
 let controls;
 let threads = 1;
@@ -40,7 +40,7 @@ function complain(text) {
 
 // Requests.
 
-/** The request for a picture of the source with the settings, as large as the canvas. */
+/** Returns the request for a picture of the source with the settings, in the size of the canvas. */
 function pictureRequest() {
   const ratio = window.devicePixelRatio || 1;
   const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.max(Math.round(side * ratio), 16));
@@ -64,7 +64,7 @@ function make(request) {
   painter.make(request);
 }
 
-/** A picture by the settings: the one that is there, or another. */
+/** Shows a picture by the settings, and makes a new one if the shown one does not serve. */
 function update() {
   if (!isReady || !source) return;
   const request = pictureRequest();
@@ -82,14 +82,14 @@ async function chooseScene(name) {
   if (SCENES[name].file && !files.has(name)) {
     const response = await fetch(new URL(SCENES[name].file, import.meta.url)).catch(() => undefined);
     if (!response?.ok) {
-      if (name !== "bunny" || shown) complain(`${SCENES[name].file} is not beside the page: run examples/web/build`);
+      if (name !== "bunny" || shown) complain(`The page has no ${SCENES[name].file}. Build the page with examples/web/build.`);
       settings.model = "blob";
       controls.show();
       return chooseScene("blob");
     }
     files.set(name, new Uint8Array(await response.arrayBuffer()));
   }
-  if (chosen !== name) return undefined; // something else was chosen meanwhile
+  if (chosen !== name) return undefined; // The user has chosen another one meanwhile.
   source = SCENES[name].file ? { key: name, saved: files.get(name) } : { key: name, scene: name };
   return update();
 }
@@ -107,10 +107,10 @@ async function openFile(file) {
   update();
 }
 
-/** Back to what is drawn, after a request has failed or was cancelled. */
+/** Goes back to the shown picture after a request failed or was cancelled. */
 function goBack(failed) {
   find("work").hidden = true;
-  if (failed.key === shown?.key) shown = undefined; // it is not asked for again and again
+  if (failed.key === shown?.key) shown = undefined; // Do not ask for it again and again.
   if (!shown) {
     if (failed.source.key === "blob") return;
     settings.model = "blob";
@@ -144,13 +144,13 @@ function list(id, texts) {
 
 const ANSWERS = {
   ready({ presets, version }) {
-    if (isReady) return; // another worker after a cancel
+    if (isReady) return; // A cancel starts another worker.
     controls.setPresets(presets);
     document.documentElement.dataset.version = version;
     isReady = true;
     controls.show();
     chooseScene(Object.hasOwn(SCENES, settings.model) ? settings.model : "bunny");
-    if (settings.model === "file") complain("This link was made with a file: drop that file on the picture.");
+    if (settings.model === "file") complain("This link was made with a file of the sender. Drop that file on the picture.");
   },
   progress({ stage, progress }) {
     find("progress").value = progress;
@@ -178,14 +178,14 @@ const ANSWERS = {
     if (frame.key === shown?.key) dataset.made = `${shown.source.key} ${shown.settings.preset}`;
     slowness = Math.min(Math.max(slowness * Math.sqrt(SLOW / Math.max(frame.milliseconds, 5)), 0.45), 1);
     if (painter.making === undefined)
-      say(`${frame.dots + frame.strokes} dots and strokes, ${frame.milliseconds.toFixed(0)} ms` +
+      say(`${frame.dots + frame.strokes} dots and strokes, ${frame.milliseconds.toFixed(0)} ms per frame` +
           (threads > 1 ? `, ${threads} threads` : ""));
   },
   svg: ({ text }) => text && save.svg(text),
   failed({ request, message, what, cancelled }) {
-    if (!cancelled) complain(what === "begin" || !what ? `The library does not start: ${message}` : message);
+    if (!cancelled) complain(what === "begin" || !what ? `The library did not start: ${message}` : message);
     if (what !== "make") return;
-    say(cancelled ? "Cancelled" : "That did not work");
+    say(cancelled ? "Cancelled" : "No picture was made");
     goBack(request);
   },
 };
@@ -230,7 +230,7 @@ function listenForExports() {
   find("svg").addEventListener("click", () => ask({ type: "svg", link: location.href, scale: 1 / (window.devicePixelRatio || 1) }));
   find("link").addEventListener("click", async () => {
     keepLink();
-    say(await copyText(location.href) ? "The link is in the clipboard" : `The link: ${location.href}`);
+    say(await copyText(location.href) ? "The link was copied" : `Copy this link: ${location.href}`);
   });
   find("reset").addEventListener("click", () => {
     settings = { ...defaults(), model: settings.model === "file" ? "file" : SETTINGS.model.value };

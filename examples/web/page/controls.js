@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The form: a row for each setting that has a label.
+// The form has a row for each setting with a label.
 import { SCENES } from "./scenes.js";
 import { SETTINGS } from "./settings.js";
 
@@ -28,7 +28,7 @@ export class Controls {
   #rows = new Map();
   #presets = new Map();
 
-  /** changed(key) is called when the user has changed settings()[key]. */
+  /** Calls changed(key) after the user has changed settings()[key]. */
   constructor(form, settings, changed) {
     this.form = form;
     this.settings = settings;
@@ -60,13 +60,13 @@ export class Controls {
     if (!this.#presets.has(this.settings().preset)) this.settings().preset = SETTINGS.preset.value;
   }
 
-  /** Names a file among the models. */
+  /** Adds a file to the list of models. */
   addFile(name) {
     this.model.querySelector("[value='file']")?.remove();
     this.model.append(option("file", name));
   }
 
-  /** The form as the settings are. */
+  /** Shows the settings in the form. */
   show() {
     const settings = this.settings();
     const preset = this.#presets.get(settings.preset);

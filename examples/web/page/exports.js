@@ -19,7 +19,7 @@ export const save = {
   },
 };
 
-/** Whether the text is in the clipboard now. */
+/** Copies the text to the clipboard; tells whether it could. */
 export async function copyText(text) {
   try {
     await navigator.clipboard.writeText(text);

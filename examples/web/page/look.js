@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the page's settings to the options of a picture, and to changes of the style and the camera that it planned.
+// Turns the page's settings into options of a picture, and into changes of its planned style and camera.
 import { SETTINGS } from "./settings.js";
 
 const DEGREE = Math.PI / 180;
@@ -8,13 +8,13 @@ const STEEPEST = 89; // degrees above or below the horizon
 const straight = (colour, alpha) =>
   [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).concat(alpha);
 
-/** What a picture is made with; all that is not named here is chosen by the library. */
+/** Returns the options of a picture. The library chooses all options that are not set here. */
 export function optionsOf({ preset, marks, angle }, { width, height }) {
   return { style: preset, width, height, hatchAngle: angle, allowBlank: true,
            ...(marks > 0 ? { set: { "marks.layers.budget": marks } } : {}) };
 }
 
-/** The light, towards it, in the camera's space: x right, y up, z to the eye. */
+/** Returns the direction to the light in camera space: x right, y up, z to the eye. */
 export function lightOf({ lx, ly }) {
   return [lx, ly, Math.sqrt(Math.max(1 - lx * lx - ly * ly, 0.02))];
 }
@@ -32,7 +32,7 @@ function lineOf(line, { contour, hidden, ink }) {
            ...(hidden === "preset" ? {} : { hidden }), ...(ink ? { ink: straight(ink, line.ink[3]) } : {}) };
 }
 
-/** The planned style as the settings change it; the default settings leave it as it is. */
+/** Returns the planned style with the changes of the settings. The default settings change nothing. */
 export function styleOf(planned, settings) {
   const { contour, hidden, ink, paper, tone, fill } = settings;
   const style = { ...planned, toneExponent: planned.toneExponent * tone,
@@ -54,7 +54,7 @@ function multiplied(fields, names, ratio) {
   return Object.fromEntries(names.filter((name) => name in fields).map((name) => [name, fields[name] * ratio]));
 }
 
-/** The style for a picture of `ratio` times the size. */
+/** Returns the style for a picture of `ratio` times the size. */
 export function scaled(style, ratio) {
   if (ratio === 1) return style;
   return { ...style, ...multiplied(style, STYLE_LENGTHS, ratio),
@@ -66,7 +66,7 @@ const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => a.map((part) => part / Math.hypot(...a));
 
-/** A direction from the eye into the scene after the eye has gone `turn` degrees around `up`, and up by `tilt`. */
+/** Returns the direction of view after the eye has gone `turn` degrees around `up`, and `tilt` degrees upward. */
 export function turned(direction, up, { turn, tilt }) {
   const axis = unit(up);
   const ahead = unit(direction);
@@ -81,7 +81,7 @@ export function turned(direction, up, { turn, tilt }) {
   return level.map((part, k) => (part * cosine + side[k] * sine) * Math.cos(rise) - axis[k] * Math.sin(rise));
 }
 
-/** The picture's camera as the settings move it, for an image of `scale` times the picture's size. */
+/** Returns the picture's camera as the settings move it, for an image of `scale` times the picture's size. */
 export function cameraOf(picture, settings, scale) {
   let camera = picture.camera();
   if (settings.turn !== 0 || settings.tilt !== 0) {

@@ -65,7 +65,7 @@ export function orbitBy(canvas, settings, changed) {
   canvas.addEventListener("keydown", (event) => onKey(settings(), event) && changed(true));
 }
 
-/** The light's place on its disc, x right and y up, kept within it. */
+/** Sets the place of the light on its disc, x right and y up, and keeps it inside. */
 export function setLight(settings, x, y) {
   const length = Math.max(Math.hypot(x, y) / 0.98, 1);
   Object.assign(settings, { lx: x / length, ly: y / length });
@@ -92,7 +92,7 @@ export function lightBy(handle, settings, changed) {
   });
 }
 
-/** Shows the light where the settings have it. */
+/** Shows the light at its place in the settings. */
 export function showLight(handle, { lx, ly }) {
   handle.style.setProperty("--x", `${50 + 50 * lx}%`);
   handle.style.setProperty("--y", `${50 - 50 * ly}%`);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The worker that makes pictures, and draws frames of the last one.  The page ends it to cancel.
+// This worker makes pictures, and draws frames of the last one. The page terminates it to cancel.
 import { SOURCE, load } from "./hrbfnpr/src/index.js";
 import { cameraOf, optionsOf, scaled, styleOf } from "./look.js";
 import { readShape } from "./readers/read.js";
 import { buildScene } from "./scenes.js";
 
-const LATER = ["marks", "lines"]; // the stages that a change of style runs again
+const LATER = ["marks", "lines"]; // A change of style runs these stages again.
 
 let library;
 let context;
-let held; // { key, source, facts, notes, picture, parts, style, renderer }: what is drawn
+let held; // the shown picture: { key, source, facts, notes, picture, parts, style, renderer }
 
-/** What Context.draw takes. */
+/** Returns the input of Context.draw. */
 function inputOf({ scene, saved, name, bytes }) {
   if (saved) return { model: context.loadModel(saved) };
   if (scene) return { model: buildScene(context, scene) };
@@ -22,7 +22,10 @@ function inputOf({ scene, saved, name, bytes }) {
   return { name, ...up, points: vertices, triangles, ...(sharpEdges ? { sharpEdges, flags: SOURCE.HAS_SHARP_EDGES } : {}) };
 }
 
-/** Tells the page how far the work is, and keeps what the stages before the marks said: a change of style has none. */
+/**
+ * Tells the page how far the work is. Keeps the facts and notes of the stages before the marks, because a change of style
+ * does not run these stages again.
+ */
 class Watch {
   facts = [];
   notes = [];
@@ -57,20 +60,21 @@ function letGo({ picture, parts, renderer }) {
 
 function make({ key, source, settings, size }) {
   const watch = new Watch();
-  const up = source.name === undefined ? { up: [0, 1, 0] } : {}; // y is up in the surfaces that come with the page
+  const up = source.name === undefined ? { up: [0, 1, 0] } : {}; // y is up in the surfaces of the page
   const options = { ...optionsOf(settings, size), ...up, onEvent: watch.onEvent };
   const isRestyled = held?.source === source.key;
   const picture = isRestyled ? held.picture.restyle(options, watch) : context.draw(inputOf(source), options, watch);
   const { facts, notes } = isRestyled ? held : watch;
   const told = picture.notes.filter(({ severity }) => severity !== "info").map(({ text }) => text);
   if (held) letGo(held);
-  // A renderer numbers the lines that it has seen, and strokes of sketches go by these numbers: each picture has its own.
+  // A renderer numbers the lines that it sees, and the strokes of a sketch depend on these numbers. So each picture has
+  // its own renderer.
   held = { key, source: source.key, facts, notes, picture, parts: picture.parts(), style: picture.style(),
            renderer: context.createRenderer() };
   postMessage({ type: "picture", key, facts, notes: [...new Set([...notes, ...told])] });
 }
 
-/** Calls use(drawing, camera) with a drawing that is freed afterwards. */
+/** Calls use(drawing, camera), and frees the drawing. */
 function drawn({ settings, scale }, use) {
   const style = scaled(styleOf(held.style, settings), scale);
   const camera = cameraOf(held.picture, settings, scale);
@@ -100,7 +104,7 @@ function svg(request) {
 
 const hex = (colour) => `#${colour.slice(0, 3).map((part) => Math.round(255 * part).toString(16).padStart(2, "0")).join("")}`;
 
-/** What the page's controls go by. */
+/** Describes a preset for the controls of the page. */
 function described(name) {
   const { layers, lines, paper } = library.style(name);
   const shown = layers.filter((layer) => layer.shown);
@@ -115,7 +119,7 @@ async function begin({ wasm, threads }) {
 }
 
 const ACTIONS = { make, frame, svg };
-let begun; // what is asked for while the module still starts waits for that
+let begun; // Requests wait until the module has started.
 
 onmessage = async ({ data }) => {
   try {

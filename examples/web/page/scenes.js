@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Surfaces that come with the page: solids put together, and one that is a formula in JavaScript.
+// The surfaces of the page: CSG solids, and one formula in JavaScript.
 
 const move = (x, y, z) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
-// The z axis of a primitive to the y axis of the scene, which is up.
+// Turns the z axis of a primitive to the y axis of the scene, which is up.
 const upright = (x = 0, y = 0, z = 0) => [1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, x, y, z, 1];
 
 const torus = [{ kind: "torus", radius: 1, secondRadius: 0.42, transform: upright() }];
@@ -36,7 +36,10 @@ const part = [
   { kind: "cylinder", parent: 0, radius: 0.16, height: 3, transform: upright(-0.8) },
 ];
 
-/** The tangle cube, x^4 - 5 x^2 + y^4 - 5 y^2 + z^4 - 5 z^2 + 11.8, over its slope: near the distance from it. */
+/**
+ * The tangle cube, x^4 - 5 x^2 + y^4 - 5 y^2 + z^4 - 5 z^2 + 11.8, divided by its slope, so that values near the surface are
+ * roughly distances.
+ */
 function tangle(points, { value, gradient }) {
   for (let at = 0; at < value.length; ++at) {
     let sum = 11.8;
@@ -46,7 +49,7 @@ function tangle(points, { value, gradient }) {
       sum += x ** 4 - 5 * x ** 2;
       slope[axis] = 4 * x ** 3 - 10 * x;
     }
-    const scale = 1 / 9; // about the slope at the surface
+    const scale = 1 / 9; // 9 is about the slope at the surface.
     value[at] = sum * scale;
     if (gradient) gradient.set(slope.map((part) => part * scale), 3 * at);
   }
@@ -54,7 +57,7 @@ function tangle(points, { value, gradient }) {
 
 const CUSTOM_HAS_GRADIENT = 1;
 
-/** Names and titles; "bunny" is a fitted model beside the page. */
+/** Names and titles. "bunny" is a fitted model in a file of the page. */
 export const SCENES = {
   bunny: { title: "Stanford bunny", file: "bunny.model" },
   blob: { title: "Blended spheres", nodes: blob },
@@ -65,7 +68,7 @@ export const SCENES = {
                                                        boundsMin: [-2.6, -2.6, -2.6], boundsMax: [2.6, 2.6, 2.6] } },
 };
 
-/** The model of a scene without a file. */
+/** Makes the model of a scene that has no file. */
 export function buildScene(context, name) {
   const { nodes, custom } = SCENES[name];
   return nodes ? context.createCsg(nodes) : context.createCustom(custom);

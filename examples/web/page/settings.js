@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What the user can change of a drawing, and how it becomes a link and back.
+// The settings of a drawing, and the link that holds them.
 
-/** What can be set: its default, and for numbers their range.  The defaults draw as the library does by itself. */
+/** The settings with their defaults, and the ranges of numbers. With the defaults the library chooses everything. */
 export const SETTINGS = {
   model: { value: "bunny" },
   preset: { value: "contour-and-stipple" },
-  marks: { value: 0, min: 0, max: 80000, step: 2000, label: "Marks", zero: "auto" }, // of each layer
+  marks: { value: 0, min: 0, max: 80000, step: 2000, label: "Marks", zero: "auto" }, // in each layer
   angle: { value: 0, min: -90, max: 90, step: 5, label: "Hatch angle", unit: "°" },
   pen: { value: 1, min: 0.4, max: 3, step: 0.1, label: "Pen", unit: "×" },
-  spacing: { value: 1, min: 0.6, max: 3, step: 0.1, label: "Hatch gap", unit: "×" },
+  spacing: { value: 1, min: 0.6, max: 3, step: 0.1, label: "Hatch spacing", unit: "×" },
   contour: { value: 1, min: 0, max: 3, step: 0.1, label: "Contours", unit: "×" },
   tone: { value: 1, min: 0.3, max: 3, step: 0.1, label: "Darkness" },
   fill: { value: 0, min: 0, max: 1, step: 0.05, label: "Fill light" },
-  hidden: { value: "preset", choices: { preset: "as the preset", none: "not drawn", attenuated: "paler",
+  hidden: { value: "preset", choices: { preset: "as in the preset", none: "not drawn", attenuated: "paler",
                                         dashed: "dashed", shown: "drawn" }, label: "Hidden lines" },
   ink: { value: "", label: "Ink" },
   paper: { value: "", label: "Paper" },
   lx: { value: -0.4, min: -1, max: 1, step: 0.001 },
   ly: { value: 0.6, min: -1, max: 1, step: 0.001 },
-  // Degrees from the side that the library chose.
+  // Degrees from the view that the library chose.
   turn: { value: 0, min: -180, max: 180, step: 0.1 },
   tilt: { value: 0, min: -120, max: 90, step: 0.1 },
   zoom: { value: 1, min: 0.25, max: 12, step: 0.001 },
@@ -26,7 +26,7 @@ export const SETTINGS = {
 
 export const defaults = () => Object.fromEntries(Object.entries(SETTINGS).map(([key, { value }]) => [key, value]));
 
-/** A value as a setting takes it, or undefined. */
+/** Returns a valid value of a setting, or undefined. */
 function checked(key, text) {
   const { value, min, max, choices } = SETTINGS[key];
   if (choices) return Object.hasOwn(choices, text) ? text : undefined;
@@ -35,7 +35,7 @@ function checked(key, text) {
   return text !== "" && Number.isFinite(number) ? Math.min(Math.max(number, min), max) : undefined;
 }
 
-/** The settings of a link's fragment; what it does not name, or names wrongly, stays as it is by default. */
+/** Returns the settings in the fragment of a link. Missing and invalid settings have their defaults. */
 export function fromLink(fragment) {
   const settings = defaults();
   for (const [key, text] of new URLSearchParams(fragment.replace(/^#/, ""))) {
@@ -45,7 +45,7 @@ export function fromLink(fragment) {
   return settings;
 }
 
-/** The fragment that gives these settings. */
+/** Returns the fragment of a link for these settings. */
 export function toLink(settings) {
   const parameters = new URLSearchParams();
   for (const [key, { value }] of Object.entries(SETTINGS)) {

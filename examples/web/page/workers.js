@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The worker, as the page talks to it.
+// The page's side of the worker.
 
 const MOST_THREADS = 8;
 
-/** The module, compiled once, and how many threads it has: one, or with ?threads as many as there can be. */
+/** Compiles the module, and chooses its number of threads: one, or with ?threads all cores up to MOST_THREADS. */
 export async function compileModule() {
   const asked = new URLSearchParams(location.search).has("threads") && globalThis.crossOriginIsolated;
   const wanted = asked ? Math.min(navigator.hardwareConcurrency ?? 1, MOST_THREADS) : 1;
@@ -12,18 +12,18 @@ export async function compileModule() {
     const response = await fetch(new URL(`hrbfnpr/${folder}/hrbfnpr.wasm`, import.meta.url));
     if (response.ok) return { threads, wasm: await WebAssembly.compile(await response.arrayBuffer()) };
   }
-  throw new Error("hrbfnpr/wasm/hrbfnpr.wasm is missing: examples/web/build puts it beside the page");
+  throw new Error("the page has no hrbfnpr/wasm/hrbfnpr.wasm; build it with examples/web/build");
 }
 
 /**
- * Makes pictures and draws frames of them, one request at a time.  Of pictures and of frames that are asked for meanwhile
- * only the last one is made.  Exports wait in line.
+ * Makes pictures and draws frames of them, one request at a time. Of the pictures that wait, only the last one is made;
+ * the same holds for frames. All exports are made, in order.
  */
 export class Painter {
   #module;
   #answer;
   #worker;
-  #now; // the request that the worker has
+  #now; // the request that the worker is busy with
   #picture; // requests that wait
   #frame;
   #exports = [];
@@ -34,18 +34,19 @@ export class Painter {
     this.#start();
   }
 
-  /** The key of the last picture that is being made or waits for it, or undefined. */
+  /** The key of the picture that waits, or else is being made; undefined if no picture is. */
   get making() {
     return (this.#picture ?? (this.#now?.type === "make" ? this.#now : undefined))?.key;
   }
 
   #start() {
     this.#now = undefined;
-    /** Whether the worker has a picture to draw. */
+    /** True if the worker has a picture to draw. */
     this.hasPicture = false;
     this.#worker = new Worker(new URL("painter.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = ({ data }) => this.#take(data);
-    this.#worker.onerror = (event) => this.#take({ type: "failed", message: event.message || "painter.js does not start" });
+    this.#worker.onerror = (event) =>
+      this.#take({ type: "failed", message: event.message || "painter.js did not start; reload the page" });
     this.#worker.postMessage({ type: "begin", ...this.#module });
   }
 
@@ -71,7 +72,7 @@ export class Painter {
     if (this.#now !== undefined) this.#worker.postMessage(this.#now);
   }
 
-  /** Makes a picture.  One of another source that is being made is given up. */
+  /** Makes a picture. Cancels the picture of another source that is being made. */
   make(request) {
     if (this.#now?.type === "make" && this.#now.source.key !== request.source.key) this.#end();
     this.#picture = this.#now?.type === "make" && this.#now.key === request.key ? undefined : { type: "make", ...request };
@@ -88,13 +89,13 @@ export class Painter {
     this.#next();
   }
 
-  // Without shared memory nothing else reaches a worker in the middle of a call; its memory, and its picture, go with it.
+  // Without shared memory, only termination stops a worker in the middle of a call. It loses its memory and its picture.
   #end() {
     this.#worker.terminate();
     this.#start();
   }
 
-  /** Gives up the picture that is being made. */
+  /** Cancels the picture that is being made. */
   cancel() {
     if (this.making === undefined) return;
     const request = this.#picture ?? this.#now;

@@ -6,16 +6,16 @@ function three(words, what, line) {
   return [1, 2, 3].map((at) => number(words[at], `${what} ${"xyz"[at - 1]}`, line));
 }
 
-/** The vertex that "7", "7/1/2" or "-1" of a face stands for, from 0. */
+/** Returns the vertex of a corner such as "7", "7/1/2" or "-1", counted from 0. */
 function corner(word, count, line) {
   const given = number(word.split("/")[0], "a face's corner", line);
   const index = given < 0 ? count + given : given - 1;
   if (!Number.isInteger(given) || index < 0 || index >= count)
-    throw new ShapeError(`a face has the corner ${given}, but there are ${count} vertices before it, counted from 1`, line);
+    throw new ShapeError(`a face has the corner ${given}, but there are only ${count} vertices before it, counted from 1`, line);
   return index;
 }
 
-/** The normal that "7/1/2" or "7//-1" of a face names, from 0; -1 of none.  It is a hint: nothing fails. */
+/** Returns the normal of a corner such as "7/1/2" or "7//-1", counted from 0, or -1. Normals are hints: none is an error. */
 function normalOf(word, count) {
   const given = Number(word.split("/")[2] || Number.NaN);
   const index = given < 0 ? count + given : given - 1;

@@ -14,13 +14,13 @@ function property(words, line) {
   const [, type, ...rest] = words;
   const types = type === "list" ? rest.slice(0, 2) : [type];
   const wrong = types.find((one) => !SIZES[one]);
-  if (wrong !== undefined) throw new ShapeError(`a property has the type "${wrong}": use one of ${Object.keys(SIZES).join(", ")}`, line);
+  if (wrong !== undefined) throw new ShapeError(`a property has the type "${wrong}"; use one of ${Object.keys(SIZES).join(", ")}`, line);
   return { name: rest.at(-1), type: types.at(-1), count: type === "list" ? types[0] : undefined };
 }
 
 function headerOf(bytes) {
   const end = textOf(bytes.subarray(0, 65536)).match(/^end_header[ \t]*\r?\n/m);
-  if (!end) throw new ShapeError('the header has no "end_header": it is cut off, or no PLY');
+  if (!end) throw new ShapeError('the header has no "end_header"; the file is cut off, or is not a PLY file');
   const lines = textOf(bytes.subarray(0, end.index)).split("\n");
   const header = { elements: [], body: new TextEncoder().encode(lines.join("\n")).length + end[0].length, line: lines.length + 1 };
   lines.forEach((text, at) => {
@@ -28,15 +28,15 @@ function headerOf(bytes) {
     if (words[0] === "format") header.format = words[1];
     if (words[0] === "element") header.elements.push({ name: words[1], count: number(words[2], "a count", at + 1), properties: [] });
     if (words[0] !== "property") return;
-    if (header.elements.length === 0) throw new ShapeError("a property stands before any element", at + 1);
+    if (header.elements.length === 0) throw new ShapeError("a property is before the first element", at + 1);
     header.elements.at(-1).properties.push(property(words, at + 1));
   });
   if (!FORMATS.includes(header.format))
-    throw new ShapeError(`the format is "${header.format}": it must be one of ${FORMATS.join(", ")}`);
+    throw new ShapeError(`the format is "${header.format}"; it must be one of ${FORMATS.join(", ")}`);
   return header;
 }
 
-/** Numbers one after the other, out of lines of text. */
+/** Reads numbers one after the other from lines of text. */
 function textSource(bytes, header) {
   const lines = textOf(bytes.subarray(header.body)).split("\n");
   let line = -1;
@@ -44,7 +44,8 @@ function textSource(bytes, header) {
   return {
     begin() {
       do line += 1; while (line < lines.length && lines[line].trim() === "");
-      if (line >= lines.length) throw new ShapeError("the file ends before all that its header says: it is cut off", header.line + line);
+      if (line >= lines.length)
+        throw new ShapeError("the file ends before the last element of its header; it is cut off", header.line + line);
       words = lines[line].trim().split(/\s+/).reverse();
     },
     next: (type, name) => number(words.pop(), name, header.line + line),
@@ -60,7 +61,7 @@ function binarySource(bytes, header) {
     begin() {},
     next(type) {
       if (at + SIZES[type] > bytes.length)
-        throw new ShapeError(`the file ends at byte ${bytes.length}, before all that its header says: it is cut off`);
+        throw new ShapeError(`the file ends at byte ${bytes.length}, before the last element of its header; it is cut off`);
       const value = data[READERS[type]](at, little);
       at += SIZES[type];
       return value;
@@ -87,7 +88,7 @@ export function readPly(bytes) {
   const triangles = [];
   for (const { name, count, properties } of header.elements) {
     if (name === "vertex" && !["x", "y", "z"].every((axis) => properties.some((one) => one.name === axis)))
-      throw new ShapeError("the vertices have no x, y and z: add these properties");
+      throw new ShapeError("the vertices need the properties x, y and z");
     for (let at = 0; at < count; ++at) {
       const element = elementOf(source, properties);
       if (name === "vertex") {
@@ -95,7 +96,7 @@ export function readPly(bytes) {
         if (element.nx !== undefined) normals.push(element.nx, element.ny, element.nz);
       } else if (name === "face") {
         const corners = element.vertex_indices ?? element.vertex_index;
-        if (!corners) throw new ShapeError("the faces have no list vertex_indices: add it");
+        if (!corners) throw new ShapeError("the faces need the list property vertex_indices");
         const wrong = corners.find((corner) => corner < 0 || corner >= points.length / 3);
         if (wrong !== undefined)
           throw new ShapeError(`face ${at} has the corner ${wrong}, but there are ${points.length / 3} vertices, counted from 0`, source.line);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which edges of a mesh are sharp by the normals of its file: those whose two faces have normals of their own there.
+// Finds the sharp edges of a mesh from the normals in its file: those at which the two faces have different normals.
 
-const MOST_FACES = 50000; // edges of finer meshes are told from their faces
-const OWN = Math.cos(Math.PI / 180); // normals that differ by more than a degree are not shared
+const MOST_FACES = 50000; // In larger meshes the library finds sharp edges from the faces.
+const OWN = Math.cos(Math.PI / 180); // Normals that differ by more than a degree are different.
 
-/** A number for each vertex; those at the same place have the same one. */
+/** Numbers the vertices; vertices at the same place have the same number. */
 function placesOf(points) {
   const numbers = new Map();
   return Array.from({ length: points.length / 3 }, (_, vertex) => {
@@ -14,20 +14,20 @@ function placesOf(points) {
   });
 }
 
-/** The cosine of the angle between two of the normals; NaN if one of them is zero. */
+/** Returns the cosine of the angle between two normals, or NaN if one of them is zero. */
 function cosine(normals, a, b) {
   const [first, second] = [a, b].map((at) => normals.slice(3 * at, 3 * at + 3));
   return first.reduce((sum, part, axis) => sum + part * second[axis], 0) / (Math.hypot(...first) * Math.hypot(...second));
 }
 
 /**
- * Pairs of vertices, one after the other; undefined where the normals tell nothing.
+ * Returns pairs of vertices, one after the other, or undefined if the normals tell nothing.
  * @param {number[]} shading the number of the normal at each corner of the triangles
  */
 export function edgesByNormals(points, triangles, normals, shading) {
   if (triangles.length > 3 * MOST_FACES) return undefined;
   const places = placesOf(points);
-  const edges = new Map(); // by its places, the sides of triangles that lie on it
+  const edges = new Map(); // the sides of triangles on each edge, by the places of its ends
   for (let corner = 0; corner < triangles.length; ++corner) {
     const next = corner % 3 === 2 ? corner - 2 : corner + 1;
     const [from, to] = [places[triangles[corner]], places[triangles[next]]];

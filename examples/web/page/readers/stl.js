@@ -27,11 +27,13 @@ export function readStl(bytes) {
   const count = bytes.length >= HEADER ? data.getUint32(80, true) : -1;
   const isBinary = bytes.length === HEADER + FACET * count;
   const startsAsText = textOf(bytes.subarray(0, 6)).toLowerCase().startsWith("solid");
-  if (!isBinary && !startsAsText)
-    throw new ShapeError(`the STL says ${count} facets, which are ${HEADER + FACET * count} bytes, and has ${bytes.length}: ` +
-                         "it is cut off, or no STL");
+  if (!isBinary && !startsAsText) {
+    const needed = count < 0 ? `${HEADER} bytes for its header` : `${HEADER + FACET * count} bytes for its ${count} facets`;
+    throw new ShapeError(`the STL file needs ${needed}, but it has ${bytes.length}; it is cut off, or is not an STL file`);
+  }
   const points = isBinary ? readBinary(bytes, count) : readText(bytes);
-  if (points.length === 0) throw new ShapeError("the STL has no facets");
-  if (points.length % 9 !== 0) throw new ShapeError(`the STL has ${points.length / 3} vertices: each facet takes 3`);
+  if (points.length === 0) throw new ShapeError("the STL file has no facets");
+  if (points.length % 9 !== 0)
+    throw new ShapeError(`the STL file has ${points.length / 3} vertices, but each facet needs 3; it may be cut off`);
   return shapeOf(points, Array.from({ length: points.length / 3 }, (_, corner) => corner));
 }
