@@ -3,13 +3,14 @@
 
     ablate.py ROOM [--only=TEXT] [--seconds=1] [--threads=2] [--benches] [BENCH [OPTIONS]]
 
-ROOM is a folder of src with a tuning.h, such as `curves` or `mesh/pieces`, or `all`.  --only takes the constants whose name
-contains TEXT.  The sources are copied to build/ablate and compiled there once, with constants that can be set
-(ablation_copy.py): the working tree stays as it is.
+ROOM is a folder of src with a tuning.h, such as `curves` or `mesh/pieces`, or `all`. --only chooses the constants whose names
+contain TEXT. The sources are copied to build/ablate and compiled there once, with constants that can be set
+(ablation_copy.py). The working tree is not changed.
 
-Each constant is moved in those small cases of ablation_cases.py that look at it, those of its room and the quick ones first,
-until one changes or --seconds are over.  Those that changed none are then moved together in all cases.  With BENCH its "name value" lines are compared in place of cases.
-With --benches a constant that moves nothing in the cases is moved in the benchmarks of its room, too (BENCHES).
+Each constant is moved in the small cases of ablation_cases.py that read it, until one of them changes or --seconds are over.
+Cases of the constant's room and quick cases come first. The constants that changed no case are then moved together in all
+cases. With BENCH, the "name value" lines of that benchmark are compared instead of cases. With --benches, constants that change
+no case are also moved in the benchmarks of their room (BENCHES).
 """
 
 import json
@@ -47,7 +48,7 @@ BENCHES: Dict[str, List[List[str]]] = {
     "stipples": [["sample"]],
     "visibility": [["lines", "--only=truth"]],
 }
-# The cases that are about a room begin with one of these.
+# The names of the cases of a room begin with one of these.
 OWN_CASES: Dict[str, Tuple[str, ...]] = {
     "creases": ("lines_s", "hatching_s"),
     "curves": ("lines",),
@@ -75,11 +76,11 @@ OWN_CASES: Dict[str, Tuple[str, ...]] = {
 }
 # Names of values that depend on the machine and not on the picture.
 TIMES = re.compile(r"(_ms|_s|seconds|_ns|ns_a_|_us|speed|growth|beside|bytes|fps|threads|time)")
-LEAST_CHANGE = 1e-3  # relative; smaller ones are not told
-SLOWER = 1.5  # times the usual time that is told, if it is also this many seconds
-SLOWER_SECONDS = 0.05
-TOGETHER = 20.0  # times the seconds for one constant are those for all that changed nothing
-PATIENCE = 8.0  # times the usual time of a case, and as many seconds
+LEAST_CHANGE = 1e-3  # smaller relative changes are not reported
+SLOWER = 1.5  # report a case whose time changes by more than this factor,
+SLOWER_SECONDS = 0.05  # and by more than these seconds
+TOGETHER = 20.0  # times --seconds is the time for all constants that changed nothing
+PATIENCE = 8.0  # a case is killed after this many times its usual time, and as many seconds
 
 
 def value_of(text: str) -> float:
@@ -318,7 +319,7 @@ def main(arguments: List[str]) -> int:
     built = prepare(sorted({name for name, *_ in benches}))
     constants = [c for c in built.constants if room in (c.room, "all") and options.get("only", "") in c.name]
     if not constants:
-        print(f"src/{room} has no such constants", file=sys.stderr)
+        print(f"ablate.py: src/{room} has no such constants; see --help", file=sys.stderr)
         return 1
     names = cases_there()
     used = {} if bench else used_by_cases(names)
@@ -329,7 +330,7 @@ def main(arguments: List[str]) -> int:
     print(f"{len(constants)} constants of {room}", flush=True)
     for constant in constants:
         if f"{constant.instance}.{constant.member}" in built.fixed.get(constant.room, []):
-            print(f"{constant.name} = {constant.text}\n    not moved: the compiler needs it as a constant", flush=True)
+            print(f"{constant.name} = {constant.text}\n    not moved, because the compiler needs it as a constant", flush=True)
             continue
         own = OWN_CASES.get(constant.room, ())
         cost = usual_seconds(names)
@@ -359,7 +360,7 @@ def main(arguments: List[str]) -> int:
                     texts[k] = "; ".join(found) or texts[k]
                 except RuntimeError as problem:
                     texts[k] = str(problem)
-        seen = "" if bench else f", looked at by {len(mine)} cases"
+        seen = "" if bench else f", read by {len(mine)} cases"
         print(f"{constant.name} = {constant.text}{seen}\n    half:  {texts[0]}\n    twice: {texts[1]}", flush=True)
         if all(text == "-" for text in texts):
             idle.append(constant)
@@ -370,7 +371,7 @@ def main(arguments: List[str]) -> int:
                 print(f"{name} {word}: {text}", flush=True)
                 idle = [c for c in idle if c.name != name]
     worker.close()
-    print(f"\nwithout effect on these: {', '.join(c.name for c in idle) or 'none'}", flush=True)
+    print(f"\nconstants without effect: {', '.join(c.name for c in idle) or 'none'}", flush=True)
     return 0
 
 

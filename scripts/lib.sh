@@ -44,7 +44,7 @@ package_set() {
 
 installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
-# Of sets, the packages that are not installed.
+# Prints the packages of these sets that are not installed.
 missing_packages() {
   local set package
   for set in "$@"; do
@@ -57,13 +57,13 @@ missing_packages() {
 install_packages() {
   local missing as_root=()
   if ! command -v apt-get >/dev/null; then
-    say "no apt-get here: going on with the tools that are installed"
+    say "this system has no apt-get; going on with the tools that are installed"
     return
   fi
   mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || die "please install, as root: apt-get install ${missing[*]}"
+    command -v sudo >/dev/null || die "some packages are missing; as root, run: apt-get install ${missing[*]}"
     as_root=(sudo)
   fi
   say "installing ${missing[*]}"
@@ -73,7 +73,7 @@ install_packages() {
     apt-get -q -y --no-install-recommends install "${missing[@]}"
 }
 
-# Of sets that a system need not have, those of which it offers all.
+# Prints those of these optional sets whose packages the system offers.
 offered_sets() {
   local set package missing known=''
   command -v apt-cache >/dev/null || return 0
@@ -82,7 +82,7 @@ offered_sets() {
   for set in "$@"; do
     for package in $(package_set "$set"); do
       if ! installed "$package" && ! grep -qxF "$package" <<<"$known"; then
-        say "$package is not offered here: going on without" >&2
+        say "this system does not offer $package; going on without it" >&2
         continue 2
       fi
     done
@@ -100,34 +100,34 @@ install_packages_if_offered() {
 configure() {
   local preset=$1 launcher=()
   shift
-  if command -v ccache >/dev/null; then # which has to be told of precompiled headers
+  if command -v ccache >/dev/null; then # ccache needs these options for precompiled headers
     launcher=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache")
   fi
   cmake --preset "$preset" -S "$root" -DPython3_EXECUTABLE="$python" "${launcher[@]}" "$@"
 }
 
-# What npm says went wrong, in one line.
+# Prints npm's reason for a failure, in one line.
 npm_reason() {
   local line
   line=$(sed -nE 's/^npm (ERR!|error) //p' "$1" | grep -vE '^(code|errno|syscall|A complete log)' | head -n 1) || true
   printf '%s' "${line:-see npm pack $2}"
 }
 
-# fetch_npm PACKAGE VERSION SHA256: fetches a package from the npm registry into .cache, unless it is there, and
-# prints the archive's name.  To be called as $(fetch_npm ...): a failure ends that shell.
+# fetch_npm PACKAGE VERSION SHA256: fetches a package from the npm registry into .cache, unless it is there already, and
+# prints the name of the archive. Call it as $(fetch_npm ...), because a failure ends its shell.
 fetch_npm() {
   local package=$1 version=$2 sum=$3 archive=$root/.cache/$1-$2.tgz folder
   if ! [ -f "$archive" ] || ! echo "$sum  $archive" | sha256sum --check --status; then
     mkdir -p "$root/.cache"
     command -v npm >/dev/null || install_packages npm >&2
-    command -v npm >/dev/null || die "npm is needed to fetch $package@$version: please install it"
+    command -v npm >/dev/null || die "npm is missing, but $package@$version must be fetched; install npm"
     folder=$(mktemp -d "$root/.cache/fetch.XXXXXX")
-    # shellcheck disable=SC2064 # the folder of now
+    # shellcheck disable=SC2064 # expands $folder now
     trap "rm -rf '$folder'" EXIT
     (cd "$folder" && npm pack --loglevel=error "$package@$version" >npm.log 2>&1) ||
       die "cannot fetch $package@$version with npm: $(npm_reason "$folder/npm.log" "$package@$version")"
     echo "$sum  $folder/$package-$version.tgz" | sha256sum --check --status ||
-      die "$package@$version is not the file that is known: its sha256 differs"
+      die "$package@$version has another sha256 than expected, so it is not used; fetch it again later"
     mv "$folder/$package-$version.tgz" "$archive"
   fi
   printf '%s\n' "$archive"

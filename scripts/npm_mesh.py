@@ -11,10 +11,10 @@ import tarfile
 
 
 def exported(text, name):
-    """The array that the module exports under a name."""
+    """Returns the array that the module exports under a name."""
     match = re.search(rf"\bexports\.{name}\s*=\s*(\[\[.*?\]\s*\])", text, flags=re.DOTALL)
     if match is None:
-        sys.exit(f"npm_mesh.py: the package exports no {name}")
+        sys.exit(f"npm_mesh.py: the package exports no {name}, so it has no mesh")
     return json.loads(match.group(1))
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Prints what CTest's closing lines leave out: each client with its version and result, and why tests were skipped.
+"""Prints what the summary of CTest does not have: each client with its version and result, and why tests were skipped.
 
     report_tests.py JUNIT.XML
-    report_tests.py JUNIT.XML --longer SECONDS      names of the tests that took longer: for LONG in their CMakeLists.txt
+    report_tests.py JUNIT.XML --longer SECONDS      names the tests that took longer, for LONG in their CMakeLists.txt
 """
 
 import sys
@@ -21,7 +21,7 @@ def reason(case):
 
 
 def clients(cases):
-    """Of each test of a client (tests/clients/run.py): its name with the version, and the result."""
+    """Yields for each test of a client (tests/clients/run.py) its name with the version, and the result."""
     for case in cases:
         name = case.get("name")
         if name.startswith("clients."):
@@ -42,7 +42,7 @@ def main():
     table = list(clients(cases))
     if table:
         width = max(len(title) for title, _ in table)
-        print("\nclients, and their pictures of one scene against the C program's:")
+        print("\nclients, and whether each draws the same picture as the C program:")
         for title, result in table:
             print(f"  {title:{width}}  {result}")
     skipped = [case for case in cases if case.get("status") in ("notrun", "disabled")]

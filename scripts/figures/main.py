@@ -34,11 +34,11 @@ def arguments():
     if not 32 <= given.size <= 4096:
         parser.error(f"--size must be 32 to 4096 pixels, not {given.size}")
     if given.data is not None and not given.data.is_dir():
-        parser.error(f"--data: {given.data} is no folder")
+        parser.error(f"--data: {given.data} is not a folder")
     given.figures = given.figures.split(",")
     for number in given.figures:
         if number not in numbers.split(","):
-            parser.error(f"--figures: there is no figure {number!r}; there are {numbers}")
+            parser.error(f"--figures: there is no figure {number!r}; choose some of {numbers}")
     return given
 
 

@@ -25,7 +25,7 @@ def test_figures_without_data(tmp_path):
     assert run.returncode == 0, run.stderr
     assert "figure 8, b_published" in run.stdout  # its progress
     for figure, file in (("12", "lamp_mesh.ply"), ("13", "canyon_512.ply")):
-        assert f"figure {figure}: left out: {file} is not at hand: --data DIR" in run.stdout
+        assert f"figure {figure}: left out: {file} is missing; give a folder that has it by --data DIR" in run.stdout
     page = (out / "index.html").read_text(encoding="utf-8")
     shown = re.findall(r'<img src="([^"]+)"', page)
     assert len(shown) == 5 and sorted(shown) == sorted(path.name for path in out.glob("*.png"))
@@ -72,9 +72,9 @@ def test_vectors_and_plots(tmp_path):
 @pytest.mark.parametrize(
     "arguments, code, words",
     [
-        (["--data", "nowhere"], 2, "nowhere is no folder"),
-        (["--data", "{tmp}"], 1, "none of the models is there"),
-        (["--figures", "7,99"], 2, "no figure '99'; there are 1,7,8"),
+        (["--data", "nowhere"], 2, "nowhere is not a folder"),
+        (["--data", "{tmp}"], 1, "has none of the models"),
+        (["--figures", "7,99"], 2, "no figure '99'; choose some of 1,7,8"),
         (["--size", "5"], 2, "32 to 4096"),
         (["--figures", "8", "{tmp}/file/out"], 1, "file"),
     ],
