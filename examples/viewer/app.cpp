@@ -41,7 +41,7 @@ void App::load_bunny() {
         load(path);
         return;
     }
-    message = "the bunny is not here: scripts/fetch_bunny of the library's sources brings it to .cache";
+    message = "the bunny is not installed; run scripts/fetch_bunny in the sources of hrbfnpr";
 }
 
 // ---- Choices
@@ -97,7 +97,7 @@ void App::load_settings(const std::string& path) {
         settings_are_new_ = scene_ == nullptr || load_ != nullptr || worker_.is_busy();
         if (read.has_camera) view_.reset();
         if (scene_) restyle();
-        said = "settings of " + path;
+        said = "read the settings of " + path;
     } catch (const Failure& failure) {
         fail(failure);
     }
@@ -106,7 +106,7 @@ void App::load_settings(const std::string& path) {
 // ---- Files
 
 void App::write(std::function<void(const Export&, Work&)> job, Size size, const std::string& done) {
-    if (!scene_) throw Failure("there is nothing to save yet");
+    if (!scene_) throw Failure("there is nothing to save yet; open a model first");
     const Export what{*scene_, choices, view_, size};
     writes_.emplace_back([job = std::move(job), what](Work& work) { job(what, work); }, done);
 }
@@ -123,7 +123,7 @@ void App::save(const std::string& path) {
 
 void App::record(const std::string& pattern, int frames, Size size) {
     try {
-        if (frames < 1 || frames > 10000) throw Failure("a turntable has 1 to 10000 frames");
+        if (frames < 1 || frames > 10000) throw Failure("a turntable must have 1 to 10000 frames");
         numbered(pattern, 0); // throws the Failure for a bad pattern now
         write([=](const Export& what, Work& work) { write_turntable(what, pattern, frames, work); }, size,
               "wrote " + std::to_string(frames) + " frames");

@@ -60,7 +60,7 @@ void write_page(const Picture& picture, const std::string& path) {
 }
 
 void write_model(const hrbfnpr_model* model, const std::string& path) {
-    if (model == nullptr) throw Failure(path + ": there is no model, but saved marks alone");
+    if (model == nullptr) throw Failure(path + ": saved marks have no model to write; write .hrbm, or open a model");
     Target target(path);
     checked([&](auto* error) { return hrbfnpr_model_save(model, write_to_file, target.file(), error); });
     target.finish();
@@ -76,7 +76,8 @@ void write_marks(const Picture& picture, const std::string& path) {
 
 void write_text(const std::string& text, const std::string& path) {
     Target target(path);
-    if (write_to_file(target.file(), text.data(), text.size()) != 0) throw Failure(path + ": cannot be written");
+    if (write_to_file(target.file(), text.data(), text.size()) != 0)
+        throw Failure(path + ": cannot be written; is the disk full?");
     target.finish();
 }
 
@@ -131,12 +132,12 @@ std::string numbered(const std::string& pattern, int number) {
     const std::size_t percent = pattern.find('%'), letter = pattern.find('d', percent);
     if (percent == std::string::npos) {
         const std::size_t dot = pattern.rfind(".png");
-        if (dot == std::string::npos) throw Failure(pattern + ": frames are .png files");
+        if (dot == std::string::npos) throw Failure(pattern + ": the name of the frames must end in .png");
         return numbered(pattern.substr(0, dot) + "-%03d.png", number);
     }
     const std::string digits = letter == std::string::npos ? "x" : pattern.substr(percent + 1, letter - percent - 1);
     if (digits.find_first_not_of("0123456789") != std::string::npos || digits.size() > 3 || !ends_with(pattern, ".png"))
-        throw Failure(pattern + ": a name with a number, such as frame-%03d.png, is needed");
+        throw Failure(pattern + ": the name needs a place for the number, as in frame-%03d.png");
     std::string text = std::to_string(number);
     const std::size_t width = digits.empty() ? 0 : std::stoul(digits);
     if (text.size() < width && width <= 9) text.insert(0, width - text.size(), '0');

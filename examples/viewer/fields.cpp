@@ -78,7 +78,8 @@ bool is_ours(const std::string& name) { // false for the fields that only descri
 
 std::vector<Field> read_layout(const std::string& c_name) {
     const char* const layout = hrbfnpr_layout(c_name.c_str());
-    if (layout == nullptr) throw Failure("the library has no struct " + c_name);
+    if (layout == nullptr)
+        throw Failure("the library has no struct " + c_name + "; use the library that this program was built with");
     std::vector<Field> result;
     const Json description = Json::parse(layout);
     for (const Json& each : description.at("fields")) {
@@ -153,7 +154,8 @@ const std::vector<Field>& fields_of(const std::string& c_name) {
 const Field& field_of(const std::string& c_name, const std::string& name) {
     for (const Field& field : fields_of(c_name))
         if (field.name == name) return field;
-    throw Failure(c_name + " has no field " + name);
+    throw Failure("the library's " + c_name + " has no field " + name +
+                  "; use the library that this program was built with");
 }
 
 std::string text_of(const Field& field, const void* values) {

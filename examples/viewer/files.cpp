@@ -9,7 +9,7 @@
 namespace viewer {
 
 Target::Target(const std::string& path) : path_(path), part_(path + ".part"), file_(std::fopen(part_.c_str(), "wb")) {
-    if (file_ == nullptr) throw Failure(path + ": cannot be written; is there such a folder?");
+    if (file_ == nullptr) throw Failure(path + ": cannot be written; does its folder exist?");
 }
 
 Target::~Target() {
@@ -23,13 +23,13 @@ void Target::finish() {
     file_ = nullptr;
     if (whole && std::rename(part_.c_str(), path_.c_str()) == 0) return;
     std::remove(part_.c_str());
-    throw Failure(path_ + ": cannot be written; is there room for it?");
+    throw Failure(path_ + ": cannot be written; is the disk full?");
 }
 
 std::string read_file(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::stringstream data;
-    if (!file || !(data << file.rdbuf())) throw Failure(path + ": cannot be read, or is empty");
+    if (!file || !(data << file.rdbuf())) throw Failure(path + ": cannot be read, or is empty; check the name");
     return data.str();
 }
 

@@ -161,7 +161,8 @@ Source source_of_formula(const std::string& name, Work& work) {
     else if (name == "heart")
         source.shape = heart();
     else
-        throw Failure("there is no model called \"" + name + "\"");
+        throw Failure("there is no model \"" + name +
+                      "\"; choose torus, linked tori, drilled cube, tangle cube, trefoil knot or heart");
     return source;
 }
 

@@ -67,7 +67,8 @@ std::shared_ptr<Handle> make(Release release, Call&& call) {
 template <class Struct, class Init>
 Struct defaults(Init init) {
     Struct result;
-    if (init(&result, sizeof result) != HRBFNPR_STATUS_OK) throw Failure("the library is older than this program");
+    if (init(&result, sizeof result) != HRBFNPR_STATUS_OK)
+        throw Failure("the library is older than this program; install a newer one");
     return result;
 }
 

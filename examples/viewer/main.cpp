@@ -13,13 +13,14 @@ namespace {
 constexpr const char* usage =
     "hrbfnpr-view [FILE] [--model NAME] [--settings FILE] [--size WxH] [--screenshot OUT.png] [--script FILE]\n"
     "\n"
-    "FILE is a mesh or points (.ply, .obj, .stl, .xyz), a saved model or saved marks.\n"
-    "  --model NAME         a model of a formula: torus, linked tori, drilled cube, tangle cube, trefoil knot, heart\n"
-    "  --settings FILE      settings to begin with (docs/settings.md)\n"
-    "  --size WxH           of the window; 1200x800\n"
-    "  --screenshot OUT.png the window, once all is drawn; then the program ends\n"
-    "  --script FILE        commands in place of a user; then the program ends\n"
-    "  --print-schema       what settings hold, as JSON\n";
+    "FILE holds a mesh or points (.ply, .obj, .stl, .xyz), a saved model (.hrbf) or saved marks (.hrbm).\n"
+    "  --model NAME         open a built-in model: torus, linked tori, drilled cube, tangle cube, trefoil knot, heart, "
+    "or none\n"
+    "  --settings FILE      begin with these settings (docs/settings.md)\n"
+    "  --size WxH           size of the window in pixels (1200x800)\n"
+    "  --screenshot OUT.png write a picture of the window when all is drawn, and end\n"
+    "  --script FILE        run the commands of this file, and end\n"
+    "  --print-schema       print the fields of settings files as JSON, and end\n";
 
 struct Options {
     std::string file, model = "torus", settings, screenshot, script;
@@ -29,7 +30,7 @@ struct Options {
 Options options_of(int argc, char** argv) {
     Options options;
     const auto value = [&](int& i) {
-        if (i + 1 >= argc) throw Failure(std::string(argv[i]) + ": a value is needed after it");
+        if (i + 1 >= argc) throw Failure(std::string(argv[i]) + " needs a value after it");
         return std::string(argv[++i]);
     };
     for (int i = 1; i < argc; ++i) {
@@ -47,9 +48,9 @@ Options options_of(int argc, char** argv) {
             if (std::sscanf(size.c_str(), "%dx%d", &options.size.width, &options.size.height) != 2 ||
                 options.size.width < 320 || options.size.height < 240 || options.size.width > 16384 ||
                 options.size.height > 16384)
-                throw Failure("--size: WIDTHxHEIGHT from 320x240 on is needed, not " + size);
+                throw Failure("--size " + size + ": give WIDTHxHEIGHT, such as 1200x800, from 320x240 to 16384x16384");
         } else if (word.size() > 1 && word[0] == '-') {
-            throw Failure("there is no option " + word + "\n" + usage);
+            throw Failure("there is no option " + word + "\n\n" + usage);
         } else {
             options.file = word;
         }

@@ -13,18 +13,18 @@ void model_panel(App& app, Ui& ui) {
         if (ImGui::Button(formulas()[i].c_str(), ImVec2(width, 0))) app.load_formula(formulas()[i]);
     }
     if (ImGui::Button("Stanford bunny", ImVec2(-1, 0))) app.load_bunny();
-    ImGui::InputTextWithHint("##file", "a file, or drop one here", ui.file, sizeof ui.file);
+    ImGui::InputTextWithHint("##file", "file name, or drop a file", ui.file, sizeof ui.file);
     ImGui::SameLine();
     if (ImGui::Button("Open") && ui.file[0] != '\0') app.load(ui.file);
     if (app.scene() == nullptr) return;
     ImGui::TextWrapped("%s", app.scene()->name.c_str());
     for (const auto* notes : {&app.scene()->surface_notes, &app.scene()->notes})
         for (const std::string& note : *notes) ImGui::TextWrapped("- %s", note.c_str());
-    if (ImGui::TreeNode("fit")) {
-        ImGui::TextWrapped("For the next file that is opened:");
+    if (ImGui::TreeNode("how to fit")) {
+        ImGui::TextWrapped("For the next file that you open:");
         edit_fields({app, "hrbfnpr_fit_desc", "fit", &app.fit});
         ImGui::Separator();
-        ImGui::TextUnformatted("Of meshes:");
+        ImGui::TextUnformatted("For meshes only:");
         edit_fields({app, "hrbfnpr_mesh_fit_desc", "mesh_fit", &app.mesh_fit});
         ImGui::TreePop();
     }
@@ -35,19 +35,19 @@ void brush_panel(App& app) {
                                         "comb hatching"};
     const bool can_paint = app.scene() != nullptr && app.scene()->has_model();
     if (!can_paint) {
-        ImGui::TextWrapped("Saved marks have no surface to paint on: open a model.");
+        ImGui::TextWrapped("Saved marks have no surface to paint on. Open a model.");
         return;
     }
     int kind = static_cast<int>(app.brush.kind);
     if (ImGui::Combo("brush", &kind, names, IM_ARRAYSIZE(names))) app.brush.kind = static_cast<Brush>(kind);
     ImGui::SliderFloat("radius", &app.brush.radius, 4, 150, "%.0f pixels");
     ImGui::SliderFloat("strength", &app.brush.strength, 0.02F, 1);
-    ImGui::Text("%d dabs", static_cast<int>(app.choices.dabs.size()));
+    ImGui::Text("%d dabs painted", static_cast<int>(app.choices.dabs.size()));
     ImGui::SameLine();
     if (ImGui::Button("Undo")) app.undo_stroke();
     ImGui::SameLine();
     if (ImGui::Button("Clear")) app.clear_paint();
-    ImGui::TextWrapped("The left button paints, the right one turns the model.");
+    ImGui::TextWrapped("Paint with the left button, turn the model with the right one.");
 }
 
 void camera_panel(App& app) {
@@ -83,12 +83,13 @@ void export_panel(App& app, Ui& ui) {
     ImGui::InputTextWithHint("##target", "drawing.svg", ui.target, sizeof ui.target);
     ImGui::SameLine();
     if (ImGui::Button("Write")) app.save(ui.target);
-    ImGui::TextWrapped(".png .svg .pdf .hpgl .gcode: the picture; .hrbf: the model; .hrbm: the marks");
+    ImGui::TextWrapped(
+        "The ending says what is written. Picture: .png .svg .pdf .hpgl .gcode; model: .hrbf; marks: .hrbm");
     if (ImGui::DragInt2("size", ui.export_size, 2, 0, 8192)) {
         const bool given = ui.export_size[0] > 0 && ui.export_size[1] > 0;
         app.choices.size = given ? Size{ui.export_size[0], ui.export_size[1]} : Size{};
     }
-    if (app.choices.size.width == 0) ImGui::TextUnformatted("0 x 0: as in the window");
+    if (app.choices.size.width == 0) ImGui::TextUnformatted("0 x 0: the size of the window");
     ImGui::Separator();
     ImGui::InputText("##settings", ui.settings_file, sizeof ui.settings_file);
     if (ImGui::Button("Load settings")) app.load_settings(ui.settings_file);
@@ -120,12 +121,12 @@ void row(const char* name, const char* format, double value) {
 void frame_table(const App& app) {
     const Frame& frame = app.frame();
     const auto milliseconds = [](std::int64_t nanoseconds) { return 1e-6 * static_cast<double>(nanoseconds); };
-    row("library: drawing", "%.1f ms", frame.draw_milliseconds);
-    row("  classify, tone", "%.1f ms", milliseconds(frame.info.nanoseconds_classify));
+    row("make the drawing", "%.1f ms", frame.draw_milliseconds);
+    row("  classes and tones", "%.1f ms", milliseconds(frame.info.nanoseconds_classify));
     row("  visibility", "%.1f ms", milliseconds(frame.info.nanoseconds_visibility));
-    row("  sort", "%.1f ms", milliseconds(frame.info.nanoseconds_sort));
+    row("  sorting", "%.1f ms", milliseconds(frame.info.nanoseconds_sort));
     row("  lines", "%.1f ms", milliseconds(frame.info.nanoseconds_lines));
-    row("library: pixels", "%.1f ms", frame.raster_milliseconds);
+    row("make the pixels", "%.1f ms", frame.raster_milliseconds);
     row("whole window", "%.1f ms", app.window_milliseconds);
     ImGui::Separator();
     row("marks shown", "%.0f", static_cast<double>(frame.info.shown));

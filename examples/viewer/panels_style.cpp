@@ -102,9 +102,9 @@ void style_panel(App& app) {
     choose_style(app);
     if (app.scene() == nullptr) return;
     const Edited edited{app, style_name, "style", &style};
-    if (slide_choice("pen", app.choices.pen, 5, "by the size")) app.restyle();
+    if (slide_choice("pen", app.choices.pen, 5, "automatic")) app.restyle();
     edit_field(edited, "paper");
-    if (edit_colour("ink of all", style.silhouette_ink))
+    if (edit_colour("ink of everything", style.silhouette_ink))
         app.change("style.ink", text_of(field_of(style_name, "silhouette_ink"), &style));
     edit_field(edited, "hidden_lines");
     slide(edited, "halo_width", "halo", 0, 12);
@@ -172,7 +172,7 @@ void choose_kinds(App& app) {
 void lines_panel(App& app) {
     if (app.scene() == nullptr) return;
     choose_kinds(app);
-    if (slide_choice("width of contours", app.choices.line_width, 10, "of the style")) app.restyle();
+    if (slide_choice("width of contours", app.choices.line_width, 10, "as in the style")) app.restyle();
     for (std::size_t i = 0; i < app.sheet.lines.size(); ++i) {
         hrbfnpr_line_style& line = app.sheet.lines[i];
         if (!is_choice(line.kind, app.scene()->has_edges())) continue;
@@ -199,14 +199,14 @@ namespace {
 // Figure 5: the squares follow the slider at once; the marks follow when the mouse lets go.
 void choose_step(App& app, Ui& ui) {
     bool shown = app.patches_shown();
-    if (ImGui::Checkbox("squares of side 2 rho_0", &shown)) app.show_patches(shown);
+    if (ImGui::Checkbox("show squares of side 2 rho_0", &shown)) app.show_patches(shown);
     const Patches* const patches = app.scene() != nullptr ? &app.scene()->patches : nullptr;
     if (!shown || patches == nullptr || patches->estimate <= 0) return;
     const bool is_given = app.sheet.marks.initial_step > 0;
-    ImGui::SliderFloat("rho_0", &ui.step_ratio, 0.1F, 4, "%.2f estimates", ImGuiSliderFlags_Logarithmic);
+    ImGui::SliderFloat("rho_0", &ui.step_ratio, 0.1F, 4, "%.2f x estimate", ImGuiSliderFlags_Logarithmic);
     if (ImGui::IsItemDeactivatedAfterEdit()) app.set_step(static_cast<double>(ui.step_ratio) * patches->estimate);
     ImGui::Text("= %.4g (estimate %.4g)", static_cast<double>(ui.step_ratio) * patches->estimate, patches->estimate);
-    if (is_given && ImGui::Button("Take the estimate")) app.set_step(0);
+    if (is_given && ImGui::Button("Use the estimate")) app.set_step(0);
 }
 
 // Edits all layers of a kind.
@@ -245,7 +245,7 @@ void marks_panel(App& app, Ui& ui) {
     }
     if (published) {
         edit_field(edited, "seed_source", "seeds");
-        edit_field(edited, "box_resolution", "cells of a box");
+        edit_field(edited, "box_resolution", "cells along the box");
         choose_step(app, ui);
     }
     for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -258,7 +258,7 @@ void marks_panel(App& app, Ui& ui) {
         }
         ImGui::PopID();
     }
-    if (ImGui::Button("As the style and the picture need")) app.forget_marks();
+    if (ImGui::Button("Automatic: as the style needs")) app.forget_marks();
 }
 
 void light_panel(App& app) {
@@ -267,9 +267,9 @@ void light_panel(App& app) {
     edit_field(edited, "tone");
     slide(edited, "tone_exponent", "tone exponent", 0.1, 4);
     slide(edited, "fill_light", "fill light", 0, 1);
-    edit_field(edited, "light", "towards the light");
+    edit_field(edited, "light", "direction to the light");
     edit_field(edited, "light_space");
-    ImGui::TextWrapped("The ball on the picture turns the light.");
+    ImGui::TextWrapped("Drag the ball in the corner of the picture to turn the light.");
 }
 
 } // namespace viewer

@@ -28,7 +28,7 @@ int number(const std::vector<std::string>& words, std::size_t i) {
     try {
         return std::stoi(words.at(i));
     } catch (const std::exception&) {
-        throw Failure(rest_of(words, 0) + ": word " + std::to_string(i) + " must be a number");
+        throw Failure(rest_of(words, 0) + ": word " + std::to_string(i + 1) + " must be a whole number");
     }
 }
 
@@ -36,14 +36,14 @@ Brush brush_of(const std::string& name) {
     static const char* const names[] = {"off", "darken", "lighten", "fewer", "more", "comb"};
     for (int i = 0; i < 6; ++i)
         if (name == names[i]) return static_cast<Brush>(i);
-    throw Failure("brush " + name + ": one of off, darken, lighten, fewer, more, comb is needed");
+    throw Failure("there is no brush " + name + "; choose off, darken, lighten, fewer, more or comb");
 }
 
 } // namespace
 
 void Script::add_file(const std::string& path) {
     std::ifstream file(path);
-    if (!file) throw Failure(path + ": cannot be opened");
+    if (!file) throw Failure(path + ": cannot be opened; check the name");
     for (std::string line; std::getline(file, line);)
         if (!line.empty() && line[0] != '#') add(line);
 }
@@ -152,12 +152,12 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
         turning_ = number(words, 1), turned_ = 0, window_sum_ = library_sum_ = 0;
     else if (name == "expect") {
         if (app.message.find(text) == std::string::npos)
-            throw Failure("`" + text + "` was expected in the message \"" + app.message + "\"");
+            throw Failure("`" + text + "` is not in the message \"" + app.message + "\"");
         app.message.clear();
     } else if (name == "expect-cancelled") {
         if (!app.was_cancelled()) throw Failure("the last job was not cancelled");
     } else {
-        throw Failure("there is no command " + name);
+        throw Failure("there is no command " + name + "; README.md lists the commands");
     }
     return true;
 }
@@ -178,7 +178,7 @@ void Script::measure_turn(App& app) {
 }
 
 void Script::report(const App& app) const {
-    if (app.scene() == nullptr) throw Failure("there is nothing to report on");
+    if (app.scene() == nullptr) throw Failure("there is nothing to report on; load a model first");
     const Scene& scene = *app.scene();
     for (const auto& layer : scene.layers())
         std::printf("layer: %s %lld marks %lld strokes\n", layer.name, static_cast<long long>(layer.marks),

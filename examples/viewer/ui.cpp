@@ -79,7 +79,7 @@ void picture(const App& app, const Ui& ui) {
     }
     list->AddRectFilled(ui.canvas_min, ui.canvas_max, IM_COL32(250, 250, 247, 255));
     if (app.is_busy()) return;
-    const char* const hint = "Choose a model, or drop a file here";
+    const char* const hint = "Choose a model on the left, or drop a file here";
     const ImVec2 size = ImGui::CalcTextSize(hint);
     list->AddText(
         ImVec2(0.5F * (ui.canvas_min.x + ui.canvas_max.x - size.x), 0.5F * (ui.canvas_min.y + ui.canvas_max.y)),

@@ -30,7 +30,7 @@ bool Worker::poll() {
         if (failure.status != HRBFNPR_STATUS_CANCELLED) throw;
         return true;
     } catch (const std::bad_alloc&) {
-        throw Failure("there is not enough memory: take fewer marks or a smaller model");
+        throw Failure("there is not enough memory; use fewer marks or a smaller model");
     }
     was_cancelled_ = false; // the cancellation came too late
     then_(*work);

@@ -289,7 +289,7 @@ ERRORS = (
     ("short.ply", MESH_WORDS + "0 0 0\n", "line 10, vertex 1: the file ends"),
     ("header.ply", MESH_WORDS.rstrip(), "vertex 0: the file ends"),
     ("face.ply", cube().replace("4 1 3 7 5", "4 1 3 7 8"), "a face names vertex 8"),
-    ("word.ply", cube().replace("1 1 1", "1 one 1"), "is no number"),
+    ("word.ply", cube().replace("1 1 1", "1 one 1"), "is not a number"),
     ("face.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4"),
     ("cut.stl", "\0" * 80 + "\x05\0\0\0", "too short"),
     ("words.xyz", "0 0 0\n1 0\n", "line 2"),

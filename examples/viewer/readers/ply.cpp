@@ -48,17 +48,17 @@ bool set_type(Property& property, std::string_view type, Lines& lines) {
             property.kind = each.kind;
             return true;
         }
-    lines.refuse("there is no type \"" + std::string(type) + "\"");
+    lines.refuse("\"" + std::string(type) + "\" is not a type of PLY");
 }
 
 Property property_of(const std::vector<std::string_view>& words, Lines& lines) {
     Property property;
     property.is_list = words.size() == 5 && words[1] == "list";
-    if (!property.is_list && words.size() != 3) lines.refuse("a property is a type and a name");
+    if (!property.is_list && words.size() != 3) lines.refuse("a property must have a type and a name");
     if (property.is_list) {
         set_type(property, words[2], lines);
         property.count_size = property.size;
-        if (property.kind == 'f') lines.refuse("the length of a list is a whole number");
+        if (property.kind == 'f') lines.refuse("the length of a list must have a whole-number type");
     }
     set_type(property, words[words.size() - 2], lines);
     property.name = words.back();
@@ -85,10 +85,10 @@ Header header_of(const std::string& data) {
             else if (words[1] == "binary_big_endian")
                 header.form = Form::big;
             else
-                lines.refuse("there is no format \"" + std::string(words[1]) + "\"");
+                lines.refuse("\"" + std::string(words[1]) + "\" is not a format of PLY");
         } else if (words[0] == "element" && words.size() == 3) {
             std::int64_t count = -1;
-            if (!parse_number(words[2], count) || count < 0) lines.refuse("an element has a name and a number");
+            if (!parse_number(words[2], count) || count < 0) lines.refuse("an element must have a name and a number");
             header.elements.push_back({std::string(words[1]), static_cast<std::size_t>(count), {}});
         } else if (words[0] == "property" && !header.elements.empty()) {
             header.elements.back().properties.push_back(property_of(words, lines));
@@ -96,7 +96,7 @@ Header header_of(const std::string& data) {
             lines.refuse("\"" + std::string(words[0]) + "\" is not understood in the header");
         }
     }
-    throw Failure("its header has no end: the file is cut off");
+    throw Failure("its header has no end; the file is cut off");
 }
 
 // Reads numbers one after the other, from text or bytes.
@@ -122,7 +122,7 @@ public:
         if (form_ != Form::ascii) return bytes(size, kind);
         double value = 0;
         if (word_ >= words_.size()) refuse("the line is too short");
-        if (!parse_number(words_[word_], value)) refuse("\"" + std::string(words_[word_]) + "\" is no number");
+        if (!parse_number(words_[word_], value)) refuse("\"" + std::string(words_[word_]) + "\" is not a number");
         ++word_;
         return value;
     }
@@ -164,7 +164,7 @@ private:
 
 std::vector<std::int64_t> list_of(Source& source, const Property& property) {
     const double count = source.number(property.count_size, 'u');
-    if (!(count >= 0 && count <= 1e6)) source.refuse("a list cannot be so long");
+    if (!(count >= 0 && count <= 1e6)) source.refuse("a list can have at most 1000000 elements");
     std::vector<std::int64_t> list;
     for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
         const double value = source.number(property.size, property.kind);
@@ -189,7 +189,7 @@ void read_row(Source& source, const Element& element, Shape& shape, std::size_t 
             if (property.name == names[k]) values[k] = value, found |= 1U << k;
     }
     if (element.name != "vertex") return;
-    if ((found & 7U) != 7U) source.refuse("vertices have no properties x, y and z");
+    if ((found & 7U) != 7U) source.refuse("vertices need the properties x, y and z");
     shape.points.push_back({values[0], values[1], values[2]});
     if (found == 63U) shape.normals.push_back({values[3], values[4], values[5]});
 }

@@ -8,7 +8,7 @@ namespace viewer {
 
 namespace {
 
-const char* const remedy = "; python3 -m hrbfnpr check FILE tells more, reads other formats, and can draw it";
+const char* const remedy = "; python3 -m hrbfnpr check FILE says more, and reads other formats";
 
 std::string ending_of(const std::string& path) {
     const std::size_t dot = path.find_last_of("./");
@@ -20,14 +20,13 @@ std::string ending_of(const std::string& path) {
 
 Shape read_as(const std::string& ending, const std::string& data) {
     if (data.rfind("ply", 0) == 0 && data.size() > 3 && (data[3] == '\n' || data[3] == '\r')) return read_ply(data);
-    if (ending == "ply") throw Failure("it does not begin with \"ply\", so it is none");
+    if (ending == "ply") throw Failure("it is not a PLY file, because it does not begin with \"ply\"");
     if (ending == "obj") return read_obj(data);
     if (ending == "stl") return read_stl(data);
     const bool is_text = ending == "xyz" || ending == "xyzn" || ending == "txt" || ending == "csv" || ending == "asc" ||
                          ending == "pts" || ending == "npts";
     if (is_text) return read_xyz(data);
-    throw Failure("files that end in \"" + ending +
-                  "\" are not read here, but .ply, .obj, .stl, .xyz and saved models");
+    throw Failure("the ending \"" + ending + "\" is not read here, only .ply, .obj, .stl, .xyz, .hrbf and .hrbm");
 }
 
 } // namespace
@@ -35,7 +34,7 @@ Shape read_as(const std::string& ending, const std::string& data) {
 Shape read_shape(const std::string& path, const std::string& data) {
     try {
         Shape shape = read_as(ending_of(path), data);
-        if (shape.points.empty()) throw Failure("it holds no points");
+        if (shape.points.empty()) throw Failure("it has no points");
         return shape;
     } catch (const Failure& failure) {
         throw Failure(path + ": " + failure.what() + remedy);
@@ -81,7 +80,8 @@ void add_polygon(Shape& shape, const std::vector<std::int64_t>& corners, std::si
                  const std::function<void(const std::string&)>& refuse) {
     for (const std::int64_t corner : corners)
         if (corner < 0 || corner >= static_cast<std::int64_t>(count))
-            refuse("a face names vertex " + std::to_string(corner) + ", and there are " + std::to_string(count));
+            refuse("a face names vertex " + std::to_string(corner) + ", but there are " + std::to_string(count) +
+                   " vertices");
     for (std::size_t k = 2; k < corners.size(); ++k)
         shape.triangles.push_back({static_cast<std::int32_t>(corners[0]), static_cast<std::int32_t>(corners[k - 1]),
                                    static_cast<std::int32_t>(corners[k])});

@@ -12,7 +12,7 @@ Vec vec_of(const std::vector<std::string_view>& words, std::size_t first, Lines&
     Vec result{};
     for (std::size_t k = 0; k < 3; ++k)
         if (first + k >= words.size() || !parse_number(words[first + k], result[k]))
-            lines.refuse("three numbers are needed here");
+            lines.refuse("this line needs three numbers");
     return result;
 }
 
@@ -20,7 +20,7 @@ Vec vec_of(const std::vector<std::string_view>& words, std::size_t first, Lines&
 std::int64_t corner_of(std::string_view word, std::size_t count, Lines& lines) {
     std::int64_t number = 0;
     if (!parse_number(word.substr(0, word.find('/')), number) || number == 0)
-        lines.refuse("\"" + std::string(word) + "\" is no corner of a face");
+        lines.refuse("\"" + std::string(word) + "\" is not a corner of a face");
     return number > 0 ? number - 1 : static_cast<std::int64_t>(count) + number;
 }
 
@@ -34,7 +34,7 @@ Shape read_ascii_stl(const std::string& data) {
         if (words.empty() || words[0] != "vertex") continue;
         shape.points.push_back(vec_of(words, 1, lines));
     }
-    if (shape.points.size() % 3 != 0) lines.refuse("the last face has no three vertices: the file is cut off");
+    if (shape.points.size() % 3 != 0) lines.refuse("the last face has fewer than three vertices; the file is cut off");
     for (std::int32_t i = 0; i < static_cast<std::int32_t>(shape.points.size()); i += 3)
         shape.triangles.push_back({i, i + 1, i + 2});
     return shape;
@@ -55,7 +55,7 @@ Shape read_obj(const std::string& data) {
         if (words[0] == "v") shape.points.push_back(vec_of(words, 1, lines));
         if (words[0] == "vn") shape.normals.push_back(vec_of(words, 1, lines));
         if (words[0] != "f") continue;
-        if (words.size() < 4) lines.refuse("a face has three corners or more");
+        if (words.size() < 4) lines.refuse("a face needs at least three corners");
         corners.clear();
         for (std::size_t k = 1; k < words.size(); ++k)
             corners.push_back(corner_of(words[k], shape.points.size(), lines));
@@ -76,9 +76,8 @@ Shape read_stl(const std::string& data) {
     const bool is_text = data.rfind("solid", 0) == 0 && data.find("facet") != std::string::npos;
     if (is_text && data.size() != 84 + 50 * std::size_t{count}) return read_ascii_stl(data);
     if (data.size() < 84 + 50 * std::size_t{count} || data.size() < 84)
-        throw Failure("it says that it has " + std::to_string(count) +
-                      " faces, and is too short for them: it is cut "
-                      "off, or no STL");
+        throw Failure("it is too short for the " + std::to_string(count) +
+                      " faces of its header; it is cut off, or not an STL file");
     Shape shape;
     shape.format = "STL";
     for (std::uint32_t face = 0; face < count; ++face) {
@@ -110,8 +109,8 @@ Shape read_xyz(const std::string& data) {
         shape.points.push_back(vec_of(words, 0, lines));
         if (columns == 6) shape.normals.push_back(vec_of(words, 3, lines));
     }
-    if (columns == 0 && lines.number() > 0) throw Failure("it has no line of three numbers and more");
-    if (columns != 0 && columns < 3) throw Failure("points need three numbers in a line");
+    if (columns == 0 && lines.number() > 0) throw Failure("it has no line with at least three numbers");
+    if (columns != 0 && columns < 3) throw Failure("each line needs at least three numbers");
     return shape;
 }
 
