@@ -37,15 +37,15 @@ class Settings(bpy.types.PropertyGroup):
         default="contour-and-stipple")
     samples: IntProperty(
         name="Samples", default=0, min=0, soft_max=8000,
-        description="Points of the surface that the drawing is made from; 0: as many as its shape needs")
+        description="Number of surface points to draw from. 0: as many as the shape needs")
     budget: IntProperty(
         name="Marks", default=0, min=0, soft_max=500_000,
-        description="The most marks of each layer; 0: as many as make the darkest tone")
+        description="Largest number of marks in each layer. 0: as many as the darkest tone needs")
     width: IntProperty(name="Width", default=640, min=1, max=32768, subtype="PIXEL")
     height: IntProperty(name="Height", default=480, min=1, max=32768, subtype="PIXEL")
     scene_camera: BoolProperty(
         name="Scene Camera", default=False,
-        description="Draw what the scene's camera sees; otherwise the object fills the picture, seen from the front "
+        description="Draw what the camera of the scene sees. Otherwise the object fills the picture, seen from the front "
                     "and above")
 
 

@@ -397,7 +397,7 @@ static gd_variant call(gd_object* instance, void* data, void* self, int count, g
     (void)instance;
     if (count == m->count) return m->call(self, arguments);
     GD_CALL(core, GD_PRINT_ERROR, void (*)(const char*, const char*, const char*, int))
-    ("wrong number of arguments: see drawing.c", m->name, "hrbfnpr", 0);
+    ("wrong number of arguments; drawing.c lists the methods", m->name, "hrbfnpr", 0);
     return nil();
 }
 

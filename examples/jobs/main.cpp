@@ -63,7 +63,7 @@ std::vector<std::array<double, 6>> read_samples(const std::string& path) {
     std::ifstream file(path);
     std::vector<std::array<double, 6>> samples;
     for (std::array<double, 6> s; file >> s[0] >> s[1] >> s[2] >> s[3] >> s[4] >> s[5];) samples.push_back(s);
-    if (!file.eof()) throw std::runtime_error("cannot read " + path);
+    if (!file.eof()) throw std::runtime_error("cannot read " + path + "; each line must be x y z nx ny nz");
     return samples;
 }
 

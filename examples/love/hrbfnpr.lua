@@ -39,7 +39,7 @@ function hrbfnpr.samples(text)
       numbers[#numbers + 1] = tonumber(word)
     end
     if #numbers ~= 6 * count then
-      error(("sample %d is not six numbers, x y z nx ny nz: %s"):format(count, line:sub(1, 60)), 0)
+      error(("sample %d must be six numbers, x y z nx ny nz, not: %s"):format(count, line:sub(1, 60)), 0)
     end
   end
   return ffi.new("double[?]", #numbers, numbers), count

@@ -6,7 +6,7 @@ local function parse(arguments)
   local i = 1
   while arguments[i] do
     if arguments[i] == "--screenshot" then
-      screenshot = assert(arguments[i + 1], "--screenshot wants a file")
+      screenshot = assert(arguments[i + 1], "--screenshot needs a file name")
       i = i + 1
     else
       samples = arguments[i]

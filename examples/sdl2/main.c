@@ -69,17 +69,17 @@ static void check_sdl(int is_fine) {
 static void read_samples(const char* path, Drawing* drawing) {
     FILE* const file = fopen(path, "r");
     int64_t capacity = 0;
-    if (file == NULL) fail(path, "cannot be opened");
+    if (file == NULL) fail(path, "cannot be opened; check the name");
     for (;; ++drawing->count) {
         if (drawing->count == capacity) {
             capacity = 2 * capacity + 1024;
             drawing->samples = realloc(drawing->samples, (size_t)capacity * VALUES * sizeof(double));
-            if (drawing->samples == NULL) fail(path, "is too large");
+            if (drawing->samples == NULL) fail(path, "has too many samples for the memory");
         }
         double* const s = drawing->samples + VALUES * drawing->count;
         if (fscanf(file, "%lf %lf %lf %lf %lf %lf", s, s + 1, s + 2, s + 3, s + 4, s + 5) != VALUES) break;
     }
-    if (!feof(file)) fail(path, "has a line that is not six numbers");
+    if (!feof(file)) fail(path, "has a line that is not six numbers, x y z nx ny nz");
     fclose(file);
 }
 
@@ -167,7 +167,7 @@ static void show_progress(App* app) {
     const double progress = hrbfnpr_operation_progress(app->drawing.operation);
     const SDL_Rect bar = {0, app->height / 2 - 8, (int)(app->width * progress), 16};
     char title[64];
-    snprintf(title, sizeof title, "%.0f %%, Escape cancels", 100 * progress);
+    snprintf(title, sizeof title, "fitting: %.0f %% (Escape cancels)", 100 * progress);
     SDL_SetWindowTitle(app->window, title);
     SDL_SetRenderDrawColor(app->screen, 255, 255, 255, 255);
     SDL_RenderClear(app->screen);
@@ -333,7 +333,8 @@ static void draw_strokes(App* app, const hrbfnpr_drawing* drawing) {
     SDL_Vertex* const vertices = malloc((size_t)(vertex_count + 1) * sizeof *vertices);
     uint32_t* const strips = malloc((size_t)(index_count + 1) * sizeof *strips);
     int* const triangles = malloc(3 * (size_t)(index_count + 1) * sizeof *triangles);
-    if (strokes == NULL || vertices == NULL || strips == NULL || triangles == NULL) fail("strokes", "no memory");
+    if (strokes == NULL || vertices == NULL || strips == NULL || triangles == NULL)
+        fail("strokes", "there is not enough memory");
     write_strips(app, drawing, strokes, vertex_count, strips, index_count);
     SDL_SetRenderDrawColor(app->screen, byte_of(style->paper[0]), byte_of(style->paper[1]), byte_of(style->paper[2]),
                            255);

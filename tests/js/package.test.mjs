@@ -178,14 +178,14 @@ test("long calls report progress and can be cancelled", () => {
 test("errors name the argument", () => {
   fails(() => context.fit({ points, normals: points.slice(3) }), "INVALID_ARGUMENT", /normals/);
   fails(() => context.fit({ points: [NaN, 0, 0], normals: [0, 0, 1] }), "INVALID_ARGUMENT", /points/);
-  assert.throws(() => context.fit({ pionts: points }), /fit has no option "pionts": there are kernel, points/);
+  assert.throws(() => context.fit({ pionts: points }), /fit has no option "pionts"; choose one of kernel, points/);
   assert.throws(() => context.fit({ points: "all" }), /fit\.points must be an array of numbers/);
-  assert.throws(() => context.fit({ points: [1, 2] }), /fit\.points has 2 numbers: they must be 3 for each/);
-  assert.throws(() => context.fit({ kernel: "cubic" }), /fit\.kernel: there is no "cubic": use one of triharmonic/);
+  assert.throws(() => context.fit({ points: [1, 2] }), /fit\.points has 2 numbers; it must have 3 for each/);
+  assert.throws(() => context.fit({ kernel: "cubic" }), /fit\.kernel is "cubic"; it must be one of triharmonic/);
   assert.throws(() => context.fit({ polynomialDegree: 1.5 }), /fit\.polynomialDegree must be a whole number/);
   assert.throws(() => ball.generate({ layers: [{}, { budget: "9" }] }), /generate\.layers\[1\]\.budget must be a number/);
   assert.throws(() => context.createRenderer().draw({ pointSet: ball }, camera), /items\[0\]\.pointSet must be a handle of kind point_set/);
-  assert.throws(() => library.style("oil"), /preset: there is no "oil": use one of stipple/);
+  assert.throws(() => library.style("oil"), /preset is "oil"; it must be one of stipple/);
   assert.equal(library.text(library.raw.hrbfnpr_status_name(STATUS.IO)), "IO");
 });
 
@@ -223,7 +223,7 @@ test("the image of a depth camera is smoothed", () => {
   const middle = 3 * (12 * columns + 16);
   assert.ok(Math.abs(moved[middle + 2] - 2) < 0.003 && normals[middle + 2] < -0.99);
   assert.throws(() => context.smoothDepthImage({ columns: rows, rows: columns, points: new Float64Array(seen) }),
-    /no image of a camera/);
+    /not an image of a camera/);
 });
 
 test("normals of a cloud are found", () => {

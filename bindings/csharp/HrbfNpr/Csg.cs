@@ -119,7 +119,7 @@ namespace HrbfNpr
             double length = Math.Sqrt(axis.X * axis.X + axis.Y * axis.Y + axis.Z * axis.Z);
             if (!(length > 0) || double.IsInfinity(length))
             {
-                throw new InvalidArgumentException("axis must have a length");
+                throw new InvalidArgumentException("axis must be a finite vector other than zero");
             }
             double x = axis.X / length, y = axis.Y / length, z = axis.Z / length;
             double s = z < 0 ? -1 : 1; // for a downward axis, the map first makes half a turn about the x axis

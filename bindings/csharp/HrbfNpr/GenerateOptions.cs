@@ -74,7 +74,7 @@ namespace HrbfNpr
             hrbfnpr_layer_desc* layers = NativeMethods.hrbfnpr_preset_layers(unchecked((uint)preset), &count);
             if (layers == null)
             {
-                throw new InvalidArgumentException("there is no preset " + (int)preset);
+                throw new InvalidArgumentException("there is no preset " + (int)preset + "; use a value of Preset");
             }
             var options = new GenerateOptions();
             for (long i = 0; i < count; ++i)

@@ -122,7 +122,7 @@ namespace HrbfNpr
                 : scalar == ScalarType.Uint8 ? typeof(byte) : typeof(uint);
             if (type != wanted && count > 0)
             {
-                throw new InvalidCastException("this view holds numbers of type " + wanted.Name + ", not " + type.Name);
+                throw new InvalidCastException("this view has numbers of type " + wanted.Name + ", not " + type.Name);
             }
         }
 
@@ -131,7 +131,7 @@ namespace HrbfNpr
         {
             if (stride != 0 && stride != size)
             {
-                throw new InvalidCastException("the elements of this view do not lie side by side");
+                throw new InvalidCastException("the elements of this view are not contiguous; copy them instead");
             }
         }
 

@@ -453,7 +453,7 @@ namespace HrbfNpr
         {
             if (working)
             {
-                throw new InvalidOperationException("the picture is at work: a function that it calls cannot use it");
+                throw new InvalidOperationException("the picture is busy; a function that it calls cannot use it");
             }
         }
 

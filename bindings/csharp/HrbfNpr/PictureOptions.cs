@@ -542,7 +542,7 @@ namespace HrbfNpr
             }
             if (style.ToneFunction == null && style.NativeTone != null)
             {
-                throw new InvalidArgumentException("Style is that of a painted picture: give its Dabs instead");
+                throw new InvalidArgumentException("Style comes from a painted picture; set Dabs instead of Style");
             }
             memory.Begin(StyleMemory.Size(style));
             hrbfnpr_style* native = StyleMemory.Write(style, memory);

@@ -155,7 +155,7 @@ namespace HrbfNpr
                         return layer;
                     }
                 }
-                throw new KeyNotFoundException("no layer of the set is called " + name);
+                throw new KeyNotFoundException("the point set has no layer \"" + name + "\"");
             }
         }
 

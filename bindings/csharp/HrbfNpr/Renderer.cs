@@ -125,7 +125,7 @@ namespace HrbfNpr
         {
             if (drawing)
             {
-                throw new InvalidOperationException("the renderer is drawing: a tone function cannot use it");
+                throw new InvalidOperationException("the renderer is drawing; a tone function cannot use it");
             }
         }
 

@@ -104,7 +104,7 @@ namespace HrbfNpr
             if (!sized || text[0] != '#' || !uint.TryParse(text.Substring(1), NumberStyles.AllowHexSpecifier,
                 CultureInfo.InvariantCulture, out uint number))
             {
-                throw new FormatException("a colour is written #rrggbb or #rrggbbaa, not " + text);
+                throw new FormatException("\"" + text + "\" is not a colour; write #rrggbb or #rrggbbaa");
             }
             if (text.Length == 7)
             {

@@ -18,7 +18,7 @@ function scalarOf(array) {
 function flat(value, what) {
   if (scalarOf(value)) return value;
   if (Array.isArray(value)) return Float64Array.from(value.flat());
-  throw new TypeError(`${what} must be an array of numbers: Float32Array, Float64Array, ...`);
+  throw new TypeError(`${what} must be an array of numbers, such as a Float64Array`);
 }
 
 function bytesOf(array) {
@@ -65,7 +65,7 @@ export class Call {
   allocate(bytes) {
     const address = this.library.malloc(bytes);
     if (address === 0)
-      throw new HrbfnprError(STATUS.OUT_OF_MEMORY, `the module's memory has no room for ${bytes} bytes`);
+      throw new HrbfnprError(STATUS.OUT_OF_MEMORY, `the module has no memory left for ${bytes} bytes; free handles, or use smaller data`);
     this.#addresses.push(address);
     this.library.views.bytes.fill(0, address, address + bytes);
     return address;
@@ -151,7 +151,7 @@ export class Call {
     const given = value?.data !== undefined && !ArrayBuffer.isView(value) ? value : { data: value, components };
     const elements = flat(given.data, what);
     if (elements.length % given.components !== 0)
-      throw new TypeError(`${what} has ${elements.length} numbers: they must be ${given.components} for each element`);
+      throw new TypeError(`${what} has ${elements.length} numbers; it must have ${given.components} for each element`);
     this.#describe(at, this.bytes(elements), elements.length / given.components, scalarOf(elements), given.components);
   }
 

@@ -74,7 +74,7 @@ export class Callbacks {
 
   /** Registers a function of JavaScript.  Returns [address of the module's function, user pointer]. */
   register(type, call, what) {
-    if (!ADAPTERS[type]) throw new TypeError(`${what} cannot be given here: use the functions of Library.raw`);
+    if (!ADAPTERS[type]) throw new TypeError(`${what} cannot be a function here; use the functions of Library.raw`);
     if (typeof call !== "function") throw new TypeError(`${what} must be a function`);
     if (!this.#addresses.has(type)) this.#addresses.set(type, this.#enter(type));
     const user = this.#next++;

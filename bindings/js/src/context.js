@@ -78,7 +78,7 @@ export class Context extends Handle {
 
   createCustom(options) {
     if (options.flags & 4)
-      throw new TypeError("custom.flags must not have CUSTOM.THREAD_SAFE: JavaScript runs on one thread");
+      throw new TypeError("custom.flags must not have CUSTOM.THREAD_SAFE, because JavaScript runs on one thread");
     const { release, ...rest } = options;
     return Call.with(this.library, (call) => {
       const desc = call.structOf(rest, "hrbfnpr_custom_desc", "custom");

@@ -37,7 +37,7 @@ export class Drawing extends Made {
     const type = CHANNELS[number] ?? Uint8ClampedArray;
     const size = width * height * (number === FORMAT.COVERAGE8 ? 1 : 4);
     if (image && image.length !== size)
-      throw new TypeError(`image has ${image.length} numbers: ${width} x ${height} pixels have ${size}`);
+      throw new TypeError(`image has ${image.length} numbers; it must have ${size} for ${width} x ${height} pixels`);
     const result = { width, height, data: new type(size) };
     const planes = {};
     if (depth) planes.depth = result.depth = new Float32Array(width * height);

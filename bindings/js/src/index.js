@@ -31,7 +31,7 @@ export async function load({ threads = 1, wasm, base } = {}) {
   if (!Number.isInteger(count) || count < 1 || count > 256)
     throw new TypeError(`threads must be "auto" or a whole number from 1 to 256, not ${threads}`);
   if (count > 1 && !canUseThreads())
-    throw new Error("threads want SharedArrayBuffer: serve the page with the headers Cross-Origin-Opener-Policy: " +
+    throw new Error("threads need SharedArrayBuffer; serve the page with the headers Cross-Origin-Opener-Policy: " +
                     "same-origin and Cross-Origin-Embedder-Policy: require-corp, or load with threads: 1");
   const folder = new URL(count > 1 ? "../wasm-threads/" : "../wasm/", base ?? import.meta.url);
   const [{ default: create }, compiled] = await Promise.all([

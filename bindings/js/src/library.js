@@ -84,7 +84,7 @@ export class Library {
       return JSON.stringify(found) !== JSON.stringify(fields);
     });
     if (wrong.length > 0)
-      throw new Error(`the module is of another version than this package: ${wrong.map(([name]) => name).join(", ")}`);
+      throw new Error(`the WebAssembly module has another version than this package; rebuild it. These differ: ${wrong.map(([name]) => name).join(", ")}`);
   }
 
   /** Creates a context, from which everything else is made. */

@@ -17,7 +17,7 @@ export function constant(group, value, what) {
   if (typeof value === "number") return value;
   const found = WORDS[group].get(word(String(value)));
   if (found === undefined)
-    throw new TypeError(`${what}: there is no "${value}": use one of ${[...WORDS[group].keys()].join(", ")}`);
+    throw new TypeError(`${what} is "${value}"; it must be one of ${[...WORDS[group].keys()].join(", ")}`);
   return found;
 }
 
@@ -38,7 +38,7 @@ function setNumber(data, address, kind, value, what) {
   const number = Number(value);
   data[SET[kind]](address, number, true);
   if (!kind.startsWith("f") && data[GET[kind]](address, true) !== number)
-    throw new TypeError(`${what} must be a whole number of ${kind}, not ${value}`);
+    throw new TypeError(`${what} must be a whole number that fits ${kind}, not ${value}`);
 }
 
 function setNumbers(data, address, kind, count, values, what) {
@@ -93,7 +93,7 @@ export function write(call, address, name, options, what = name) {
   for (const [key, value] of Object.entries(options)) {
     if (value === undefined) continue;
     if (!Object.hasOwn(fields, key))
-      throw new TypeError(`${what} has no option "${key}": there are ${Object.keys(fields).join(", ")}`);
+      throw new TypeError(`${what} has no option "${key}"; choose one of ${Object.keys(fields).join(", ")}`);
     setField(call, address, fields[key], value, `${what}.${key}`);
   }
 }

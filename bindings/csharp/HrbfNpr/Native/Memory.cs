@@ -51,7 +51,7 @@ namespace HrbfNpr
             used += Rounded(size);
             if (used > capacity)
             {
-                throw new InvalidOperationException("the list was changed while it was drawn");
+                throw new InvalidOperationException("the list was changed during the call; change it before or after");
             }
             return piece;
         }
