@@ -30,8 +30,7 @@ void set_projection(hrbfnpr_camera& camera, const glm::dmat4& projection, double
 }
 
 frame::DepthConvention depth_of(const hrbfnpr_camera& camera) {
-    Checks("camera").one_of("depth_convention", camera.depth_convention, HRBFNPR_DEPTH_REVERSED + 1,
-                            "HRBFNPR_DEPTH_...");
+    Checks("camera").one_of("depth_convention", camera.depth_convention, HRBFNPR_DEPTH_REVERSED + 1, "HRBFNPR_DEPTH_*");
     return static_cast<frame::DepthConvention>(camera.depth_convention);
 }
 

@@ -33,8 +33,8 @@ public:
     }
     void inside(const char* field, double value, double low, double high) const {
         if (!(value > low && value < high))
-            fail(Status::invalid_argument, "%s.%s is %g; it must be between %g and %g, and neither", owner_, field,
-                 value, low, high);
+            fail(Status::invalid_argument, "%s.%s is %g; it must be above %g and below %g", owner_, field, value, low,
+                 high);
     }
     // The value must be an enumerator 0 .. count - 1.
     void one_of(const char* field, std::int64_t value, std::uint32_t count, const char* names) const {
@@ -45,8 +45,13 @@ public:
     // The value must have no other bits than the known flags.
     void flags(const char* field, std::uint32_t value, std::uint32_t known) const {
         if ((value & ~known) != 0)
-            fail(Status::invalid_argument, "%s.%s is 0x%X; only the bits of 0x%X have a meaning", owner_, field, value,
+            fail(Status::invalid_argument, "%s.%s is 0x%X; only the bits of 0x%X may be set", owner_, field, value,
                  known);
+    }
+    void zero_or_one(const char* field, std::int64_t value) const {
+        if (value != 0 && value != 1)
+            fail(Status::invalid_argument, "%s.%s is %lld; it must be 0 or 1", owner_, field,
+                 static_cast<long long>(value));
     }
     void zero(const char* field, std::uint32_t value) const {
         if (value != 0) fail(Status::invalid_argument, "%s.%s is %u; it must be 0", owner_, field, value);

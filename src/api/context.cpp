@@ -49,15 +49,15 @@ constexpr auto context_fields() noexcept {
                       field("thread_count", &Context::thread_count, rule::not_negative),
                       field("flags", &Context::flags, rule::Zero{}),
                       field("thread_backend", &Context::thread_backend,
-                            rule::OneOf{HRBFNPR_THREAD_BACKEND_SERIAL, "HRBFNPR_THREAD_BACKEND_..."}),
+                            rule::OneOf{HRBFNPR_THREAD_BACKEND_SERIAL, "HRBFNPR_THREAD_BACKEND_*"}),
                       field("highest_instruction_set", &Context::highest_instruction_set,
-                            rule::OneOf{HRBFNPR_INSTRUCTION_SET_NEON, "HRBFNPR_INSTRUCTION_SET_..."}),
+                            rule::OneOf{HRBFNPR_INSTRUCTION_SET_NEON, "HRBFNPR_INSTRUCTION_SET_*"}),
                       field("allocate", &Context::allocate, rule::Any{}),
                       field("deallocate", &Context::deallocate, rule::Any{}),
                       field("allocator_user", &Context::allocator_user, rule::Any{}),
                       field("log", &Context::log, rule::Any{}),
                       field("log_user", &Context::log_user, rule::Any{}),
-                      field("log_level", &Context::log_level, rule::OneOf{HRBFNPR_LOG_WARNING, "HRBFNPR_LOG_..."}),
+                      field("log_level", &Context::log_level, rule::OneOf{HRBFNPR_LOG_WARNING, "HRBFNPR_LOG_*"}),
                       reserved("reserved", &Context::reserved),
                       field("run_tasks", &Context::run_tasks, rule::Any{}),
                       field("run_tasks_user", &Context::run_tasks_user, rule::Any{})};
@@ -86,19 +86,19 @@ void check_backend(const hrbfnpr_context_desc& desc) {
     if (hosted && desc.thread_backend != HRBFNPR_THREAD_BACKEND_AUTO &&
         desc.thread_backend != HRBFNPR_THREAD_BACKEND_RUN_TASKS)
         fail(Status::invalid_argument,
-             "context_desc.thread_backend is %u and run_tasks is given; leave thread_backend AUTO, or run_tasks NULL",
+             "context_desc.thread_backend is %u, but run_tasks is given; set thread_backend to AUTO or RUN_TASKS, or "
+             "run_tasks to NULL",
              desc.thread_backend);
     if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_OPENMP && !base::openmp_is_built_in())
         fail(Status::invalid_argument,
-             "context_desc.thread_backend is OPENMP, and this library was built without (HRBFNPR_OPENMP=OFF); "
-             "take POOL or AUTO");
+             "context_desc.thread_backend is OPENMP, but this library was built without OpenMP; use POOL or AUTO");
 }
 
 void check(const hrbfnpr_context_desc& desc) {
     if (desc.abi_version != HRBFNPR_ABI_VERSION)
         fail(Status::version_mismatch,
-             "context_desc.abi_version is %u and this library's is %d: build against its "
-             "header, or set the struct up with hrbfnpr_context_desc_init",
+             "context_desc.abi_version is %u, but the library's is %d; build with the library's header, and call "
+             "hrbfnpr_context_desc_init",
              desc.abi_version, static_cast<int>(HRBFNPR_ABI_VERSION));
     context_fields().check("context_desc", desc);
     check_backend(desc);

@@ -34,7 +34,7 @@ namespace {
 
 marks::LayerArrays checked(const hrbfnpr_layer_arrays& arrays, const char* owner) {
     if (arrays.kind < HRBFNPR_LAYER_KIND_STIPPLES || arrays.kind > HRBFNPR_LAYER_KIND_OWN)
-        fail(Status::invalid_argument, "%s.kind is %u; it must be one of HRBFNPR_LAYER_KIND_... but ANY (1 to 3)",
+        fail(Status::invalid_argument, "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES, _HATCH or _OWN (1 to 3)",
              owner, arrays.kind);
     const auto view = [&](const hrbfnpr_array& array, const char* field, ArrayType type) {
         char name[128];

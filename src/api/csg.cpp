@@ -24,7 +24,7 @@ using Desc = hrbfnpr_csg_desc;
 
 // Most numbers are checked later, for the kinds that use them.
 constexpr auto node_fields() noexcept {
-    return FieldTable{field("kind", &Node::kind, &CsgNode::kind, rule::OneOf{HRBFNPR_CSG_TORUS, "HRBFNPR_CSG_..."}),
+    return FieldTable{field("kind", &Node::kind, &CsgNode::kind, rule::OneOf{HRBFNPR_CSG_TORUS, "HRBFNPR_CSG_*"}),
                       field("parent", &Node::parent, &CsgNode::parent, rule::Any{}),
                       field("model", &Node::model, rule::Any{}),
                       field("transform", &Node::transform, rule::All{rule::Finite{}}),
@@ -75,8 +75,9 @@ constexpr double smallest_box = 1e-100; // smallest diagonal, as for custom mode
 void set_transform(const char* name, const Node& given, CsgNode& node) {
     const double(&m)[16] = given.transform;
     if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
-        fail(Status::invalid_argument, "%s.transform has the last row %g %g %g %g; it must be 0 0 0 1: an affine map",
-             name, m[3], m[7], m[11], m[15]);
+        fail(Status::invalid_argument,
+             "%s.transform has the last row %g %g %g %g; it must be 0 0 0 1, as in any affine transform", name, m[3],
+             m[7], m[11], m[15]);
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) node.linear[column][row] = m[4 * column + row];
     node.translation = {m[12], m[13], m[14]};
@@ -99,7 +100,8 @@ public:
           number_(runtime.memory), given_(runtime.memory) {}
 
     void read() {
-        if (list_.count() == 0) fail(Status::invalid_argument, "csg_desc.node_count is 0; a tree has one node or more");
+        if (list_.count() == 0)
+            fail(Status::invalid_argument, "csg_desc.node_count is 0; a tree needs at least one node");
         for (std::int64_t i = 0; i < list_.count(); ++i) {
             const Node node = list_[i];
             given_.push_back(checked(node, list_.name(i).text));
@@ -115,8 +117,7 @@ private:
         if (node.model == nullptr) fail(Status::invalid_argument, "%s.model is NULL", list_.name(i).text);
         if (node.model->implicit().domain() != nullptr)
             fail(Status::invalid_argument,
-                 "%s.model is trimmed: a surface with a border bounds no solid; fit it with fit_desc.trim "
-                 "HRBFNPR_TRIM_NEVER",
+                 "%s.model is trimmed, so it bounds no solid; fit it with fit_desc.trim HRBFNPR_TRIM_NEVER",
                  list_.name(i).text);
     }
     std::int64_t add(std::int64_t i) {
@@ -138,11 +139,10 @@ private:
 void check_box(const geometry::Bounds& bounds) {
     const double diagonal = bounds.diagonal();
     if (!(diagonal >= smallest_box && diagonal <= 1.0 / smallest_box))
-        fail(
-            Status::invalid_argument,
-            "csg_desc: the box from bounds_min to bounds_max, or else the tree's, has the diagonal %g; it must be from "
-            "%g to %g: scale the tree",
-            diagonal, smallest_box, 1.0 / smallest_box);
+        fail(Status::invalid_argument,
+             "csg_desc: the bounding box has the diagonal %g; it must be from %g to %g: scale the tree, or change "
+             "bounds_min and bounds_max",
+             diagonal, smallest_box, 1.0 / smallest_box);
 }
 
 geometry::Bounds given_bounds(const Desc& desc) {
@@ -151,8 +151,9 @@ geometry::Bounds given_bounds(const Desc& desc) {
     assign_field(bounds.max, desc.bounds_max);
     for (int axis = 0; axis < 3; ++axis)
         if (bounds.min[axis] > bounds.max[axis])
-            fail(Status::invalid_argument, "csg_desc.bounds_min[%d] is %g, above bounds_max[%d], which is %g", axis,
-                 bounds.min[axis], axis, bounds.max[axis]);
+            fail(Status::invalid_argument,
+                 "csg_desc.bounds_min[%d] is %g, above bounds_max[%d], which is %g; swap them", axis, bounds.min[axis],
+                 axis, bounds.max[axis]);
     return bounds;
 }
 
@@ -162,11 +163,11 @@ geometry::Bounds found_bounds(const implicit::CsgPlan& plan) {
     const implicit::CsgBox whole = plan.whole;
     if (whole.empty())
         fail(Status::invalid_argument,
-             "csg_desc: nothing is left of the solid: an intersection or a difference has no part in common");
+             "csg_desc: the solid is empty, because parts that are intersected do not overlap; move or enlarge them");
     for (int axis = 0; axis < 3; ++axis)
         if (!std::isfinite(whole.low[axis]) || !std::isfinite(whole.high[axis]))
             fail(Status::invalid_argument,
-                 "csg_desc: the surface may have no end along %c: intersect it with a box, or give bounds_min and "
+                 "csg_desc: the surface may be unbounded along %c; intersect it with a box, or set bounds_min and "
                  "bounds_max",
                  "xyz"[axis]);
     const implicit::CsgBox drawn = plan.drawn;
@@ -204,7 +205,7 @@ hrbfnpr_model* make_csg_model(hrbfnpr_context& context, std::unique_ptr<CsgSolid
     solid->plan();
     if (!solid->planned().is_finite())
         fail(Status::invalid_argument,
-             "csg_desc: the transforms of its nodes together are beyond what doubles hold: scale the tree");
+             "csg_desc: the product of the nodes' transforms overflows a double; use smaller transforms");
     const geometry::Bounds box = bounds != nullptr ? *bounds : found_bounds(solid->planned());
     check_box(box);
     solid->finish(box);

@@ -16,8 +16,8 @@ void check_transform(const char* name, const CsgNode& node) {
     const implicit::Stretch stretch = implicit::stretch_of(node.linear);
     if (!(stretch.least > 0.0 && stretch.most <= most_stretch * stretch.least))
         fail(Status::invalid_argument,
-             "%s.transform stretches by %g at least and %g at most; it must be by more than 0, and the most at most %g "
-             "times the least",
+             "%s.transform stretches lengths %g to %g times; the least must be above 0, and the most at most %g times "
+             "the least",
              name, stretch.least, stretch.most, most_stretch);
 }
 
@@ -26,7 +26,7 @@ void check_radii(const Checks& checks, const char* name, const CsgNode& node) {
     checks.at_least("radius", node.radius, 0.0);
     checks.at_least("second_radius", node.second_radius, 0.0);
     if (node.radius == 0.0 && node.second_radius == 0.0)
-        fail(Status::invalid_argument, "%s.radius and second_radius are 0; one of them must be above 0", name);
+        fail(Status::invalid_argument, "%s.radius and second_radius are both 0; at least one must be above 0", name);
 }
 
 void check_blend(const Checks& checks, const char* name, const CsgNode& node) {
@@ -71,7 +71,7 @@ void check_csg_tree(const char* list, const implicit::CsgTree& tree) {
         const std::int64_t parent = tree[i].parent;
         check_node(name.text, tree[i]);
         if (i == 0 && parent != -1)
-            fail(Status::invalid_argument, "%s.parent is %lld; the first node is the root, and has the parent -1",
+            fail(Status::invalid_argument, "%s.parent is %lld; the first node is the root, so its parent must be -1",
                  name.text, static_cast<long long>(parent));
         if (i == 0) continue;
         if (parent < 0 || parent >= i)
@@ -79,13 +79,14 @@ void check_csg_tree(const char* list, const implicit::CsgTree& tree) {
                  name.text, static_cast<long long>(parent), static_cast<long long>(i - 1));
         const std::int64_t most = implicit::children_of(tree[parent].kind);
         if (++children[parent] > most && most >= 0)
-            fail(Status::invalid_argument, "%s.parent is %lld, whose kind, %u, has at most %lld children", name.text,
-                 static_cast<long long>(parent), static_cast<unsigned>(tree[parent].kind),
+            fail(Status::invalid_argument,
+                 "%s.parent is %lld, but a node of kind %u takes no more children than %lld; choose another parent",
+                 name.text, static_cast<long long>(parent), static_cast<unsigned>(tree[parent].kind),
                  static_cast<long long>(most));
     }
     for (std::int64_t i = 0; i < tree.size(); ++i)
         if (children[i] == 0 && !implicit::is_leaf(tree[i].kind))
-            fail(Status::invalid_argument, "%s is of kind %u and has no children; give it one",
+            fail(Status::invalid_argument, "%s is of kind %u and has no children; give it at least one",
                  ElementName(list, i).text, static_cast<unsigned>(tree[i].kind));
 }
 

@@ -12,10 +12,10 @@ CsgSolid::~CsgSolid() {
 
 void CsgSolid::need_room(std::int64_t more) const {
     if (tree_.size() + more > implicit::most_csg_nodes)
-        fail(
-            Status::invalid_argument,
-            "csg_desc has more than %lld nodes with those of the trees in it: leave some out, or fit a model to a part",
-            static_cast<long long>(implicit::most_csg_nodes));
+        fail(Status::invalid_argument,
+             "csg_desc has more than %lld nodes, with those of the trees in its models; remove nodes, or fit one model "
+             "to a subtree",
+             static_cast<long long>(implicit::most_csg_nodes));
 }
 
 std::int64_t CsgSolid::leaf(const hrbfnpr_model& model) {

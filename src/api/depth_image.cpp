@@ -25,7 +25,7 @@ constexpr auto depth_image_fields() noexcept {
     return FieldTable{
         field("columns", &Depth::columns, &DepthImageInput::columns, rule::Between{least_side, most_side}),
         field("rows", &Depth::rows, &DepthImageInput::rows, rule::Between{least_side, most_side}),
-        field("keep_points", &Depth::keep_points, rule::OneOf{1, "0 and 1"}),
+        field("keep_points", &Depth::keep_points, rule::ZeroOrOne{}),
         field("points", &Depth::points, rule::Any{}),
         field("noise", &Depth::noise, &DepthImageInput::noise, rule::not_negative),
         field("smoothing", &Depth::smoothing, &DepthImageInput::smoothing, rule::PositiveUpTo{most_smoothing})};
@@ -57,9 +57,8 @@ DepthImageInput checked(const hrbfnpr_depth_image_desc& desc) {
     const std::int64_t pixels = std::int64_t{desc.columns} * desc.rows;
     if (input.points.count != pixels)
         fail(Status::invalid_argument,
-             "depth_image_desc.points has %lld elements, and %d columns x %d rows are %lld: give one for each pixel, "
-             "NaN "
-             "where nothing was seen",
+             "depth_image_desc.points has %lld elements, but %d columns x %d rows are %lld pixels; give one for each, "
+             "NaN where nothing was seen",
              static_cast<long long>(input.points.count), desc.columns, desc.rows, static_cast<long long>(pixels));
     return input;
 }

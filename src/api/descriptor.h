@@ -30,8 +30,7 @@ template <class T>
 void check_struct_size(std::uint32_t size, const char* name) {
     static_assert(std::is_trivially_copyable_v<T> && std::is_standard_layout_v<T>);
     if (size < smallest_struct || size > largest_struct)
-        fail(Status::unsupported_struct, "%s.struct_size is %u; set the struct up with its _init(..., sizeof) function",
-             name, size);
+        fail(Status::unsupported_struct, "%s.struct_size is %u; set up the struct with its _init function", name, size);
 }
 
 // Implements a struct's `_init` function.
@@ -58,7 +57,7 @@ template <class T>
     for (std::size_t i = sizeof(T); i < size; ++i)
         if (bytes[i] != std::byte{0})
             fail(Status::unsupported_struct,
-                 "%s has fields that this library (%s) does not know, and they are set: use a newer library", name,
+                 "%s sets fields that this library, version %s, does not know; use a newer library", name,
                  hrbfnpr_version_string());
     T full = defaults<T>();
     std::memcpy(static_cast<void*>(&full), given, std::min<std::size_t>(size / alignof(T) * alignof(T), sizeof full));

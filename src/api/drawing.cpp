@@ -116,8 +116,8 @@ hrbfnpr_drawing_info describe(const drawing::Drawing& from) noexcept {
 hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int64_t number) {
     const std::int64_t layers = from.layers.size();
     if (number < 0 || number >= layers)
-        fail(Status::invalid_argument, "number is %lld; the drawing has %lld layers", static_cast<long long>(number),
-             static_cast<long long>(layers));
+        fail(Status::invalid_argument, "number is %lld; it must be at least 0 and below the number of layers, %lld",
+             static_cast<long long>(number), static_cast<long long>(layers));
     const drawing::Layer& layer = from.layers[number];
     hrbfnpr_drawing_layer_info info{};
     info.mark_class = static_cast<std::uint32_t>(layer.mark_class);
@@ -148,19 +148,19 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
 
 output::Primitive checked_primitive(std::uint32_t primitive, const char* name) {
     if (primitive < HRBFNPR_PRIMITIVE_POINTS || primitive > HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS)
-        fail(Status::invalid_argument, "%s is %u; it must be one of HRBFNPR_PRIMITIVE_... (1 to 3)", name, primitive);
+        fail(Status::invalid_argument, "%s is %u; it must be one of HRBFNPR_PRIMITIVE_* (1 to 3)", name, primitive);
     return static_cast<output::Primitive>(primitive);
 }
 
 output::VertexField checked(const hrbfnpr_vertex_attribute& attribute, const char* name) {
-    Checks(name).one_of("attribute", attribute.attribute, output::last_attribute + 1, "HRBFNPR_VERTEX_ATTRIBUTE_...");
+    Checks(name).one_of("attribute", attribute.attribute, output::last_attribute + 1, "HRBFNPR_VERTEX_ATTRIBUTE_*");
     const bool known = attribute.scalar >= HRBFNPR_SCALAR_FLOAT32 && attribute.scalar <= HRBFNPR_SCALAR_UINT32;
     const output::VertexField field{static_cast<output::VertexAttribute>(attribute.attribute),
                                     static_cast<base::Scalar>(attribute.scalar), attribute.offset};
     if (!known || output::size_of(field) == 0)
         fail(Status::invalid_argument,
-             "%s.scalar is %u; attribute %u cannot have that type: see HRBFNPR_VERTEX_ATTRIBUTE_...", name,
-             attribute.scalar, attribute.attribute);
+             "%s.scalar is %u, a type that attribute %u cannot have; see HRBFNPR_VERTEX_ATTRIBUTE_* for its types",
+             name, attribute.scalar, attribute.attribute);
     return field;
 }
 
@@ -173,7 +173,7 @@ struct Fields {
 Fields checked(const hrbfnpr_vertex_layout& layout) {
     const List<hrbfnpr_vertex_attribute> list(layout.attributes, layout.attribute_count, layout.attribute_stride,
                                               most_attributes, "layout.attributes");
-    if (list.count() == 0) fail(Status::invalid_argument, "layout.attributes is empty; a vertex has one at least");
+    if (list.count() == 0) fail(Status::invalid_argument, "layout.attributes is empty; a vertex needs at least one");
     Fields fields;
     std::int64_t end = 0;
     for (std::int64_t i = 0; i < list.count(); ++i) {
@@ -182,10 +182,10 @@ Fields checked(const hrbfnpr_vertex_layout& layout) {
         ++fields.count;
     }
     if (layout.stride != 0 && layout.stride < end)
-        fail(
-            Status::invalid_argument,
-            "layout.stride is %lld; by their offset and size the attributes end at %lld: it must be 0 or that at least",
-            static_cast<long long>(layout.stride), static_cast<long long>(end));
+        fail(Status::invalid_argument,
+             "layout.stride is %lld, but by offset and size the attributes end at byte %lld; it must be 0 or at least "
+             "that",
+             static_cast<long long>(layout.stride), static_cast<long long>(end));
     fields.stride = layout.stride != 0 ? layout.stride : end;
     return fields;
 }
@@ -218,14 +218,15 @@ void write_vertices(const hrbfnpr_drawing& handle, const hrbfnpr_vertex_layout& 
     const output::VertexBound bound = output::vertex_bound(handle.drawing, primitive);
     if (out.vertex_capacity < bound.vertices || (out.indices != nullptr && out.index_capacity < bound.indices)) {
         tell(out, bound);
-        fail(Status::buffer_too_small, "vertex_capacity is %lld and index_capacity %lld; %lld and %lld are needed",
+        fail(Status::buffer_too_small,
+             "vertex_capacity is %lld and index_capacity is %lld; they must be at least %lld and %lld",
              static_cast<long long>(out.vertex_capacity), static_cast<long long>(out.index_capacity),
              static_cast<long long>(bound.vertices), static_cast<long long>(bound.indices));
     }
     const auto room = std::numeric_limits<std::uintptr_t>::max() - reinterpret_cast<std::uintptr_t>(out.vertices);
     if (bound.vertices > 0 &&
         static_cast<std::uint64_t>(fields.stride) > room / static_cast<std::uint64_t>(bound.vertices))
-        fail(Status::invalid_argument, "layout.stride: %lld vertices of %lld bytes are beyond the address space",
+        fail(Status::invalid_argument, "layout.stride: %lld vertices of %lld bytes exceed the address space",
              static_cast<long long>(bound.vertices), static_cast<long long>(fields.stride));
     const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().readers.vertices);
     output::write_vertices(handle.runtime(), handle.drawing, *scratch,
@@ -239,11 +240,12 @@ void write_vertices(const hrbfnpr_drawing& handle, const hrbfnpr_vertex_layout& 
 // Returns the index of an item's layer among the drawing's runs.
 std::int64_t run_number(const drawing::Drawing& drawing, std::int64_t item, std::int64_t layer) {
     if (item < 0 || item >= drawing.items.size())
-        fail(Status::invalid_argument, "item is %lld; the drawing has %lld", static_cast<long long>(item),
-             static_cast<long long>(drawing.items.size()));
+        fail(Status::invalid_argument, "item is %lld; it must be at least 0 and below the number of items, %lld",
+             static_cast<long long>(item), static_cast<long long>(drawing.items.size()));
     const auto layers = drawing.items[item].set->layers.size();
     if (layer < 0 || layer >= layers)
-        fail(Status::invalid_argument, "layer is %lld; the point set of item %lld has %lld",
+        fail(Status::invalid_argument,
+             "layer is %lld; in the point set of item %lld it must be at least 0 and below %lld",
              static_cast<long long>(layer), static_cast<long long>(item), static_cast<long long>(layers));
     std::int64_t first = 0;
     for (std::int64_t i = 0; i < item; ++i) first += drawing.items[i].set->layers.size();
@@ -270,7 +272,7 @@ struct IndexOut {
 void write_indices(const hrbfnpr_drawing& handle, std::int64_t run, std::uint32_t mark_class, std::uint32_t primitive,
                    const IndexOut& out) {
     if (mark_class != HRBFNPR_CLASS_FRONT && mark_class != HRBFNPR_CLASS_SILHOUETTE)
-        fail(Status::invalid_argument, "mark_class is %u; it must be HRBFNPR_CLASS_FRONT or SILHOUETTE", mark_class);
+        fail(Status::invalid_argument, "mark_class is %u; it must be HRBFNPR_CLASS_FRONT or _SILHOUETTE", mark_class);
     check_capacity("capacity", out.capacity, out.indices, "indices");
     require_pointer(out.count, "count");
     const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().readers.vertices);
@@ -280,14 +282,14 @@ void write_indices(const hrbfnpr_drawing& handle, std::int64_t run, std::uint32_
     const auto needed = static_cast<std::int64_t>(found.size());
     *out.count = needed;
     if (out.capacity < needed)
-        fail(Status::buffer_too_small, "capacity is %lld; %lld indices are needed",
+        fail(Status::buffer_too_small, "capacity is %lld; it must be at least %lld, the number of indices",
              static_cast<long long>(out.capacity), static_cast<long long>(needed));
     std::copy(found.begin(), found.end(), out.indices);
 }
 
 hrbfnpr_mark_identity identify(const drawing::Drawing& drawing, std::uint32_t id) {
     if (drawing.run_of(id) == nullptr)
-        fail(Status::invalid_argument, "id is %u; the drawing's marks have 1 to %lld", id,
+        fail(Status::invalid_argument, "id is %u; the marks of this drawing have the ids 1 to %lld", id,
              drawing.runs.empty()
                  ? 0LL
                  : static_cast<long long>(drawing.runs.span().back().first_id + drawing.runs.span().back().count - 1));

@@ -88,6 +88,12 @@ struct OneOf { // an enumeration 0 .. last
     }
 };
 
+struct ZeroOrOne {
+    void operator()(const Checks& checks, const char* field, std::int64_t value) const {
+        checks.zero_or_one(field, value);
+    }
+};
+
 struct Flags {
     std::uint32_t known;
     void operator()(const Checks& checks, const char* field, std::uint32_t value) const {

@@ -36,13 +36,13 @@ constexpr auto generate_fields() noexcept {
     using To = generate::Settings;
     return FieldTable{
         field("distribution", &Generate::distribution, &To::distribution,
-              rule::OneOf{HRBFNPR_DISTRIBUTION_PUBLISHED, "HRBFNPR_DISTRIBUTION_..."}),
+              rule::OneOf{HRBFNPR_DISTRIBUTION_PUBLISHED, "HRBFNPR_DISTRIBUTION_*"}),
         field("layers", &Generate::layers, rule::Any{}),
         field("layer_count", &Generate::layer_count, rule::Any{}),
         field("layer_stride", &Generate::layer_stride, rule::Any{}),
         field("shared_budget", &Generate::shared_budget, &To::shared_budget, rule::not_negative),
         field("tone_ranges", &Generate::tone_ranges, &To::tone_ranges,
-              rule::OneOf{HRBFNPR_TONE_RANGES_IN_TURN, "HRBFNPR_TONE_RANGES_..."}),
+              rule::OneOf{HRBFNPR_TONE_RANGES_IN_TURN, "HRBFNPR_TONE_RANGES_*"}),
         reserved("reserved", &Generate::reserved),
         field("projection_tolerance", &Generate::projection_tolerance, &To::projection_tolerance, rule::Positive{}),
         field("random_seed", &Generate::random_seed, &To::random_seed, rule::Any{})};
@@ -50,7 +50,7 @@ constexpr auto generate_fields() noexcept {
 constexpr auto seed_fields() noexcept {
     using To = generate::SeedSettings;
     return FieldTable{
-        field("seed_source", &Generate::seed_source, &To::source, rule::OneOf{HRBFNPR_SEED_POINTS, "HRBFNPR_SEED_..."}),
+        field("seed_source", &Generate::seed_source, &To::source, rule::OneOf{HRBFNPR_SEED_POINTS, "HRBFNPR_SEED_*"}),
         field("seed_points", &Generate::seed_points, rule::Any{}),
         field("box_jitter", &Generate::box_jitter, &To::box_jitter, rule::Between{0.0, 0.5}),
         field("box_resolution", &Generate::box_resolution, &To::box_resolution, rule::Between{1.0, 256.0}),
@@ -79,8 +79,9 @@ namespace {
 
 marks::TonePart checked_part(const char* owner, const char* field, float begin, float end) {
     if (!((begin == 0.0F && end == 0.0F) || (begin >= 0.0F && begin < end && end <= 1.0F)))
-        fail(Status::invalid_argument, "%s.%sbegin is %g and .%send is %g; it must be 0 <= begin < end <= 1, or both 0",
-             owner, field, static_cast<double>(begin), field, static_cast<double>(end));
+        fail(Status::invalid_argument,
+             "%s.%sbegin is %g and %send is %g; they must be 0 <= begin < end <= 1, or both 0", owner, field,
+             static_cast<double>(begin), field, static_cast<double>(end));
     return {static_cast<double>(begin), static_cast<double>(end)};
 }
 
@@ -88,15 +89,15 @@ glm::dvec3 checked_direction(const double (&given)[3], const char* field, const 
     const glm::dvec3 direction(given[0], given[1], given[2]);
     const double length = glm::length(direction);
     if (!(length > 1e-150 && length < 1e150))
-        fail(Status::invalid_argument, "%s.%s is (%g, %g, %g); it must have a direction", owner, field, direction.x,
-             direction.y, direction.z);
+        fail(Status::invalid_argument, "%s.%s is (%g, %g, %g); it must be a finite vector other than zero", owner,
+             field, direction.x, direction.y, direction.z);
     return direction / length;
 }
 
 void check(const hrbfnpr_layer_desc& desc, const char* owner) {
     if (desc.kind != HRBFNPR_LAYER_KIND_STIPPLES && desc.kind != HRBFNPR_LAYER_KIND_HATCH)
-        fail(Status::invalid_argument, "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES (1) or HATCH (2)", owner,
-             desc.kind);
+        fail(Status::invalid_argument, "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES or _HATCH (1 or 2)",
+             owner, desc.kind);
     layer_fields().check(owner, desc);
     density_fields().check(owner, desc);
     published_fields().check(owner, desc);
@@ -134,7 +135,7 @@ generate::Settings checked(const hrbfnpr_generate_desc& desc) {
     settings.seeds.points = in_view(desc.seed_points, "generate_desc.seed_points", points_type);
     if (desc.seed_source == HRBFNPR_SEED_POINTS && settings.seeds.points.empty())
         fail(Status::invalid_argument,
-             "generate_desc.seed_points is empty; seed_source POINTS needs one point at least");
+             "generate_desc.seed_points is empty; seed_source POINTS needs at least one point");
     const List<hrbfnpr_layer_desc> layers(desc.layers, desc.layer_count, desc.layer_stride, marks::most_layers,
                                           "generate_desc.layers");
     for (std::int64_t i = 0; i < layers.count(); ++i)

@@ -45,14 +45,15 @@ std::int64_t checked_row_stride(const hrbfnpr_image& image, std::int64_t pixel) 
     if (image.row_stride > largest || image.row_stride < -largest ||
         (image.row_stride < row && image.row_stride > -row))
         fail(Status::invalid_argument,
-             "image.row_stride is %lld; it must be 0, or at least %lld * width = %lld, forward or backward",
+             "image.row_stride is %lld; with %lld bytes per pixel a row has %lld: it must be 0, or that or more, "
+             "forward or backward",
              static_cast<long long>(image.row_stride), static_cast<long long>(pixel), static_cast<long long>(row));
     const auto address = reinterpret_cast<std::uintptr_t>(image.pixels);
     const auto reach = static_cast<std::uint64_t>(image.height - 1) *
                        static_cast<std::uint64_t>(image.row_stride < 0 ? -image.row_stride : image.row_stride);
     const std::uint64_t room = image.row_stride < 0 ? address : std::numeric_limits<std::uintptr_t>::max() - address;
     if (reach > room)
-        fail(Status::invalid_argument, "image: height %d times row_stride %lld is beyond the address space",
+        fail(Status::invalid_argument, "image: height %d times row_stride %lld exceeds the address space",
              static_cast<int>(image.height), static_cast<long long>(image.row_stride));
     return image.row_stride;
 }
@@ -60,8 +61,7 @@ std::int64_t checked_row_stride(const hrbfnpr_image& image, std::int64_t pixel) 
 output::Image checked(const hrbfnpr_image& image) {
     const Checks checks("image");
     if (image.format < HRBFNPR_FORMAT_RGBA8 || image.format > HRBFNPR_FORMAT_COVERAGE8)
-        fail(Status::invalid_argument, "image.format is %u; it must be one of HRBFNPR_FORMAT_... (1 to 7)",
-             image.format);
+        fail(Status::invalid_argument, "image.format is %u; it must be one of HRBFNPR_FORMAT_* (1 to 7)", image.format);
     const auto format = static_cast<output::Format>(image.format);
     checks.between("width", image.width, 1, largest_side);
     checks.between("height", image.height, 1, largest_side);

@@ -36,7 +36,7 @@ static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUI
     using Given = hrbfnpr_layer_desc;
     using To = stipples::DensitySettings;
     return FieldTable{
-        field("density", &Given::density, &To::kind, rule::OneOf{HRBFNPR_DENSITY_CALLBACK, "HRBFNPR_DENSITY_..."}),
+        field("density", &Given::density, &To::kind, rule::OneOf{HRBFNPR_DENSITY_CALLBACK, "HRBFNPR_DENSITY_*"}),
         field("density_strength", &Given::density_strength, &To::strength, rule::Between{0.0, 1.0}),
         field("density_function", &Given::density_function, &To::function, rule::Any{}),
         field("density_user", &Given::density_user, &To::user, rule::Any{})};
@@ -57,20 +57,20 @@ static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUI
 [[nodiscard]] constexpr auto guide_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
     using To = hatching::FieldSettings;
-    return FieldTable{field("smoothing", &Given::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
-                      field("axis", &Given::axis, rule::Any{}),
-                      field("axis_weight", &Given::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3}),
-                      field("guide", &Given::guide, &To::guide,
-                            rule::OneOf{HRBFNPR_HATCH_GUIDE_SILHOUETTE, "HRBFNPR_HATCH_GUIDE_..."}),
-                      field("guide_direction", &Given::guide_direction, rule::Any{}),
-                      field("guide_weight", &Given::guide_weight, &To::guide_weight, rule::Between{0.0, 1.0})};
+    return FieldTable{
+        field("smoothing", &Given::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
+        field("axis", &Given::axis, rule::Any{}),
+        field("axis_weight", &Given::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3}),
+        field("guide", &Given::guide, &To::guide, rule::OneOf{HRBFNPR_HATCH_GUIDE_SILHOUETTE, "HRBFNPR_HATCH_GUIDE_*"}),
+        field("guide_direction", &Given::guide_direction, rule::Any{}),
+        field("guide_weight", &Given::guide_weight, &To::guide_weight, rule::Between{0.0, 1.0})};
 }
 [[nodiscard]] constexpr auto published_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
     using To = published::Settings;
     return FieldTable{
         field("start", &Given::start, &To::from_stipples,
-              rule::OneOf{HRBFNPR_STROKE_START_STIPPLES, "HRBFNPR_STROKE_START_..."}),
+              rule::OneOf{HRBFNPR_STROKE_START_STIPPLES, "HRBFNPR_STROKE_START_*"}),
         field("start_level", &Given::start_level, &To::start_level, rule::Between{0.0, marks::most_levels}),
         field("levels", &Given::levels, &To::levels, rule::Between{-1.0, marks::most_levels})};
 }

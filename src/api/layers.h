@@ -23,7 +23,8 @@ namespace hrbfnpr::api {
     if (size == 0 || size == name.size())
         fail(Status::invalid_argument, "%s.name has %s bytes; it must have 1 to %d, or be NULL", owner,
              size == 0 ? "no" : "64 or more", static_cast<int>(name.size()) - 1);
-    if (!base::is_utf8({given, size})) fail(Status::invalid_argument, "%s.name is not UTF-8", owner);
+    if (!base::is_utf8({given, size}))
+        fail(Status::invalid_argument, "%s.name is not UTF-8; encode it as UTF-8", owner);
     std::memcpy(name.data(), given, size);
     return name;
 }

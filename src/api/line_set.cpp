@@ -78,12 +78,14 @@ void Requests::add_own(const hrbfnpr_line_desc& desc, const char* name, curves::
     const auto points = static_cast<double>(count);
     for (std::size_t i = 0; i < first.size(); ++i) {
         if (first[i] > points || (i > 0 && first[i] < first[i - 1]))
-            fail(Status::invalid_argument, "%s.line_first[%zu] is %.0f; numbers must ascend, up to %.0f positions",
+            fail(Status::invalid_argument,
+                 "%s.line_first[%zu] is %.0f; the numbers must not decrease, nor exceed %.0f, the number of positions",
                  name, i, first[i], points);
         kept->push_back(static_cast<std::int64_t>(first[i]));
     }
     if (first.size() < 2)
-        fail(Status::invalid_argument, "%s.line_first has %zu numbers; it needs one more than there are lines", name,
+        fail(Status::invalid_argument,
+             "%s.line_first has %zu elements; it needs one for each line, and one more for the end of the last", name,
              first.size());
     firsts_.push_back(std::move(kept));
     request.first = std::as_const(*firsts_.back()).span();
@@ -96,28 +98,29 @@ void Requests::add(const hrbfnpr_line_desc& desc, const char* name) {
     if (desc.kind == 0 || desc.kind > HRBFNPR_LINE_KIND_CREASE || curves::depends_on_view(request.kind) ||
         request.kind == curves::LineKind::border || request.kind == curves::LineKind::crease)
         fail(Status::invalid_argument,
-             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or "
-             "OWN: others are found with every drawing, and borders and creases with every line set",
+             "%s.kind is %u; it must be HRBFNPR_LINE_KIND_RIDGE, _VALLEY, _PARABOLIC, _SECTION or _OWN; other lines "
+             "are found without a request",
              name, desc.kind);
     if (desc.name != nullptr) {
         if (std::strlen(desc.name) >= request.name.size())
-            fail(Status::invalid_argument, "%s.name is longer than 63 bytes", name);
+            fail(Status::invalid_argument, "%s.name is longer than 63 bytes; shorten it", name);
         std::strcpy(request.name.data(), desc.name);
     }
     checks.at_least("lower", desc.lower, 0.0);
     if (!(std::isfinite(desc.upper) && desc.upper >= desc.lower))
-        fail(Status::invalid_argument, "%s.upper is %g; it must be a finite number of at least lower, which is %g",
-             name, desc.upper, desc.lower);
+        fail(Status::invalid_argument, "%s.upper is %g; it must be finite and at least lower, which is %g", name,
+             desc.upper, desc.lower);
     checks.at_least("shortest", desc.shortest, 0.0);
     request.thresholds = {desc.lower, desc.upper};
     request.shortest = desc.shortest;
     request.plane = {desc.plane[0], desc.plane[1], desc.plane[2]};
     if (!(glm::length(request.plane) > 0.0 && std::isfinite(glm::length(request.plane))))
-        fail(Status::invalid_argument, "%s.plane is %g %g %g; it must be a direction", name, desc.plane[0],
-             desc.plane[1], desc.plane[2]);
+        fail(Status::invalid_argument, "%s.plane is %g %g %g; it must be a finite vector other than zero", name,
+             desc.plane[0], desc.plane[1], desc.plane[2]);
     if (request.kind == curves::LineKind::section) {
         request.levels = numbers(desc.levels, name, "levels", {1, float_types});
-        if (request.levels.empty()) fail(Status::invalid_argument, "%s.levels is empty; give the planes' places", name);
+        if (request.levels.empty())
+            fail(Status::invalid_argument, "%s.levels is empty; give the position of each plane", name);
     }
     if (request.kind == curves::LineKind::own) add_own(desc, name, request);
     requests_.push_back(request);
@@ -130,13 +133,12 @@ struct SupportArrays {
           normals(finite_numbers(memory, desc.support_normals, "line_set_desc.support_normals", points_type)) {
         if (!normals.empty() && normals.size() != points.size())
             fail(Status::invalid_argument,
-                 "line_set_desc.support_normals has %lld elements; it must have as many as support_points, which has "
-                 "%lld",
+                 "line_set_desc.support_normals has %lld elements, but support_points has %lld; give one normal for "
+                 "each point",
                  static_cast<long long>(normals.size() / 3), static_cast<long long>(points.size() / 3));
         for (std::int64_t i = 0; i < normals.size(); i += 3)
             if (normals[i] == 0.0 && normals[i + 1] == 0.0 && normals[i + 2] == 0.0)
-                fail(Status::invalid_argument,
-                     "line_set_desc.support_normals[%lld] is 0; normals must have a direction",
+                fail(Status::invalid_argument, "line_set_desc.support_normals[%lld] is zero; give it a direction",
                      static_cast<long long>(i / 3));
     }
 
@@ -150,8 +152,8 @@ struct SupportArrays {
         }
         if (limit > 0.0 && settings.points.empty())
             fail(Status::invalid_argument,
-                 "line_set_desc.support is %g, but a custom model has no samples; give "
-                 "support_points, or 0",
+                 "line_set_desc.support is %g, but a custom model has no samples; give support_points, or set support "
+                 "to 0",
                  limit);
         return settings;
     }
@@ -162,8 +164,7 @@ struct SupportArrays {
 hrbfnpr_line_set* create(hrbfnpr_context& context, const hrbfnpr_model& model, const hrbfnpr_line_set_desc& desc,
                          hrbfnpr_operation* operation) {
     const Checks checks("line_set_desc");
-    if ((desc.flags & ~std::uint32_t{HRBFNPR_LINE_SET_WITH_CURVATURE}) != 0)
-        fail(Status::invalid_argument, "line_set_desc.flags has bits that are no HRBFNPR_LINE_SET_WITH_...");
+    checks.flags("flags", desc.flags, HRBFNPR_LINE_SET_WITH_CURVATURE);
     checks.at_least("cell_size", desc.cell_size, 0.0);
     checks.at_least("support", desc.support, 0.0);
     const SupportArrays support(context.runtime.memory, desc);

@@ -31,11 +31,11 @@ constexpr std::int64_t grain = 4096;
 constexpr auto mesh_fields() noexcept {
     using mesh::MeshInput;
     return FieldTable{
-        field("parts", &MeshDesc::parts, &MeshInput::parts, rule::OneOf{HRBFNPR_PARTS_LARGEST, "HRBFNPR_PARTS_..."}),
+        field("parts", &MeshDesc::parts, &MeshInput::parts, rule::OneOf{HRBFNPR_PARTS_LARGEST, "HRBFNPR_PARTS_*"}),
         field("vertices", &MeshDesc::vertices, rule::Any{}),
         field("triangles", &MeshDesc::triangles, rule::Any{}),
         field("crease_angle", &MeshDesc::crease_angle, &MeshInput::crease_angle, rule::Between{0.0, 180.0}),
-        field("faces", &MeshDesc::faces, &MeshInput::faces, rule::OneOf{HRBFNPR_FACES_KEEP, "HRBFNPR_FACES_..."}),
+        field("faces", &MeshDesc::faces, &MeshInput::faces, rule::OneOf{HRBFNPR_FACES_KEEP, "HRBFNPR_FACES_*"}),
         reserved("reserved", &MeshDesc::reserved)};
 }
 static_assert(mesh_fields().covers<MeshDesc>());
@@ -89,11 +89,11 @@ void log_mesh(const base::Runtime& runtime, const mesh::MeshReport& report) {
     };
     say(report.degenerate_faces, "faces have no area and were left out");
     say(report.repeated_faces, "faces repeat others and were left out");
-    say(report.turned_faces, "faces were turned to agree with those beside them");
+    say(report.turned_faces, "faces were turned to agree with their neighbours");
     say(report.turned_components, "components were inside out and were turned");
-    say(report.left_out_components, "components were left out: they lie inside others, or were not asked for");
+    say(report.left_out_components, "components were left out, because they lie inside others or were not asked for");
     say(report.nonmanifold_edges, "edges have more than two faces");
-    say(report.contrary_edges, "edges have two faces that do not agree");
+    say(report.contrary_edges, "edges have two faces of opposite orientation");
 }
 
 hrbfnpr_mesh* create(hrbfnpr_context& context, const hrbfnpr_mesh_desc& desc, hrbfnpr_operation* operation) {
@@ -160,7 +160,7 @@ hrbfnpr_array view_of(const mesh::Mesh& mesh, std::uint32_t attribute) {
     case HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL:
         return {mesh.corner_normal.data(), faces, 3 * sizeof(glm::dvec3), HRBFNPR_SCALAR_FLOAT64, 9};
     default:
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MESH_ATTRIBUTE_... (0 to 4)",
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MESH_ATTRIBUTE_* (0 to 4)",
              attribute);
     }
 }
@@ -200,7 +200,8 @@ geometry::VecArray read_points(const base::Runtime& runtime, const base::InView&
             for (glm::length_t c = 0; c < 3; ++c)
                 if (!(std::abs(p[c]) <= largest_point))
                     fail(Status::invalid_argument,
-                         "points[%lld] has the coordinate %g; coordinates must be finite and within 1e100",
+                         "points[%lld] has the coordinate %g; coordinates must be finite and at most 1e100; remove the "
+                         "point or use a larger unit",
                          static_cast<long long>(i), p[c]);
             points.set(i, p);
         }
@@ -218,7 +219,7 @@ void farthest_points(hrbfnpr_context& context, const hrbfnpr_array& points, cons
              static_cast<long long>(count), static_cast<long long>(view.count));
     const base::OutView index = out_view(indices, "indices", {1, index_types}, count);
     if (index.scalar != base::Scalar::int64 && view.count > std::int64_t{1} << 31U)
-        fail(Status::invalid_argument, "indices.scalar must be HRBFNPR_SCALAR_INT64 for %lld points",
+        fail(Status::invalid_argument, "indices.scalar must be HRBFNPR_SCALAR_INT64, because there are %lld points",
              static_cast<long long>(view.count));
     const base::OutView apart = out_view(distance, "distance", number_type, count);
     const OperationUse use(operation);

@@ -23,7 +23,7 @@ constexpr auto mesh_edges_fields() noexcept {
     using mesh::FitMeshSettings;
     return FieldTable{
         field("edges", &MeshEdgesDesc::edges, &FitMeshSettings::edges,
-              rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_..."}),
+              rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_*"}),
         field("crease_angle", &MeshEdgesDesc::crease_angle, &FitMeshSettings::crease_angle, rule::Between{1.0, 179.0}),
         field("far", &MeshEdgesDesc::far, &FitMeshSettings::far, rule::not_negative)};
 }

@@ -46,7 +46,7 @@ constexpr auto mesh_fit_fields() noexcept {
         field("random_seed", &MeshFitDesc::random_seed, &FitMeshSettings::seed, rule::Any{}),
         field("crease_angle", &MeshFitDesc::crease_angle, &FitMeshSettings::crease_angle, rule::Between{5.0, 175.0}),
         field("edges", &MeshFitDesc::edges, &FitMeshSettings::edges,
-              rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_..."}),
+              rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_*"}),
         reserved("reserved2", &MeshFitDesc::reserved2)};
 }
 static_assert(mesh_fit_fields().covers<MeshFitDesc>());
@@ -104,7 +104,8 @@ std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double 
     const std::span<const double> p = model.samples().position;
     const std::span<const double> n = model.sample_normals();
     if (p.empty())
-        fail(Status::invalid_argument, "compare_desc.support is %g, but a custom model has no samples; give 0", limit);
+        fail(Status::invalid_argument, "compare_desc.support is %g, but a custom model has no samples; set it to 0",
+             limit);
     geometry::VecArray position(model.runtime().memory);
     geometry::VecArray normal(model.runtime().memory);
     for (std::size_t i = 0; i < p.size(); i += 3) {
@@ -198,7 +199,8 @@ mesh::FitMeshSettings checked_settings(const MeshFitDesc& desc, const mesh::Mesh
     check_fewest("mesh_fit_desc", "candidates", desc.candidates, fewest_candidates);
     check_smallest("mesh_fit_desc", "tolerance", desc.tolerance, smallest_tolerance * mesh.bounds.diagonal());
     if (desc.far != 0.0 && desc.far < desc.tolerance)
-        fail(Status::invalid_argument, "mesh_fit_desc.far is %g, less than the tolerance, %g", desc.far,
+        fail(Status::invalid_argument,
+             "mesh_fit_desc.far is %g; it must be 0 (automatic) or at least the tolerance, %g", desc.far,
              desc.tolerance);
     mesh::FitMeshSettings settings;
     mesh_fit_fields().copy(desc, settings);

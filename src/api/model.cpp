@@ -101,27 +101,27 @@ struct Degree {
 constexpr auto fit_fields() noexcept {
     using fit::FitInput;
     return FieldTable{
-        field("kernel", &Fit::kernel, &FitInput::kernel, rule::OneOf{HRBFNPR_KERNEL_WENDLAND_C2, "HRBFNPR_KERNEL_..."}),
+        field("kernel", &Fit::kernel, &FitInput::kernel, rule::OneOf{HRBFNPR_KERNEL_WENDLAND_C2, "HRBFNPR_KERNEL_*"}),
         field("points", &Fit::points, rule::Any{}),
         field("normals", &Fit::normals, rule::Any{}),
         field("kernel_radius", &Fit::kernel_radius, &FitInput::kernel_radius, rule::not_negative),
         field("polynomial_degree", &Fit::polynomial_degree, &FitInput::polynomial_degree, Degree{}),
         field("regularization_mode", &Fit::regularization_mode, &FitInput::regularization_mode,
-              rule::OneOf{HRBFNPR_REGULARIZATION_AUTO, "HRBFNPR_REGULARIZATION_..."}),
+              rule::OneOf{HRBFNPR_REGULARIZATION_AUTO, "HRBFNPR_REGULARIZATION_*"}),
         field("regularization", &Fit::regularization, &FitInput::regularization, rule::not_negative),
         field("outliers", &Fit::outliers, &FitInput::outliers,
               rule::OneOf{HRBFNPR_REPAIR_DROP, "HRBFNPR_REPAIR_KEEP and _DROP"}),
         field("flipped_normals", &Fit::flipped_normals, &FitInput::flipped_normals,
-              rule::OneOf{HRBFNPR_REPAIR_REORIENT, "HRBFNPR_REPAIR_..."}),
+              rule::OneOf{HRBFNPR_REPAIR_REORIENT, "HRBFNPR_REPAIR_*"}),
         field("tolerance", &Fit::tolerance, &FitInput::tolerance, rule::not_negative),
         field("maximum_centres", &Fit::maximum_centres, &FitInput::maximum_centres, rule::not_negative),
-        field("solver", &Fit::solver, &FitInput::solver, rule::OneOf{HRBFNPR_SOLVER_ITERATIVE, "HRBFNPR_SOLVER_..."}),
+        field("solver", &Fit::solver, &FitInput::solver, rule::OneOf{HRBFNPR_SOLVER_ITERATIVE, "HRBFNPR_SOLVER_*"}),
         field("refinement_steps", &Fit::refinement_steps, &FitInput::refinement_steps, rule::Between{0.0, 20.0}),
         field("solver_tolerance", &Fit::solver_tolerance, &FitInput::solver_tolerance, rule::Between{0.0, 0.1}),
         field("iteration_limit", &Fit::iteration_limit, &FitInput::iteration_limit, rule::Between{1.0, 1000000.0}),
         field("preconditioner_neighbours", &Fit::preconditioner_neighbours, &FitInput::preconditioner_neighbours,
               rule::Between{0.0, fit::LocalSystems::largest_set - 1}),
-        field("normal_mode", &Fit::normal_mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_..."}),
+        field("normal_mode", &Fit::normal_mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_*"}),
         field("trim", &Fit::trim, rule::OneOf{HRBFNPR_TRIM_AUTO, "HRBFNPR_TRIM_NEVER and _AUTO"})};
 }
 static_assert(fit_fields().covers<Fit>());
@@ -177,11 +177,13 @@ fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     const bool none = input.normals.empty() && may_lack_normals(desc.normal_mode);
     if (input.normals.count != input.points.count && !none)
         fail(Status::invalid_argument,
-             "fit_desc.normals has %lld elements and fit_desc.points has %lld; give one normal for each point, or "
-             "none with normal_mode HRBFNPR_NORMALS_NONE",
+             "fit_desc.normals has %lld elements, but points has %lld; give one normal for each point, or none with "
+             "normal_mode HRBFNPR_NORMALS_NONE",
              static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
     if (desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && desc.regularization != 0.0)
-        fail(Status::invalid_argument, "fit_desc.regularization is %g with regularization_mode AUTO; leave it 0",
+        fail(Status::invalid_argument,
+             "fit_desc.regularization is %g, but regularization_mode is AUTO; set it to 0, or the mode to "
+             "HRBFNPR_REGULARIZATION_GIVEN",
              desc.regularization);
     fit_fields().copy(desc, input);
     return input;
@@ -193,9 +195,10 @@ void log_choice(const base::Runtime& runtime, const fit::FitInput& input, const 
     runtime.log(base::LogLevel::info, "fit: %lld centres in %d rounds, all samples within %.3g of the surface",
                 static_cast<long long>(centres), static_cast<int>(report.choice_rounds), report.input_distance_max);
     if (input.tolerance > 0.0 && report.input_distance_max > input.tolerance)
-        runtime.log(base::LogLevel::warning,
-                    "fit: %.2f %% of the samples are within the tolerance, %g; the farthest is %.3g off",
-                    100.0 * report.input_share_within, input.tolerance, report.input_distance_max);
+        runtime.log(
+            base::LogLevel::warning,
+            "fit: %.2f %% of the samples are within the tolerance, %g, of the surface; the farthest is %.3g away",
+            100.0 * report.input_share_within, input.tolerance, report.input_distance_max);
 }
 
 void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
@@ -213,7 +216,7 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
         runtime.log(base::LogLevel::warning, "fit: %lld samples look like outliers; %lld were dropped",
                     static_cast<long long>(report.outliers_found), static_cast<long long>(report.outliers_dropped));
     if (report.flipped_found > 0)
-        runtime.log(base::LogLevel::warning, "fit: %lld normals are against their neighbours'; %lld were repaired",
+        runtime.log(base::LogLevel::warning, "fit: %lld normals oppose those of their neighbours; %lld were repaired",
                     static_cast<long long>(report.flipped_found), static_cast<long long>(report.flipped_repaired));
     if (report.rescaled_normals > 0)
         runtime.log(base::LogLevel::warning, "fit: %lld normals were not of unit length and were normalised",
@@ -254,7 +257,8 @@ implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
     custom_fields().check("custom_desc", desc);
     for (int axis = 0; axis < 3; ++axis)
         if (desc.bounds_min[axis] > desc.bounds_max[axis])
-            fail(Status::invalid_argument, "custom_desc.bounds_min[%d] is %g, above bounds_max[%d], which is %g", axis,
+            fail(Status::invalid_argument,
+                 "custom_desc.bounds_min[%d] is %g, above bounds_max[%d], which is %g; swap them", axis,
                  desc.bounds_min[axis], axis, desc.bounds_max[axis]);
     implicit::CustomFunction custom;
     custom_fields().copy(desc, custom);
@@ -266,7 +270,7 @@ implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
     const double diagonal = custom.bounds.diagonal();
     if (!(diagonal >= smallest_fit_box && diagonal <= 1.0 / smallest_fit_box))
         fail(Status::invalid_argument,
-             "custom_desc.bounds_min and bounds_max span no box; its diagonal is %g, and must be from %g to %g: scale "
+             "custom_desc.bounds_min and bounds_max give a box with the diagonal %g; it must be from %g to %g: scale "
              "the function",
              diagonal, smallest_fit_box, 1.0 / smallest_fit_box);
     return custom;
@@ -347,7 +351,7 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
 
 hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
     if (attribute > HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_... (0 to 2)",
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_* (0 to 2)",
              attribute);
     if (attribute == HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
         return {model.whole().history.data(), model.whole().history.size(), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
@@ -364,13 +368,14 @@ hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
 
 fit::FitInput checked_options(const hrbfnpr_fit_desc& desc) {
     if (desc.points.count != 0 || desc.normals.count != 0)
-        fail(Status::invalid_argument, "fit_desc.points and normals must be empty: samples are taken of the mesh");
+        fail(Status::invalid_argument,
+             "fit_desc.points and normals must be empty, because the samples are taken from the mesh");
     if (desc.tolerance != 0.0 || desc.maximum_centres != 0)
-        fail(Status::invalid_argument, "fit_desc.tolerance and maximum_centres must be 0: those of mesh_fit_desc hold");
+        fail(Status::invalid_argument, "fit_desc.tolerance and maximum_centres must be 0; set those of mesh_fit_desc");
     if (desc.regularization_mode != HRBFNPR_REGULARIZATION_GIVEN || desc.outliers != HRBFNPR_REPAIR_KEEP ||
         desc.flipped_normals != HRBFNPR_REPAIR_KEEP)
         fail(Status::invalid_argument,
-             "fit_desc.regularization_mode, outliers and flipped_normals must be 0: a mesh has no noise");
+             "fit_desc.regularization_mode, outliers and flipped_normals must be 0, because a mesh has no noise");
     fit_fields().check("fit_desc", desc);
     fit::FitInput input;
     fit_fields().copy(desc, input);

@@ -161,7 +161,7 @@ void save_csg(const CsgSolid& solid, const io::TrimFile& trim, io::Writer& write
     for (const hrbfnpr_model* leaf : solid.models()) {
         if (leaf->data() == nullptr && leaf->pieces() == nullptr)
             fail(Status::invalid_argument,
-                 "model has a custom one among its leaves: the function of that cannot be saved");
+                 "model is a CSG tree with a custom model in it; the function of a custom model cannot be saved");
         Numbers& report = reports[leaves.size()];
         report = numbers_of(leaf->report);
         leaves.push_back({leaf->data(), leaf->pieces(), report});
@@ -176,7 +176,7 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     const implicit::PiecesData* pieces = model.pieces();
     if (data == nullptr && pieces == nullptr)
         fail(Status::invalid_argument,
-             "model is a custom one: its function cannot be saved; only fits can, and trees of them");
+             "model is a custom model, and its function cannot be saved; save a fit, or a CSG tree of fits");
     io::save_model({data, pieces, numbers_of(model.whole().report)}, &trim, writer);
 }
 

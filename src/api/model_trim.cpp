@@ -56,16 +56,16 @@ geometry::VecArray points_of(const hrbfnpr_model& model, const hrbfnpr_trim_desc
     const std::span<const double> samples = model.samples().position;
     if (samples.empty())
         fail(Status::invalid_argument,
-             "trim_desc.points is empty and the model has no samples: it is no fit; give some");
+             "trim_desc.points is empty, and the model has no samples because it is not a fit; give points");
     return vectors(memory, samples);
 }
 
 [[noreturn]] void refuse_normal(std::int64_t i, bool given) {
     if (given)
-        fail(Status::invalid_argument, "trim_desc.normals[%lld] is 0; normals must have a direction",
+        fail(Status::invalid_argument, "trim_desc.normals[%lld] is zero; give it a direction",
              static_cast<long long>(i));
     fail(Status::invalid_argument,
-         "the surface has no normal at trim_desc.points[%lld]: its gradient there is 0 or not finite; give "
+         "the surface has no normal at trim_desc.points[%lld], where its gradient is 0 or not finite; give "
          "trim_desc.normals",
          static_cast<long long>(i));
 }
@@ -77,7 +77,8 @@ geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_des
     const base::Array<double> given = finite_numbers(memory, desc.normals, "trim_desc.normals", points_type);
     geometry::VecArray normals = vectors(memory, given.span());
     if (!given.empty() && normals.size() != points.size())
-        fail(Status::invalid_argument, "trim_desc.normals has %lld elements; it must have as many as points, %lld",
+        fail(Status::invalid_argument,
+             "trim_desc.normals has %lld elements, but points has %lld; give one normal for each point",
              static_cast<long long>(normals.size()), static_cast<long long>(points.size()));
     if (normals.empty() && desc.points.count == 0) normals = vectors(memory, model.sample_normals());
     if (normals.empty()) {
@@ -95,11 +96,10 @@ geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_des
 
 void log_trim(const base::Runtime& runtime, const generate::TrimReport& report) {
     if (report.parts == 0) return;
-    runtime.log(base::LogLevel::info,
-                "trim: %lld parts, %.1f %% of the surface, are beyond the samples and left out; %lld of them reach the "
-                "end of the search box",
-                static_cast<long long>(report.parts), 100.0 * report.share,
-                static_cast<long long>(report.parts_to_end));
+    runtime.log(
+        base::LogLevel::info,
+        "trim: %lld parts, %.1f %% of the surface, are far from the samples and left out; %lld reach the search box",
+        static_cast<long long>(report.parts), 100.0 * report.share, static_cast<long long>(report.parts_to_end));
 }
 
 generate::ImplicitFor implicit_of(const hrbfnpr_model& model) {
@@ -146,7 +146,7 @@ generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::Vec
                                 const base::Progress& progress) {
     const base::Runtime& runtime = fitted.runtime();
     try {
-        if (position.size() < fewest) fail(Status::not_converged, "there are too few samples to tell where it ends");
+        if (position.size() < fewest) fail(Status::not_converged, "there are too few samples to find where it ends");
         return generate::find_trim({runtime, progress}, implicit_of(fitted), position, normal, settings);
     } catch (const Error& error) {
         if (error.status() != Status::not_converged) throw;

@@ -8,7 +8,8 @@ namespace hrbfnpr::api {
 OperationUse::OperationUse(hrbfnpr_operation* operation) : handle_(operation), hold_(operation) {
     if (handle_ == nullptr) return;
     if (handle_->busy.exchange(true, std::memory_order_acquire))
-        fail(Status::invalid_argument, "operation is in use by another call; give each call that runs one of its own");
+        fail(Status::invalid_argument,
+             "operation is in use by another call; give each call its own operation, or wait");
     try {
         handle_->operation.begin();
     } catch (...) {
@@ -56,7 +57,8 @@ hrbfnpr_status hrbfnpr_operation_set_callback(hrbfnpr_operation* operation, hrbf
     return api::guarded(error, [&] {
         auto& handle = api::deref(operation, "operation");
         if (handle.busy.load(std::memory_order_acquire))
-            fail(Status::invalid_argument, "operation is in use by a call; set its callback before or after");
+            fail(Status::invalid_argument,
+                 "operation is in use by a call; set the callback before the call or after it");
         handle.operation.set_callback(callback, user);
     });
 }

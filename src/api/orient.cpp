@@ -31,12 +31,12 @@ using orient::OrientInput;
 
 constexpr auto orient_fields() noexcept {
     return FieldTable{
-        field("mode", &Orient::mode, &OrientInput::mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_..."}),
+        field("mode", &Orient::mode, &OrientInput::mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_*"}),
         field("points", &Orient::points, rule::Any{}),
         field("normals", &Orient::normals, rule::Any{}),
         field("up", &Orient::up, rule::All{rule::Finite{}}),
         field("viewpoint", &Orient::viewpoint, rule::All{rule::Finite{}}),
-        field("has_viewpoint", &Orient::has_viewpoint, rule::OneOf{1, "0 and 1"}),
+        field("has_viewpoint", &Orient::has_viewpoint, rule::ZeroOrOne{}),
         reserved("reserved", &Orient::reserved)};
 }
 static_assert(orient_fields().covers<Orient>());
@@ -67,8 +67,8 @@ OrientInput checked(const hrbfnpr_orient_desc& desc) {
     const bool none = input.normals.empty() && may_lack_normals(desc.mode);
     if (!none && input.normals.count != input.points.count)
         fail(Status::invalid_argument,
-             "orient_desc.normals has %lld elements and orient_desc.points has %lld; give one normal for each point, "
-             "or none with mode HRBFNPR_NORMALS_NONE or _AUTO",
+             "orient_desc.normals has %lld elements, but points has %lld; give one normal for each point, or none with "
+             "mode HRBFNPR_NORMALS_NONE or _AUTO",
              static_cast<long long>(input.normals.count), static_cast<long long>(input.points.count));
     orient_fields().copy(desc, input);
     const glm::dvec3 up{desc.up[0], desc.up[1], desc.up[2]};
@@ -102,7 +102,7 @@ void orient_points(hrbfnpr_context& context, const hrbfnpr_orient_desc& desc, hr
                    const hrbfnpr_array_out* out_normals, hrbfnpr_orient_info* info) {
     const OrientInput input = checked(desc);
     const base::OutView out = out_view(out_normals, "out_normals", points_type, input.points.count);
-    if (!out) fail(Status::invalid_argument, "out_normals is not given; it takes one normal for each point");
+    if (!out) fail(Status::invalid_argument, "out_normals is empty; it must have room for one normal for each point");
     if (info != nullptr) check_output_struct(info, "info");
     const OperationUse use(operation);
     const orient::Orientation result = orient::orient({context.runtime, use.progress()}, input);
@@ -122,9 +122,8 @@ NormalsOfFit::NormalsOfFit(const base::Work& work, std::uint32_t mode, fit::FitI
     if (!made_) {
         inward_ = orient::plainly_inward(work.part(0.0, 0.0), input.points, input.normals);
         if (inward_)
-            work.runtime().log(base::LogLevel::warning,
-                               "fit: all normals look inward: nothing of such a surface is seen; pass normal_mode "
-                               "HRBFNPR_NORMALS_INWARD or _AUTO");
+            work.runtime().log(base::LogLevel::warning, "fit: all normals point inward, so the surface will not be "
+                                                        "seen; set normal_mode to HRBFNPR_NORMALS_AUTO");
         return;
     }
     orient::OrientInput wanted;

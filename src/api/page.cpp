@@ -46,10 +46,10 @@ constexpr std::uint32_t last_line_type = HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_
 constexpr auto page_fields() noexcept {
     using rule::Between;
     return FieldTable{
-        field("format", &PageDesc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_GCODE, "HRBFNPR_PAGE_FORMAT_..."}),
+        field("format", &PageDesc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_GCODE, "HRBFNPR_PAGE_FORMAT_*"}),
         field("flags", &PageDesc::flags, rule::Flags{known_flags}),
-        field("widths", &PageDesc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_..."}),
-        field("dots", &PageDesc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_..."}),
+        field("widths", &PageDesc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_*"}),
+        field("dots", &PageDesc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_*"}),
         reserved("reserved", &PageDesc::reserved),
         field("width", &PageDesc::width, &PageSettings::width, Between{0.0, far_away}),
         field("height", &PageDesc::height, &PageSettings::height, Between{0.0, far_away}),
@@ -94,7 +94,7 @@ constexpr auto pen_fields() noexcept {
     using From = hrbfnpr_pen;
     using To = output::Pen;
     return FieldTable{
-        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_..."}),
+        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_*"}),
         field("groups", &From::groups, rule::Any{}),
         field("width", &From::width, &To::width, rule::Between{0.0, far_away}),
         field("ink", &From::ink, &To::ink, rule::Each{rule::Between{0.0, 1.0}}),
@@ -107,7 +107,7 @@ constexpr auto annotation_fields() noexcept {
     using From = hrbfnpr_annotation;
     using To = output::Annotation;
     return FieldTable{
-        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_..."}),
+        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_*"}),
         field("group", &From::group, rule::Given{}),
         field("text", &From::text, rule::Any{}),
         field("points", &From::points, rule::Any{}),
@@ -162,7 +162,7 @@ namespace {
 
 const char* checked_text(const char* text, const char* owner, const char* name) {
     if (text != nullptr && !base::is_utf8(text))
-        fail(Status::invalid_argument, "%s.%s is not UTF-8; encode it so", owner, name);
+        fail(Status::invalid_argument, "%s.%s is not UTF-8; encode it as UTF-8", owner, name);
     return text;
 }
 
@@ -265,7 +265,7 @@ private:
         annotation_fields().copy(given, annotation);
         annotation.group = checked_text(given.group, name, "group");
         if (annotation.group.empty() || annotation.group.size() >= output::PageGroup::most)
-            fail(Status::invalid_argument, "%s.group has %lld bytes; it must have from 1 to 95", name,
+            fail(Status::invalid_argument, "%s.group has %lld bytes; it must have 1 to 95", name,
                  static_cast<long long>(annotation.group.size()));
         annotation.text = checked_text(given.text, name, "text");
         char part[128];
@@ -273,7 +273,7 @@ private:
         const base::Array<double> points = finite_numbers(memory, given.points, part, {2, float_types});
         const std::int64_t least = given.text != nullptr ? 1 : 2;
         if (points.size() < 2 * least)
-            fail(Status::invalid_argument, "%s has %lld elements; it must have %lld at least", part,
+            fail(Status::invalid_argument, "%s has %lld elements; it must have at least %lld", part,
                  static_cast<long long>(points.size() / 2), static_cast<long long>(least));
         for (const double number : points) numbers_.push_back(number);
         return annotation;
@@ -314,13 +314,12 @@ hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::
     const glm::dvec2 size = output::page_size(reader.page(), settings);
     if (!(size.x > 0.0 && size.y > 0.0 && size.x <= far_away && size.y <= far_away))
         fail(Status::invalid_argument,
-             "the page is %g by %g mm; give page_desc.width and height, above 0 and up to %g, or place drawings on it",
+             "the page is %g by %g mm; set page_desc.width and height to sizes above 0 and up to %g, or place drawings "
+             "on the page",
              size.x, size.y, far_away);
     if (in_plot_order(settings) && reader.has_discs_of_paper())
-        fail(
-            Status::invalid_argument,
-            "a drawing of PUBLISHED visibility has discs of paper over ink, which cannot be plotted or sorted; draw it "
-            "with DEPTH_LAYERS");
+        fail(Status::invalid_argument, "a drawing with PUBLISHED visibility covers ink by discs of paper, which cannot "
+                                       "be plotted or sorted; draw it with DEPTH_LAYERS");
     const output::PageCounts counts = output::write_page({runtime, use.progress()}, reader.page(), settings, writer);
     use.finish();
     return describe(counts, size);

@@ -80,14 +80,14 @@ hrbfnpr_point_set_info describe(const marks::PointSet& set) noexcept {
 
 const marks::Layer& layer_of(const marks::PointSet& set, std::int64_t layer) {
     if (layer < 0 || layer >= set.layers.size())
-        fail(Status::invalid_argument, "layer is %lld; the set has %lld, numbered from 0",
+        fail(Status::invalid_argument, "layer is %lld; it must be at least 0 and below the number of layers, %lld",
              static_cast<long long>(layer), static_cast<long long>(set.layers.size()));
     return set.layers[layer];
 }
 
 hrbfnpr_placement_info placement_of(const marks::Layer& layer, std::int32_t level) {
     if (level < 0 || level > layer.report.levels)
-        fail(Status::invalid_argument, "level is %d; the layer has levels 0 to %d", static_cast<int>(level),
+        fail(Status::invalid_argument, "level is %d; it must be from 0 to %d", static_cast<int>(level),
              static_cast<int>(layer.report.levels));
     return describe(level < layer.report.level.size() ? layer.report.level[level] : marks::LevelReport{});
 }
@@ -112,7 +112,7 @@ hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
     case HRBFNPR_MARK_ATTRIBUTE_STROKE_ORDER: return view(layer.stroke_order, HRBFNPR_SCALAR_UINT32, 1);
     case HRBFNPR_MARK_ATTRIBUTE_TONE_NORMAL: return view(layer.tone_normal, HRBFNPR_SCALAR_FLOAT32, 3);
     default:
-        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MARK_ATTRIBUTE_... (0 to 10)",
+        fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MARK_ATTRIBUTE_* (0 to 10)",
              attribute);
     }
 }

@@ -29,7 +29,7 @@ hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_s
         api::check_struct_size<hrbfnpr_style>(struct_size, "style");
         const api::Preset* const row = api::preset_of(preset);
         if (row == nullptr)
-            fail(Status::invalid_argument, "preset is %u; it must be one of HRBFNPR_PRESET_... (0 to %d)", preset,
+            fail(Status::invalid_argument, "preset is %u; it must be one of HRBFNPR_PRESET_* (0 to %d)", preset,
                  static_cast<int>(api::presets().size()) - 1);
         style->struct_size = struct_size;
         api::write_struct(style, row->style);

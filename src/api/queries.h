@@ -41,7 +41,8 @@ public:
             if (near.contains(p)) return;
             require_finite(i);
             fail(Status::invalid_argument,
-                 "%s[%lld] is more than %g diagonals away from the model's bounds, which have %.3g: leave it out",
+                 "%s[%lld] is more than %g diagonals away from the model's bounding box, whose diagonal is %.3g; "
+                 "remove it",
                  name_, static_cast<long long>(i), farthest_query, implicit.diagonal());
         });
     }
@@ -51,7 +52,7 @@ public:
     void check_not_zero() const {
         check([&](std::int64_t i) {
             if (view_.get(i, 0) == 0.0 && view_.get(i, 1) == 0.0 && view_.get(i, 2) == 0.0)
-                fail(Status::invalid_argument, "%s[%lld] is zero; all %s must have a length", name_,
+                fail(Status::invalid_argument, "%s[%lld] is zero; all %s must have a length above 0", name_,
                      static_cast<long long>(i), name_);
         });
     }
@@ -100,8 +101,8 @@ public:
 
     void set(const base::OutView& out, std::int64_t i, std::uint32_t component, double number) const {
         if (out.scalar == base::Scalar::float32 && std::abs(number) > most && std::isfinite(number))
-            fail(Status::invalid_argument, "%s[%lld] is %.3g, which a FLOAT32 cannot hold: give an array of FLOAT64",
-                 name_, static_cast<long long>(i), number);
+            fail(Status::invalid_argument, "%s[%lld] is %.3g, too large for FLOAT32; give a FLOAT64 array", name_,
+                 static_cast<long long>(i), number);
         out.set(i, component, number);
     }
     void set(const base::OutView& out, std::int64_t i, const glm::dvec3& v, std::uint32_t first_component = 0) const {
@@ -124,7 +125,7 @@ inline void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec
 inline void check_fits(double number, std::int64_t element, const base::OutView& to, const char* name) {
     constexpr double most = 3.4028234663852886e38;
     if (to.scalar == base::Scalar::float32 && std::isfinite(number) && std::abs(number) > most)
-        fail(Status::invalid_argument, "%s[%lld] is %g, beyond FLOAT32: give a FLOAT64 array", name,
+        fail(Status::invalid_argument, "%s[%lld] is %g, too large for FLOAT32; give a FLOAT64 array", name,
              static_cast<long long>(element), number);
 }
 

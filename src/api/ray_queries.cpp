@@ -61,8 +61,8 @@ constexpr std::int64_t rays_at_once = 65536; // points, or places for hits, in o
 RaySettings checked(const hrbfnpr_cast_desc& desc) {
     cast_fields().check("cast_desc", desc);
     if (!(desc.t_max >= desc.t_min))
-        fail(Status::invalid_argument, "cast_desc.t_max is %g; it must be a number not below t_min, which is %g",
-             desc.t_max, desc.t_min);
+        fail(Status::invalid_argument, "cast_desc.t_max is %g; it must be at least t_min, which is %g", desc.t_max,
+             desc.t_min);
     RaySettings settings;
     cast_fields().copy(desc, settings);
     return settings;
@@ -90,7 +90,7 @@ void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maxim
         const std::int64_t at = i * maximum_hits + h;
         const auto component = static_cast<std::uint32_t>(h);
         if (h < block.count[i] && !std::isfinite(block.t[at]))
-            fail(Status::invalid_argument, "directions[%lld] is so short that t is infinite: make it longer",
+            fail(Status::invalid_argument, "directions[%lld] is so short that t overflows; make it longer",
                  static_cast<long long>(first + i));
         if (out.t) Answer("ray_hits.t").set(out.t, first + i, component, block.t[at]);
         if (out.position) Answer("ray_hits.position").set(out.position, first + i, block.position[at], 3 * component);
@@ -142,7 +142,8 @@ std::int64_t contains(const hrbfnpr_model& model, const Queries& queries, const 
 
 void check_one_for_each(const Queries& origins, const Queries& directions) {
     if (directions.count() != origins.count())
-        fail(Status::invalid_argument, "directions has %lld elements and origins has %lld; give one for each",
+        fail(Status::invalid_argument,
+             "directions has %lld elements, but origins has %lld; give one direction for each origin",
              static_cast<long long>(directions.count()), static_cast<long long>(origins.count()));
 }
 

@@ -73,14 +73,17 @@ public:
 private:
     void read(const hrbfnpr_item& given, const char* name) {
         const Checks checks(name);
-        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_...");
+        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_*");
         checks.given("point_set", given.point_set != nullptr);
         if (given.model != nullptr && given.pose_count > 0)
-            fail(Status::invalid_argument, "%s.model is given, and so are poses: marks that have moved lie on no model",
+            fail(Status::invalid_argument,
+                 "%s.model is given together with poses; leave one out, because posed marks do not lie on the model",
                  name);
         if (given.line_set != nullptr && given.pose_count > 0)
             fail(Status::invalid_argument,
-                 "%s.line_set is given, and so are poses: its surface does not move with them", name);
+                 "%s.line_set is given together with poses; leave one out, because a line set does not move with the "
+                 "poses",
+                 name);
         frame::Item item;
         item.set = &given.point_set->set;
         item.both_sides = given.sides == HRBFNPR_SIDES_BOTH;
@@ -104,7 +107,7 @@ private:
         for (const frame::LineStyle& line : lines)
             if (curves::depends_on_view(line.kind) && line.kind != curves::LineKind::contour)
                 fail(Status::invalid_argument,
-                     "%s has lines that need curvatures; make the item's line set with "
+                     "%s has lines that need curvatures; create the item's line set with "
                      "HRBFNPR_LINE_SET_WITH_CURVATURE",
                      style);
     }
@@ -117,8 +120,9 @@ private:
             Checks(element.text).zero("reserved", given.reserved);
             const marks::PointSet& set = item.point_set->set;
             if (given.layer < 0 || given.layer >= set.layers.size())
-                fail(Status::invalid_argument, "%s.layer is %lld; the item's point set has %lld layers", element.text,
-                     static_cast<long long>(given.layer), static_cast<long long>(set.layers.size()));
+                fail(Status::invalid_argument,
+                     "%s.layer is %lld; it must be at least 0 and below the number of layers in the point set, %lld",
+                     element.text, static_cast<long long>(given.layer), static_cast<long long>(set.layers.size()));
             const std::int64_t marks = set.layers[given.layer].count();
             const auto view = [&](const hrbfnpr_array& array, const char* field) {
                 char part[128];
@@ -128,7 +132,7 @@ private:
             frame::Pose pose{given.layer, view(given.position, "position"), view(given.normal, "normal"),
                              view(given.direction, "direction")};
             if (marks > 0 && (pose.position.empty() || pose.normal.empty()))
-                fail(Status::invalid_argument, "%s.position and normal are needed", element.text);
+                fail(Status::invalid_argument, "%s.position or normal is empty; both are needed", element.text);
             renderer_.poses.push_back(pose);
         }
     }

@@ -15,8 +15,8 @@ public:
     CallbackWriter(hrbfnpr_write_fn function, void* user) noexcept : write_(function), user_(user) {}
     void write(const void* data, std::uint64_t size) override {
         if (const std::int32_t result = write_(user_, data, size); result != 0)
-            fail(Status::io, "write returned %d for %llu bytes; it must return 0", static_cast<int>(result),
-                 static_cast<unsigned long long>(size));
+            fail(Status::io, "write returned %d for %llu bytes; it must return 0 unless it failed",
+                 static_cast<int>(result), static_cast<unsigned long long>(size));
     }
 
 private:
@@ -30,8 +30,9 @@ public:
     std::uint64_t read(void* data, std::uint64_t size) override {
         const std::int64_t count = read_(user_, data, size);
         if (count < 0 || static_cast<std::uint64_t>(count) > size)
-            fail(Status::io, "read returned %lld when asked for up to %llu bytes", static_cast<long long>(count),
-                 static_cast<unsigned long long>(size));
+            fail(Status::io,
+                 "read returned %lld, but up to %llu bytes were asked for; it must return the number of bytes read",
+                 static_cast<long long>(count), static_cast<unsigned long long>(size));
         return static_cast<std::uint64_t>(count);
     }
 
@@ -52,8 +53,8 @@ void save_to_memory(void* destination, std::int64_t capacity, std::int64_t* size
     const auto needed = static_cast<std::int64_t>(measure.needed());
     *size = needed;
     if (needed > capacity)
-        fail(Status::buffer_too_small, "capacity is %lld; %lld bytes are needed", static_cast<long long>(capacity),
-             static_cast<long long>(needed));
+        fail(Status::buffer_too_small, "capacity is %lld; it must be at least %lld bytes",
+             static_cast<long long>(capacity), static_cast<long long>(needed));
     io::MemoryWriter writer({static_cast<std::byte*>(destination), static_cast<std::size_t>(needed)});
     save(writer);
 }

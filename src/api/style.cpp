@@ -28,14 +28,15 @@ void check_between_fields(const Style& style, const char* owner) {
     const bool off = style.depth_min == 0.0 && style.depth_max == 0.0;
     if (!off && !(style.depth_min > 0.0 && style.depth_min < style.depth_max))
         fail(Status::invalid_argument,
-             "%s.depth_min is %g and depth_max is %g; it must be 0 < depth_min < depth_max, or both 0 for no effect",
+             "%s.depth_min is %g and depth_max is %g; they must be 0 < depth_min < depth_max, or both 0 for no effect",
              owner, style.depth_min, style.depth_max);
 }
 
 void check_hatch(const GivenLayer& layer, const char* owner) {
     if (!(layer.hatch_tone_begin < layer.hatch_tone_end))
-        fail(Status::invalid_argument, "%s.hatch_tone_begin is %g and hatch_tone_end is %g; the end must be greater",
-             owner, static_cast<double>(layer.hatch_tone_begin), static_cast<double>(layer.hatch_tone_end));
+        fail(Status::invalid_argument,
+             "%s.hatch_tone_begin is %g and hatch_tone_end is %g; the end must be above the begin", owner,
+             static_cast<double>(layer.hatch_tone_begin), static_cast<double>(layer.hatch_tone_end));
 }
 
 void add_layers(const Style& style, const char* owner, base::Array<frame::LayerStyle>& layers) {
@@ -58,11 +59,11 @@ std::span<const double> levels_of(const LineStyle& style, const char* owner) {
     std::snprintf(name, sizeof name, "%.95s.levels", owner);
     const base::InView view = in_view(style.levels, name, {1, 1U << HRBFNPR_SCALAR_FLOAT64});
     if (style.kind != HRBFNPR_LINE_KIND_ISOPHOTE) return {};
-    if (view.count == 0) fail(Status::invalid_argument, "%s is empty; give some numbers from -1 to 1", name);
+    if (view.count == 0) fail(Status::invalid_argument, "%s is empty; give at least one number from -1 to 1", name);
     if (view.count > 1 && view.stride != sizeof(double))
-        fail(Status::invalid_argument, "%s must be packed: a stride of 8 bytes", name);
+        fail(Status::invalid_argument, "%s.stride must be 8 bytes; pack the numbers", name);
     if (reinterpret_cast<std::uintptr_t>(view.data) % alignof(double) != 0)
-        fail(Status::invalid_argument, "%s must be aligned to 8 bytes", name);
+        fail(Status::invalid_argument, "%s.data must be aligned to 8 bytes", name);
     for (std::int64_t i = 0; i < view.count; ++i)
         if (const double level = view.get(i, 0); !(level >= -1.0 && level <= 1.0))
             fail(Status::invalid_argument, "%s[%lld] is %g; it must be from -1 to 1", name, static_cast<long long>(i),
@@ -78,7 +79,7 @@ void add_lines(const Style& style, const char* owner, base::Array<frame::LineSty
         const LineStyle given = list[i];
         line_style_fields().check(list.name(i).text, given);
         if (given.kind == 0)
-            fail(Status::invalid_argument, "%s.kind is 0; it must be one of HRBFNPR_LINE_KIND_...", list.name(i).text);
+            fail(Status::invalid_argument, "%s.kind is 0; it must be one of HRBFNPR_LINE_KIND_*", list.name(i).text);
         if (given.lit_factor != 1.0F && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
             fail(Status::invalid_argument, "%s.light is zero; give it a direction, or set %s.lit_factor to 1", owner,
                  list.name(i).text);

@@ -44,12 +44,12 @@ inline constexpr auto ink = rule::Each{share};
     using Given = hrbfnpr_layer_style;
     using To = frame::LayerStyle;
     return FieldTable{
-        field("kind", &Given::kind, &To::kind, rule::OneOf{marks::kind_count - 1, "HRBFNPR_LAYER_KIND_..."}),
+        field("kind", &Given::kind, &To::kind, rule::OneOf{marks::kind_count - 1, "HRBFNPR_LAYER_KIND_*"}),
         field("name", &Given::name, &To::name, rule::Any{}),
         field("shown", &Given::shown, &To::shown, share),
         field("contours", &Given::contours, &To::contours, share),
         field("directions", &Given::directions, &To::directions, rule::Flags{3}),
-        field("shape", &Given::shape, &To::shape, rule::OneOf{HRBFNPR_SHAPE_HATCH, "HRBFNPR_SHAPE_..."}),
+        field("shape", &Given::shape, &To::shape, rule::OneOf{HRBFNPR_SHAPE_HATCH, "HRBFNPR_SHAPE_*"}),
         field("share", &Given::share, &To::share, share),
         field("radius", &Given::radius, &To::radius, radius),
         field("radius_zoom", &Given::radius_zoom, &To::radius_zoom, share),
@@ -77,30 +77,30 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
     using Given = hrbfnpr_style;
     using To = frame::Style;
     return FieldTable{
-        field("tone", &Given::tone, &To::tone, rule::OneOf{HRBFNPR_TONE_CALLBACK, "HRBFNPR_TONE_..."}),
+        field("tone", &Given::tone, &To::tone, rule::OneOf{HRBFNPR_TONE_CALLBACK, "HRBFNPR_TONE_*"}),
         field("paper", &Given::paper, &To::paper, ink),
         field("layers", &Given::layers, rule::Any{}),
         field("layer_count", &Given::layer_count, rule::Any{}),
         field("layer_stride", &Given::layer_stride, rule::Any{}),
         field("tone_rule", &Given::tone_rule, &To::tone_rule,
-              rule::OneOf{HRBFNPR_TONE_RULE_PUBLISHED, "HRBFNPR_TONE_RULE_..."}),
+              rule::OneOf{HRBFNPR_TONE_RULE_PUBLISHED, "HRBFNPR_TONE_RULE_*"}),
         field("tone_curve", &Given::tone_curve, &To::tone_curve,
-              rule::OneOf{HRBFNPR_TONE_CURVE_LINEAR, "HRBFNPR_TONE_CURVE_..."}),
+              rule::OneOf{HRBFNPR_TONE_CURVE_LINEAR, "HRBFNPR_TONE_CURVE_*"}),
         field("light", &Given::light, &To::light, rule::All{rule::Finite{}}),
         field("tone_exponent", &Given::tone_exponent, &To::tone_exponent, rule::Positive{}),
         field("tone_function", &Given::tone_function, &To::tone_function, rule::Any{}),
         field("tone_user", &Given::tone_user, &To::tone_user, rule::Any{}),
         field("light_space", &Given::light_space, &To::light_space,
-              rule::OneOf{HRBFNPR_LIGHT_CAMERA, "HRBFNPR_LIGHT_..."}),
+              rule::OneOf{HRBFNPR_LIGHT_CAMERA, "HRBFNPR_LIGHT_*"}),
         field("tone_fade", &Given::tone_fade, &To::tone_fade, share),
         field("silhouette_threshold", &Given::silhouette_threshold, &To::silhouette_threshold, rule::Inside{0.0, 1.0}),
         field("silhouette_radius", &Given::silhouette_radius, &To::silhouette_radius, radius),
         field("silhouette_radius_zoom", &Given::silhouette_radius_zoom, &To::silhouette_radius_zoom, share),
         field("silhouette_ink", &Given::silhouette_ink, &To::silhouette_ink, ink),
         field("visibility", &Given::visibility, &To::visibility,
-              rule::OneOf{HRBFNPR_VISIBILITY_PUBLISHED, "HRBFNPR_VISIBILITY_..."}),
+              rule::OneOf{HRBFNPR_VISIBILITY_PUBLISHED, "HRBFNPR_VISIBILITY_*"}),
         field("hidden_lines", &Given::hidden_lines, &To::hidden_lines,
-              rule::OneOf{HRBFNPR_HIDDEN_LINES_SHOW, "HRBFNPR_HIDDEN_LINES_..."}),
+              rule::OneOf{HRBFNPR_HIDDEN_LINES_SHOW, "HRBFNPR_HIDDEN_LINES_*"}),
         field("attenuation_front", &Given::attenuation_front, &To::attenuation_front, rule::not_negative),
         field("attenuation_back", &Given::attenuation_back, &To::attenuation_back, rule::not_negative),
         field("splat_radius", &Given::splat_radius, &To::splat_radius, pixels),
@@ -124,11 +124,10 @@ static_assert(style_fields().covers<hrbfnpr_style>());
     using Given = hrbfnpr_line_style;
     using To = frame::LineStyle;
     return FieldTable{
-        field("kind", &Given::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_CREASE, "HRBFNPR_LINE_KIND_..."}),
+        field("kind", &Given::kind, &To::kind, rule::OneOf{HRBFNPR_LINE_KIND_CREASE, "HRBFNPR_LINE_KIND_*"}),
         field("name", &Given::name, &To::name, rule::Any{}),
-        field("hidden", &Given::hidden, &To::hidden,
-              rule::OneOf{HRBFNPR_HIDDEN_PARTS_SHOWN, "HRBFNPR_HIDDEN_PARTS_..."}),
-        field("cap", &Given::cap, &To::cap, rule::OneOf{HRBFNPR_CAP_POINTED, "HRBFNPR_CAP_..."}),
+        field("hidden", &Given::hidden, &To::hidden, rule::OneOf{HRBFNPR_HIDDEN_PARTS_SHOWN, "HRBFNPR_HIDDEN_PARTS_*"}),
+        field("cap", &Given::cap, &To::cap, rule::OneOf{HRBFNPR_CAP_POINTED, "HRBFNPR_CAP_*"}),
         field("width", &Given::width, &To::width, radius),
         field("taper", &Given::taper, &To::taper, pixels),
         field("hidden_width", &Given::hidden_width, &To::hidden_width, radius),
@@ -150,7 +149,7 @@ static_assert(style_fields().covers<hrbfnpr_style>());
         field("wobble_width", &Given::wobble_width, &To::wobble_width, share),
         field("wobble_length", &Given::wobble_length, &To::wobble_length, rule::Between{1.0, largest_radius}),
         field("wobble_seed", &Given::wobble_seed, &To::wobble_seed, rule::Any{}),
-        field("creases", &Given::creases, &To::creases, rule::OneOf{HRBFNPR_CREASES_CONCAVE, "HRBFNPR_CREASES_..."})};
+        field("creases", &Given::creases, &To::creases, rule::OneOf{HRBFNPR_CREASES_CONCAVE, "HRBFNPR_CREASES_*"})};
 }
 static_assert(line_style_fields().covers<hrbfnpr_line_style>());
 

@@ -20,18 +20,18 @@ constexpr auto longest = std::numeric_limits<std::int64_t>::max();
 
 const char* names_of(unsigned scalars) noexcept {
     switch (scalars) {
-    case float_types: return "FLOAT32 or FLOAT64";
+    case float_types: return "FLOAT32 or _FLOAT64";
     case float32_only: return "FLOAT32";
     case uint8_only: return "UINT8";
     case uint32_only: return "UINT32";
-    case index_types: return "INT32, INT64 or UINT32";
-    default: return "UINT8 or UINT32";
+    case index_types: return "INT32, _INT64 or _UINT32";
+    default: return "UINT8 or _UINT32";
     }
 }
 
 void check_type(std::uint32_t scalar, std::uint32_t components, const char* name, ArrayType type) {
     if (scalar < HRBFNPR_SCALAR_FLOAT32 || scalar > HRBFNPR_SCALAR_INT64 || (type.scalars & (1U << scalar)) == 0)
-        fail(Status::invalid_argument, "%s.scalar is %u; it must be HRBFNPR_SCALAR_ %s", name, scalar,
+        fail(Status::invalid_argument, "%s.scalar is %u; it must be HRBFNPR_SCALAR_%s", name, scalar,
              names_of(type.scalars));
     if (components != type.components)
         fail(Status::invalid_argument, "%s.components is %u; it must be %u", name, components, type.components);
@@ -43,8 +43,8 @@ std::int64_t checked_stride(const void* data, std::int64_t count, std::int64_t s
     if (stride == 0) stride = element;
     if (stride > -element && stride < element)
         fail(Status::invalid_argument,
-             "%s.stride is %lld; an element has %lld bytes: it must be 0, or at least that, forward or backward", name,
-             static_cast<long long>(stride), static_cast<long long>(element));
+             "%s.stride is %lld, but an element has %lld bytes; it must be 0, or at least that, forward or backward",
+             name, static_cast<long long>(stride), static_cast<long long>(element));
     // -stride would overflow for the lowest number.
     const std::int64_t step = stride == std::numeric_limits<std::int64_t>::min() ? longest
                               : stride < 0                                       ? -stride
@@ -56,7 +56,7 @@ std::int64_t checked_stride(const void* data, std::int64_t count, std::int64_t s
     const bool fits = stride > 0 ? reach + size <= std::numeric_limits<std::uintptr_t>::max() - address
                                  : reach <= address && size <= std::numeric_limits<std::uintptr_t>::max() - address;
     if (!countable || !fits)
-        fail(Status::invalid_argument, "%s: count %lld times stride %lld is beyond the address space", name,
+        fail(Status::invalid_argument, "%s: count %lld times stride %lld exceeds the address space", name,
              static_cast<long long>(count), static_cast<long long>(stride));
     return stride;
 }
@@ -68,7 +68,7 @@ View checked(const Array& array, const char* name, ArrayType type) {
              static_cast<long long>(array.count));
     if (array.count == 0) return {};
     if (array.data == nullptr)
-        fail(Status::invalid_argument, "%s.data is NULL but its count is %lld", name,
+        fail(Status::invalid_argument, "%s.data is NULL, but its count is %lld; give the data, or set count to 0", name,
              static_cast<long long>(array.count));
     check_type(array.scalar, array.components, name, type);
     const auto scalar = static_cast<base::Scalar>(array.scalar);

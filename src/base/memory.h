@@ -130,7 +130,7 @@ private:
     static std::uint64_t byte_count(std::int64_t elements) {
         constexpr auto limit = std::int64_t{1} << 62;
         if (elements < 0 || elements > limit / element_bytes)
-            fail(Status::out_of_memory, "%lld elements of %lld bytes are beyond any memory",
+            fail(Status::out_of_memory, "%lld elements of %lld bytes are more than memory can hold",
                  static_cast<long long>(elements), static_cast<long long>(element_bytes));
         return static_cast<std::uint64_t>(elements * element_bytes);
     }

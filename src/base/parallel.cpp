@@ -41,18 +41,18 @@ public:
         const std::int64_t calls = calls_.load(std::memory_order_acquire);
         if (stray_.load(std::memory_order_relaxed) != 0)
             fail(Status::callback,
-                 "run_tasks called a task with an index outside [0, %lld): call task(task_context, i) "
-                 "once for each i in [0, task_count)",
+                 "run_tasks called a task with an index outside [0, %lld); call task(task_context, i) once for each i "
+                 "in [0, task_count)",
                  static_cast<long long>(count_));
         if (calls != count_)
             fail(Status::callback,
-                 "run_tasks returned after %lld of %lld tasks: it must call each once, and wait for all",
+                 "run_tasks returned after %lld of %lld tasks; it must call each task once, and wait for all of them",
                  static_cast<long long>(calls), static_cast<long long>(count_));
         std::uint64_t sum = 0;
         for (std::int64_t i = 0; i < count_; ++i) sum += weight(i);
         if (sum != sum_.load(std::memory_order_relaxed))
             fail(Status::callback,
-                 "run_tasks called some of %lld tasks twice and left others out: it must call each once",
+                 "run_tasks called some of %lld tasks twice and others not at all; it must call each task once",
                  static_cast<long long>(count_));
     }
 

@@ -73,8 +73,8 @@ Lattice lattice_of(const MeshSettings& settings) {
     }
     if (!valid)
         fail(Status::invalid_argument,
-             "a region of %g x %g x %g cannot be cut into cells of side %g: give them a larger side (cell_size)",
-             size.x, size.y, size.z, settings.side);
+             "a region of %g x %g x %g cannot be cut into cells of side %g; use a larger cell_size", size.x, size.y,
+             size.z, settings.side);
     return lattice;
 }
 
@@ -319,7 +319,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
         }
         if (cells.triangles > limit)
             fail(Status::invalid_argument,
-                 "the mesh would have more than %lld triangles: give its cells a larger side than %g",
+                 "the mesh would have more than %lld triangles; use a cell_size larger than %g",
                  static_cast<long long>(limit), lattice.longest());
     }
     base::sort_long(

@@ -416,11 +416,11 @@ void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings)
     }
     if (mesh_->triangles() == 0 && left_out_ > 0.0)
         fail(Status::not_converged,
-             "all of the surface lies beyond its samples: give a larger support than %g, or "
-             "support_points nearer to the surface",
+             "the whole surface is too far from the samples; use a support larger than %g, or support_points nearer to "
+             "the surface",
              domain_->limit());
     if (mesh_->triangles() == 0)
-        fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
+        fail(Status::not_converged, "no surface was found for the lines, because f has no zero near the seeds; give "
                                     "seed_points on the surface");
     sheets_.emplace(work, *mesh_);
 }
@@ -499,7 +499,7 @@ LineSet::LineSet(const base::Work& work, const implicit::Implicit& surface,
     }
     seconds_ = watch.seconds();
     work.runtime().log(base::LogLevel::info,
-                       "lines: %lld triangles of cells of %.3g in %.3f s, %lld look away, %lld seeds missed",
+                       "lines: %lld triangles of cells of %.3g in %.3f s; %lld face the wrong way, %lld seeds missed",
                        static_cast<long long>(mesh_->triangles()), mesh_->side, seconds_,
                        static_cast<long long>(mesh_->turned), static_cast<long long>(mesh_->missed_seeds));
     work.update(1.0);

@@ -101,7 +101,7 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
         if (neighbours) options.neighbours = &*neighbours;
         if (neighbours) options.typical = &typical;
         Candidates worst = worst_candidates(work, samples, *tree, now.centres, distances, options);
-        work.runtime().log(base::LogLevel::debug, "fit: round %d: %lld centres, %lld samples outside",
+        work.runtime().log(base::LogLevel::debug, "fit: round %d: %lld centres, %lld samples outside the tolerance",
                            static_cast<int>(now.rounds), static_cast<long long>(now.centres.size()),
                            static_cast<long long>(worst.outside));
         const double outside = static_cast<double>(worst.outside) / static_cast<double>(count);

@@ -110,8 +110,8 @@ void solve_by_lu(const base::Work& work, const HermiteSystem& system, Refinement
     solution.seconds_solve += watch.seconds();
     if (!solved(solution))
         fail(Status::singular_system,
-             "the system is numerically singular (condition %.1e, residual %.1e): use polynomial_degree >= 1 with the "
-             "triharmonic kernel, regularization > 0, or a smaller kernel_radius",
+             "the system is singular (condition %.1e, residual %.1e); use regularization > 0, a smaller kernel_radius, "
+             "or polynomial_degree >= 1 with the triharmonic kernel",
              solution.condition, solution.residual);
 }
 

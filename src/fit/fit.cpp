@@ -14,23 +14,24 @@ namespace {
 
 void check(const FitInput& input) {
     if (!(input.kernel_radius >= 0.0) || std::isinf(input.kernel_radius))
-        fail(Status::invalid_argument, "kernel_radius is %g; it must be finite and >= 0 (0 = automatic)",
+        fail(Status::invalid_argument, "kernel_radius is %g; it must be 0 (automatic) or above 0, and finite",
              input.kernel_radius);
     if (!(input.regularization >= 0.0) || std::isinf(input.regularization))
-        fail(Status::invalid_argument, "regularization is %g; it must be finite and >= 0", input.regularization);
+        fail(Status::invalid_argument, "regularization is %g; it must be finite and at least 0", input.regularization);
     if (input.polynomial_degree < -1 || input.polynomial_degree > 3)
         fail(Status::invalid_argument, "polynomial_degree is %d; it must be -1 (none) to 3",
              static_cast<int>(input.polynomial_degree));
     if (!(input.tolerance >= 0.0) || std::isinf(input.tolerance))
-        fail(Status::invalid_argument, "tolerance is %g; it must be finite and >= 0 (0 = none)", input.tolerance);
+        fail(Status::invalid_argument, "tolerance is %g; it must be 0 (none) or above 0, and finite", input.tolerance);
     if (input.refinement_steps < 0)
-        fail(Status::invalid_argument, "refinement_steps is %d; it must be >= 0",
+        fail(Status::invalid_argument, "refinement_steps is %d; it must be at least 0",
              static_cast<int>(input.refinement_steps));
     if (input.preconditioner_neighbours >= static_cast<std::uint32_t>(LocalSystems::largest_set))
         fail(Status::invalid_argument, "preconditioner_neighbours is %u; it must be 0 (automatic) to %d",
              static_cast<unsigned>(input.preconditioner_neighbours), static_cast<int>(LocalSystems::largest_set - 1));
     if (input.points.count < 1 || input.points.count != input.normals.count)
-        fail(Status::invalid_argument, "points has %lld and normals %lld elements; they must be as many, and not empty",
+        fail(Status::invalid_argument,
+             "points has %lld elements and normals has %lld; give one normal for each point, and at least one point",
              static_cast<long long>(input.points.count), static_cast<long long>(input.normals.count));
 }
 

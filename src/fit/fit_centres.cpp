@@ -33,8 +33,10 @@ constexpr double radius_limit = 1e30;
                    : std::max(automatic_wendland, automatic_wendland_diagonals * data.bounds.diagonal() / data.scale);
     const double radius = input.kernel_radius / data.scale;
     if (!(radius > 1.0 / radius_limit && radius < radius_limit))
-        fail(Status::invalid_argument, "kernel_radius is %g, %g times the mean spacing of the samples; 0 chooses it",
-             input.kernel_radius, radius);
+        fail(
+            Status::invalid_argument,
+            "kernel_radius is %g, which is %g times the mean spacing of the samples; use another one, or 0 (automatic)",
+            input.kernel_radius, radius);
     return radius;
 }
 

@@ -64,8 +64,8 @@ void DenseLu::factor_panel(std::int64_t begin, std::int64_t end, const base::Pro
         for (std::int64_t i = k + 1; i < size_; ++i)
             if (std::abs(pivots[i]) > std::abs(pivots[best])) best = i;
         if (!(std::abs(pivots[best]) > 0.0))
-            fail(Status::singular_system, "the system is singular: use polynomial_degree >= 1 with the triharmonic "
-                                          "kernel, regularization > 0, or a smaller kernel_radius");
+            fail(Status::singular_system, "the system is singular; use regularization > 0, a smaller kernel_radius, or "
+                                          "polynomial_degree >= 1 with the triharmonic kernel");
         pivot_[k] = best;
         for (std::int64_t j = begin; j < end; ++j) std::swap(column(j)[k], column(j)[best]);
         const std::int64_t below = size_ - k - 1;

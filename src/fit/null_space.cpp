@@ -12,8 +12,8 @@ constexpr double independence = 1e-10;
 
 [[noreturn]] void fail_undetermined(const HermiteSystem& system) {
     fail(Status::invalid_argument,
-         "polynomial_degree %d: the %lld samples do not determine a polynomial of that degree; "
-         "lower it or give more samples off a common plane",
+         "polynomial_degree is %d, but the %lld samples do not determine such a polynomial; lower it, or give more "
+         "samples, not all on one plane",
          static_cast<int>(system.options().degree), static_cast<long long>(system.samples()));
 }
 

@@ -17,12 +17,12 @@ using ConstMatrix = Eigen::Map<const Eigen::MatrixXd>;
 [[nodiscard]] TiledCholesky make_matrix(base::Memory& memory, const NullSpace& space) {
     const std::int64_t bytes = TiledCholesky::bytes(space.free());
     try {
-        if (bytes < 0) fail(Status::out_of_memory, "beyond any memory");
+        if (bytes < 0) fail(Status::out_of_memory, "more than memory can hold");
         return {memory, space.free()};
     } catch (const Error&) {
         fail(Status::out_of_memory,
-             "points: the dense system of %lld samples needs %lld bytes, which the allocator does not give; "
-             "use fewer samples",
+             "points: the direct solver needs a dense system of %lld samples, %lld bytes, but the allocator has too "
+             "little memory; use fewer samples",
              static_cast<long long>(space.rows() / 4), static_cast<long long>(bytes));
     }
 }

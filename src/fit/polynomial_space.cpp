@@ -53,7 +53,7 @@ void PolynomialSpace::orthonormalise() {
     for (std::int64_t k = 0; k < terms_; ++k)
         if (cholesky.info() != Eigen::Success || !(factor(k, k) > 1e-7))
             fail(Status::invalid_argument,
-                 "points: the %lld samples do not determine the polynomial; use a lower polynomial_degree or more "
+                 "points: the %lld samples do not determine the polynomial; lower polynomial_degree, or give more "
                  "samples",
                  static_cast<long long>(rows_ / 4));
     r_ = (factor * r_).eval();

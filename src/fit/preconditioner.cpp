@@ -119,7 +119,8 @@ void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::
     }
     const Eigen::LLT<Eigen::MatrixXd> cholesky(a);
     if (cholesky.info() != Eigen::Success)
-        fail(Status::singular_system, "the system of the coarsest samples is not positive definite");
+        fail(Status::singular_system,
+             "the system of the coarsest samples is not positive definite; use regularization > 0");
     coarse_columns_ = a.rows();
     coarse_factor_.resize(4 * count * coarse_columns_);
     Eigen::Map<Eigen::MatrixXd>(coarse_factor_.data(), 4 * count, coarse_columns_) =

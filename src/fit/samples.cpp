@@ -74,8 +74,8 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     const double cosine = glm::dot(samples.normal[a], samples.normal[b]);
     if (cosine >= same_normal) return;
     fail(Status::invalid_argument,
-         "points[%lld] and points[%lld] coincide but their normals differ by %.3g degrees; "
-         "remove one of them or move them apart",
+         "points[%lld] and points[%lld] coincide, but their normals differ by %.3g degrees; remove one of them or move "
+         "them apart",
          static_cast<long long>(std::min(a, b)), static_cast<long long>(std::max(a, b)),
          degrees * std::acos(std::clamp(cosine, -1.0, 1.0)));
 }
@@ -179,7 +179,7 @@ Samples read_samples(const base::Work& work, const base::InView& points, const b
     }
     const double diagonal = samples.bounds.diagonal();
     if (diagonal > 0.0 && diagonal < 1.0 / coordinate_limit)
-        fail(Status::invalid_argument, "points span %.3g only, less than 1e-100; use a smaller unit", diagonal);
+        fail(Status::invalid_argument, "points span only %.3g, less than 1e-100; use a smaller unit", diagonal);
     work.update(0.25);
     merge(samples, representatives(samples, work));
     work.check();

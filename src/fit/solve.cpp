@@ -66,8 +66,7 @@ void soften(const base::Work& work, const HermiteSystem& system, const double* r
     options.tolerance = std::max(options.tolerance, softened_tolerance);
     work.runtime().log(
         base::LogLevel::warning,
-        "fit: samples contradict each other (slivers?): a little regularization takes the place of none, and the "
-        "tolerance is %.0e",
+        "fit: some samples contradict each other; fitting with slight regularization and solver_tolerance %.0e",
         options.tolerance);
     solution.iterations = 0;
     solution.history.clear();
@@ -82,17 +81,18 @@ void iterate(const base::Work& work, const HermiteSystem& system, const double* 
     solution.solver = SolverKind::iterative;
     solve_iteratively(work, system, rhs, options, first, solution);
     if (rounding_ends(system, options, solution)) {
-        work.runtime().log(base::LogLevel::warning,
-                           "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
-                           solution.residual, options.tolerance);
+        work.runtime().log(
+            base::LogLevel::warning,
+            "fit: rounding stops the iterations at a relative residual of %.1e, above the solver_tolerance, %.1e",
+            solution.residual, options.tolerance);
         solution.converged = true;
     }
     if (!solution.converged && solution.residual > hopeless_residual && system.samples() > most_direct)
         return soften(work, system, rhs, options, first, solution);
     if (solution.converged || options.neighbours > 0) return;
     work.runtime().log(base::LogLevel::info,
-                       "fit: residual %.1e after %d iterations; trying %d neighbours in place of %d", solution.residual,
-                       static_cast<int>(solution.iterations), static_cast<int>(second_neighbours),
+                       "fit: residual %.1e after %d iterations; trying again with %d neighbours instead of %d",
+                       solution.residual, static_cast<int>(solution.iterations), static_cast<int>(second_neighbours),
                        static_cast<int>(first));
     solution.iterations = 0;
     solution.history.clear();
@@ -102,11 +102,10 @@ void iterate(const base::Work& work, const HermiteSystem& system, const double* 
 [[noreturn]] void fail_to_converge(const HermiteSystem& system, const Solution& solution, const SolveOptions& options) {
     const bool gaussian = system.options().kernel == kernel::Kind::gaussian;
     fail(Status::not_converged,
-         "the iterative solver reached a relative residual of %.1e in %d iterations, not %.1e: use %sa tolerance, so "
-         "that centres are chosen, regularization > 0, a larger solver_tolerance or iteration_limit, or the direct "
-         "solver",
+         "the iterative solver reached a residual of %.1e in %d iterations, not %.1e; use %sregularization > 0, a "
+         "tolerance (fewer centres), a larger solver_tolerance or iteration_limit, or the direct solver",
          solution.residual, static_cast<int>(solution.iterations), options.tolerance,
-         gaussian ? "a smaller kernel_radius (this one is too wide for so many samples), " : "");
+         gaussian ? "a smaller kernel_radius, " : "");
 }
 
 [[nodiscard]] SolverReason try_iterations(const base::Work& work, const HermiteSystem& system, const double* rhs,
@@ -129,7 +128,7 @@ Solution solve(const base::Work& work, const HermiteSystem& system, const double
     if (options.solver == SolverKind::iterative) {
         if (!possible)
             fail(Status::invalid_argument, "solver is ITERATIVE, which needs polynomial_degree >= 1 with the "
-                                           "triharmonic kernel; use that, or the direct solver");
+                                           "triharmonic kernel; use that, or another solver");
         iterate(work, system, rhs, options, solution);
         if (!solution.converged) fail_to_converge(system, solution, options);
         return solution;
@@ -140,7 +139,8 @@ Solution solve(const base::Work& work, const HermiteSystem& system, const double
             solution.reason = try_iterations(work.part(0.0, 0.9), system, rhs, options, solution);
             if (solution.reason == SolverReason::large) return solution;
             if (system.samples() > most_direct) fail_to_converge(system, solution, options);
-            work.runtime().log(base::LogLevel::warning, "fit: no convergence (residual %.1e); solving directly",
+            work.runtime().log(base::LogLevel::warning,
+                               "fit: the iterative solver did not converge (residual %.1e); using the direct solver",
                                solution.residual);
         }
     }

@@ -172,7 +172,7 @@ FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for, con
     const implicit::Implicit& implicit = implicit_for(generate_tuning.evaluations_of_surface, work.part(0.3, 0.5));
     const Followed found = follow(work.part(0.5, 1.0), implicit, support, settings, false, position, trim.report);
     if (trim.report.share == 1.0)
-        fail(Status::not_converged, "no part of the surface is near its samples: give more of them, or a larger limit");
+        fail(Status::not_converged, "no part of the surface is near the samples; give more samples, or a larger limit");
     if (trim.report.parts == 0) return trim;
     // The surface ends between a cell that is left out and one that is not. Cells around those left out also count as
     // left out, except the cells of holes that stay closed. All other cells are kept.

@@ -89,8 +89,8 @@ void check_length(const char* field, double length, double diagonal) {
     const double part = length / diagonal;
     if (length == 0.0 || (part >= generate_tuning.shortest_length && part <= generate_tuning.longest_length)) return;
     fail(Status::invalid_argument,
-         "generate_desc.%s is %g, %.2g of the model's diagonal; it must be 0, or from %g to %g of that", field, length,
-         part, generate_tuning.shortest_length, generate_tuning.longest_length);
+         "generate_desc.%s is %g, %.2g times the model's diagonal; it must be 0, or %g to %g times the diagonal", field,
+         length, part, generate_tuning.shortest_length, generate_tuning.longest_length);
 }
 
 // ---- Layers
@@ -270,8 +270,8 @@ void require_some(base::List<Growing>& growing, marks::PointSet& set) {
     }
     if (all.attempted == 0 && !lengths_given) return;
     fail(Status::not_converged,
-         "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; with lines, "
-         "set a smaller separation, and a step above the projection_tolerance",
+         "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; use a "
+         "smaller separation, or a step above projection_tolerance",
          static_cast<long long>(all.attempted), static_cast<long long>(all.dropped_not_converged),
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }

@@ -81,17 +81,17 @@ void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::S
 
 [[nodiscard]] geometry::VecArray given_points(const marks::Site& site, const base::InView& points) {
     if (points.empty())
-        fail(Status::invalid_argument, "seed_points is empty: seed_source POINTS needs at least one point");
+        fail(Status::invalid_argument, "seed_points is empty; seed_source POINTS needs at least one point");
     const geometry::Bounds near =
         site.implicit.bounds().grown(generate_tuning.farthest_seed * site.implicit.diagonal());
     geometry::VecArray given(site.memory());
     for (std::int64_t i = 0; i < points.count; ++i) {
         const glm::dvec3 p(points.get(i, 0), points.get(i, 1), points.get(i, 2));
         if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-            fail(Status::invalid_argument, "seed_points[%lld] is not finite", static_cast<long long>(i));
+            fail(Status::invalid_argument, "seed_points[%lld] is not finite; remove it", static_cast<long long>(i));
         if (!near.contains(p))
             fail(Status::invalid_argument,
-                 "seed_points[%lld] is more than %g diagonals away from the model's bounds: leave it out",
+                 "seed_points[%lld] is more than %g diagonals away from the model's bounding box; remove it",
                  static_cast<long long>(i), generate_tuning.farthest_seed);
         given.push_back(p);
     }
@@ -130,7 +130,7 @@ marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, cons
     case marks::SeedSource::samples:
         if (samples.position.empty())
             fail(Status::invalid_argument,
-                 "seed_source SAMPLES needs a model that was fitted to samples: use AUTO or BOX");
+                 "seed_source is SAMPLES, which needs a model that is a fit; use AUTO or BOX");
         seeds_at(site, sample_points(site, samples), seeds);
         break;
     case marks::SeedSource::points: seeds_at(site, given_points(site, settings.seeds.points), seeds); break;
@@ -140,7 +140,7 @@ marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, cons
     const marks::LevelReport& r = seeds.report;
     if (seeds.position.empty())
         fail(Status::not_converged,
-             "none of %lld seeds reached the surface (%lld did not converge, %lld strayed, %lld degenerate): pass "
+             "none of %lld seeds reached the surface (%lld did not converge, %lld strayed, %lld degenerate); give "
              "seed_points near the surface, or raise projection_tolerance or box_resolution",
              static_cast<long long>(r.attempted), static_cast<long long>(r.dropped_not_converged),
              static_cast<long long>(r.dropped_strayed), static_cast<long long>(r.dropped_degenerate));

@@ -63,29 +63,28 @@ void check_layers(const Settings& settings) {
         if (published && layer.has_strokes() && layer.hatching.direction.function == nullptr &&
             guide != hatching::Guide::curvature && guide != hatching::Guide::combing)
             fail(Status::invalid_argument,
-                 "generate_desc.layers[%zu].guide is %u; strokes of the PUBLISHED distribution follow CURVATURE (0), "
-                 "COMBING (1) or a direction_function",
+                 "generate_desc.layers[%zu].guide is %u; PUBLISHED strokes follow CURVATURE (0), COMBING (1) or a "
+                 "direction_function",
                  i, static_cast<unsigned>(guide));
         if (!published && layer.budget > marks::most_even_marks)
             fail(Status::invalid_argument,
-                 "generate_desc asks for %lld marks in layers[%zu]; BLUE_NOISE makes %lld at most: lower budget or "
+                 "generate_desc asks for %lld marks in layers[%zu], but BLUE_NOISE makes at most %lld; lower budget or "
                  "shared_budget",
                  static_cast<long long>(layer.budget), i, static_cast<long long>(marks::most_even_marks));
         if (!published && layer.budget == 0 && !(layer.has_strokes() && layer.hatching.separation > 0.0))
-            fail(Status::invalid_argument, "generate_desc.layers[%zu].budget is 0, no limit; %s", i,
-                 layer.has_strokes() ? "set it, or the separation that limits the lines of BLUE_NOISE"
-                                     : "stipples of BLUE_NOISE need one: say how many there may be");
+            fail(Status::invalid_argument, "generate_desc.layers[%zu].budget is 0; %s", i,
+                 layer.has_strokes() ? "with BLUE_NOISE, strokes need a budget or a separation above 0"
+                                     : "with BLUE_NOISE, stipples need a budget above 0");
         if (!layer.published.from_stipples) continue;
         if (!published)
             fail(Status::invalid_argument,
-                 "generate_desc.layers[%zu].start is STIPPLES; only the PUBLISHED distribution can start strokes there",
-                 i);
+                 "generate_desc.layers[%zu].start is STIPPLES; only PUBLISHED strokes can start from stipples", i);
         if (!layer.has_strokes())
             fail(Status::invalid_argument,
-                 "generate_desc.layers[%zu].start is STIPPLES; the stipples themselves start from SEEDS", i);
+                 "generate_desc.layers[%zu].start is STIPPLES, but the layer is one of stipples; use SEEDS", i);
         if (stipples != settings.layers.end() && layer.published.start_level > stipples->published.levels)
             fail(Status::invalid_argument,
-                 "generate_desc.layers[%zu].start_level is %d, above the %d levels of the stipples", i,
+                 "generate_desc.layers[%zu].start_level is %d; it must be at most %d, the levels of the stipples", i,
                  static_cast<int>(layer.published.start_level), static_cast<int>(stipples->published.levels));
     }
 }

@@ -29,15 +29,14 @@ void require_room(const marks::Site& site, const Settings& settings, double area
     const double marks = area / (separation * step);
     if (marks > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,
-             "layers[%lld]: a separation of %g and a step of %g make about %g marks, and %lld are the most: raise them",
+             "layers[%lld]: a separation of %g and a step of %g make about %.2g marks, more than %lld; use larger ones",
              static_cast<long long>(settings.layer), site.unit * separation, site.unit * step, marks,
              static_cast<long long>(marks::most_even_marks));
     // Marks far apart give few marks, but as many lines, which must all be found.
     const double squares = area / (separation * separation);
     if (squares > static_cast<double>(marks::most_even_marks))
         fail(Status::invalid_argument,
-             "layers[%lld]: with a step of %g, lines are %g apart, and so too many: set a larger separation or a "
-             "smaller step",
+             "layers[%lld]: a step of %g makes too many lines, %g apart; use a larger separation or a smaller step",
              static_cast<long long>(settings.layer), site.unit * step, site.unit * separation);
 }
 

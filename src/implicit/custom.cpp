@@ -48,7 +48,8 @@ private:
             custom_.function(custom_.user, points_.count, packed_.data(), value_.data(),
                              gradient ? gradient_.data() : nullptr, hessian ? hessian_.data() : nullptr);
         if (result != 0)
-            fail(Status::callback, "function: the custom model's function returned %d; it must return 0",
+            fail(Status::callback,
+                 "function: the custom model's function returned %d; it must return 0 unless it failed",
                  static_cast<int>(result));
     }
 

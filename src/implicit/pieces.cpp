@@ -433,7 +433,7 @@ std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data
 PreparedPieces::PreparedPieces(const base::Work& work, const PiecesOf& of, Scope scope)
     : PiecesOf(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(work, of.data()),
       sheet_(work.memory) {
-    work.runtime().log(base::LogLevel::info, "cells of %lld sheets prepared in %.3f s, %.1f MB",
+    work.runtime().log(base::LogLevel::info, "evaluation: cells of %lld sheets prepared in %.3f s, %.1f MB",
                        static_cast<long long>(data().sheet.size()), watch_.seconds(),
                        static_cast<double>(own_zones_.bytes()) / 1e6);
     for (std::int64_t i = 0; scope == Scope::sheets && i < data().sheet.size(); ++i)

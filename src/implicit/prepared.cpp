@@ -55,8 +55,7 @@ std::unique_ptr<Prepared> Prepared::make(const base::Work& work, const HrbfData&
         const Error error = prepared->error();
         work.runtime().log(
             base::LogLevel::info,
-            "evaluation of %lld centres prepared in %.3f s, %.1f MB; values are off by %.1e diagonals, gradients by "
-            "%.1e",
+            "evaluation: %lld centres prepared in %.3f s, %.1f MB; errors: values %.1e diagonals, gradients %.1e",
             static_cast<long long>(data.count()), watch.seconds(), static_cast<double>(prepared->bytes()) / 1e6,
             error.value, error.gradient);
         const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * options.tolerance;

@@ -72,9 +72,10 @@ void check_node(const Decoder& decoder, const ModelFile& file, std::int64_t i) {
     const CsgNode& node = file.tree[i];
     const bool is_model = node.kind == CsgKind::model;
     if (is_model ? node.model < 0 || node.model >= file.leaves.size() : node.model != -1)
-        decoder.damaged("node %lld has a leaf that is none", static_cast<long long>(i));
+        decoder.damaged("node %lld has a leaf that does not exist", static_cast<long long>(i));
     for (const double number : numbers_of(node))
-        if (!std::isfinite(number)) decoder.damaged("node %lld is not finite", static_cast<long long>(i));
+        if (!std::isfinite(number))
+            decoder.damaged("node %lld has a number that is not finite", static_cast<long long>(i));
 }
 
 } // namespace
@@ -102,7 +103,7 @@ void decode_csg(Decoder& decoder, const ModelKind& kind, ModelFile& file) {
     base::Array<double> numbers(memory);
     decoder.section(tag_node_kind, kinds);
     const std::int64_t count = kinds.size();
-    if (count < 1 || count > implicit::most_csg_nodes) decoder.damaged("it has no node, or more than 65536");
+    if (count < 1 || count > implicit::most_csg_nodes) decoder.damaged("it has no nodes, or more than 65536");
     decoder.section(tag_parent, parent, count);
     decoder.section(tag_model, model, count);
     decoder.section(tag_numbers, numbers, count * static_cast<std::int64_t>(numbers_of_node));

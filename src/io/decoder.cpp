@@ -39,7 +39,7 @@ void Decoder::damaged(const char* format, ...) const {
 void Decoder::check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind, std::uint32_t oldest,
                            std::uint32_t newest) {
     if (!std::equal(magic.begin(), magic.end(), header.begin()))
-        fail(Status::corrupt_data, "this is not a %s file of hrbfnpr: its first bytes are others", what_);
+        fail(Status::corrupt_data, "this is not a %s file of hrbfnpr: its first bytes are not those of one", what_);
     Crc32 crc;
     crc.add(header.first(header_size - 4));
     if (crc.value() != fetch<std::uint32_t>(&header[36])) damaged("the checksum of its header is wrong");
@@ -50,13 +50,13 @@ void Decoder::check_header(std::span<const std::uint8_t, header_size> header, st
     version_ = fetch<std::uint32_t>(&header[12]);
     if (version_ > newest)
         fail(Status::version_mismatch,
-             "this %s file has format version %u; this library reads versions up to %u: use a newer one", what_,
+             "this %s file has format version %u, but this library reads versions up to %u; use a newer library", what_,
              version_, newest);
     if (version_ == 0) damaged("its format version is 0");
     if (version_ < oldest)
         fail(Status::version_mismatch,
-             "this %s file has format version %u, of before the first release; this library reads versions from %u on: "
-             "make it again",
+             "this %s file has format version %u, from before the first release, but this library reads versions from "
+             "%u on; save it again",
              what_, version_, oldest);
     if (fetch<std::uint32_t>(&header[16]) != byte_order_mark) damaged("its byte order mark is wrong");
     remaining_ = fetch<std::uint64_t>(&header[24]);
@@ -86,13 +86,13 @@ std::int64_t Decoder::begin_section(std::uint32_t tag, ElementType type, std::ui
     std::array<std::uint8_t, section_header_size> header{};
     take(header);
     if (const auto found = fetch<std::uint32_t>(header.data()); found != tag)
-        damaged("section '%s' stands where '%s' belongs", TagText(found).text, name.text);
+        damaged("section '%s' is where section '%s' should be", TagText(found).text, name.text);
     if (fetch<std::uint32_t>(&header[4]) != static_cast<std::uint32_t>(type))
         damaged("the elements of section '%s' have the wrong type", name.text);
     const auto count = fetch<std::uint64_t>(&header[8]);
-    if (count > remaining_ / element_size) damaged("section '%s' is longer than the file says to be", name.text);
+    if (count > remaining_ / element_size) damaged("section '%s' is longer than the rest of the file", name.text);
     constexpr std::uint64_t beyond_any_memory = std::uint64_t{1} << 56U;
-    if (count > beyond_any_memory) damaged("section '%s' is longer than any memory", name.text);
+    if (count > beyond_any_memory) damaged("section '%s' is too long for memory", name.text);
     return static_cast<std::int64_t>(count);
 }
 

@@ -120,7 +120,7 @@ void set_kind(const Decoder& decoder, const ModelKind& kind, implicit::HrbfData&
 void decode_arrays(Decoder& decoder, implicit::HrbfData& data) {
     decoder.section(tag_sample_position, data.sample_position);
     const std::int64_t count = data.sample_position.size() / 3;
-    if (count < 1 || data.sample_position.size() != 3 * count) decoder.damaged("it has no whole number of samples");
+    if (count < 1 || data.sample_position.size() != 3 * count) decoder.damaged("its number of samples is wrong");
     decoder.section(tag_sample_normal, data.sample_normal, 3 * count);
     decoder.section(tag_centre[0], data.centre_position.x, count);
     decoder.section(tag_centre[1], data.centre_position.y, count);
@@ -169,7 +169,7 @@ void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const
     if (data.kernel_radius > radius_limit) return;
     for (std::size_t i = 0; i < weights.size(); ++i)
         if (std::abs(weights[i]) > weight_limit)
-            decoder.damaged("%s[%lld] is larger than a fit's", name, static_cast<long long>(i));
+            decoder.damaged("%s[%lld] is too large for a fit", name, static_cast<long long>(i));
 }
 
 // Checks that each centre is at its sample, except for rounding.
@@ -182,7 +182,7 @@ void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
             const double expected = implicit::normalised(sample, data.centre[axis], data.scale);
             const double off = 1e-6 * (1.0 + std::abs(expected)) + 1e-15 * std::abs(sample) / data.scale;
             if (!(std::abs(centre[axis] - expected) <= off))
-                decoder.damaged("centre[%lld] is not where its sample is", static_cast<long long>(i));
+                decoder.damaged("centre[%lld] is not at its sample", static_cast<long long>(i));
         }
     }
 }
@@ -206,17 +206,17 @@ void check(const Decoder& decoder, const TrimFile& trim) {
     const std::array<double, 6> numbers{trim.limit, trim.closest, origin.x, origin.y, origin.z, trim.grid.side};
     check_finite<double>(decoder, "trim", numbers);
     if (!(trim.limit > 0.0) || trim.closest < 0.0 || !(trim.grid.side > 0.0))
-        decoder.damaged("its trim is none: limit, spacing or side are out of range");
-    if (trim.report.size() > longest_report) decoder.damaged("its trim's report is too long");
+        decoder.damaged("the limit, spacing or cell side of its trim is out of range");
+    if (trim.report.size() > longest_report) decoder.damaged("the report of its trim is too long");
     if (trim.position.empty() || trim.position.size() % 3 != 0)
-        decoder.damaged("its trim has no whole number of samples");
+        decoder.damaged("the number of samples of its trim is wrong");
     check_finite(decoder, "trim.position", trim.position.span());
     for (const double x : trim.position)
         if (std::abs(x) > coordinate_limit) decoder.damaged("its trim has a sample beyond 1e100");
     check_unit(decoder, "trim.normal", trim.normal.span());
     for (const auto* cells : {&trim.kept, &trim.ends})
         for (const std::int64_t cell : *cells)
-            if (cell < 0) decoder.damaged("its trim has a cell that is none");
+            if (cell < 0) decoder.damaged("its trim has an invalid cell");
 }
 
 } // namespace

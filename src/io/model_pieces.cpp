@@ -82,16 +82,16 @@ void check_pieces(const Decoder& decoder, const implicit::PiecesData& data) {
         if (data.bounds.min[axis] < -coordinate_limit || data.bounds.max[axis] > coordinate_limit)
             decoder.damaged("its bounds reach beyond 1e100");
         if (!(std::abs(data.corner[axis] + half - data.bounds.centre()[axis]) <= 1e-6 * half))
-            decoder.damaged("its cells are not about its bounds");
+            decoder.damaged("its cells do not lie around its bounds");
     }
     if (!(half >= 0.5 * implicit::PiecesData::reach * data.bounds.diagonal() && data.side <= coordinate_limit &&
           half > 0.0))
         decoder.damaged("its cells do not cover its bounds");
     if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");
-    if (!implicit::is_sound(data)) decoder.damaged("its cells or their programs are none");
+    if (!implicit::is_sound(data)) decoder.damaged("its cells or their programs are invalid");
     check_finite(decoder, "plain", data.plain.span());
     if (data.sample_position.empty() || data.sample_position.size() % 3 != 0)
-        decoder.damaged("it has no whole number of samples");
+        decoder.damaged("its number of samples is wrong");
     check_finite(decoder, "sample_position", data.sample_position.span());
     const geometry::Bounds cells{data.corner, data.corner + data.side};
     for (std::int64_t i = 0; i < data.sample_position.size() / 3; ++i)

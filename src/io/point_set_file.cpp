@@ -108,7 +108,7 @@ std::uint32_t decode_kind(Decoder& decoder, marks::PointSet& set) {
     if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::published))
         decoder.damaged("its distribution is unknown");
     if (kind[1] > static_cast<std::uint32_t>(marks::SeedSource::points)) decoder.damaged("its seed source is unknown");
-    if (kind[2] > marks::most_layers) decoder.damaged("it has %u layers", kind[2]);
+    if (kind[2] > marks::most_layers) decoder.damaged("it has %u layers, too many", kind[2]);
     set.distribution = static_cast<marks::Distribution>(kind[0]);
     set.seed_source = static_cast<marks::SeedSource>(kind[1]);
     return kind[2];
@@ -131,10 +131,10 @@ void decode_report(Decoder& decoder, marks::LayerReport& report) {
     decoder.section<std::int64_t>(tag_layer_counts, counts);
     decoder.section<double>(tag_layer_numbers, numbers);
     decoder.section(tag_placement, placement);
-    if (counts[0] < 0 || counts[1] < 0 || counts[1] > most_level) decoder.damaged("a count of a layer is not possible");
+    if (counts[0] < 0 || counts[1] < 0 || counts[1] > most_level) decoder.damaged("a count of a layer is out of range");
     if (placement.size() % std::int64_t{level_numbers} != 0 ||
         placement.size() > (most_level + 1) * std::int64_t{level_numbers})
-        decoder.damaged("the counts of a layer's levels are not six for each of 256 at most");
+        decoder.damaged("a layer does not have six counts for each of at most 256 levels");
     for (const std::int64_t count : placement)
         if (count < 0) decoder.damaged("a count of a level is negative");
     check_finite<double>(decoder, "layer", numbers);
@@ -150,13 +150,13 @@ void decode_report(Decoder& decoder, marks::LayerReport& report) {
 void decode_marks(Decoder& decoder, marks::Layer& layer) {
     decoder.section(tag_rank, layer.rank);
     const std::int64_t count = layer.rank.size();
-    if (count > marks::most_marks) decoder.damaged("a layer has more marks than there can be");
+    if (count > marks::most_marks) decoder.damaged("a layer has too many marks");
     decoder.section(tag_position, layer.position, 3 * count);
     decoder.section(tag_normal, layer.normal, 3 * count);
     decoder.section(tag_direction, layer.direction, 3 * count);
     decoder.section(tag_curvature, layer.curvature);
     if (!layer.curvature.empty() && layer.curvature.size() != 3 * count)
-        decoder.damaged("a layer's curvatures are not as many as its marks");
+        decoder.damaged("a layer does not have one curvature for each mark");
     decoder.section(tag_level, layer.level, count);
     decoder.section(tag_stroke, layer.stroke, 2 * count);
 }
@@ -164,7 +164,7 @@ void decode_marks(Decoder& decoder, marks::Layer& layer) {
 void decode_width(Decoder& decoder, marks::Layer& layer) {
     decoder.section(tag_width, layer.width);
     if (!layer.width.empty() && layer.width.size() != layer.count())
-        decoder.damaged("a layer's widths are not as many as its marks");
+        decoder.damaged("a layer does not have one width for each mark");
 }
 
 void decode_layer(Decoder& decoder, marks::PointSet& set) {
@@ -188,7 +188,7 @@ void decode_tone_normals(Decoder& decoder, marks::PointSet& set) {
     for (marks::Layer& layer : set.layers) {
         decoder.section(tag_tone_normal, layer.tone_normal);
         if (!layer.tone_normal.empty() && layer.tone_normal.size() != layer.normal.size())
-            decoder.damaged("a layer's normals for tone are not as many as its marks");
+            decoder.damaged("a layer does not have one normal for tone for each mark");
     }
 }
 
@@ -200,33 +200,35 @@ void decode_layers(Decoder& decoder, std::uint32_t count, marks::PointSet& set) 
 // Checks that the order has each mark once, and that strokes ascend by their numbers, as searches need.
 void check_order(const Decoder& decoder, const marks::Layer& layer) {
     const std::int64_t count = layer.count();
-    if (layer.stroke_order.size() != count) decoder.damaged("the order of a layer's strokes is not that of its marks");
+    if (layer.stroke_order.size() != count)
+        decoder.damaged("a layer's order of strokes does not have one element for each mark");
     base::Array<std::uint8_t> seen(layer.rank.memory(), count);
     for (const std::uint32_t mark : layer.stroke_order) {
-        if (mark >= count || seen[mark] != 0) decoder.damaged("a mark is in the order of strokes twice, or is none");
+        if (mark >= count || seen[mark] != 0)
+            decoder.damaged("the order of strokes has a mark twice, or one that does not exist");
         seen[mark] = 1;
     }
     for (std::int64_t s = 1; s < layer.strokes(); ++s)
         if (layer.stroke[2 * layer.mark_of(layer.stroke_first[s])] <=
             layer.stroke[2 * layer.mark_of(layer.stroke_first[s - 1])])
-            decoder.damaged("strokes do not stand in the order of their numbers");
+            decoder.damaged("the strokes are not in the order of their numbers");
 }
 
 void check_strokes(const Decoder& decoder, const marks::Layer& layer) {
     const base::Array<std::uint32_t>& first = layer.stroke_first;
     if (first.empty()) {
-        if (!layer.stroke_order.empty()) decoder.damaged("a layer has an order of strokes and no strokes");
+        if (!layer.stroke_order.empty()) decoder.damaged("a layer has an order of strokes, but no strokes");
         return;
     }
     const std::int64_t last = first.size() - 1;
     bool rises = last > 0 && first[0] == 0 && first[last] == layer.count();
     for (std::int64_t s = 0; s < last; ++s) rises = rises && first[s] < first[s + 1];
-    if (!rises) decoder.damaged("the strokes of a layer do not rise from 0 to its marks");
+    if (!rises) decoder.damaged("the starts of a layer's strokes do not increase from 0 to its number of marks");
     if (!layer.stroke_order.empty()) check_order(decoder, layer);
     for (std::int64_t s = 0; s < last; ++s)
         for (std::uint32_t place = first[s]; place < first[s + 1]; ++place)
             if (layer.stroke[2 * layer.mark_of(place)] != layer.stroke[2 * layer.mark_of(first[s])])
-                decoder.damaged("the marks of a stroke have different numbers");
+                decoder.damaged("the marks of one stroke have different numbers");
 }
 
 void check_layer(const Decoder& decoder, const marks::Layer& layer) {
@@ -249,7 +251,7 @@ void check_layer(const Decoder& decoder, const marks::Layer& layer) {
 void check_places(const Decoder& decoder, const marks::PointSet& set) {
     constexpr double float_max = std::numeric_limits<float>::max();
     check_bounds(decoder, set.bounds);
-    if (!(0.5 * longest_side(set.bounds) <= float_max)) decoder.damaged("its bounds are larger than floats can be");
+    if (!(0.5 * longest_side(set.bounds) <= float_max)) decoder.damaged("its bounds are too large for floats");
     for (const marks::Layer& layer : set.layers)
         for (std::int64_t i = 0; i < layer.position.size(); ++i) {
             const auto axis = static_cast<glm::length_t>(i % 3);

@@ -228,9 +228,9 @@ public:
         const auto check = [&](const InView& view, const char* name, bool needed) {
             if (view.count == count() || (view.empty() && !needed)) return;
             fail(Status::invalid_argument,
-                 "point_set_desc.layers[%lld].%s has %lld elements and .position has %lld: %s", number(place_), name,
+                 "point_set_desc.layers[%lld].%s has %lld elements, but position has %lld; %s", number(place_), name,
                  number(view.count), number(count()),
-                 needed ? "every mark needs one" : "give one for each mark or leave it empty");
+                 needed ? "give one for each mark" : "give one for each mark, or none");
         };
         check(arrays_.normal, "normal", true);
         check(arrays_.direction, "direction", false);
@@ -240,7 +240,7 @@ public:
         check(arrays_.width, "width", false);
         if (count() > most_marks)
             fail(Status::invalid_argument,
-                 "point_set_desc.layers[%lld].position has %lld elements, and %lld are the most", number(place_),
+                 "point_set_desc.layers[%lld].position has %lld elements; at most %lld are allowed", number(place_),
                  number(count()), number(most_marks));
     }
 
@@ -250,9 +250,9 @@ public:
         glm::dvec3 v(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             v[axis] = view.get(i, static_cast<std::uint32_t>(axis));
-            if (!std::isfinite(v[axis])) refuse(name, i, "not finite");
+            if (!std::isfinite(v[axis])) refuse(name, i, "not finite; every number must be");
             // A larger number would become infinite in the set.
-            if (std::abs(v[axis]) > 3.4e38) refuse(name, i, "%g, which a float cannot hold: scale the marks", v[axis]);
+            if (std::abs(v[axis]) > 3.4e38) refuse(name, i, "%g, too large for a float; use a larger unit", v[axis]);
         }
         return v;
     }
@@ -262,27 +262,27 @@ public:
         const glm::dvec3 size = glm::abs(given);
         const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z})); // keeps its square finite
         const double length = glm::length(n);
-        if (!(length > 0.0) || !std::isfinite(length)) refuse("normal", i, "zero: every mark needs a normal");
+        if (!(length > 0.0) || !std::isfinite(length)) refuse("normal", i, "zero; every mark needs a normal");
         return n / length;
     }
 
     // Returns the tangent part of a stroke's direction, as a unit vector.
     [[nodiscard]] glm::dvec3 direction(std::int64_t i, const glm::dvec3& n) const {
         const glm::dvec3 tangent = tangent_part(vector(arrays_.direction, "direction", i), n);
-        if (tangent == glm::dvec3(0.0)) refuse("direction", i, "zero or along the normal: it must be tangent");
+        if (tangent == glm::dvec3(0.0)) refuse("direction", i, "zero or parallel to the normal; it must be tangent");
         return tangent;
     }
 
     [[nodiscard]] float rank(std::int64_t i) const {
         const double u = arrays_.rank.get(i, 0);
-        if (!(u >= 0.0 && u <= 1.0)) refuse("rank", i, "outside [0,1)");
+        if (!(u >= 0.0 && u <= 1.0)) refuse("rank", i, "not in [0,1); choose a number from 0 to below 1");
         return rank_of(u);
     }
 
     [[nodiscard]] float width(std::int64_t i) const {
         const double width = arrays_.width.get(i, 0);
         const auto rounded = static_cast<float>(width);
-        if (!(rounded > 0.0F && width <= 1.0)) refuse("width", i, "outside (0,1]");
+        if (!(rounded > 0.0F && width <= 1.0)) refuse("width", i, "not in (0,1]; choose a number above 0, up to 1");
         return rounded;
     }
 
@@ -309,14 +309,15 @@ void LayerReader::read_strokes(Layer& layer) const {
         const bool rises = s == 0 ? now == 0.0 : now > first.get(s - 1, 0);
         const bool ends = s == strokes ? now == static_cast<double>(count()) : now < static_cast<double>(count());
         if (!rises || !ends)
-            refuse("stroke_first", s, "%.0f; it must rise from 0 to the %lld marks", now, number(count()));
+            refuse("stroke_first", s, "%.0f; the numbers must increase from 0 to the number of marks, %lld", now,
+                   number(count()));
         if (strokes > 0) layer.stroke_first.push_back(static_cast<std::uint32_t>(now));
     }
     const std::int64_t directions = arrays_.stroke_direction.count;
     if (!arrays_.stroke_direction.empty() && directions != strokes)
         fail(Status::invalid_argument,
-             "point_set_desc.layers[%lld].stroke_direction has %lld elements and .stroke_first tells of %lld strokes: "
-             "give one for each stroke or leave it empty",
+             "point_set_desc.layers[%lld].stroke_direction has %lld elements, but stroke_first has %lld strokes; give "
+             "one for each stroke, or none",
              number(place_), number(directions), number(strokes));
     layer.stroke.resize(2 * count());
     for (std::int64_t s = 0; s < strokes; ++s) {
@@ -443,7 +444,7 @@ PointSet from_arrays(const base::Runtime& runtime, const PointSet* base, std::sp
     }
     if (marks == 0)
         fail(Status::invalid_argument,
-             "there is no mark: give point_set_desc.layers[0].position and .normal, or those of another layer");
+             "no layer has a mark; give point_set_desc.layers[0].position and normal, or those of another layer");
     measure_all(runtime, positions, largest_before, set);
     if (const double side = set.bounds.longest_side(); side > 0.0) require_size("the marks are", side, "positions");
     for (std::int64_t k = 0; k < positions.size(); ++k) {

@@ -112,8 +112,7 @@ void directions_at(const Site& site, const DirectionFunction& field, const geome
     for (std::int64_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3 d(given[3 * i], given[3 * i + 1], given[3 * i + 2]);
         if (!std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z))
-            fail(Status::callback,
-                 "direction_function gave %g %g %g as a direction; it must be finite, or 0 0 0 where there is none",
+            fail(Status::callback, "direction_function gave %g %g %g; a direction must be finite, or 0 0 0 for none",
                  d.x, d.y, d.z);
         directions.set(i, tangent_part(d, normals[i]));
     }
@@ -122,7 +121,7 @@ void directions_at(const Site& site, const DirectionFunction& field, const geome
 void require_size(const char* what, double size, const char* remedy) {
     if (size >= smallest_size && size <= largest_size) return;
     fail(Status::invalid_argument,
-         "%s %.3g across; marks are float and can be placed where that is from %g to %g: scale the %s, by about %.0g",
+         "%s %.3g across; marks have float coordinates, so that must be from %g to %g: scale the %s by about %.0g",
          what, size, smallest_size, largest_size, remedy, std::clamp(1.0 / size, 1e-300, 1e300));
 }
 
@@ -134,13 +133,14 @@ std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t le
 void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget) {
     if (full_count <= most_marks || (budget > 0 && budget <= most_marks)) return;
     if (layer < 0)
-        fail(Status::invalid_argument, "start_level = %d would grow to %lld stipples, and %lld are the most: lower it",
-             levels, static_cast<long long>(full_count), static_cast<long long>(most_marks));
-    fail(
-        Status::invalid_argument,
-        "layers[%lld].levels = %d would grow to %lld marks, and %lld are the most: lower it or set layers[%lld].budget",
-        static_cast<long long>(layer), levels, static_cast<long long>(full_count), static_cast<long long>(most_marks),
-        static_cast<long long>(layer));
+        fail(Status::invalid_argument,
+             "start_level is %d, which would grow to %lld stipples; at most %lld are allowed, so lower it", levels,
+             static_cast<long long>(full_count), static_cast<long long>(most_marks));
+    fail(Status::invalid_argument,
+         "layers[%lld].levels is %d, which would grow to %lld marks; at most %lld are allowed: lower it or set "
+         "layers[%lld].budget",
+         static_cast<long long>(layer), levels, static_cast<long long>(full_count), static_cast<long long>(most_marks),
+         static_cast<long long>(layer));
 }
 
 // The first layer of stipples and the first of hatching have the set's own seed.

@@ -124,7 +124,8 @@ void check_extent(const Welded& welded) {
     geometry::Bounds bounds;
     for (const glm::dvec3& p : welded.vertex) bounds.extend(p);
     if (!(bounds.diagonal() >= smallest_mesh))
-        fail(Status::invalid_argument, "the mesh is %g across; it must be at least 1e-60: scale it", bounds.diagonal());
+        fail(Status::invalid_argument, "the mesh is %g across; it must be at least 1e-60: use a smaller unit",
+             bounds.diagonal());
 }
 
 // Sets the unit normals of all corners. A corner's normal is the mean over the faces at the vertex whose normals are

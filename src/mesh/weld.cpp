@@ -38,7 +38,7 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
         if (!(std::abs(p[c]) <= largest_coordinate))
             fail(Status::invalid_argument,
                  "vertices[%lld], a corner of triangles[%lld], has the coordinate %g; coordinates must be finite and "
-                 "within 1e60: leave the face out, or scale the mesh",
+                 "at most 1e60: remove the face, or scale the mesh",
                  static_cast<long long>(vertex), static_cast<long long>(face), p[c]);
 }
 
@@ -611,7 +611,7 @@ Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report) 
     leave_out_walls(work, repeated, rounding, welded, report);
     part_edges(work, rounding, welded);
     if (welded.triangle.empty())
-        fail(Status::invalid_argument, "triangles has %lld faces, and none has an area; give at least one that has",
+        fail(Status::invalid_argument, "triangles has %lld faces, but none has an area; give at least one that has",
              static_cast<long long>(report.given_faces));
     return welded;
 }

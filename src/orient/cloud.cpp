@@ -68,14 +68,14 @@ void require_area(const geometry::VecArray& position, const geometry::Bounds& bo
         moments.add((position[i] - bounds.centre()) / bounds.longest_side());
     const Plane plane = plane_of(moments);
     if (!(plane.variance[1] > thinnest * plane.variance[2]))
-        fail(Status::invalid_argument, "points lie all on one line: they have no normals; give points of a surface");
+        fail(Status::invalid_argument, "points all lie on one line, so they have no normals; give points of a surface");
 }
 
 void require(bool enough, std::int64_t count, const char* what) {
     if (!enough)
         fail(Status::invalid_argument,
-             "points has %lld %s; %lld different ones are the fewest that say how a surface lies: give more points, "
-             "or normals",
+             "points has %lld %s, and at least %lld different ones are needed to find normals; give more points, or "
+             "normals",
              static_cast<long long>(count), what, static_cast<long long>(fewest_points));
 }
 

@@ -107,9 +107,10 @@ void require_camera(const Camera& camera) {
              static_cast<long long>(camera.seen), static_cast<long long>(depth_tuning.least_seen));
     if (camera.across.fits() && camera.down.fits()) return;
     fail(Status::invalid_argument,
-         "depth_image_desc.points are no image of a camera in the origin that looks along z: %s; give them "
-         "row by row, in the camera's coordinates",
-         camera.across.fits() ? "y / z does not go with the row" : "x / z does not go with the column");
+         "depth_image_desc.points are not an image of a camera at the origin that looks along z: %s; give them row by "
+         "row, in camera coordinates",
+         camera.across.fits() ? "y / z does not change linearly with the row"
+                              : "x / z does not change linearly with the column");
 }
 
 // Returns the step between the values of 1 / z, or 0 if there are too many different values.
@@ -131,8 +132,8 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
     if (camera.sign == 0.0) camera.sign = p.z > 0.0 ? 1.0 : -1.0;
     if (camera.sign * p.z < 0.0)
         fail(Status::invalid_argument,
-             "depth_image_desc.points[%lld] has z = %g, others have the other sign: a camera in the origin "
-             "sees to one side; move the points to where it stood",
+             "depth_image_desc.points[%lld] has z = %g, but others have the opposite sign; give points in front of a "
+             "camera at the origin",
              static_cast<long long>(i), p.z);
     camera.depth.value[i] = std::abs(p.z);
     ++camera.seen;
@@ -371,7 +372,7 @@ DepthImage smooth_depth_image(const base::Work& work, const DepthImageInput& inp
     report.radius = camera.radius_at(1.0, input.smoothing);
     report.seconds = watch.seconds();
     work.runtime().log(
-        base::LogLevel::info, "depth image: %lld points smoothed over %.1f pixels in %.2f s, %lld left out",
+        base::LogLevel::info, "depth image: %lld points smoothed over %.1f pixels in %.2f s; %lld left out",
         static_cast<long long>(report.seen), report.radius, report.seconds, static_cast<long long>(report.left_out));
     work.update(1.0);
     return image;

@@ -155,7 +155,8 @@ GivenNormals read_given(const base::Work& work, const base::InView& normals, con
     for (std::int64_t i = 0; i < normals.count; ++i) {
         const glm::dvec3 n = given_normal(normals, i);
         if (!std::isfinite(n.x + n.y + n.z))
-            fail(Status::invalid_argument, "normals[%lld] is NaN or infinite; remove that point, or make it 0 0 0",
+            fail(Status::invalid_argument,
+                 "normals[%lld] is NaN or infinite; remove that point, or set its normal to 0 0 0",
                  static_cast<long long>(i));
         const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
         const std::int64_t at = cloud.place[i];

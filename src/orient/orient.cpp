@@ -55,12 +55,12 @@ void log_report(const base::Runtime& runtime, const OrientReport& report, std::i
     runtime.log(base::LogLevel::info, "orient: %lld points in %.2f s, %s, confidence %.2f",
                 static_cast<long long>(count), report.seconds, report.closed ? "closed" : "open", report.confidence);
     if (report.turned > 0)
-        runtime.log(base::LogLevel::warning, "orient: %lld of %lld normals were turned round",
+        runtime.log(base::LogLevel::warning, "orient: %lld of %lld normals were flipped",
                     static_cast<long long>(report.turned), static_cast<long long>(count));
     if (report.confidence < tuning.doubtful)
         runtime.log(base::LogLevel::warning,
-                    "orient: confidence %.2f only: noise of %.2g spacings, or walls thinner than the spacing; more "
-                    "points, or normals of the scanner's, would help",
+                    "orient: low confidence, %.2f: noise of %.2g spacings, or thin walls; give more points, or the "
+                    "scanner's normals",
                     report.confidence, report.noise / report.spacing);
 }
 

@@ -174,7 +174,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
         marks::ask_at(site, settings.function, settings.user, "density_function", marks.position, marks.normal, 1);
     for (double& number : density) {
         if (!(number >= 0.0))
-            fail(Status::callback, "density_function gave %g as a density; it must be a number from 0 to 1", number);
+            fail(Status::callback, "density_function gave %g; a density must be a number from 0 to 1", number);
         number = std::min(number, 1.0);
     }
     return density;
@@ -205,8 +205,8 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     }
     if (cells_across(cells) < stipple_tuning.fewest_across)
         fail(Status::invalid_argument,
-             "the surface is no more than %.2g across, and the bounds that its marks may lie in are %.2g: give "
-             "bounds_min and bounds_max that fit it (at most %g times as wide)",
+             "the surface is at most %.2g across, but its bounding box is %.2g; give bounds_min and bounds_max that "
+             "fit it (at most %g times as wide)",
              site.unit * side * static_cast<double>(cells_across(cells)), site.unit * diagonal,
              stipple_tuning.most_in_diagonal / static_cast<double>(stipple_tuning.fewest_across));
     return cells;
@@ -223,8 +223,8 @@ EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std:
     project(site.part(0.9, 1.0), cells, chosen, marks);
     if (marks.position.empty())
         fail(Status::not_converged,
-             "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "
-             "converge, %lld strayed, %lld were degenerate; raise projection_tolerance or use PUBLISHED",
+             "no mark could be placed in %lld cells: of %lld points, %lld did not converge, %lld strayed, %lld were "
+             "degenerate; raise projection_tolerance, or use PUBLISHED",
              static_cast<long long>(cells.cell.size()), static_cast<long long>(marks.report.attempted),
              static_cast<long long>(marks.report.dropped_not_converged),
              static_cast<long long>(marks.report.dropped_strayed),
@@ -246,13 +246,15 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     for (const double number : densities(probe, site.work.part(0.1, 0.15))) mean += number;
     mean /= static_cast<double>(probe.position.size());
     if (!(mean > 0.0))
-        fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
+        fail(Status::invalid_argument,
+             "the density is 0 at all %lld places tried on the surface, so no mark can be made; let it be 1 where "
+             "marks are densest",
              static_cast<long long>(probe.position.size()));
     // The number of marks that remain of the largest even order.
     const double most = stipple_tuning.most_excess * static_cast<double>(wanted);
     if (std::min(static_cast<double>(wanted), most * mean) < 0.5)
         fail(Status::invalid_argument,
-             "the density is %.3g on average, which leaves none of %lld marks: it is 1 where marks are to be densest",
+             "the density is %.3g on average, which leaves none of %lld marks; let it be 1 where marks are densest",
              mean, static_cast<long long>(wanted));
     const double all = std::min(stipple_tuning.mean_error * static_cast<double>(wanted) /
                                     std::max(mean, 1.0 / stipple_tuning.most_excess),
@@ -275,8 +277,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     base::sort_long(places.begin(), places.end(), std::less<>(), site.work);
     const std::int64_t kept = std::min(wanted, places.size());
     if (kept == 0)
-        fail(Status::invalid_argument,
-             "the density leaves none of %lld marks where it was asked for: it is 1 where marks are to be densest",
+        fail(Status::invalid_argument, "the density leaves none of %lld marks; let it be 1 where marks are densest",
              static_cast<long long>(at.size()));
     EvenMarks marks(site.memory());
     marks.area = even.area;

@@ -24,12 +24,12 @@ TEST(BadInput, IsRefusedByGenerate) {
     const std::vector<Row<Desc>> rows = {
         {[](Desc& d) { d.box_resolution = 0; }, "generate_desc.box_resolution is 0; it must be from 1 to 256"},
         {[](Desc& d) { d.seed_source = HRBFNPR_SEED_POINTS; }, "generate_desc.seed_points is empty"},
-        {[](Desc& d) { d.seed_source = HRBFNPR_SEED_SAMPLES; }, "seed_source SAMPLES needs a model"},
+        {[](Desc& d) { d.seed_source = HRBFNPR_SEED_SAMPLES; }, "seed_source is SAMPLES, which needs a model"},
         {[](Desc& d) {
              d.seed_source = HRBFNPR_SEED_POINTS;
              d.seed_points = in(bad_point);
          },
-         "seed_points[0] is not finite"},
+         "seed_points[0] is not finite; remove it"},
         {[](Desc& d) { d.seed_points.count = -4; }, "generate_desc.seed_points.count is -4"},
         {[](Desc& d) { d.shared_budget = -1; }, "generate_desc.shared_budget is -1"},
         {[](Desc& d) { d.layer_stride = -8; }, "generate_desc.layer_stride is -8"},
@@ -39,44 +39,42 @@ TEST(BadInput, IsRefusedByGenerate) {
         {[](Desc& d) { d.layer[0].name = ""; }, "generate_desc.layers[0].name has no bytes"},
         {[](Desc& d) { d.layer[0].name = "0123456789012345678901234567890123456789012345678901234567890123"; },
          "generate_desc.layers[0].name has 64 or more bytes"},
-        {[](Desc& d) { d.layer[0].name = "\xff"; }, "generate_desc.layers[0].name is not UTF-8"},
+        {[](Desc& d) { d.layer[0].name = "\xff"; }, "generate_desc.layers[0].name is not UTF-8; encode it as UTF-8"},
         {[](Desc& d) { d.layer[0].tone_begin = 0.5F; }, "generate_desc.layers[0].tone_begin is 0.5 and"},
         {[](Desc& d) { d.layer[0].levels = 13; }, "generate_desc.layers[0].levels is 13; it must be from -1 to 12"},
         {[](Desc& d) { d.layer[1].levels = -2; }, "generate_desc.layers[1].levels is -2"},
         {[](Desc& d) { d.layer[2].budget = -1; }, "generate_desc.layers[2].budget is -1"},
-        {[](Desc& d) { d.layer[0].budget = 0; }, "generate_desc.layers[0].budget is 0, no limit"},
+        {[](Desc& d) { d.layer[0].budget = 0; }, "generate_desc.layers[0].budget is 0; with BLUE_NOISE"},
         {[](Desc& d) { d.layer[0].density = HRBFNPR_DENSITY_CALLBACK; },
          "generate_desc.layers[0].density_function is NULL"},
         {[](Desc& d) { d.layer[1].separation = -1; }, "generate_desc.layers[1].separation is -1"},
-        {[](Desc& d) { d.layer[1].separation = 1e-9, d.layer[1].budget = 0; },
-         "and 100000000 are the most: raise them"},
+        {[](Desc& d) { d.layer[1].separation = 1e-9, d.layer[1].budget = 0; }, "more than 100000000; use larger ones"},
         {[](Desc& d) {
              d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
              d.layer[2].guide = HRBFNPR_HATCH_GUIDE_LIGHT;
          },
-         "generate_desc.layers[2].guide is 3; strokes of the PUBLISHED distribution follow CURVATURE (0), COMBING (1)"},
+         "generate_desc.layers[2].guide is 3; PUBLISHED strokes follow CURVATURE (0), COMBING (1)"},
         {[](Desc& d) { d.layer[1].start = 2; }, "generate_desc.layers[1].start is 2"},
-        {[](Desc& d) { d.layer[1].start = 1; },
-         "generate_desc.layers[1].start is STIPPLES; only the PUBLISHED distribution"},
+        {[](Desc& d) { d.layer[1].start = 1; }, "generate_desc.layers[1].start is STIPPLES; only PUBLISHED strokes"},
         {[](Desc& d) { d.layer[0].start = 1; }, "generate_desc.layers[0].start is STIPPLES"},
         {[](Desc& d) {
              d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
              d.layer[0].start = 1;
          },
-         "generate_desc.layers[0].start is STIPPLES; the stipples themselves"},
+         "generate_desc.layers[0].start is STIPPLES, but the layer"},
         {[](Desc& d) { d.layer[2].start_level = 13; }, "generate_desc.layers[2].start_level is 13"},
         {[](Desc& d) {
              d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
              d.layer[2].start = 1;
              d.layer[2].start_level = 3;
          },
-         "generate_desc.layers[2].start_level is 3, above the 2 levels of the stipples"},
+         "generate_desc.layers[2].start_level is 3; it must be at most 2, the levels of the stipples"},
         {[](Desc& d) {
              d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
              d.layer[0].levels = 12;
              d.layer[0].budget = 0;
          },
-         "layers[0].levels = 12 would grow to"}};
+         "layers[0].levels is 12, which would grow to"}};
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
@@ -154,7 +152,7 @@ TEST_F(BadFrame, InvalidStylesAreRefused) {
         {[](Style& s) { s.layer_count = 1; }, "items[0].style.layers is NULL"},
         {[](Style& s) { s.layer_count = -1; }, "items[0].style.layer_count is -1"},
         {[](Style& s) { s.depth_min = 1; }, "items[0].style.depth_min is 1 and depth_max is 0"},
-        {[](Style& s) { s.depth_max = 1; }, "it must be 0 < depth_min < depth_max"},
+        {[](Style& s) { s.depth_max = 1; }, "they must be 0 < depth_min < depth_max"},
         {[](Style& s) { s.depth_max = nan; }, "items[0].style.depth_max is nan"},
         {[](Style& s) { s.silhouette_radius_zoom = 2; }, "items[0].style.silhouette_radius_zoom is 2"}};
     const hrbfnpr_style good = style;
@@ -209,11 +207,11 @@ TEST_F(BadFrame, InvalidPosesAreRefused) {
     item.pose_count = 1;
     EXPECT_OK(draw());
     const std::vector<Row<Pose>> rows = {
-        {[](Pose& p) { p.layer = -1; }, "items[0].poses[0].layer is -1; the item's point set has 3 layers"},
+        {[](Pose& p) { p.layer = -1; }, "items[0].poses[0].layer is -1; it must be at least 0"},
         {[](Pose& p) { p.layer = 3; }, "items[0].poses[0].layer is 3"},
         {[](Pose& p) { --p.position.count; }, "items[0].poses[0].position.count is "},
         {[](Pose& p) { ++p.normal.count; }, "items[0].poses[0].normal.count is "},
-        {[](Pose& p) { p.normal = {}; }, "items[0].poses[0].position and normal are needed"},
+        {[](Pose& p) { p.normal = {}; }, "items[0].poses[0].position or normal is empty; both are needed"},
         {[](Pose& p) { p.position.components = 2; }, "items[0].poses[0].position.components is 2"},
         {[](Pose& p) { p.position.scalar = HRBFNPR_SCALAR_UINT8; }, "items[0].poses[0].position.scalar is 3"},
         {[](Pose& p) { p.position = in(bad_place); }, "items[0].poses[0].position[1] is "},
@@ -235,7 +233,7 @@ TEST_F(BadFrame, InvalidPosesAreRefused) {
     EXPECT_FAILS(draw(), invalid, "items[0].pose_count is -1");
     item.pose_count = 1;
     item.model = model.get();
-    EXPECT_FAILS(draw(), invalid, "items[0].model is given, and so are poses");
+    EXPECT_FAILS(draw(), invalid, "items[0].model is given together with poses");
     item.model = nullptr;
     item.poses = nullptr;
     EXPECT_FAILS(draw(), invalid, "items[0].poses is NULL");
@@ -253,7 +251,7 @@ TEST_F(BadFrame, InvalidItemsAndCamerasAreRefused) {
     EXPECT_FAILS(draw(), invalid, "items[0].point_set is NULL");
     item = good;
     item.sides = 2;
-    EXPECT_FAILS(draw(), invalid, "items[0].sides is 2; it must be one of HRBFNPR_SIDES_... (0 to 1)");
+    EXPECT_FAILS(draw(), invalid, "items[0].sides is 2; it must be one of HRBFNPR_SIDES_* (0 to 1)");
     item = good;
     item.transform[5] = nan;
     EXPECT_FAILS(draw(), invalid, "items[0].transform[5] is nan");
@@ -296,17 +294,17 @@ TEST_F(BadFrame, InvalidImagesAreRefused) {
     std::vector<std::uint8_t> pixels;
     hrbfnpr_image good = image_of(pixels, 16);
     const std::vector<Row<hrbfnpr_image>> rows = {
-        {[](auto& i) { i.format = 0; }, "image.format is 0; it must be one of HRBFNPR_FORMAT_..."},
+        {[](auto& i) { i.format = 0; }, "image.format is 0; it must be one of HRBFNPR_FORMAT_*"},
         {[](auto& i) { i.format = 8; }, "image.format is 8"},
         {[](auto& i) { i.width = 0; }, "image.width is 0; it must be from 1 to 32768"},
         {[](auto& i) { i.height = -3; }, "image.height is -3"},
         {[](auto& i) { i.width = 32769; }, "image.width is 32769"},
         {[](auto& i) { i.pixels = nullptr; }, "image.pixels is NULL"},
-        {[](auto& i) { i.row_stride = 63; }, "image.row_stride is 63; it must be 0, or at least 4 * width = 64"},
+        {[](auto& i) { i.row_stride = 63; }, "image.row_stride is 63; with 4 bytes per pixel a row has 64"},
         {[](auto& i) { i.row_stride = -63; }, "image.row_stride is -63"},
         {[](auto& i) { i.row_stride = std::numeric_limits<std::int64_t>::min(); }, "image.row_stride is -9223"},
         {[](auto& i) { i.row_stride = std::int64_t{1} << 50; }, "image.row_stride is"},
-        {[](auto& i) { i.row_stride = -(std::int64_t{1} << 47); }, "is beyond the address space"}};
+        {[](auto& i) { i.row_stride = -(std::int64_t{1} << 47); }, "exceeds the address space"}};
     for (const auto& row : rows) {
         hrbfnpr_image image = good;
         row.change(image);
@@ -330,7 +328,7 @@ TEST_F(BadFrame, InvalidRasterDescriptorsAreRefused) {
     EXPECT_FAILS(call([](auto& d) { d.flags = 4; }), invalid, "raster_desc.flags is 0x4");
     EXPECT_FAILS(call([&](auto& d) { d.depth = out(depth, 2); }), invalid, "raster_desc.depth.components is 2");
     EXPECT_FAILS(call([&](auto& d) { d.depth = out(id, 1); }), invalid,
-                 "raster_desc.depth.scalar is 4; it must be HRBFNPR_SCALAR_ FLOAT32");
+                 "raster_desc.depth.scalar is 4; it must be HRBFNPR_SCALAR_FLOAT32");
     EXPECT_FAILS(call([&](auto& d) { d.id = out(depth, 1); }), invalid, "raster_desc.id.scalar is 1");
     EXPECT_FAILS(call([&](auto& d) { d.mark_class = out(depth, 1); }), invalid, "raster_desc.mark_class.scalar is 1");
     depth.resize(255);
@@ -348,18 +346,18 @@ TEST_F(BadFrame, InvalidVertexLayoutsAreRefused) {
         {[](Layout& l) { l.attribute_stride = -24; }, "layout.attribute_stride is -24"},
         {[](Layout& l) { l.primitive = 0; }, "layout.primitive is 0; it must be one of HRBFNPR_PRIMITIVE_"},
         {[](Layout& l) { l.primitive = 4; }, "layout.primitive is 4"},
-        {[](Layout& l) { l.stride = 15; }, "layout.stride is 15; by their offset and size the attributes end at 16"},
+        {[](Layout& l) { l.stride = 15; }, "layout.stride is 15, but by offset and size the attributes end at byte 16"},
         {[](Layout& l) { l.stride = -16; }, "layout.stride is -16"},
-        {[](Layout& l) { l.stride = std::numeric_limits<std::int64_t>::max(); }, "are beyond the address space"},
+        {[](Layout& l) { l.stride = std::numeric_limits<std::int64_t>::max(); }, "exceed the address space"},
         {[](Layout& l) { l.attribute[1].attribute = 14; }, "layout.attributes[1].attribute is 14"},
         {[](Layout& l) { l.attribute[0].scalar = HRBFNPR_SCALAR_FLOAT64; },
-         "layout.attributes[0].scalar is 2; attribute 0 cannot have that type"},
+         "layout.attributes[0].scalar is 2, a type that attribute 0 cannot have"},
         {[](Layout& l) { l.attribute[0].scalar = 99; }, "layout.attributes[0].scalar is 99"},
         {[](Layout& l) {
              l.stride = 16;
              l.attribute[0].offset = 0xFFFFFFFFU;
          },
-         "layout.stride is 16; by their offset and size the attributes end at 4294967307"}};
+         "layout.stride is 16, but by offset and size the attributes end at byte 4294967307"}};
     std::vector<std::uint8_t> room(1 << 20);
     std::int64_t count = -7;
     const auto write = [&](const hrbfnpr_vertex_layout* layout, void* vertices, std::int64_t capacity,
@@ -384,7 +382,8 @@ TEST_F(BadFrame, InvalidVertexLayoutsAreRefused) {
     EXPECT_FAILS(write(good.get(), room.data(), 65536, nullptr, 5), invalid, "indices is NULL");
     EXPECT_FAILS(write(good.get(), room.data(), 65536, &index, -5), invalid, "index_capacity is -5");
     EXPECT_EQ(count, -7);
-    EXPECT_FAILS(write(good.get(), room.data(), 65536, &index, 1), HRBFNPR_STATUS_BUFFER_TOO_SMALL, "are needed");
+    EXPECT_FAILS(write(good.get(), room.data(), 65536, &index, 1), HRBFNPR_STATUS_BUFFER_TOO_SMALL,
+                 "they must be at least");
     EXPECT_EQ(index, 7U);
     EXPECT_OK(write(good.get(), room.data(), 65536));
     EXPECT_GT(count, 0);
@@ -406,9 +405,10 @@ TEST_F(BadFrame, InvalidMarkResultsAndIdsAreRefused) {
         return hrbfnpr_drawing_mark_results(kept.get(), item_number, layer, &wanted, error);
     };
     const auto as_is = [](auto&) {};
-    EXPECT_FAILS(results(1, 0, as_is), invalid, "item is 1; the drawing has 1");
+    EXPECT_FAILS(results(1, 0, as_is), invalid, "item is 1; it must be at least 0 and below the number of items, 1");
     EXPECT_FAILS(results(-1, 0, as_is), invalid, "item is -1");
-    EXPECT_FAILS(results(0, 3, as_is), invalid, "layer is 3; the point set of item 0 has 3");
+    EXPECT_FAILS(results(0, 3, as_is), invalid,
+                 "layer is 3; in the point set of item 0 it must be at least 0 and below 3");
     EXPECT_FAILS(results(0, -1, as_is), invalid, "layer is -1");
     EXPECT_FAILS(results(0, 0, [](auto& r) { --r.shown.count; }), invalid, "mark_results.shown.count is ");
     EXPECT_FAILS(results(0, 0, [](auto& r) { r.radius.scalar = HRBFNPR_SCALAR_FLOAT64; }), invalid,
@@ -434,13 +434,14 @@ TEST_F(BadFrame, InvalidMarkResultsAndIdsAreRefused) {
     EXPECT_FAILS(hrbfnpr_drawing_write_mark_indices(kept.get(), 0, 0, 1, 1, &index, 1, nullptr, error), invalid,
                  "count is NULL");
     EXPECT_EQ(count, -7);
-    EXPECT_FAILS(indices(0, 1, 1, nullptr, 0), HRBFNPR_STATUS_BUFFER_TOO_SMALL, "indices are needed");
+    EXPECT_FAILS(indices(0, 1, 1, nullptr, 0), HRBFNPR_STATUS_BUFFER_TOO_SMALL, "the number of indices");
     EXPECT_GT(count, 0);
     auto identity = made(hrbfnpr_mark_identity_init);
     identity.mark = -7;
     const auto last = static_cast<std::uint32_t>(info_of(set).marks);
-    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), 0, &identity, error), invalid, "id is 0; the drawing's marks");
-    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), last + 1, &identity, error), invalid, "have 1 to ");
+    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), 0, &identity, error), invalid,
+                 "id is 0; the marks of this drawing");
+    EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), last + 1, &identity, error), invalid, "have the ids 1 to ");
     EXPECT_FAILS(hrbfnpr_drawing_identify(kept.get(), 1, nullptr, error), invalid, "mark_identity is NULL");
     EXPECT_EQ(identity.mark, -7);
     EXPECT_OK(hrbfnpr_drawing_identify(kept.get(), last, &identity, error));

@@ -45,30 +45,31 @@ const std::vector<Row<FitCall>>& fit_rows() {
         {[](FitCall& c) {
              c.desc.normals = {nullptr, 0, 0, 0, 0};
          },
-         invalid, "fit_desc.normals has 0 elements and fit_desc.points has 6"},
+         invalid, "fit_desc.normals has 0 elements, but points has 6"},
         {[](FitCall& c) { c.desc.normals.count = 5; }, invalid,
-         "fit_desc.normals has 5 elements and fit_desc.points has 6; give one normal for each point"},
-        {[](FitCall& c) { c.desc.points.data = nullptr; }, invalid, "fit_desc.points.data is NULL but its count is 6"},
+         "fit_desc.normals has 5 elements, but points has 6; give one normal for each point"},
+        {[](FitCall& c) { c.desc.points.data = nullptr; }, invalid,
+         "fit_desc.points.data is NULL, but its count is 6; give the data, or set count to 0"},
         {[](FitCall& c) { c.desc.points.count = -1; }, invalid, "fit_desc.points.count is -1; it must be 0 or more"},
         {[](FitCall& c) { c.desc.points.scalar = 0; }, invalid,
-         "fit_desc.points.scalar is 0; it must be HRBFNPR_SCALAR_ FLOAT32 or FLOAT64"},
+         "fit_desc.points.scalar is 0; it must be HRBFNPR_SCALAR_FLOAT32 or _FLOAT64"},
         {[](FitCall& c) { c.desc.points.scalar = 5; }, invalid, "fit_desc.points.scalar is 5"},
         {[](FitCall& c) { c.desc.points.scalar = 33; }, invalid, "fit_desc.points.scalar is 33"},
         {[](FitCall& c) { c.desc.normals.scalar = HRBFNPR_SCALAR_UINT8; }, invalid, "fit_desc.normals.scalar is 3"},
         {[](FitCall& c) { c.desc.points.components = 2; }, invalid, "fit_desc.points.components is 2; it must be 3"},
         {[](FitCall& c) { c.desc.points.components = 0; }, invalid, "fit_desc.points.components is 0; it must be 3"},
         {[](FitCall& c) { c.desc.points.stride = 23; }, invalid,
-         "fit_desc.points.stride is 23; an element has 24 bytes"},
+         "fit_desc.points.stride is 23, but an element has 24 bytes"},
         {[](FitCall& c) { c.desc.points.stride = -23; }, invalid, "fit_desc.points.stride is -23"},
         {[](FitCall& c) { c.desc.points.stride = largest; }, invalid,
-         "fit_desc.points: count 6 times stride 9223372036854775807 is beyond the address space"},
-        {[](FitCall& c) { c.desc.points.stride = lowest; }, invalid, "is beyond the address space"},
-        {[](FitCall& c) { c.desc.points.stride = largest / 5; }, invalid, "is beyond the address space"},
-        {[](FitCall& c) { c.desc.points.stride = -(std::int64_t{1} << 62); }, invalid, "is beyond the address space"},
-        {[](FitCall& c) { c.desc.points.count = largest; }, invalid, "is beyond the address space"},
-        {[](FitCall& c) { c.desc.points.count = largest / 24 + 1; }, invalid, "is beyond the address space"},
-        {[](FitCall& c) { c.desc.kernel = 3; }, invalid, "fit_desc.kernel is 3; it must be one of HRBFNPR_KERNEL_..."},
-        {[](FitCall& c) { c.desc.polynomial_degree = 3; }, invalid, "do not determine a polynomial of that degree"},
+         "fit_desc.points: count 6 times stride 9223372036854775807 exceeds the address space"},
+        {[](FitCall& c) { c.desc.points.stride = lowest; }, invalid, "exceeds the address space"},
+        {[](FitCall& c) { c.desc.points.stride = largest / 5; }, invalid, "exceeds the address space"},
+        {[](FitCall& c) { c.desc.points.stride = -(std::int64_t{1} << 62); }, invalid, "exceeds the address space"},
+        {[](FitCall& c) { c.desc.points.count = largest; }, invalid, "exceeds the address space"},
+        {[](FitCall& c) { c.desc.points.count = largest / 24 + 1; }, invalid, "exceeds the address space"},
+        {[](FitCall& c) { c.desc.kernel = 3; }, invalid, "fit_desc.kernel is 3; it must be one of HRBFNPR_KERNEL_*"},
+        {[](FitCall& c) { c.desc.polynomial_degree = 3; }, invalid, "do not determine such a polynomial"},
         {[](FitCall& c) { c.desc.outliers = HRBFNPR_REPAIR_REORIENT; }, invalid,
          "fit_desc.outliers is 2; it must be one of HRBFNPR_REPAIR_KEEP and _DROP"},
         {[](FitCall& c) { c.desc.flipped_normals = 3; }, invalid, "fit_desc.flipped_normals is 3"},
@@ -76,7 +77,9 @@ const std::vector<Row<FitCall>>& fit_rows() {
              c.desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
              c.desc.regularization = 0.5;
          },
-         invalid, "fit_desc.regularization is 0.5 with regularization_mode AUTO; leave it 0"},
+         invalid,
+         "fit_desc.regularization is 0.5, but regularization_mode is AUTO; set it to 0, or the mode to "
+         "HRBFNPR_REGULARIZATION_GIVEN"},
         {[](FitCall& c) { c.desc.struct_size = 0; }, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "fit_desc.struct_size is 0"},
         {[](FitCall& c) { c.desc.struct_size = 8; }, invalid, "fit_desc.points is empty"},
         {[](FitCall& c) {
@@ -84,7 +87,7 @@ const std::vector<Row<FitCall>>& fit_rows() {
                  c.samples.points[static_cast<std::size_t>(axis)] =
                      c.samples.points[static_cast<std::size_t>(3 + axis)];
          },
-         invalid, "points[0] and points[1] coincide but their normals differ by"},
+         invalid, "points[0] and points[1] coincide, but their normals differ by"},
     };
     return rows;
 }
@@ -117,7 +120,7 @@ TEST(BadInput, NullPointersAreRefusedByFit) {
 TEST(BadInput, IsRefusedByContextCreation) {
     const std::vector<Row<hrbfnpr_context_desc>> rows = {
         {[](auto& d) { d.abi_version = 77; }, HRBFNPR_STATUS_VERSION_MISMATCH,
-         "context_desc.abi_version is 77 and this library's is 1"},
+         "context_desc.abi_version is 77, but the library's is 1"},
         {[](auto& d) { d.thread_count = -1; }, invalid, "context_desc.thread_count is -1"},
         {[](auto& d) { d.thread_backend = HRBFNPR_THREAD_BACKEND_RUN_TASKS; }, invalid,
          "context_desc.run_tasks is NULL"},
@@ -125,9 +128,9 @@ TEST(BadInput, IsRefusedByContextCreation) {
              d.thread_backend = HRBFNPR_THREAD_BACKEND_POOL;
              d.run_tasks = [](void*, hrbfnpr_task_fn, void*, std::int64_t) {};
          },
-         invalid, "context_desc.thread_backend is 1 and run_tasks is given"},
+         invalid, "context_desc.thread_backend is 1, but run_tasks is given"},
         {[](auto& d) { d.log_level = 3; }, invalid,
-         "context_desc.log_level is 3; it must be one of HRBFNPR_LOG_... (0 to 2)"},
+         "context_desc.log_level is 3; it must be one of HRBFNPR_LOG_* (0 to 2)"},
         {[](auto& d) { d.allocate = Allocator::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
         {[](auto& d) { d.deallocate = Allocator::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
     for (const auto& row : rows) {
@@ -148,7 +151,7 @@ TEST(BadInput, IsRefusedByCustomModels) {
         {[](auto& d) {
              for (int axis = 0; axis < 3; ++axis) d.bounds_max[axis] = d.bounds_min[axis];
          },
-         invalid, "span no box"},
+         invalid, "give a box with the diagonal"},
         {[](auto& d) { d.difference_step = -1; }, invalid, "custom_desc.difference_step is -1"}};
     const Context context = make_context();
     Sphere sphere;
@@ -187,16 +190,18 @@ void expect_untouched(const Query& query) {
 
 TEST(BadInput, IsRefusedByEvaluate) {
     const std::vector<Row<Query>> rows = {
-        {[](Query& q) { q.points.data = nullptr; }, invalid, "points.data is NULL but its count is 2"},
+        {[](Query& q) { q.points.data = nullptr; }, invalid,
+         "points.data is NULL, but its count is 2; give the data, or set count to 0"},
         {[](Query& q) { q.numbers.count = 1; }, invalid, "value.count is 1; it must be 2"},
         {[](Query& q) { q.numbers.count = -2; }, invalid, "value.count is -2"},
-        {[](Query& q) { q.numbers.data = nullptr; }, invalid, "value.data is NULL but its count is 2"},
+        {[](Query& q) { q.numbers.data = nullptr; }, invalid,
+         "value.data is NULL, but its count is 2; give the data, or set count to 0"},
         {[](Query& q) { q.numbers.components = 3; }, invalid, "value.components is 3; it must be 1"},
         {[](Query& q) { q.vectors.components = 1; }, invalid, "gradient.components is 1; it must be 3"},
         {[](Query& q) { q.vectors.scalar = HRBFNPR_SCALAR_UINT32; }, invalid, "gradient.scalar is 4"},
         {[](Query& q) { q.hessians.components = 9; }, invalid, "hessian.components is 9; it must be 6"},
-        {[](Query& q) { q.hessians.stride = 8; }, invalid, "hessian.stride is 8; an element has 48 bytes"},
-        {[](Query& q) { q.hessians.stride = lowest; }, invalid, "is beyond the address space"}};
+        {[](Query& q) { q.hessians.stride = 8; }, invalid, "hessian.stride is 8, but an element has 48 bytes"},
+        {[](Query& q) { q.hessians.stride = lowest; }, invalid, "exceeds the address space"}};
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
@@ -221,7 +226,7 @@ TEST(BadInput, IsRefusedByProject) {
     const std::vector<Row<Query>> rows = {
         {[](Query& q) { q.vectors.count = 3; }, invalid, "projection.position.count is 3; it must be 2"},
         {[](Query& q) { q.bytes.scalar = HRBFNPR_SCALAR_FLOAT32; }, invalid,
-         "projection.status.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8 or UINT32"},
+         "projection.status.scalar is 1; it must be HRBFNPR_SCALAR_UINT8 or _UINT32"},
         {[](Query& q) { q.desc.armijo_factor = nan; }, invalid, "project_desc.armijo_factor is nan"}};
     const Context context = make_context();
     Sphere sphere;

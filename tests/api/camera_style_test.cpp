@@ -119,7 +119,7 @@ TEST(Style, PresetsHaveNamesAndLayers) {
     EXPECT_EQ(count, 0);
     Error error;
     hrbfnpr_style style;
-    const std::string all = "it must be one of HRBFNPR_PRESET_... (0 to " + std::to_string(presets - 1) + ")";
+    const std::string all = "it must be one of HRBFNPR_PRESET_* (0 to " + std::to_string(presets - 1) + ")";
     EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, presets, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "preset is " + std::to_string(presets) + "; " + all);
     EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, error), HRBFNPR_STATUS_INVALID_ARGUMENT,

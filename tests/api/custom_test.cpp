@@ -217,7 +217,7 @@ TEST(Custom, CannotBeSaved) {
     const Model model = custom_sphere(context, sphere);
     std::int64_t size = 5;
     EXPECT_FAILS(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "model is a custom one");
+                 "model is a custom model");
     EXPECT_EQ(size, 5);
 }
 

@@ -82,7 +82,7 @@ TEST(DepthImage, BadInputsAreNamed) {
         {[](auto& d, auto&) { d.rows = 47; }, "64 columns x 47 rows are 3008"},
         {[](auto& d, auto&) { d.points = {}; }, "depth_image_desc.points has 0 elements"},
         {[](auto& d, auto&) { d.points.components = 2; }, "depth_image_desc.points"},
-        {[](auto& d, auto&) { std::swap(d.columns, d.rows); }, "no image of a camera in the origin"},
+        {[](auto& d, auto&) { std::swap(d.columns, d.rows); }, "not an image of a camera at the origin"},
         {[](auto&, auto& o) { o.count = 3; }, "out_points.count is 3; it must be 3072"},
         {[](auto&, auto& o) { o.scalar = HRBFNPR_SCALAR_UINT8; }, "out_points.scalar"},
     };
@@ -113,7 +113,7 @@ TEST(DepthImage, RefusesResultsThatFloatsCannotHold) {
     std::vector<float> points(seen.points.size(), 7.0F);
     const hrbfnpr_array_out target = out(points);
     EXPECT_FAILS(hrbfnpr_smooth_depth_image(context.get(), &desc, nullptr, &target, nullptr, nullptr, error),
-                 HRBFNPR_STATUS_INVALID_ARGUMENT, "beyond FLOAT32: give a FLOAT64 array");
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "too large for FLOAT32; give a FLOAT64 array");
     EXPECT_EQ(points, std::vector<float>(points.size(), 7.0F));
 }
 

@@ -111,7 +111,7 @@ TEST(Layers, InvalidArraysAreRefused) {
     };
     const auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].level.scalar = HRBFNPR_SCALAR_FLOAT32; }), invalid,
-                 "point_set_desc.layers[2].level.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8");
+                 "point_set_desc.layers[2].level.scalar is 1; it must be HRBFNPR_SCALAR_UINT8");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].stroke_first.components = 2; }), invalid,
                  "point_set_desc.layers[2].stroke_first.components is 2; it must be 1");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].stroke_first = {}; }), invalid, "layers[2].stroke_direction has 2");
@@ -125,7 +125,8 @@ TEST(Layers, InvalidArraysAreRefused) {
     EXPECT_FAILS(refused([](Arrays& a) { a.desc.reserved = 3; }), invalid, "point_set_desc.reserved is 3");
     EXPECT_FAILS(refused([](Arrays& a) { a.desc.layer_count = -1; }), invalid, "point_set_desc.layer_count is -1");
     EXPECT_FAILS(refused([](Arrays& a) { a.desc.layer_stride = 4; }), invalid, "point_set_desc.layer_stride is 4");
-    EXPECT_FAILS(refused([](Arrays& a) { a.desc = made(hrbfnpr_point_set_desc_init); }), invalid, "there is no mark");
+    EXPECT_FAILS(refused([](Arrays& a) { a.desc = made(hrbfnpr_point_set_desc_init); }), invalid,
+                 "no layer has a mark");
     EXPECT_FAILS(refused([](Arrays& a) { a.desc.layers = nullptr; }), invalid, "point_set_desc.layers is NULL");
     hrbfnpr_point_set* set = nullptr;
     EXPECT_FAILS(hrbfnpr_point_set_create(context.get(), nullptr, &set, error), invalid, "point_set_desc is NULL");
@@ -153,7 +154,7 @@ TEST(Layers, ListsMayHaveStrides) {
     EXPECT_EQ(layer_info(set, 2).strokes, 2);
     wide[2].more = 1;
     EXPECT_FAILS(create(context, arrays.desc, set, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
-                 "point_set_desc.layers[2] has fields that this library");
+                 "point_set_desc.layers[2] sets fields that this library");
     wide[2].more = 0;
     wide[2].known.struct_size = offsetof(hrbfnpr_layer_arrays, stroke_first); // older than strokes
     arrays.desc.layer_stride = sizeof(Wide);

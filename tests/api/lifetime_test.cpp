@@ -203,7 +203,7 @@ TEST(Log, ReportsASurfaceThatIsNotTrimmed) {
     desc.log_user = &messages;
     fit(make_context(desc), scenes::sphere_6());
     ASSERT_EQ(messages.text.size(), 2U);
-    EXPECT_EQ(messages.text[1], "trim: the surface is left whole: there are too few samples to tell where it ends");
+    EXPECT_EQ(messages.text[1], "trim: the surface is left whole: there are too few samples to find where it ends");
     EXPECT_EQ(messages.highest, HRBFNPR_LOG_INFO);
 }
 

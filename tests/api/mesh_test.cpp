@@ -115,7 +115,7 @@ TEST(Mesh, RefusesInvalidMeshes) {
     from.vertices[30] = std::numeric_limits<double>::quiet_NaN();
     expect(mesh_desc(from), "vertices[10], a corner of triangles[");
     from.vertices[30] = 1e61;
-    expect(mesh_desc(from), "within 1e60");
+    expect(mesh_desc(from), "at most 1e60");
     from = icosphere(1);
     hrbfnpr_mesh_desc desc = mesh_desc(from);
     desc.triangles = {};
@@ -125,7 +125,7 @@ TEST(Mesh, RefusesInvalidMeshes) {
     expect(desc, "mesh_desc.vertices is empty");
     desc = mesh_desc(from);
     desc.triangles.scalar = HRBFNPR_SCALAR_FLOAT32;
-    expect(desc, "mesh_desc.triangles.scalar is 1; it must be HRBFNPR_SCALAR_ INT32, INT64 or UINT32");
+    expect(desc, "mesh_desc.triangles.scalar is 1; it must be HRBFNPR_SCALAR_INT32, _INT64 or _UINT32");
     desc = mesh_desc(from);
     desc.crease_angle = 181.0;
     expect(desc, "mesh_desc.crease_angle is 181");
@@ -318,7 +318,7 @@ TEST(FitMesh, TakesTheOptionsOfAFit) {
         EXPECT_EQ(raw, nullptr);
     };
     fit.maximum_centres = 100;
-    expect("those of mesh_fit_desc hold");
+    expect("set those of mesh_fit_desc");
     fit = made(hrbfnpr_fit_desc_init);
     desc.share = 0.0;
     expect("mesh_fit_desc.share is 0");

@@ -70,7 +70,7 @@ TEST(Operation, ServesOneCallAtATime) {
     EXPECT_OK(calls.fit_call()(operation.get(), error));
     EXPECT_EQ(reentry.call_status, HRBFNPR_STATUS_INVALID_ARGUMENT);
     EXPECT_EQ(reentry.callback_status, HRBFNPR_STATUS_INVALID_ARGUMENT);
-    EXPECT_EQ(reentry.message, "operation is in use by another call; give each call that runs one of its own");
+    EXPECT_EQ(reentry.message, "operation is in use by another call; give each call its own operation, or wait");
 }
 
 TEST(Operation, MayBeReleasedWhileItsCallRuns) {

@@ -72,7 +72,7 @@ TEST(Orient, BadInputsAreNamed) {
     const Row rows[] = {
         {[](auto& d, auto&) { d.mode = 6; }, "orient_desc.mode is 6"},
         {[](auto& d, auto&) { d.points.count = 0; }, "orient_desc.points is empty"},
-        {[](auto& d, auto&) { d.normals.count = 7; }, "orient_desc.normals has 7 elements and orient_desc.points has"},
+        {[](auto& d, auto&) { d.normals.count = 7; }, "orient_desc.normals has 7 elements, but points has"},
         {[](auto& d, auto&) {
              d.normals = {};
              d.mode = HRBFNPR_NORMALS_MIXED;
@@ -80,7 +80,7 @@ TEST(Orient, BadInputsAreNamed) {
          "orient_desc.normals has 0 elements"},
         {[](auto& d, auto&) { d.up[2] = 0.0; }, "orient_desc.up is 0 0 0"},
         {[](auto&, auto& o) { o.count = 3; }, "out_normals.count is 3; it must be 300"},
-        {[](auto&, auto& o) { o = {}; }, "out_normals is not given"},
+        {[](auto&, auto& o) { o = {}; }, "out_normals is empty"},
         {[](auto&, auto& o) { o.scalar = HRBFNPR_SCALAR_UINT8; }, "out_normals.scalar"},
         {[](auto& d, auto&) { d.points.count = d.normals.count = 3; }, "out_normals.count is 300; it must be 3"},
     };

@@ -127,8 +127,8 @@ TEST_F(PageTest, RefusesInvalidDescriptors) {
         "page_desc.items[0].drawing is NULL");
     put(&hrbfnpr_page_item::scale, 0.0, "page_desc.items[0].scale");
     put(&hrbfnpr_page_item::x, nan, "page_desc.items[0].x");
-    put(&hrbfnpr_page_item::x, -1000.0, "give page_desc.width and height");
-    put(&hrbfnpr_page_item::name, "\xC0", "page_desc.items[0].name is not UTF-8");
+    put(&hrbfnpr_page_item::x, -1000.0, "set page_desc.width and height");
+    put(&hrbfnpr_page_item::name, "\xC0", "page_desc.items[0].name is not UTF-8; encode it as UTF-8");
     auto pen = made(hrbfnpr_pen_init);
     desc.pens = &pen;
     desc.pen_count = 1;
@@ -141,9 +141,9 @@ TEST_F(PageTest, RefusesInvalidDescriptors) {
     auto note = made(hrbfnpr_annotation_init);
     desc.annotations = &note;
     desc.annotation_count = 1;
-    refused("page_desc.annotations[0].points has 0 elements; it must have 2");
+    refused("page_desc.annotations[0].points has 0 elements; it must have at least 2");
     note.text = "T";
-    refused("page_desc.annotations[0].points has 0 elements; it must have 1");
+    refused("page_desc.annotations[0].points has 0 elements; it must have at least 1");
     const std::vector<double> bad{1.0, nan};
     note.points = in(bad, 2);
     refused("page_desc.annotations[0].points");

@@ -55,7 +55,7 @@ TEST(PointSet, ReproducesThePublishedCounts) {
         }
         EXPECT_EQ(placed, of_layer.marks);
         EXPECT_FAILS(hrbfnpr_point_set_get_placement(set.get(), layer, of_layer.levels + 1, &placement, error),
-                     HRBFNPR_STATUS_INVALID_ARGUMENT, "the layer has levels 0 to ");
+                     HRBFNPR_STATUS_INVALID_ARGUMENT, "it must be from 0 to ");
         EXPECT_FAILS(hrbfnpr_point_set_get_placement(set.get(), layer, -1, &placement, error),
                      HRBFNPR_STATUS_INVALID_ARGUMENT, "level is -1");
     }
@@ -106,7 +106,7 @@ TEST(PointSet, RefusesUnknownViews) {
     const PointSet set = generate(context, model, small_desc());
     hrbfnpr_array view{};
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 3, 0, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "layer is 3; the set has 3");
+                 "layer is 3; it must be at least 0 and below the number of layers, 3");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 11, &view, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "attribute is 11");
     EXPECT_FAILS(hrbfnpr_point_set_view(set.get(), 0, 0, nullptr, error), HRBFNPR_STATUS_INVALID_ARGUMENT,

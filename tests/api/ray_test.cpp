@@ -192,8 +192,9 @@ TEST(CastRays, BadArgumentsAreNamed) {
     const std::vector<Row> rows = {
         {[](Cast& c) { c.origin[4] = nan; }, "origins[1] is NaN or infinite; all origins must be finite"},
         {[](Cast& c) { c.direction[0] = infinity; }, "directions[0] is NaN or infinite; all directions must be finite"},
-        {[](Cast& c) { c.direction[4] = 0; }, "directions[1] is zero; all directions must have a length"},
-        {[](Cast& c) { c.directions.count = 1; }, "directions has 1 elements and origins has 2; give one for each"},
+        {[](Cast& c) { c.direction[4] = 0; }, "directions[1] is zero; all directions must have a length above 0"},
+        {[](Cast& c) { c.directions.count = 1; },
+         "directions has 1 elements, but origins has 2; give one direction for each origin"},
         {[](Cast& c) { c.origins.components = 2; }, "origins.components is 2; it must be 3"},
         {[](Cast& c) { c.directions.scalar = HRBFNPR_SCALAR_UINT8; }, "directions.scalar is 3"},
         {[](Cast& c) { c.desc.t_min = infinity; }, "cast_desc.t_min is inf; it must be a finite number"},
@@ -203,14 +204,15 @@ TEST(CastRays, BadArgumentsAreNamed) {
              c.desc.t_min = 2;
              c.desc.t_max = 1;
          },
-         "cast_desc.t_max is 1; it must be a number not below t_min, which is 2"},
+         "cast_desc.t_max is 1; it must be at least t_min, which is 2"},
         {[](Cast& c) { c.hits.count.scalar = HRBFNPR_SCALAR_UINT8; },
-         "ray_hits.count.scalar is 3; it must be HRBFNPR_SCALAR_ UINT32"},
+         "ray_hits.count.scalar is 3; it must be HRBFNPR_SCALAR_UINT32"},
         {[](Cast& c) { c.hits.t.count = 4; }, "ray_hits.t.count is 4; it must be 2"},
         {[](Cast& c) { c.hits.position.components = 3; }, "ray_hits.position.components is 3; it must be 6"},
         {[](Cast& c) { c.hits.normal.scalar = HRBFNPR_SCALAR_UINT32; }, "ray_hits.normal.scalar is 4"},
         {[](Cast& c) { c.hits.entering.scalar = HRBFNPR_SCALAR_FLOAT32; }, "ray_hits.entering.scalar is 1"},
-        {[](Cast& c) { c.hits.status.data = nullptr; }, "ray_hits.status.data is NULL but its count is 2"},
+        {[](Cast& c) { c.hits.status.data = nullptr; },
+         "ray_hits.status.data is NULL, but its count is 2; give the data, or set count to 0"},
         {[](Cast& c) { c.hits.reserved = 1; }, "ray_hits.reserved is 1; it must be 0"}};
     const Context context = make_context();
     Sphere sphere;
@@ -291,7 +293,7 @@ TEST(Contains, BadArgumentsAreNamed) {
     Error error;
     EXPECT_FAILS(call(error), invalid, "points[1] is NaN or infinite; all points must be finite");
     answers.scalar = HRBFNPR_SCALAR_FLOAT32;
-    EXPECT_FAILS(call(error), invalid, "inside.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8");
+    EXPECT_FAILS(call(error), invalid, "inside.scalar is 1; it must be HRBFNPR_SCALAR_UINT8");
     answers = out(inside, 1);
     answers.count = 1;
     EXPECT_FAILS(call(error), invalid, "inside.count is 1; it must be 2");

@@ -349,7 +349,7 @@ TEST(Scale, FloatArraysThatCannotHoldAnAnswerAreRefused) {
     auto curvature = made(hrbfnpr_curvature_init);
     curvature.k1 = out(k1, 1);
     EXPECT_FAILS(hrbfnpr_model_curvature(model.get(), &points, &curvature, nullptr, error),
-                 HRBFNPR_STATUS_INVALID_ARGUMENT, "which a FLOAT32 cannot hold: give an array of FLOAT64");
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "too large for FLOAT32; give a FLOAT64 array");
     const Model large = sphere_of(context, 1e60);
     const std::vector<double> far{2e60, 0.0, 0.0};
     std::vector<float> value(1), place(3);

@@ -63,7 +63,7 @@ TEST_F(ReadStruct, ALongStructIsRefusedOnlyIfItsTailIsSet) {
     for (std::size_t at = sizeof(hrbfnpr_context_desc); at < sizeof desc; ++at) {
         desc.bytes[at] = 1;
         EXPECT_FAILS(create(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
-                     "context_desc has fields that this library (0.1.0) does not know, and they are set");
+                     "context_desc sets fields that this library, version 0.1.0, does not know");
         desc.bytes[at] = 0;
     }
 }
@@ -72,7 +72,7 @@ TEST_F(ReadStruct, AnUninitializedStructIsRefused) {
     for (const std::uint32_t size : {0U, 7U, 0x55555555U}) {
         desc.known.struct_size = size;
         EXPECT_FAILS(create(), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
-                     "context_desc.struct_size is " + std::to_string(size) + "; set the struct up with its _init");
+                     "context_desc.struct_size is " + std::to_string(size) + "; set up the struct with its _init");
     }
 }
 
@@ -143,7 +143,7 @@ TEST_F(ResultStruct, ALongStructIsRefusedOnlyIfItsTailIsSet) {
     EXPECT_EQ(result.known.struct_size, sizeof result);
     result.known.converged = -7;
     result.bytes[sizeof(hrbfnpr_projection)] = 1;
-    EXPECT_FAILS(call(result), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "projection has fields that this library");
+    EXPECT_FAILS(call(result), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "projection sets fields that this library");
     EXPECT_EQ(result.known.converged, -7);
     result.known.struct_size = 3;
     EXPECT_FAILS(call(result), HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "projection.struct_size is 3");

@@ -193,7 +193,7 @@ TEST(Trim, RefusesInvalidDescriptors) {
             desc.points = in(one);
             desc.normals = in(none);
         },
-        "trim_desc.normals[0] is 0");
+        "trim_desc.normals[0] is zero");
     refused(
         model, [&](auto& desc) { desc.normals = in(one); }, "trim_desc.normals has 1 elements");
     refused(
@@ -210,7 +210,7 @@ TEST(Trim, RefusesAModelOfOneSample) {
     const Model model = fit_whole(context, samples);
     hrbfnpr_model* got = nullptr;
     EXPECT_FAILS(hrbfnpr_model_trim(model.get(), nullptr, nullptr, &got, error), HRBFNPR_STATUS_NOT_CONVERGED,
-                 "no part of the surface is near its samples");
+                 "no part of the surface is near the samples");
 }
 
 } // namespace

@@ -258,7 +258,7 @@ TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
             static_cast<void>(triangulate(runtime, sphere, seed, fine));
         } catch (const Error& error) {
             return error.status() == Status::invalid_argument &&
-                   std::string(error.what()).find("larger side") != std::string::npos;
+                   std::string(error.what()).find("cell_size") != std::string::npos;
         }
         return false;
     };

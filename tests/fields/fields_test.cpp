@@ -51,7 +51,7 @@ bool names(const std::string& message, const FieldLayout& field, const Change& c
                                                                           {"text", "points"},
                                                                           {"kind", "children"},
                                                                           {"kind", "model is NULL"},
-                                                                          {"kind", "no end along"},
+                                                                          {"kind", "unbounded along"},
                                                                           {"kind", "second_radius"},
                                                                           {"transform", "bounds_min"},
                                                                           {"radius", "bounds_min"},

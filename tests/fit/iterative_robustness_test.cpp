@@ -54,7 +54,7 @@ TEST(IterativeErrors, WithoutConvergenceTheResidualIsNamed) {
     const Cloud cloud = bumpy(400);
     fit::FitInput chosen = iterative(cloud);
     chosen.iteration_limit = 2;
-    expect_error(chosen, Status::not_converged, "relative residual of ");
+    expect_error(chosen, Status::not_converged, "a residual of ");
     expect_error(chosen, Status::not_converged, " in 2 iterations, not 1.0e-10");
 }
 

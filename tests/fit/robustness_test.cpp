@@ -30,7 +30,7 @@ TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), Status::out_of_memory);
         // 796 rows in 7 tiles of 128
-        EXPECT_NE(std::string(error.what()).find("200 samples needs 3670016 bytes"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("200 samples, 3670016 bytes"), std::string::npos) << error.what();
     }
 }
 

@@ -114,7 +114,7 @@ TEST(Samples, BadParametersAreNamed) {
     expect_message(wrong, {"refinement_steps"});
     wrong = input(cloud);
     wrong.normals.count = 9;
-    expect_message(wrong, {"points has 10", "normals 9"});
+    expect_message(wrong, {"points has 10", "normals has 9"});
     expect_message(input(Cloud()), {"points has 0"});
     wrong = input(cloud);
     wrong.tolerance = -1.0;
@@ -140,7 +140,7 @@ TEST(Samples, ATooHighPolynomialDegreeIsNamed) {
     };
     Cloud flat; // the square of the distance from the plane and its gradient vanish at all samples
     for (int i = 0; i < 30; ++i) flat.add(turned({i % 6, i / 6, 0.0}), turned({0, 0, 1}));
-    expect_message(input(flat, Kind::triharmonic, 2), {"polynomial_degree 2", "30 samples"});
+    expect_message(input(flat, Kind::triharmonic, 2), {"polynomial_degree is 2", "30 samples"});
     Cloud axes; // the product of the three coordinates vanishes at all six samples
     for (glm::length_t a = 0; a < 3; ++a) {
         for (const double sign : {1.0, -1.0}) {
@@ -149,7 +149,7 @@ TEST(Samples, ATooHighPolynomialDegreeIsNamed) {
             axes.add(turned(p), turned(p));
         }
     }
-    expect_message(input(axes, Kind::triharmonic, 3), {"polynomial_degree 3"});
+    expect_message(input(axes, Kind::triharmonic, 3), {"polynomial_degree is 3"});
 }
 
 TEST(Samples, AreReadFromAnyStrideAndScalar) {

@@ -62,7 +62,7 @@ TEST_P(Damage, NewerVersionsAreNamed) {
     const Outcome outcome = load(newer);
     EXPECT_EQ(outcome.status, Status::version_mismatch);
     EXPECT_NE(outcome.message.find("has format version " + std::to_string(newest + 1) +
-                                   "; this library reads versions up to " + std::to_string(newest)),
+                                   ", but this library reads versions up to " + std::to_string(newest)),
               std::string::npos)
         << outcome.message;
 }
@@ -107,11 +107,12 @@ TEST_P(Damage, SectionsAreChecked) {
         return load(other).message;
     };
     const std::string name = is_csg() ? "CBOX" : "NUMB";
-    EXPECT_NE(changed(0, tag("ABCD")).find("section 'ABCD' stands where '" + name + "' belongs"), std::string::npos);
+    EXPECT_NE(changed(0, tag("ABCD")).find("section 'ABCD' is where section '" + name + "' should be"),
+              std::string::npos);
     EXPECT_NE(changed(4, std::uint32_t{1}).find("wrong type"), std::string::npos);
     EXPECT_NE(changed(8, std::uint64_t{11}).find("has 11 elements instead of " + std::to_string(numbers())),
               std::string::npos);
-    EXPECT_NE(changed(8, std::uint64_t{1000000}).find("longer than the file"), std::string::npos);
+    EXPECT_NE(changed(8, std::uint64_t{1000000}).find("longer than the rest of the file"), std::string::npos);
 }
 
 TEST_P(Damage, BytesAfterTheLastSectionAreFound) {
@@ -166,8 +167,8 @@ TEST(ModelFile, ContentIsChecked) {
     expect(model_message([](Data& d) { d.polynomial_degree = 4; }), "degree is unknown");
     expect(model_message([](Data& d) { d.polynomial_degree = 2; }), "has 4 elements instead of 10");
     expect(model_message([](Data& d) { d.alpha.push_back(0.0); }), "'ALPH' has 4 elements instead of 3");
-    expect(model_message([](Data& d) { d.sample_position.push_back(0.0); }), "whole number");
-    expect(model_message([](Data& d) { d.sample_position.clear(); }), "whole number");
+    expect(model_message([](Data& d) { d.sample_position.push_back(0.0); }), "number of samples is wrong");
+    expect(model_message([](Data& d) { d.sample_position.clear(); }), "number of samples is wrong");
 }
 
 // No fit makes such values from samples that it accepts.
@@ -180,19 +181,19 @@ TEST(ModelFile, PlacesAndScalesThatNoFitMakesAreRefused) {
     expect(model_message([](Data& d) { d.sample_position[0] = -50.0; }), "sample_position[0] is outside its bounds");
     // This sample is within the search box: a fit to a mesh may be held there.
     const auto held_off = [](Data& d) { d.sample_position[0] = d.bounds.min.x - 0.05 * d.bounds.diagonal(); };
-    expect(model_message(held_off), "centre[0] is not where its sample is");
+    expect(model_message(held_off), "centre[0] is not at its sample");
     expect(model_message([](Data& d) { d.bounds.max.x = 1e101; }), "reach beyond 1e100");
     expect(model_message([](Data& d) { d.bounds.min.z = -1e308; }), "reach beyond 1e100");
     expect(model_message([](Data& d) { d.centre.y = 1e50; }), "centre is outside its bounds");
-    expect(model_message([](Data& d) { d.centre.y = -1.0; }), "centre[0] is not where its sample is");
-    expect(model_message([](Data& d) { d.centre_position.z[2] += 0.125; }), "centre[2] is not where its sample is");
-    expect(model_message([](Data& d) { d.centre_position.x[1] = 1e300; }), "centre[1] is not where its sample is");
+    expect(model_message([](Data& d) { d.centre.y = -1.0; }), "centre[0] is not at its sample");
+    expect(model_message([](Data& d) { d.centre_position.z[2] += 0.125; }), "centre[2] is not at its sample");
+    expect(model_message([](Data& d) { d.centre_position.x[1] = 1e300; }), "centre[1] is not at its sample");
     expect(model_message([](Data& d) { d.scale = 1e-300; }), "scale does not fit its bounds");
     expect(model_message([](Data& d) { d.scale = 1e10; }), "scale does not fit its bounds");
     expect(model_message([](Data& d) { d.spacing = 1e10; }), "sample spacing is larger than its bounds");
-    expect(model_message([](Data& d) { d.alpha[1] = -1e300; }), "alpha[1] is larger than a fit's");
-    expect(model_message([](Data& d) { d.beta.y[2] = 1e121; }), "beta.y[2] is larger than a fit's");
-    expect(model_message([](Data& d) { d.polynomial[0] = 1e150; }), "polynomial[0] is larger than a fit's");
+    expect(model_message([](Data& d) { d.alpha[1] = -1e300; }), "alpha[1] is too large for a fit");
+    expect(model_message([](Data& d) { d.beta.y[2] = 1e121; }), "beta.y[2] is too large for a fit");
+    expect(model_message([](Data& d) { d.polynomial[0] = 1e150; }), "polynomial[0] is too large for a fit");
     expect(model_message([](Data& d) { d.kernel_radius = 1e-31; }), "kernel radius is out of range");
     expect(model_message([](Data& d) { d.kernel_radius = 1e31; }), "kernel radius is out of range");
     const auto single = [](Data& d) { // its scale would be 1; this file has 0.25
@@ -231,8 +232,8 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.layers[0].normal[3] = 0.5F; }), "normal[1] is not of unit length");
     expect(set_message([](Set& s) { s.layers[1].direction[0] = NAN; }), "direction[0]");
     expect(set_message([](Set& s) { s.layers[1].curvature[0] = NAN; }), "curvature[0]");
-    expect(set_message([](Set& s) { s.layers[1].curvature.push_back(0); }), "curvatures are not as many");
-    expect(set_message([](Set& s) { s.layers[1].width.push_back(1); }), "widths are not as many");
+    expect(set_message([](Set& s) { s.layers[1].curvature.push_back(0); }), "one curvature for each");
+    expect(set_message([](Set& s) { s.layers[1].width.push_back(1); }), "one width for each");
     const auto widths = [](Set& s, float odd) {
         for (const float width : {0.5F, odd, 1.0F}) s.layers[1].width.push_back(width);
     };
@@ -240,10 +241,10 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([&](Set& s) { widths(s, 1.5F); }), "width is outside");
     expect(set_message([&](Set& s) { widths(s, NAN); }), "width is outside");
     expect(set_message([](Set& s) { s.layers[0].stroke.push_back(0); }), "'STRK' has 7 elements instead of 6");
-    expect(set_message([](Set& s) { s.layers[2].report.levels = 256; }), "a count of a layer is not possible");
-    expect(set_message([](Set& s) { s.layers[2].report.full_count = -1; }), "a count of a layer is not possible");
+    expect(set_message([](Set& s) { s.layers[2].report.levels = 256; }), "a count of a layer is out of range");
+    expect(set_message([](Set& s) { s.layers[2].report.full_count = -1; }), "a count of a layer is out of range");
     expect(set_message([](Set& s) { s.layers[2].report.level[3].placed = -1; }), "negative");
-    expect(set_message([](Set& s) { (void)s.layers[2].report.of(256); }), "256 at most");
+    expect(set_message([](Set& s) { (void)s.layers[2].report.of(256); }), "at most 256");
     for (const std::uint32_t kind : {0U, 7U})
         expect(set_message([&](Set& s) { s.layers[1].kind = static_cast<marks::Kind>(kind); }), "kind of a layer");
     expect(set_message([](Set& s) { s.layers[1].name = {}; }), "1 to 63 bytes of UTF-8");
@@ -255,7 +256,7 @@ TEST(PointSetFile, ContentIsChecked) {
     expect(set_message([](Set& s) { s.distribution = static_cast<marks::Distribution>(2); }), "distribution");
     expect(set_message([](Set& s) { s.seed_source = static_cast<marks::SeedSource>(9); }), "seed source");
     expect(set_message([](Set& s) { s.layers[1].direction[1] = 1.5F; }), "direction[0] is longer than a unit vector");
-    expect(set_message([](Set& s) { s.layers[1].tone_normal.resize(3); }), "normals for tone are not as many");
+    expect(set_message([](Set& s) { s.layers[1].tone_normal.resize(3); }), "one normal for tone for each");
     expect(set_message([](Set& s) { s.layers[1].tone_normal.resize(9); }), "normal for tone");
     expect(set_message([](Set& s) { s.layers[0].report.step = -0.5; }), "step or time of a layer is negative");
     expect(set_message([](Set& s) { s.layers[0].report.seconds = -0.5; }), "step or time of a layer is negative");
@@ -269,14 +270,14 @@ TEST(PointSetFile, StrokesAreChecked) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
     };
     using Layer = marks::Layer; // first: 0 2 3, order: 0 2 1
-    expect([](Layer& l) { l.stroke_first[0] = 1; }, "do not rise from 0");
-    expect([](Layer& l) { l.stroke_first[1] = 3; }, "do not rise from 0");
-    expect([](Layer& l) { l.stroke_first[2] = 4; }, "do not rise from 0");
-    expect([](Layer& l) { l.stroke_first.resize(1); }, "do not rise from 0");
-    expect([](Layer& l) { l.stroke_first.clear(); }, "an order of strokes and no strokes");
-    expect([](Layer& l) { l.stroke_order.resize(2); }, "is not that of its marks");
-    expect([](Layer& l) { l.stroke_order[1] = 3; }, "twice, or is none");
-    expect([](Layer& l) { l.stroke_order[1] = 0; }, "twice, or is none");
+    expect([](Layer& l) { l.stroke_first[0] = 1; }, "do not increase from 0");
+    expect([](Layer& l) { l.stroke_first[1] = 3; }, "do not increase from 0");
+    expect([](Layer& l) { l.stroke_first[2] = 4; }, "do not increase from 0");
+    expect([](Layer& l) { l.stroke_first.resize(1); }, "do not increase from 0");
+    expect([](Layer& l) { l.stroke_first.clear(); }, "an order of strokes, but no strokes");
+    expect([](Layer& l) { l.stroke_order.resize(2); }, "one element for each mark");
+    expect([](Layer& l) { l.stroke_order[1] = 3; }, "twice, or one that does not exist");
+    expect([](Layer& l) { l.stroke_order[1] = 0; }, "twice, or one that does not exist");
     expect([](Layer& l) { l.stroke[2] = 0; }, "in the order of their numbers");
     expect([](Layer& l) { l.stroke_order.clear(); }, "different numbers");
 }
@@ -303,8 +304,8 @@ TEST(PointSetFile, MarksLieInTheirBox) {
     expect(set_message([](Set& s) { s.layers[0].position[5] = 1.25F; }), "position[1] is outside its bounds");
     expect(set_message([](Set& s) { s.layers[1].position[0] = -3e38F; }), "position[0] is outside its bounds");
     expect(set_message([](Set& s) { s.origin.x = 1e300; }), "position[0] is outside its bounds");
-    expect(set_message([](Set& s) { s.bounds.max.y = 1e39; }), "larger than floats can be");
-    expect(set_message([](Set& s) { s.bounds = {glm::dvec3(-1.7e308), glm::dvec3(1.7e308)}; }), "larger than floats");
+    expect(set_message([](Set& s) { s.bounds.max.y = 1e39; }), "too large for floats");
+    expect(set_message([](Set& s) { s.bounds = {glm::dvec3(-1.7e308), glm::dvec3(1.7e308)}; }), "too large for floats");
     EXPECT_EQ(set_message([](Set& s) { s.bounds.max.y = 1e38; }), "");
 }
 

@@ -135,8 +135,8 @@ TEST(Golden, PointSetsOfOlderVersionsAreRefused) {
         const Outcome outcome = load(memory, bytes, false);
         EXPECT_EQ(outcome.status, Status::version_mismatch);
         EXPECT_EQ(outcome.message, "this point set file has format version " + std::to_string(version) +
-                                       ", of before the first release; this library reads versions from 3 on: make it "
-                                       "again");
+                                       ", from before the first release, but this library reads versions from 3 on; "
+                                       "save it again");
     }
 }
 

@@ -90,19 +90,19 @@ TEST(PiecesFile, ContentIsChecked) {
     EXPECT_EQ(message_of([](PiecesData&) {}), "");
     expect("no sheets", [](PiecesData& d) { d.sheet.clear(); });
     expect("alpha[1] is not finite", [](PiecesData& d) { d.sheet[1].alpha[1] = NAN; });
-    expect("programs are none", [](PiecesData& d) { d.program[0] = 3; });
-    expect("programs are none", [](PiecesData& d) { d.program_begin[4] = 100; });
-    expect("programs are none", [](PiecesData& d) { d.child[0] = -1; });
-    expect("programs are none", [](PiecesData& d) { d.plain.push_back(0.0); });
+    expect("programs are invalid", [](PiecesData& d) { d.program[0] = 3; });
+    expect("programs are invalid", [](PiecesData& d) { d.program_begin[4] = 100; });
+    expect("programs are invalid", [](PiecesData& d) { d.child[0] = -1; });
+    expect("programs are invalid", [](PiecesData& d) { d.plain.push_back(0.0); });
     expect("plain[5] is not finite", [](PiecesData& d) { d.plain[5] = INFINITY; });
     expect("not a box", [](PiecesData& d) { d.bounds.max.x = -100.0; });
     expect("do not cover", [](PiecesData& d) {
         d.corner += 0.1 * d.side;
         d.side *= 0.8;
     });
-    expect("not about its bounds", [](PiecesData& d) { d.corner.y += 0.2; });
+    expect("not lie around its bounds", [](PiecesData& d) { d.corner.y += 0.2; });
     expect("spacing is negative", [](PiecesData& d) { d.spacing = -1.0; });
-    expect("whole number of samples", [](PiecesData& d) {
+    expect("number of samples is wrong", [](PiecesData& d) {
         d.sample_position.push_back(0.0);
         d.sample_normal.push_back(0.0);
     });

@@ -113,7 +113,8 @@ TEST(FromArrays, RefusesAndNamesInvalidValues) {
     };
     const double nan = std::nan("");
     refuse({"point_set_desc.layers[0].position[2]", "finite"}, [&](Arrays& a) { a.position[7] = nan; });
-    refuse({"point_set_desc.layers[0].position[0]", "a float cannot hold"}, [&](Arrays& a) { a.position[0] = 1e300; });
+    refuse({"point_set_desc.layers[0].position[0]", "too large for a float"},
+           [&](Arrays& a) { a.position[0] = 1e300; });
     refuse({"point_set_desc.layers[0].normal[1]", "finite"}, [&](Arrays& a) { a.normal[4] = INFINITY; });
     refuse({"point_set_desc.layers[0].normal[1]", "zero"}, [&](Arrays& a) { a.normal[4] = 0.0; });
     refuse({"point_set_desc.layers[0].direction[3]", "finite"}, [&](Arrays& a) { a.direction[9] = nan; });
@@ -126,13 +127,15 @@ TEST(FromArrays, RefusesAndNamesInvalidValues) {
     refuse({"point_set_desc.layers[0].rank[2]", "[0,1)"}, [&](Arrays& a) { a.rank[2] = -0.1; });
     refuse({"point_set_desc.layers[0].rank[0]", "[0,1)"}, [&](Arrays& a) { a.rank[0] = nan; });
     refuse({"point_set_desc.layers[0].rank[3]", "[0,1)"}, [&](Arrays& a) { a.rank[3] = 1.5; });
-    refuse({"point_set_desc.layers[0].normal has 3", ".position has 4"}, [&](Arrays& a) { a.normal.resize(9); });
-    refuse({"point_set_desc.layers[0].normal has 0", "every mark needs one"}, [&](Arrays& a) { a.normal.clear(); });
-    refuse({"point_set_desc.layers[0].rank has 3", "leave it empty"}, [&](Arrays& a) { a.rank.pop_back(); });
-    refuse({"point_set_desc.layers[0].stroke_first[0] is 1; it must rise from 0 to the 4 marks"},
-           [&](Arrays& a) { a.stroke_first[0] = 1; });
-    refuse({"point_set_desc.layers[0].stroke_first[2] is 5; it must rise from 0 to the 4 marks"},
-           [&](Arrays& a) { a.stroke_first[2] = 5; });
+    refuse({"point_set_desc.layers[0].normal has 3", "but position has 4"}, [&](Arrays& a) { a.normal.resize(9); });
+    refuse({"point_set_desc.layers[0].normal has 0", "give one for each mark"}, [&](Arrays& a) { a.normal.clear(); });
+    refuse({"point_set_desc.layers[0].rank has 3", "or none"}, [&](Arrays& a) { a.rank.pop_back(); });
+    refuse(
+        {"point_set_desc.layers[0].stroke_first[0] is 1; the numbers must increase from 0 to the number of marks, 4"},
+        [&](Arrays& a) { a.stroke_first[0] = 1; });
+    refuse(
+        {"point_set_desc.layers[0].stroke_first[2] is 5; the numbers must increase from 0 to the number of marks, 4"},
+        [&](Arrays& a) { a.stroke_first[2] = 5; });
     refuse({"stroke_first[2] is 3"}, [&](Arrays& a) { a.stroke_first[2] = 3; });
     refuse({"stroke_first[1] is 4"}, [&](Arrays& a) { a.stroke_first[1] = 4; });
     refuse({"stroke_first[2] is 2"}, [&](Arrays& a) { a.stroke_first = {0, 2, 2, 4}; });
@@ -140,8 +143,8 @@ TEST(FromArrays, RefusesAndNamesInvalidValues) {
     refuse({"stroke_direction[1] is 2", "0 or 1"}, [&](Arrays& a) { a.stroke_direction[1] = 2; });
     refuse({"stroke_direction has 1", "2 strokes"}, [&](Arrays& a) { a.stroke_direction.pop_back(); });
     refuse({"stroke_direction has 2", "0 strokes"}, [&](Arrays& a) { a.stroke_first.clear(); });
-    refuse({"point_set_desc.layers[0].normal has 4", ".position has 0"}, [&](Arrays& a) { a.position.clear(); });
-    expect_error(Status::invalid_argument, {"no mark", "layers[0].position"}, [] { (void)import({}); });
+    refuse({"point_set_desc.layers[0].normal has 4", "but position has 0"}, [&](Arrays& a) { a.position.clear(); });
+    expect_error(Status::invalid_argument, {"no layer has a mark", "layers[0].position"}, [] { (void)import({}); });
 }
 
 // Strokes get their directions from their course, and appear as a whole.

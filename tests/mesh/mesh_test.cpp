@@ -322,7 +322,7 @@ TEST(MakeMesh, NamesTheFaceAndTheIndexThatIsOutOfRange) {
     EXPECT_NE(message_of(input(from)).find("vertices[1], a corner of triangles["), std::string::npos);
     Triangles flat;
     flat.face(flat.add(0, 0, 0), flat.add(1, 0, 0), flat.add(2, 0, 0));
-    EXPECT_NE(message_of(input(flat)).find("1 faces, and none has an area"), std::string::npos);
+    EXPECT_NE(message_of(input(flat)).find("1 faces, but none has an area"), std::string::npos);
 }
 
 TEST(MakeMesh, IgnoresUnusedVertices) {

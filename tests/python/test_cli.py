@@ -250,7 +250,7 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "bad.xyz"], 1, "bad.xyz: line 1: a line holds x y z.*; here are 2 numbers"),
         (["draw", "bad.ply"], 1, "bad.ply: not a PLY"),
         (["draw", "bad.hrbf"], 1, "bad.hrbf: "),
-        (["draw", "flat.xyz"], 1, "4 different ones are the fewest"),
+        (["draw", "flat.xyz"], 1, "at least 4 different ones are needed"),
         (["draw", "bad.stl"], 1, "bad.stl: "),
         (["fit", "bad.xyz", "out"], 1, "bad.xyz"),
         (["fit", "{xyz}"], 2, "OUTPUT"),

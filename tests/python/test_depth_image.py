@@ -62,7 +62,7 @@ def test_arrays_that_are_no_image_are_refused():
     points, _ = kinect(40, 30)
     with pytest.raises(ValueError, match=r"points must have the shape \(rows, columns, 3\), not \(1200, 3\)"):
         hrbfnpr.smooth_depth_image(points.reshape(-1, 3))
-    with pytest.raises(hrbfnpr.InvalidArgumentError, match="no image of a camera in the origin"):
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="not an image of a camera at the origin"):
         hrbfnpr.smooth_depth_image(points.reshape(40, 30, 3))
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="depth_image_desc.rows is 7"):
         hrbfnpr.smooth_depth_image(points[:7])

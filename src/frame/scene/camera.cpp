@@ -50,7 +50,7 @@ void require_planes(double near_plane, double far_plane) {
     if (!std::isfinite(near_plane)) fail(Status::invalid_argument, "near_plane is %g; it must be finite", near_plane);
     if (!std::isfinite(far_plane)) fail(Status::invalid_argument, "far_plane is %g; it must be finite", far_plane);
     if (!(near_plane < far_plane))
-        fail(Status::invalid_argument, "near_plane is %g and far_plane is %g; near_plane must be the smaller one",
+        fail(Status::invalid_argument, "near_plane is %g and far_plane is %g; near_plane must be below far_plane",
              near_plane, far_plane);
 }
 
@@ -96,7 +96,7 @@ Axes camera_axes(const glm::dvec3& forward, const glm::dvec3& up) {
     const double sine = glm::length(right);
     if (!(sine > 1e-10))
         fail(Status::invalid_argument,
-             "up (%g, %g, %g) is parallel to the direction of view (%g, %g, %g); choose another one", up.x, up.y, up.z,
+             "up (%g, %g, %g) is parallel to the direction of view (%g, %g, %g); choose another up", up.x, up.y, up.z,
              f.x, f.y, f.z);
     const glm::dvec3 r = right / sine;
     return {r, glm::cross(r, f), f};
@@ -117,7 +117,7 @@ glm::dmat4 view_matrix(const Axes& axes, const glm::dvec3& eye) {
 template <class Make>
 glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane, const Make& make) {
     if (depth > DepthConvention::reversed)
-        fail(Status::invalid_argument, "depth_convention %u is not one of HRBFNPR_DEPTH_...",
+        fail(Status::invalid_argument, "depth_convention %u is not one of HRBFNPR_DEPTH_*",
              static_cast<unsigned>(depth));
     if (depth == DepthConvention::reversed) std::swap(near_plane, far_plane);
     return make(depth == DepthConvention::negative_one_to_one, near_plane, far_plane);
@@ -298,7 +298,7 @@ void check(const Camera& camera) {
         fail(Status::invalid_argument, "camera.viewport is %g x %g pixels; set its width and height",
              camera.viewport[2], camera.viewport[3]);
     if (camera.depth > DepthConvention::reversed)
-        fail(Status::invalid_argument, "camera.depth_convention %u is not one of HRBFNPR_DEPTH_...",
+        fail(Status::invalid_argument, "camera.depth_convention %u is not one of HRBFNPR_DEPTH_*",
              static_cast<unsigned>(camera.depth));
     if (!(mean_scale(camera.view) > 0.0))
         fail(Status::invalid_argument, "camera.view is singular; it must be invertible");

@@ -60,7 +60,8 @@ void check_item(std::span<const Item> items, std::int64_t index) {
              ll{index});
     if (item.style.visibility != items[0].style.visibility)
         fail(Status::invalid_argument,
-             "items[%lld].style.visibility differs from that of items[0]; all styles of a drawing need the same",
+             "items[%lld].style.visibility differs from that of items[0]; all styles of a drawing need the same "
+             "visibility",
              ll{index});
 }
 
@@ -161,8 +162,9 @@ void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawi
             drawing.runs.empty() ? 0 : drawing.runs.back().first_id - 1 + drawing.runs.back().count;
         const std::int64_t after = before + set.layers[i].count();
         if (after > most_marks)
-            fail(Status::invalid_argument, "items[%lld].point_set brings the drawing to %lld marks; the most are %lld",
-                 ll{number}, ll{after}, ll{most_marks});
+            fail(Status::invalid_argument,
+                 "items[%lld].point_set brings the drawing to %lld marks; at most %lld are allowed", ll{number},
+                 ll{after}, ll{most_marks});
         drawing::Run run;
         run.item = number;
         run.layer = static_cast<std::int32_t>(i);
@@ -257,14 +259,14 @@ void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, 
     drawing::Run* const run = std::find_if(drawing.runs.begin(), drawing.runs.end(), [&](const drawing::Run& r) {
         return r.item == number && r.layer == pose.layer;
     });
-    if (run == drawing.runs.end()) refuse("is no layer of the item's point set");
-    if (run->posed >= 0) refuse("poses the same layer as one before");
+    if (run == drawing.runs.end()) refuse("is not a layer of the item's point set");
+    if (run->posed >= 0) refuse("has a pose already");
     const auto vector = [&](const base::InView& view, std::int64_t i, const char* name) {
         const glm::dvec3 v(view.get(i, 0), view.get(i, 1), view.get(i, 2));
         // The comparison is false for NaN, too.
         if (!(std::abs(v.x) <= farthest && std::abs(v.y) <= farthest && std::abs(v.z) <= farthest))
             fail(Status::invalid_argument,
-                 "items[%lld].poses[%lld].%s[%lld] is %g %g %g; numbers must be finite, of 1e33 at most", ll{number},
+                 "items[%lld].poses[%lld].%s[%lld] is %g %g %g; numbers must be finite and at most 1e33", ll{number},
                  ll{pose_number}, name, ll{i}, v.x, v.y, v.z);
         return v;
     };
@@ -426,8 +428,7 @@ void ToneCalls::end() {
              static_cast<int>(result));
     for (std::int64_t i = 0; i < count; ++i) {
         if (std::isnan(tau_[i]))
-            fail(Status::callback, "tone_function gave NaN as tau[%lld]; it must fill every element with a number",
-                 ll{i});
+            fail(Status::callback, "tone_function left NaN in tau[%lld]; it must set every element to a number", ll{i});
         out_[stride_ * places_[i]] = std::clamp(tau_[i], 0.0F, 1.0F);
     }
     begin(*item_, out_, stride_);

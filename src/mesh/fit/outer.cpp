@@ -173,9 +173,7 @@ Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTr
     if (found.one >= 0)
         work.runtime().log(
             base::LogLevel::warning,
-            "mesh fit: parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
-            "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds "
-            "apart what does not cross",
+            "mesh fit: parts %d and %d %s nearer than the tolerance at %.4g %.4g %.4g, and may join; lower it",
             static_cast<int>(found.one), static_cast<int>(found.other), found.may_cross ? "cross or are" : "are",
             found.place.x, found.place.y, found.place.z);
     return found;

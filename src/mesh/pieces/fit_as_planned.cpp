@@ -28,21 +28,19 @@ void log_doubt(const base::Runtime& runtime, const PlannedCreases& found, double
     if (found.doubtful > 0.0)
         runtime.log(
             base::LogLevel::info,
-            "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges stand out: the "
-            "fit is smooth; edges SHARP makes them sharp",
+            "mesh fit: bends of over %g degrees, %.3g diagonals long, are fitted smooth; edges SHARP makes them sharp",
             crease_angle, found.doubtful);
 }
 
 void log_fit(const base::Runtime& runtime, const FitMeshReport& report, std::int64_t centres) {
     runtime.log(base::LogLevel::info,
-                "mesh fit: %lld centres in %d rounds, %.3f s; within %.3g: %.2f %% of the mesh and %.2f %% of the "
-                "surface",
+                "mesh fit: %lld centres in %d rounds, %.3f s; within %.3g: %.2f %% of the mesh, %.2f %% of the surface",
                 static_cast<long long>(centres), static_cast<int>(report.rounds), report.seconds_total,
                 report.tolerance, 100.0 * report.mesh.share, 100.0 * report.surface.share);
     if (!report.reached)
         runtime.log(base::LogLevel::warning,
-                    "mesh fit: the tolerance is not reached: the mesh is up to %.3g from the surface, the surface up "
-                    "to %.3g from the mesh; give more maximum_centres, or a larger tolerance",
+                    "mesh fit: tolerance not reached: mesh off by up to %.3g, surface by %.3g; raise maximum_centres "
+                    "or tolerance",
                     report.mesh.most, report.surface.most);
 }
 
@@ -52,8 +50,7 @@ void log_pieces(const base::Runtime& runtime, const PiecesReport& report) {
     if (report.smooth_length > 0.0 || report.poor_cells > 0)
         runtime.log(
             base::LogLevel::warning,
-            "mesh fit: edges %.4g long stay smooth, and in %lld cells no maximum and minimum of the sheets there "
-            "is all that the mesh is",
+            "mesh fit: edges %.4g long are smoothed; in %lld cells the sheets do not combine to the mesh exactly",
             report.smooth_length, static_cast<long long>(report.poor_cells));
 }
 

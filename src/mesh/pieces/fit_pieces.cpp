@@ -170,12 +170,12 @@ void give_back(Sheets& sheets, Sheets& before) {
         samples.position.set(i, samples.position[i] +
                                     pieces_tuning.contact * task.mesh.bounds.diagonal() * samples.normal[i]);
     SheetFit made = fit_sheet({task.runtime, progress.part(0.0, 0.0)}, patch, task.options, most);
-    task.runtime.log(base::LogLevel::debug,
-                     "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds, %lld outside, the worst "
-                     "by %.2f",
-                     static_cast<int>(p), static_cast<long long>(sheets.faces.count(p)),
-                     static_cast<long long>(samples.position.size()), static_cast<long long>(made.data.count()),
-                     static_cast<int>(made.rounds), static_cast<long long>(made.outside), made.worst);
+    task.runtime.log(
+        base::LogLevel::debug,
+        "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds; %lld outside, worst by %.2f",
+        static_cast<int>(p), static_cast<long long>(sheets.faces.count(p)),
+        static_cast<long long>(samples.position.size()), static_cast<long long>(made.data.count()),
+        static_cast<int>(made.rounds), static_cast<long long>(made.outside), made.worst);
     return made;
 }
 
@@ -413,7 +413,7 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
         if (!improves(task, other_sheets, other, *sheets, best, work.part(done, next))) break;
         sheets.emplace(std::move(other_sheets));
         best = std::move(other);
-        work.runtime().log(base::LogLevel::debug, "pieces: %d sheets, parted along edges of %g degrees",
+        work.runtime().log(base::LogLevel::debug, "pieces: %d sheets, split along edges of %g degrees",
                            static_cast<int>(sheets->creases.patches), angle);
         done = next;
     }
