@@ -84,23 +84,23 @@ PATIENCE = 8.0  # a case is killed after this many times its usual time, and as 
 
 
 def value_of(text: str) -> float:
-    """The value of a constant as C++ has it."""
+    """Returns the value of a constant that is written in C++."""
     plain = re.sub(r"(?<=[\d.])(F|L|U|UL|ULL)\b", "", text.replace("'", ""), flags=re.I)
     plain = re.sub(r"std::numbers::pi\b", "3.14159265358979", plain)
     plain = re.sub(r"std::size_t\{(\d+)\}", r"\1", plain)
     if "0x" in plain:
         return float.fromhex(plain)
-    return float(eval(plain, {"__builtins__": {}}))  # numbers and operators of the project's own sources
+    return float(eval(plain, {"__builtins__": {}}))  # only numbers and operators from the project's own sources
 
 
 def moved(constant: Constant, factor: float) -> float:
-    """The value times the factor; whole numbers stay whole and above 0."""
+    """Returns the value times the factor. Whole numbers stay whole and above 0."""
     value = value_of(constant.text) * factor
     return float(max(1, int(value))) if constant.is_whole else value
 
 
 def pairs(output: str) -> Dict[str, float]:
-    """The "name value" lines of a benchmark, but for times."""
+    """Returns the "name value" lines of a benchmark, without times."""
     found = {}
     for line in output.splitlines():
         words = line.split()
@@ -129,7 +129,7 @@ def run(command: List[str], **options: Any) -> Tuple[int, str]:
 
 class Built(NamedTuple):
     constants: List[Constant]
-    fixed: Dict[str, List[str]]  # for each room, constants that the compiler needs as such somewhere
+    fixed: Dict[str, List[str]]  # for each room, the constants that the compiler needs as constants
 
 
 def prepare(benches: List[str]) -> Built:
@@ -168,14 +168,14 @@ def environment(**more: str) -> Dict[str, str]:
 
 
 class Worker:
-    """A process that runs cases, started again after it was killed."""
+    """A process that runs cases. It is started again after it was killed."""
 
     def __init__(self, threads: int) -> None:
         self._threads = threads
         self._process: Optional["subprocess.Popen[str]"] = None
 
     def ask(self, case: str, constants: List[Constant], factor: float) -> Dict[str, Any]:
-        """What changes in a case with constants moved."""
+        """Returns what changes in a case if these constants are moved."""
         if self._process is None:
             command = [sys.executable, "-B", str(ROOT / "scripts" / "ablation_worker.py"), str(KEPT), str(self._threads)]
             self._process = subprocess.Popen(
@@ -203,14 +203,14 @@ class Worker:
 
 
 def used_by_cases(names: List[str]) -> Dict[str, List[str]]:
-    """For each case the constants that it looks at; kept in a file."""
+    """Returns for each case the constants that it reads, and keeps them in a file."""
     file = KEPT / "used.json"
     used: Dict[str, List[str]] = json.loads(file.read_text()) if file.exists() else {}
     for name in names:
         if name in used:
             continue
         worker = [sys.executable, "-B", str(ROOT / "scripts" / "ablation_worker.py"), str(KEPT), "--used", name]
-        run(worker, env=environment())  # makes what is kept
+        run(worker, env=environment())  # makes the kept results
         done = subprocess.run(worker, env=environment(), stdout=subprocess.PIPE, text=True, check=True)
         used[name] = done.stdout.split()
         file.write_text(json.dumps(used))
@@ -228,11 +228,11 @@ def usual_seconds(cases: List[str]) -> Dict[str, float]:
 
 
 class Moved(NamedTuple):
-    """What moving a constant did."""
+    """The effect of moving a constant."""
 
     changes: List[str]
-    cases: int  # that were run
-    slower: float  # the most times the usual time
+    cases: int  # how many cases were run
+    slower: float  # the largest ratio of a case's time to its usual time
 
 
 def by_cases(worker: Worker, constant: Constant, factor: float, cases: List[str], seconds: float) -> Moved:
@@ -254,7 +254,7 @@ def by_cases(worker: Worker, constant: Constant, factor: float, cases: List[str]
 
 
 def movers(worker: Worker, case: str, constants: List[Constant], factor: float) -> Dict[str, str]:
-    """The names of those constants that change a case, with what they change; many are moved at once."""
+    """Returns the constants that change a case, by name, with their changes. Moves many at once, and bisects."""
     if not constants:
         return {}
     found = worker.ask(case, constants, factor)["changes"]
@@ -269,7 +269,7 @@ def movers(worker: Worker, case: str, constants: List[Constant], factor: float) 
 def by_all_cases(
     worker: Worker, idle: List[Constant], factor: float, used: Dict[str, List[str]], seconds: float
 ) -> Dict[str, str]:
-    """What constants change, each in the first case that it changes: the quick cases first, until the time is over."""
+    """Returns what each constant changes in the first case that it changes. Runs quick cases first, until the time is over."""
     found: Dict[str, str] = {}
     cost = usual_seconds(list(used))
     spent = 0.0
@@ -283,13 +283,13 @@ def by_all_cases(
 
 
 def by_benches(constant: Optional[Constant], value: float, benches: List[List[str]]) -> Dict[str, float]:
-    """The values of benchmarks with a constant moved; raises RuntimeError with what went wrong."""
+    """Returns the values of benchmarks with a constant moved. Raises RuntimeError if a benchmark fails."""
     found: Dict[str, float] = {}
     more = {"HRBFNPR_TUNE": f"{constant.name}={value!r}"} if constant else {}
     for name, *options in benches:
         status, output = run([str(COPY / "build" / "bench" / f"bench_{name}"), *options], env=environment(**more))
         if status != 0:
-            raise RuntimeError(f"bench/{name} ends with status {status}: {output.splitlines()[-1:]}")
+            raise RuntimeError(f"bench/{name} failed with status {status}: {output.splitlines()[-1:]}")
         found.update(pairs(output))
     return found
 
@@ -304,7 +304,7 @@ def told(result: Moved) -> str:
 def main(arguments: List[str]) -> int:
     options = dict(a[2:].split("=", 1) for a in arguments if re.match(r"--(only|seconds|threads)=", a))
     rest = [a for a in arguments if not re.match(r"--(only|seconds|threads)=", a)]
-    if options.get("only") and len(rest) > 1:  # of the benchmark
+    if options.get("only") and len(rest) > 1:  # a later --only is an option of the benchmark
         mine = next(a for a in arguments if a.startswith("--only="))
         rest = [a for a in arguments if a != mine and not re.match(r"--(seconds|threads)=", a)]
         options["only"] = mine[len("--only=") :]
@@ -376,7 +376,7 @@ def main(arguments: List[str]) -> int:
 
 
 def cases_there() -> List[str]:
-    """The names of all cases."""
+    """Returns the names of all cases."""
     code = "import ablation_cases; print(*ablation_cases.CASES)"
     done = subprocess.run([sys.executable, "-B", "-c", code], env=environment(), stdout=subprocess.PIPE, text=True, check=True)
     return done.stdout.split()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Small cases whose results tell what a tuning constant changes.  For scripts/ablate.py.
+"""Small cases whose results show what a tuning constant changes, for scripts/ablate.py.
 
-A case returns a dictionary: numbers and arrays of bytes (pictures) by name, and bytes (files), which are compared as they are.
-Models that several cases draw are fitted once, with all constants at their values, and kept in a folder.
+A case returns a dictionary of numbers, arrays of bytes (pictures) and bytes (files), by name. Files are compared byte for
+byte. Models that several cases draw are fitted once, with unchanged constants, and kept in a folder.
 """
 
 import contextlib
@@ -31,7 +31,7 @@ def case(function: Callable[["Kept"], Result]) -> Callable[["Kept"], Result]:
 
 
 def lathe(profile: Any, count: int = 40) -> shapes.Shape:
-    """The mesh that (radius, height) pairs from axis to axis make by a turn."""
+    """Returns the mesh that a profile of (radius, height) pairs, from axis to axis, makes by rotation."""
     profile = np.asarray(profile, float)
     turn = 2 * np.pi * np.arange(count) / count
     rings = profile[1:-1]
@@ -85,7 +85,7 @@ def together(*parts: shapes.Shape) -> shapes.Shape:
 
 
 def crossing() -> shapes.Shape:
-    """Two beams through each other, and a ball apart."""
+    """Two beams that cross, and a separate ball."""
     ball = datasets.sphere(300, radius=0.35, mesh=True)
     away = shapes.Shape(ball.points + [0.0, 0.0, 0.9], None, ball.triangles)
     return together(block([-1, -0.2, -0.2], [1, 0.2, 0.2]), block([-0.2, -1, -0.15], [0.2, 1, 0.25], 0.3), away)
@@ -102,7 +102,7 @@ def folded_roof() -> shapes.Shape:
 
 
 def kinect() -> Any:
-    """What a depth camera sees of a ball before a wall, with noise and steps."""
+    """Returns the image of a ball before a wall from a depth camera, with noise and steps."""
     row, column = np.indices((60, 80))
     u, v = (column - 40) / 80, (row - 30) / 80
     z = 4.0 / (1 - 0.1 * u + 0.05 * v)
@@ -127,7 +127,7 @@ def bracket() -> hrbfnpr.Model:
 
 
 def heart_function(points: Any) -> Any:
-    """Taubin's heart, whose gradient is far from 1, times 0.3."""
+    """Taubin's heart times 0.3, whose gradient is far from 1."""
     x, y, z = (np.asarray(points) / 0.3).T
     return (x * x + 2.25 * y * y + z * z - 1) ** 3 - x * x * z**3 - 0.1125 * y * y * z**3
 
@@ -136,7 +136,7 @@ def heart_function(points: Any) -> Any:
 
 
 class Kept:
-    """Models that are fitted once: their bytes are in a folder."""
+    """Models that are fitted once. Their bytes are in a folder."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -193,7 +193,7 @@ MODELS: Dict[str, Callable[[], hrbfnpr.Model]] = {
 
 
 def numbers(prefix: str, record: Any) -> Result:
-    """The numbers of an info, but for times and memory."""
+    """Returns the numbers of an info, without times and memory."""
     found = {}
     for name in dir(record):
         value = getattr(record, name)
@@ -250,7 +250,7 @@ def fit_tolerance(kept: Kept) -> Result:
 
 @case
 def fit_fine(kept: Kept) -> Result:
-    """Several rounds of centres, by a tolerance and by their number; thin walls, whose wrong sides are near."""
+    """Several rounds of centres, by a tolerance and by their number; and thin walls, whose two sides are close."""
     fine = fit_of(datasets.knot(2500), tolerance=0.003, maximum_centres=2000)
     counted = fit_of(datasets.heart(1500), maximum_centres=400)
     sampled = mesh_of(block([-1, -1, -0.03], [1, 1, 0.03], 0.3)).sample(1500)
@@ -296,7 +296,7 @@ def oriented(name: str, points: Any, **options: Any) -> Result:
 
 
 def against(name: str, shape: shapes.Shape, points: Any = None, **options: Any) -> Result:
-    """With the share of right normals."""
+    """Returns the result with the share of right normals."""
     found = hrbfnpr.orient(shape.points if points is None else points, **options)
     cosine = np.sum(found.normals * shape.normals, axis=1)
     right = {f"{name}.right": float((cosine > 0).mean()), f"{name}.off": float(np.degrees(np.arccos(np.clip(np.abs(cosine), 0, 1))).mean())}
@@ -352,7 +352,7 @@ def orient_given(kept: Kept) -> Result:
 
 @case
 def orient_very_noisy(kept: Kept) -> Result:
-    """Noise as large as what is between samples, of a shape with faces and of a round one."""
+    """Noise as large as the spacing of the samples, on a shape with flat faces and on a round one."""
     sampled = mesh_of(block([-1, -0.8, -0.6], [1, 0.8, 0.6])).sample(1200)
     box = shapes.Shape(np.asarray(sampled.points), np.asarray(sampled.normals))
     ball = datasets.sphere(1500)
@@ -408,7 +408,7 @@ def mesh_open(kept: Kept) -> Result:
 
 @case
 def mesh_dirty(kept: Kept) -> Result:
-    """A mesh with slivers, doubled corners, noise and faces that look in."""
+    """A mesh with slivers, doubled corners, noise, and faces that are turned inward."""
     shape = datasets.torus(300, mesh=True)
     points = shape.points[shape.triangles].reshape(-1, 3)
     points = points + 1e-9 * np.random.default_rng(2).normal(size=points.shape)
@@ -429,7 +429,7 @@ def mesh_scan(kept: Kept) -> Result:
 
 
 def verdicts(kept: Kept, which: List[int]) -> Result:
-    """Whether meshes are said to have edges, and which."""
+    """Returns whether edges are found in meshes, and which."""
     result: Result = {}
     for number in which:
         mesh = kept.mesh(number)
@@ -709,7 +709,7 @@ def lines_own(kept: Kept) -> Result:
 
 @case
 def frame_rays(kept: Kept) -> Result:
-    """Marks whose hidden ones are found by rays, both sides of an open surface, and styles with rarer fields."""
+    """Hidden marks that are found by rays, both sides of an open surface, and styles with rare fields."""
     result: Result = {}
     for name, preset, budget in (("terrain", "etching", 6000), ("tori", "full", 6000)):
         model, marks = kept.model(name), kept.marks(name, preset, budget=budget)
@@ -722,7 +722,7 @@ def frame_rays(kept: Kept) -> Result:
 
 @case
 def frame_fields(kept: Kept) -> Result:
-    """Rarer fields of styles."""
+    """Rare fields of styles."""
     marks = kept.marks("tori", "full", budget=6000)
     result: Result = {}
     for name, fields in {
@@ -781,12 +781,12 @@ def rasters(kept: Kept) -> Result:
 
 
 def summary(result: Result) -> Dict[str, Any]:
-    """What is kept of a result to compare others with: pictures stay, files become sums."""
+    """Returns what is kept of a result to compare others with: pictures, numbers, and checksums of files."""
     return {name: (zlib.crc32(value), len(value)) if isinstance(value, bytes) else value for name, value in result.items()}
 
 
 def changes(before: Dict[str, Any], after: Dict[str, Any], least: float = 1e-3) -> List[str]:
-    """What differs, the most telling first: pictures, numbers, then files."""
+    """Returns the differences: those of pictures first, then those of numbers, then those of files."""
     pictures, figures, files = [], [], []
     for name in sorted(before.keys() | after.keys()):
         a, b = before.get(name), after.get(name)

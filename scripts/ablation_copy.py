@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A copy of the sources whose tuning constants can be set while it runs.  For scripts/ablate.py.
+"""Makes a copy of the sources whose tuning constants can be set at run time, for scripts/ablate.py.
 
-Each use `x_tuning.member` becomes a look at a second, variable instance, and the look notes that it took place.  Uses that
-the compiler needs as constants (sizes of arrays, constexpr) keep the constant.
+Each use `x_tuning.member` becomes a read of a second, variable instance, and is noted. Uses that must be constants for the
+compiler (sizes of arrays, constexpr) are not changed.
 """
 
 import re
@@ -22,7 +22,7 @@ USE = re.compile(r"(?<![\w:.])(?P<instance>(?:\w+::)*\w*tuning)\.(?P<member>\w+)
 HEADER = """// Made by scripts/ablation_copy.py.
 #pragma once
 extern "C" void hrbfnpr_tuning_used(const void* member);
-// The value of a constant; the first look at it from this place in the sources is noted.
+// The value of a constant. Notes the first read at this place in the sources.
 #define HRBFNPR_TUNED(member)                                                                                              \\
     ([]() {                                                                                                                \\
         static bool noted = false;                                                                                         \\
@@ -34,7 +34,7 @@ extern "C" void hrbfnpr_tuning_used(const void* member);
     }())
 """
 
-REGISTER = """// Made by scripts/ablation_copy.py.  Sets constants by name, and tells which were looked at.
+REGISTER = """// Made by scripts/ablation_copy.py. Sets constants by name, and tells which were read.
 %(includes)s
 
 #include <cstdio>
@@ -118,7 +118,7 @@ class Constant(NamedTuple):
     instance: str
     member: str
     is_whole: bool
-    text: str  # its value as C++ has it
+    text: str  # its value, written in C++
     qualified: str  # the variable in the copy
 
     @property
@@ -127,7 +127,7 @@ class Constant(NamedTuple):
 
 
 def constants_of(source: Path, file: Path) -> Iterator[Constant]:
-    """The constants of a tuning header, in the order in which they stand there."""
+    """Yields the constants of a tuning header, in their order there."""
     text = file.read_text()
     room = str(file.parent.relative_to(source))
     space = NAMESPACE.search(text)
@@ -144,12 +144,12 @@ def constants_of(source: Path, file: Path) -> Iterator[Constant]:
 
 
 def tuning_files(source: Path) -> List[Path]:
-    """The headers with tuning constants."""
+    """Returns the headers with tuning constants."""
     return sorted(file for file in source.rglob("*.h") if INSTANCE.search(file.read_text()))
 
 
 def is_fixed(line: str, at: int) -> bool:
-    """Whether the use at this place of a line has to be a constant for the compiler."""
+    """Tells whether the use at this place of a line must be a constant for the compiler."""
     before = line[:at]
     if re.search(r"\b(constexpr|static_assert)\b", line) and "if constexpr" not in line:
         return True
@@ -157,13 +157,13 @@ def is_fixed(line: str, at: int) -> bool:
 
 
 def rewritten(text: str, known: Set[str]) -> Tuple[str, List[str]]:
-    """The text with looks in place of uses of what is known, and the uses that stay."""
+    """Returns the text with uses of known constants replaced by reads, and the uses that stay."""
     for alias in ALIAS.finditer(text):
         text = text.replace(alias[0], "")
         text = re.sub(rf"(?<![\w:.]){alias['name']}\.(?=\w)", f"{alias['instance']}.", text)
     kept: List[str] = []
     lines: List[str] = []
-    constant = False  # whether the line before began a constant and did not end it
+    constant = False  # the line before began a constant and did not end it
     for line in text.split("\n"):
         code, comment, rest = line.partition("//")
         if line.startswith("#"):
@@ -187,7 +187,7 @@ def rewritten(text: str, known: Set[str]) -> Tuple[str, List[str]]:
 
 
 def rewrite(source: Path) -> Tuple[List[Constant], Dict[str, List[str]]]:
-    """Rewrites the copied sources.  All constants, and for each room the `instance.member`s with a use that stays."""
+    """Rewrites the copied sources. Returns all constants, and for each room the `instance.member`s with a use that stays."""
     constants: List[Constant] = []
     fixed: Dict[str, List[str]] = {}
     registers = tuning_files(source)
@@ -217,7 +217,7 @@ def rewrite(source: Path) -> Tuple[List[Constant], Dict[str, List[str]]]:
 
 
 def copy(root: Path, to: Path) -> None:
-    """Copies what a build of the library and the benchmarks needs; files that stay the same keep their times."""
+    """Copies what a build of the library and the benchmarks needs. Unchanged files keep their times."""
     for folder in ("src", "include", "bench", "tests", "cmake", "bindings"):
         shutil.rmtree(to / folder, ignore_errors=True)
         shutil.copytree(root / folder, to / folder, ignore=shutil.ignore_patterns("__pycache__"))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Runs cases of ablation_cases.py with constants set, as scripts/ablate.py asks on the standard input, a line of JSON each.
+"""Runs cases of ablation_cases.py with changed constants. scripts/ablate.py sends a line of JSON for each to the standard input.
 
     ablation_worker.py FOLDER THREADS        answers {"case", "set", "back"} with {"changes", "seconds"}
-    ablation_worker.py FOLDER --used CASE    prints the constants that a case looks at
+    ablation_worker.py FOLDER --used CASE    prints the constants that a case reads
 """
 
 import ctypes
@@ -30,7 +30,7 @@ def put(values: Dict[str, float]) -> None:
 
 
 def measured(case: str, kept: ablation_cases.Kept) -> Dict[str, Any]:
-    """What a case comes to; an error of the library is a result, too."""
+    """Returns the result of a case, and its seconds. An error of the library is a result, too."""
     begin = time.process_time()
     try:
         result = ablation_cases.summary(ablation_cases.CASES[case](kept))
@@ -40,7 +40,7 @@ def measured(case: str, kept: ablation_cases.Kept) -> Dict[str, Any]:
 
 
 def usual(case: str, kept: ablation_cases.Kept, folder: Path) -> Dict[str, Any]:
-    """The same with all constants as they are, kept in a file; the case runs twice, since the first run warms up."""
+    """Returns the same for unchanged constants, and keeps it in a file. Runs the case twice, because the first run warms up."""
     file = folder / f"{case}.pickle"
     if not file.exists():
         measured(case, kept)
