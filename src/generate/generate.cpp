@@ -268,7 +268,11 @@ void require_some(base::List<Growing>& growing, marks::PointSet& set) {
             all.dropped_degenerate += level.dropped_degenerate;
         }
     }
-    if (all.attempted == 0 && !lengths_given) return;
+    if (all.attempted == 0) {
+        if (!lengths_given) return;
+        fail(Status::not_converged, "no line could be placed; use a smaller separation, or a step above "
+                                    "projection_tolerance");
+    }
     fail(Status::not_converged,
          "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; use a "
          "smaller separation, or a step above projection_tolerance",

@@ -240,7 +240,7 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "out.psd"], 1, "no picture format"),
         (["draw", "{xyz}", "out.bmpx"], 1, "no picture format"),
         (["draw", "{xyz}", "--box-jitter", "0.9"], 1, "box_jitter"),
-        (["draw", "{xyz}", "--layers", "hatch", "--separation", "50"], 1, "set a smaller separation"),
+        (["draw", "{xyz}", "--layers", "hatch", "--separation", "50"], 1, "use a smaller separation"),
         (["draw", "{xyz}", "--style", "xray", "--lines", "none"], 3, "nothing is drawn"),
         (["draw", "{xyz}", "--tone-exponent", "-1"], 1, "tone_exponent"),
         (["draw", "{xyz}", "--direction", "0,1,0"], 1, "up"),
