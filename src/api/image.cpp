@@ -45,8 +45,8 @@ std::int64_t checked_row_stride(const hrbfnpr_image& image, std::int64_t pixel) 
     if (image.row_stride > largest || image.row_stride < -largest ||
         (image.row_stride < row && image.row_stride > -row))
         fail(Status::invalid_argument,
-             "image.row_stride is %lld; with %lld bytes per pixel a row has %lld: it must be 0, or that or more, "
-             "forward or backward",
+             "image.row_stride is %lld; pixels of %lld bytes make rows of %lld: it must be 0, at least that, or at "
+             "most its negative",
              static_cast<long long>(image.row_stride), static_cast<long long>(pixel), static_cast<long long>(row));
     const auto address = reinterpret_cast<std::uintptr_t>(image.pixels);
     const auto reach = static_cast<std::uint64_t>(image.height - 1) *

@@ -96,10 +96,11 @@ geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_des
 
 void log_trim(const base::Runtime& runtime, const generate::TrimReport& report) {
     if (report.parts == 0) return;
-    runtime.log(
-        base::LogLevel::info,
-        "trim: %lld parts, %.1f %% of the surface, are far from the samples and left out; %lld reach the search box",
-        static_cast<long long>(report.parts), 100.0 * report.share, static_cast<long long>(report.parts_to_end));
+    runtime.log(base::LogLevel::info,
+                "trim: %lld parts, %.1f %% of the surface, are far from the samples and left out; %lld reach the end "
+                "of the search box",
+                static_cast<long long>(report.parts), 100.0 * report.share,
+                static_cast<long long>(report.parts_to_end));
 }
 
 generate::ImplicitFor implicit_of(const hrbfnpr_model& model) {

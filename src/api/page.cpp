@@ -318,8 +318,8 @@ hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::
              "on the page",
              size.x, size.y, far_away);
     if (in_plot_order(settings) && reader.has_discs_of_paper())
-        fail(Status::invalid_argument, "a drawing with PUBLISHED visibility covers ink by discs of paper, which cannot "
-                                       "be plotted or sorted; draw it with DEPTH_LAYERS");
+        fail(Status::invalid_argument, "a drawing with PUBLISHED visibility covers ink with discs of paper, which "
+                                       "cannot be plotted or sorted; draw it with DEPTH_LAYERS");
     const output::PageCounts counts = output::write_page({runtime, use.progress()}, reader.page(), settings, writer);
     use.finish();
     return describe(counts, size);

@@ -35,7 +35,7 @@ void check_between_fields(const Style& style, const char* owner) {
 void check_hatch(const GivenLayer& layer, const char* owner) {
     if (!(layer.hatch_tone_begin < layer.hatch_tone_end))
         fail(Status::invalid_argument,
-             "%s.hatch_tone_begin is %g and hatch_tone_end is %g; the end must be above the begin", owner,
+             "%s.hatch_tone_begin is %g and hatch_tone_end is %g; hatch_tone_end must be greater", owner,
              static_cast<double>(layer.hatch_tone_begin), static_cast<double>(layer.hatch_tone_end));
 }
 

@@ -43,7 +43,7 @@ std::int64_t checked_stride(const void* data, std::int64_t count, std::int64_t s
     if (stride == 0) stride = element;
     if (stride > -element && stride < element)
         fail(Status::invalid_argument,
-             "%s.stride is %lld, but an element has %lld bytes; it must be 0, or at least that, forward or backward",
+             "%s.stride is %lld, but an element has %lld bytes; it must be 0, at least that, or at most its negative",
              name, static_cast<long long>(stride), static_cast<long long>(element));
     // -stride would overflow for the lowest number.
     const std::int64_t step = stride == std::numeric_limits<std::int64_t>::min() ? longest

@@ -224,7 +224,7 @@ EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std:
     if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells: of %lld points, %lld did not converge, %lld strayed, %lld were "
-             "degenerate; raise projection_tolerance, or use PUBLISHED",
+             "degenerate; raise projection_tolerance, or use distribution PUBLISHED",
              static_cast<long long>(cells.cell.size()), static_cast<long long>(marks.report.attempted),
              static_cast<long long>(marks.report.dropped_not_converged),
              static_cast<long long>(marks.report.dropped_strayed),

@@ -300,7 +300,7 @@ TEST_F(BadFrame, InvalidImagesAreRefused) {
         {[](auto& i) { i.height = -3; }, "image.height is -3"},
         {[](auto& i) { i.width = 32769; }, "image.width is 32769"},
         {[](auto& i) { i.pixels = nullptr; }, "image.pixels is NULL"},
-        {[](auto& i) { i.row_stride = 63; }, "image.row_stride is 63; with 4 bytes per pixel a row has 64"},
+        {[](auto& i) { i.row_stride = 63; }, "image.row_stride is 63; pixels of 4 bytes make rows of 64"},
         {[](auto& i) { i.row_stride = -63; }, "image.row_stride is -63"},
         {[](auto& i) { i.row_stride = std::numeric_limits<std::int64_t>::min(); }, "image.row_stride is -9223"},
         {[](auto& i) { i.row_stride = std::int64_t{1} << 50; }, "image.row_stride is"},

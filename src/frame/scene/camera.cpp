@@ -117,7 +117,7 @@ glm::dmat4 view_matrix(const Axes& axes, const glm::dvec3& eye) {
 template <class Make>
 glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane, const Make& make) {
     if (depth > DepthConvention::reversed)
-        fail(Status::invalid_argument, "depth_convention %u is not one of HRBFNPR_DEPTH_*",
+        fail(Status::invalid_argument, "depth_convention is %u; it must be one of HRBFNPR_DEPTH_*",
              static_cast<unsigned>(depth));
     if (depth == DepthConvention::reversed) std::swap(near_plane, far_plane);
     return make(depth == DepthConvention::negative_one_to_one, near_plane, far_plane);
@@ -298,7 +298,7 @@ void check(const Camera& camera) {
         fail(Status::invalid_argument, "camera.viewport is %g x %g pixels; set its width and height",
              camera.viewport[2], camera.viewport[3]);
     if (camera.depth > DepthConvention::reversed)
-        fail(Status::invalid_argument, "camera.depth_convention %u is not one of HRBFNPR_DEPTH_*",
+        fail(Status::invalid_argument, "camera.depth_convention is %u; it must be one of HRBFNPR_DEPTH_*",
              static_cast<unsigned>(camera.depth));
     if (!(mean_scale(camera.view) > 0.0))
         fail(Status::invalid_argument, "camera.view is singular; it must be invertible");

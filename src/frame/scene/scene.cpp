@@ -260,7 +260,7 @@ void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, 
         return r.item == number && r.layer == pose.layer;
     });
     if (run == drawing.runs.end()) refuse("is not a layer of the item's point set");
-    if (run->posed >= 0) refuse("has a pose already");
+    if (run->posed >= 0) refuse("has a pose already; give one pose for each layer");
     const auto vector = [&](const base::InView& view, std::int64_t i, const char* name) {
         const glm::dvec3 v(view.get(i, 0), view.get(i, 1), view.get(i, 2));
         // The comparison is false for NaN, too.
