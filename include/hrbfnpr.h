@@ -3510,9 +3510,10 @@ typedef struct hrbfnpr_note {
     uint32_t severity;   /* how much it matters, HRBFNPR_SEVERITY_... */
     uint32_t figure_count; /* number of `figures` that are set, 0 .. 8 */
     double figures[8];   /* figures of the code, in the order of its brackets */
-    const char* text;    /* one sentence without a full stop, UTF-8, in the words of `wording` */
-    const char* advice;  /* what to do about it, in the same words; NULL where the text says it, or there is nothing to
-                            say */
+    const char* text;    /* a short sentence without a full stop, UTF-8, in the words of `wording`; at most 100 bytes
+                            for notes and warnings */
+    const char* advice;  /* what to do about it, in the same words; NULL if the text says it or nothing needs doing */
+    const char* detail;  /* one or two more sentences that explain the text, in the same words; NULL if none */
 } hrbfnpr_note;
 
 /* Sets struct_size; all other fields are 0. */
@@ -3712,7 +3713,7 @@ typedef struct hrbfnpr_source_info {
     double area;                   /* area, in squared units of the source */
     double volume;                 /* enclosed volume, in cubed units of the source; 0 if the mesh is not closed */
 
-    char up_reason[128];           /* reason for `up`, such as "it is so in PLY files"; "" = up is not known */
+    char up_reason[128];           /* reason for `up`, such as "as in PLY files"; "" = up is not known */
 } hrbfnpr_source_info;
 
 /* Sets struct_size; all other fields are 0. */

@@ -541,7 +541,7 @@ enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE
     HRBFNPR_NOTE_VERTICES_UNUSED = 72, HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73, HRBFNPR_NOTE_MESH_OPEN = 74,
     HRBFNPR_NOTE_SEVERAL_PARTS = 75, HRBFNPR_NOTE_NOT_USABLE = 76 };
 typedef struct hrbfnpr_note { uint32_t struct_size; uint32_t code; uint32_t severity; uint32_t figure_count;
-    double figures[8]; const char* text; const char* advice; } hrbfnpr_note;
+    double figures[8]; const char* text; const char* advice; const char* detail; } hrbfnpr_note;
 hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
 typedef struct hrbfnpr_picture_event { uint32_t struct_size; uint32_t stage; double fraction; double seconds;
     const char* name; const char* doing; const char* says; const hrbfnpr_note* note; } hrbfnpr_picture_event;

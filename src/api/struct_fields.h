@@ -455,7 +455,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {
 inline constexpr FieldLayout fields_of_hrbfnpr_note[] = {
     FIELD(struct_size, "uint32_t"), FIELD(code, "uint32_t"), FIELD(severity, "uint32_t"),
     FIELD(figure_count, "uint32_t"), FIELD(figures, "double[8]"), FIELD(text, "const char*"),
-    FIELD(advice, "const char*")};
+    FIELD(advice, "const char*"), FIELD(detail, "const char*")};
 #undef RECORD
 #define RECORD hrbfnpr_picture_event
 inline constexpr FieldLayout fields_of_hrbfnpr_picture_event[] = {

@@ -95,8 +95,9 @@ String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds
     };
     String reasons(&pool);
     if (info.outside == info.marks || !is_in_view(bounds, camera)) {
-        reasons = "The camera looks away from the model, or past it: leave out {eye} and {direction}, or let {target} "
-                  "be in the model";
+        reasons =
+            "The camera looks away from the model or past it: leave out {eye} and {direction}, or set {target} in "
+            "the model";
         return reasons;
     }
     if (bounds.longest_side() == 0.0) {
@@ -104,27 +105,25 @@ String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds
         return reasons;
     }
     if (info.back > blank_tuning.back_over_front * (info.front + info.silhouette)) {
-        add_reason(reasons, "all that is in view looks away from the eye: another {azimuth} shows its front, or "
-                            "{sides=both} draws its back, or ");
-        reasons += is_flipped ? "without {flip!} it is seen" : "{flip!} turns it over";
+        add_reason(reasons, "the surface shows only its back: try another {azimuth}, or {sides=both}, or ");
+        reasons += is_flipped ? "leave out {flip!}" : "{flip!}";
     }
     if (static_cast<double>(info.dropped_hidden) > blank_tuning.most_hidden * facing) {
-        add_reason(reasons, formatted(pool,
-                                      "%lld of %lld marks that face the eye are behind something, as where normals "
-                                      "look inward: ",
-                                      static_cast<long long>(info.dropped_hidden),
-                                      static_cast<long long>(info.front + info.silhouette)));
+        add_reason(reasons,
+                   formatted(pool, "%lld of %lld marks that face the eye are hidden, as if normals pointed inward: ",
+                             static_cast<long long>(info.dropped_hidden),
+                             static_cast<long long>(info.front + info.silhouette)));
         reasons += is_flipped ? "leave out {flip!}" : "{flip!} turns them";
     }
     const double toned = facing - static_cast<double>(info.dropped_tone); // marks that the tone asks for
     const bool by_depth = takes_most(info.dropped_depth, toned);
     const bool by_zoom = takes_most(info.dropped_zoom, toned);
     if (takes_most(info.dropped_tone, facing) && reasons.empty() && !by_depth && !by_zoom)
-        add_reason(reasons, "all is so light that no mark is drawn: {tone=none} draws all marks, {light} turns the "
-                            "light");
-    if (by_depth) add_reason(reasons, "marks vanish with the distance: leave out {depth_range}");
-    if (by_zoom) add_reason(reasons, "marks vanish with the zoom: leave out {zoom_reference}");
-    if (has_invisible_ink(style)) add_reason(reasons, "the ink cannot be seen on the paper");
+        add_reason(reasons,
+                   "the surface is too light for any mark: {tone=none} draws all marks, {light} turns the light");
+    if (by_depth) add_reason(reasons, "marks vanish with distance: leave out {depth_range}");
+    if (by_zoom) add_reason(reasons, "marks vanish at this zoom: leave out {zoom_reference}");
+    if (has_invisible_ink(style)) add_reason(reasons, "the ink has the colour of the paper, or is transparent");
     if (reasons.empty())
         add_reason(reasons, "the model is too small in the picture, or the style draws no marks: try "
                             "{style=contour-and-stipple}");
@@ -145,7 +144,7 @@ std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& b
     if (ink >= blank_tuning.least_ink && !(has_few && is_hidden)) return std::nullopt;
     String text("the picture would be blank: ", &pool);
     if (ink > 0.0)
-        text += formatted(pool, "%lld of %lld marks are visible, and ink is on %.2f%% of it",
+        text += formatted(pool, "%lld of %lld marks are visible, and ink covers %.2f%% of it",
                           static_cast<long long>(info.shown), static_cast<long long>(info.marks), 100.0 * ink);
     else
         text += "nothing is drawn";

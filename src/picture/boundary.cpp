@@ -127,7 +127,7 @@ picture::String read_text(hrbfnpr_read_fn read, void* user, picture::Pool& pool)
         if (size == 0) return text;
         text.append(block.data(), static_cast<std::size_t>(size));
         if (text.size() > most_bytes)
-            fail(Status::invalid_argument, "the settings have more than %llu bytes: they are none",
+            fail(Status::invalid_argument, "the settings have more than %llu bytes, which is too many",
                  static_cast<unsigned long long>(most_bytes));
     }
 }

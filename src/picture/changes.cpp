@@ -103,7 +103,7 @@ struct ChangeTarget {
     if (target.is_of_style)
         for (const NamedConstant& kind : choices_of(*find_field(Record::line_style, "kind")))
             if (!is_layer_kind(kind.name, true)) (known += ", ") += kind.name;
-    fail(Status::invalid_argument, "%s.field is \"%s\"; there is no kind of layers %.*s: there are %s", name,
+    fail(Status::invalid_argument, "%s.field is \"%s\"; there are no layers %.*s; there are %s", name,
          String(path, &pool).c_str(), static_cast<int>(target.wrong_kind.size()), target.wrong_kind.data(),
          known.c_str());
 }

@@ -130,7 +130,7 @@ Vector<Segment> hatched(const Vector<Outline>& outlines, double period, Pool& po
     const double first = std::floor(least / period);
     const double last = std::ceil(most / period);
     if (!(last - first <= cut_faces_tuning.most_lines))
-        fail(Status::invalid_argument, "lines of hatching that are %g apart are too many for a section of %g", period,
+        fail(Status::invalid_argument, "hatch lines %g apart are too many for a section of size %g", period,
              most - least);
     Vector<double> places(&pool);
     const auto count = static_cast<std::int64_t>(last - first) + 1;

@@ -25,9 +25,8 @@ Model ended_by(const Call& call, const Model& model, const Points& places, const
     } catch (const Error& error) {
         if (error.status() != Status::not_converged) throw;
         call.report.warn(HRBFNPR_NOTE_END_NOT_FOUND, {},
-                         formatted(call.pool,
-                                   "where the surface ends was not found (%s); it goes on to the end of its box",
-                                   error.what()));
+                         "the end of the surface was not found: it runs on to the edge of its box",
+                         {.detail = formatted(call.pool, "The search ended with: %s.", error.what())});
     }
     return model;
 }
@@ -48,8 +47,8 @@ Model end_of_points(const Call& call, const Model& model, const Shape& shape, st
     Model ended = ended_by(call, model, points, "points", desc);
     if (trim_info_of(ended).share < ends_tuning.mostly_left_out && lie_along_curves(points, call.pool))
         call.report.note(HRBFNPR_NOTE_ALONG_CURVES, {},
-                         "the points lie along curves, as of wires or cross sections: the surface between these is "
-                         "drawn, too");
+                         "the points lie along curves: the surface between the curves is drawn too",
+                         {.detail = "They look like wires, cross sections or the path of a tracked pen."});
     return ended;
 }
 
@@ -62,11 +61,10 @@ hrbfnpr_trim_info trim_info_of(const Model& model) {
 String trim_in_words(const Call& call, const Model& model, const char* of) {
     Pool& pool = call.pool;
     const hrbfnpr_trim_info info = trim_info_of(model);
-    if (info.is_trimmed == 0) return {"the surface is whole", &pool};
-    return formatted(
-        pool, "%s of the surface, %s, is beyond the %s (up to %s of the diagonal) and left out; {close!} keeps it",
-        percent_of(info.share, 1, pool).c_str(), count_of(info.parts, "part", pool).c_str(), of,
-        percent_of(info.farthest / diagonal_of(model), 1, pool).c_str());
+    if (info.is_trimmed == 0) return {"the whole surface is kept", &pool};
+    return formatted(pool, "left out %s of the surface, up to %s of the diagonal beyond the %s; {close!} keeps it",
+                     percent_of(info.share, 1, pool).c_str(),
+                     percent_of(info.farthest / diagonal_of(model), 1, pool).c_str(), of);
 }
 
 } // namespace hrbfnpr::picture

@@ -57,7 +57,7 @@ void leave_out_unused(const Call& call, Shape& shape, hrbfnpr_source_info& info)
     if (no_data.points != 0)
         call.report.note(HRBFNPR_NOTE_NO_DATA, {as_figure(no_data.points), no_data.value},
                          count_of(no_data.points, "point", pool) +=
-                         formatted(pool, " at %g, which stands for no data, left out", no_data.value));
+                         formatted(pool, " left out: the value %g marks missing data", no_data.value));
     if (shape.is_mesh()) return;
     info.strays = leave_out_far(shape, pool);
     if (info.strays != 0)
@@ -80,18 +80,19 @@ void inspect_places(const Call& call, const Shape& shape, hrbfnpr_source_info& i
     give_bounds(bounds, info);
     if (lost != 0 && !shape.is_mesh() && !shape.is_photo) {
         report.note(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
-                    count_of(lost, "point", pool) += " without a finite position left out");
+                    count_of(lost, "point", pool) += " left out: without a finite position");
         report.warn(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
-                    count_of(lost, "position", pool) += " not finite");
+                    formatted(pool, "%s %s a position that is not finite", count_of(lost, "point", pool).c_str(),
+                              has_or_have(lost)));
     }
     const glm::dvec3 off = glm::abs(bounds.min + bounds.max) / 2.0;
     if (info.diagonal == 0.0)
         report.warn(HRBFNPR_NOTE_AT_ONE_PLACE, {}, "all points are at one place: there is no surface to draw",
-                    "look for the scale in the program it is from");
+                    {.advice = "check the scale in the program that wrote the file"});
     else if (std::max(std::max(off.x, off.y), off.z) > inspect_tuning.far_from_origin * info.diagonal)
         report.warn(HRBFNPR_NOTE_FAR_FROM_ORIGIN, {},
-                    "it is very far from the origin for its size: single precision loses its details",
-                    "move it near to the origin, in double precision");
+                    "the model is far from the origin for its size: single precision loses its details",
+                    {.advice = "move it to the origin with a program that keeps double precision"});
 }
 
 // ---- Normals
@@ -107,17 +108,17 @@ void inspect_orientation(const Call& call, const InspectedSamples& samples, bool
                         : look.closed <= -normals_tuning.inward_sum ? HRBFNPR_NORMALS_LOOK_OPEN
                                                                     : HRBFNPR_NORMALS_LOOK_OUTWARD;
     if (look.inward()) {
-        report.note(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals turned, as they look inward");
-        report.warn(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals look inward",
-                    "nothing: they are turned; {normals=keep} leaves them");
+        report.note(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals turned: they point inward");
+        report.warn(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals point inward",
+                    {.advice = "nothing: the fit turns them; {normals=keep} leaves them"});
     }
     if (const char axis = hangs_along(samples.points, samples.normals); axis != 0) {
         info.looks_down = static_cast<std::uint32_t>(axis - 'x');
         report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {double(info.looks_down)},
-                    "all normals turned, as a terrain looks up");
+                    "all normals turned: the surface is a terrain, and they point down");
         report.warn(HRBFNPR_NOTE_TERRAIN_TURNED, {double(info.looks_down)},
-                    formatted(call.pool, "the surface is a terrain that looks down along %c", axis),
-                    "nothing: it is turned; {normals=keep} leaves it");
+                    formatted(call.pool, "the surface is a terrain whose normals point down along %c", axis),
+                    {.advice = "nothing: the fit turns them; {normals=keep} leaves them"});
     }
     tell_wrong_normals(call, look, samples.points.size(), of_mesh, true);
 }
@@ -145,9 +146,9 @@ void inspect_orientation_on_curves(const Call& call, const InspectedSamples& sam
     if (info.normals_look == HRBFNPR_NORMALS_LOOK_OUTWARD) return;
     const char* const words = found_in_words(found);
     report.note(HRBFNPR_NOTE_NORMALS_REPAIRED, {0.0, 0.0, double(found)},
-                formatted(call.pool, "normals repaired: they are %s", words));
-    report.warn(HRBFNPR_NOTE_NORMALS_REPAIRED, {0.0, 0.0, double(found)},
-                formatted(call.pool, "the normals are %s", words), "nothing: {normals=keep} leaves them");
+                formatted(call.pool, "normals repaired: they %s", words));
+    report.warn(HRBFNPR_NOTE_NORMALS_REPAIRED, {0.0, 0.0, double(found)}, formatted(call.pool, "the normals %s", words),
+                {.advice = "nothing: the fit repairs them; {normals=keep} leaves them"});
 }
 
 // ---- Points
@@ -187,18 +188,18 @@ void tell_unusable_normals(const Call& call, const hrbfnpr_source_info& info, st
         report.note(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
                     count_of(lost, "point", pool) += " without a usable normal left out");
         report.warn(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
-                    count_of(info.normals_zero, "normal", pool) +=
-                    formatted(pool, " zero, %lld not finite", static_cast<long long>(info.normals_not_finite)));
+                    formatted(pool, "%lld normals are zero, %lld not finite", static_cast<long long>(info.normals_zero),
+                              static_cast<long long>(info.normals_not_finite)));
     }
-    if (usable == 0) report.refuse("no point is finite and has a normal that is not zero");
+    if (usable == 0) report.refuse("no point has both a finite position and a normal that is not zero");
     if (info.normals_unit_share < 1.0) {
         const double others = std::nearbyint((1.0 - info.normals_unit_share) * static_cast<double>(usable));
         report.note(HRBFNPR_NOTE_NORMALS_NOT_UNIT, {others},
-                    count_of(static_cast<std::int64_t>(others), "normal", pool) += " made of length 1");
+                    count_of(static_cast<std::int64_t>(others), "normal", pool) += " scaled to length 1");
     }
     if (usable < points_tuning.few_samples)
         report.warn(HRBFNPR_NOTE_FEW_POINTS, {static_cast<double>(usable)},
-                    formatted(pool, "there are %s only: the surface between them is a guess",
+                    formatted(pool, "there are only %s: the surface between them is a guess",
                               count_of(static_cast<std::int64_t>(usable), "point", pool).c_str()));
 }
 
@@ -210,8 +211,8 @@ void join_at_places(const Call& call, InspectedSamples& samples) {
                          count_of(places.joined, "place", call.pool) += " with several normals: their mean is used");
     if (places.left_out != 0)
         call.report.warn(HRBFNPR_NOTE_NORMALS_OPPOSITE, {as_figure(places.left_out)},
-                         count_of(places.left_out, "place", call.pool) += " with opposite normals, left out");
-    if (samples.points.empty()) call.report.refuse("all points are in pairs with opposite normals");
+                         count_of(places.left_out, "place", call.pool) += " with opposite normals left out");
+    if (samples.points.empty()) call.report.refuse("all points come in pairs with opposite normals");
 }
 
 InspectedSamples inspect_points(const Call& call, const Shape& shape, hrbfnpr_source_info& info) {
@@ -225,13 +226,13 @@ InspectedSamples inspect_points(const Call& call, const Shape& shape, hrbfnpr_so
     if (info.duplicates != 0)
         report.note(HRBFNPR_NOTE_SAMPLES_MERGED, {as_figure(info.duplicates)},
                     count_of(info.duplicates, "point", pool) +=
-                    " at the place of another merged, where their normals agree");
+                    " merged with another at the same place, if their normals agree");
     if (info.has_normals == 0) {
         const auto count = static_cast<double>(finite.size());
         report.note(HRBFNPR_NOTE_NORMALS_MADE, {count},
-                    shape.normals.empty() ? "normals made, as there are none" : "normals made, as all are zero");
+                    shape.normals.empty() ? "normals computed: there are none" : "normals computed: all are zero");
         report.warn(HRBFNPR_NOTE_NORMALS_MADE, {count}, "the points have no normals",
-                    "nothing: they are made; those of the scanner are surer");
+                    {.advice = "nothing: they are computed; normals from the scanner are more reliable"});
         Points zeros(finite.size(), glm::dvec3(0.0), &pool);
         return {std::move(finite), std::move(zeros)};
     }
@@ -258,15 +259,13 @@ InspectedSamples inspect_image(const Call& call, Shape& shape, hrbfnpr_source_in
     info.image_dropped = found.left_out;
     info.image_depth = found.depth;
     info.image_noise = depth_noise_of(found);
-    call.report.note(
-        HRBFNPR_NOTE_DEPTH_NOISE, {info.image_noise, info.image_depth},
-        formatted(pool,
-                  "the picture of a depth camera smoothed over %.1f pixels where the depth is %.3g, where its noise is "
-                  "%.2g; normals made",
-                  found.radius, info.image_depth, info.image_noise));
+    call.report.note(HRBFNPR_NOTE_DEPTH_NOISE, {info.image_noise, info.image_depth},
+                     formatted(pool,
+                               "depth image smoothed over %.1f pixels at depth %.3g (noise %.2g); normals computed",
+                               found.radius, info.image_depth, info.image_noise));
     if (found.left_out != 0)
         call.report.note(HRBFNPR_NOTE_PIXELS_LEFT_OUT, {as_figure(found.left_out)},
-                         count_of(found.left_out, "pixel", pool) += " on no surface left out");
+                         count_of(found.left_out, "pixel", pool) += " left out: they lie on no surface");
     return {Points(shape.points, &pool), Points(shape.normals, &pool)};
 }
 
@@ -294,37 +293,41 @@ void tell_faces_and_vertices(const Call& call, const MeshFacts& facts) {
     struct Repair {
         std::uint32_t code;
         std::int64_t count;
+        const char* noun;
         const char* what;
     };
     const std::array repairs{
-        Repair{HRBFNPR_NOTE_VERTICES_JOINED, facts.joined_vertices, "vertices at the place of another joined"},
-        Repair{HRBFNPR_NOTE_FACES_LEFT_OUT, facts.degenerate_faces, "triangles without area left out"},
-        Repair{HRBFNPR_NOTE_VERTICES_UNUSED, facts.unused_vertices, "vertices of no face left out"}};
+        Repair{HRBFNPR_NOTE_VERTICES_JOINED, facts.joined_vertices, "vertex", "joined with another at the same place"},
+        Repair{HRBFNPR_NOTE_FACES_LEFT_OUT, facts.degenerate_faces, "triangle", "without area left out"},
+        Repair{HRBFNPR_NOTE_VERTICES_UNUSED, facts.unused_vertices, "vertex", "that no face uses left out"}};
     for (const Repair& repair : repairs)
         if (repair.count != 0)
-            call.report.note(repair.code, {as_figure(repair.count)},
-                             formatted(call.pool, "%lld %s", static_cast<long long>(repair.count), repair.what));
+            call.report.note(
+                repair.code, {as_figure(repair.count)},
+                formatted(call.pool, "%s %s", count_of(repair.count, repair.noun, call.pool).c_str(), repair.what));
     if (facts.faces_not_finite == 0) return;
-    const String faces = count_of(facts.faces_not_finite, "face", call.pool) += " with a corner that is not finite";
+    const String faces = count_of(facts.faces_not_finite, "face", call.pool);
     call.report.note(HRBFNPR_NOTE_FACES_NOT_FINITE, {as_figure(facts.faces_not_finite)},
-                     String(faces, &call.pool) += " left out");
-    call.report.warn(HRBFNPR_NOTE_FACES_NOT_FINITE, {as_figure(facts.faces_not_finite)}, faces);
+                     String(faces, &call.pool) += " left out: a corner is not finite");
+    call.report.warn(
+        HRBFNPR_NOTE_FACES_NOT_FINITE, {as_figure(facts.faces_not_finite)},
+        formatted(call.pool, "%s %s a corner that is not finite", faces.c_str(), has_or_have(facts.faces_not_finite)));
 }
 
 void tell_inside_out(const Call& call, const MeshFacts& facts) {
     Report& report = call.report;
     if (facts.inside_out) {
         report.note(HRBFNPR_NOTE_INSIDE_OUT, {as_figure(facts.components_inside_out)},
-                    "all faces turned, as the mesh is inside out");
+                    "all faces turned: the mesh is inside out");
         report.warn(HRBFNPR_NOTE_INSIDE_OUT, {as_figure(facts.components_inside_out)}, "the mesh is inside out",
-                    "nothing: its faces are turned");
+                    {.advice = "nothing: the fit turns its faces"});
     } else if (facts.components_inside_out != 0) {
         report.warn(HRBFNPR_NOTE_INSIDE_OUT, {as_figure(facts.components_inside_out)},
-                    formatted(call.pool, "%lld of %lld parts are inside out, or cavities",
+                    formatted(call.pool, "%lld of %lld parts are inside out or are cavities",
                               static_cast<long long>(facts.components_inside_out),
                               static_cast<long long>(facts.components)),
-                    "unless they are cavities, turn their faces in MeshLab (Re-orient all faces coherently) or Blender "
-                    "(Recalculate outside)");
+                    {.advice = "unless they are cavities, turn their faces in MeshLab or Blender",
+                     .detail = how_to_turn_faces});
     }
 }
 
@@ -334,36 +337,35 @@ void tell_nonmanifold(const Call& call, std::int64_t found, std::int64_t left, b
     if (left < found)
         call.report.note(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(found - left)},
                          (count_of(found - left, "edge", call.pool) += " of more than two triangles ") +=
-                         has_repeated_faces ? "mended, as faces that are there twice are left out"
-                                            : "parted, as solids touch there");
+                         has_repeated_faces ? "mended: repeated faces are left out" : "split: solids touch there");
     if (left != 0)
         call.report.warn(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(left)},
-                         count_of(left, "edge", call.pool) += " of more than two triangles",
-                         "nothing, if the picture is right");
+                         formatted(call.pool, "%s %s more than two triangles",
+                                   count_of(left, "edge", call.pool).c_str(), has_or_have(left)),
+                         {.advice = "nothing, if the picture looks right"});
 }
 
 void tell_open(const Call& call, const MeshFacts& facts) {
     if (facts.boundary_edges == 0) return;
-    call.report.warn(
-        HRBFNPR_NOTE_MESH_OPEN, {as_figure(facts.boundary_loops), as_figure(facts.boundary_edges)},
-        formatted(call.pool, "it is open: %s of %s", count_of(facts.boundary_loops, "border", call.pool).c_str(),
-                  count_of(facts.boundary_edges, "edge", call.pool).c_str()),
-        "nothing: what is drawn ends at wide borders, with a line, and closes small holes; {close!} closes "
-        "all");
+    call.report.warn(HRBFNPR_NOTE_MESH_OPEN, {as_figure(facts.boundary_loops), as_figure(facts.boundary_edges)},
+                     formatted(call.pool, "the mesh is open: it has %s of %s",
+                               count_of(facts.boundary_loops, "border", call.pool).c_str(),
+                               count_of(facts.boundary_edges, "edge", call.pool).c_str()),
+                     {.advice = "nothing: small holes are closed, wide ones stay open; {close!} closes all",
+                      .detail = "The border of a hole that stays open is drawn as a line."});
 }
 
 void tell_contrary_and_parts(const Call& call, const MeshFacts& facts) {
     if (facts.contrary_edges != 0)
         call.report.warn(HRBFNPR_NOTE_CONTRARY_EDGES, {as_figure(facts.contrary_edges)},
                          count_of(facts.contrary_edges, "edge", call.pool) +=
-                         " between triangles that look to opposite sides",
-                         "turn faces in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)");
+                         " between triangles that face opposite sides",
+                         {.advice = "turn faces in MeshLab or Blender", .detail = how_to_turn_faces});
     if (facts.components > 1)
-        call.report.warn(
-            HRBFNPR_NOTE_SEVERAL_PARTS, {as_figure(facts.components)},
-            formatted(call.pool, "it has %lld parts", static_cast<long long>(facts.components)),
-            "nothing: those that cross, or are close to others, are drawn as surfaces of their own, and parts inside "
-            "others are left out; {parts=all} keeps them");
+        call.report.warn(HRBFNPR_NOTE_SEVERAL_PARTS, {as_figure(facts.components)},
+                         formatted(call.pool, "the mesh has %lld parts", static_cast<long long>(facts.components)),
+                         {.advice = "nothing: parts inside others are left out; {parts=all} keeps them",
+                          .detail = "Open parts that cross or nearly touch are drawn as separate surfaces."});
 }
 
 // Tells whether the source caused an error, rather than the call.
@@ -419,7 +421,7 @@ InspectedSamples inspect_mesh(const Call& call, Shape& shape, hrbfnpr_source_inf
     };
     shape.triangles.erase(std::remove_if(shape.triangles.begin(), shape.triangles.end(), is_lost),
                           shape.triangles.end());
-    if (shape.triangles.empty()) call.report.refuse("no face has three corners that are finite");
+    if (shape.triangles.empty()) call.report.refuse("every face has a corner that is not finite");
     tell_inside_out(call, facts);
     tell_open(call, facts);
     const MendedMesh mended = mend(call, shape);

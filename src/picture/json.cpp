@@ -64,13 +64,13 @@ public:
     [[noreturn]] bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
                                   const Reader::exception& error) {
         const char* const at = std::strstr(error.what(), "line "); // The message follows the name of the exception.
-        fail(Status::invalid_argument, "this is no JSON: %s", at != nullptr ? at : error.what());
+        fail(Status::invalid_argument, "this is not JSON: %s", at != nullptr ? at : error.what());
     }
 
 private:
     bool begin(JsonKind kind) {
         if (++depth_ > settings_tuning.most_depth)
-            fail(Status::invalid_argument, "more than %zu lists and objects lie in each other",
+            fail(Status::invalid_argument, "lists and objects are nested more than %zu deep",
                  settings_tuning.most_depth);
         document_.begin(kind);
         return true;

@@ -189,7 +189,7 @@ double length_of_polyline(const Polyline& line) noexcept {
 
 Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
                               Pool& pool) {
-    if (!shape.is_mesh()) fail(Status::invalid_argument, "creases come from a mesh; this file has no faces");
+    if (!shape.is_mesh()) fail(Status::invalid_argument, "creases need a mesh; this file has no faces");
     const SharpEdges sharp = sharp_edges(context, shape, angle, operation, pool);
     return join_edges(graph_of_edges(sharp.edges, sharp.places.size(), pool), sharp.edges.size(), sharp.places, pool);
 }
@@ -287,13 +287,11 @@ hrbfnpr_line_set_info info_of(const LineSet& line_set) {
 void tell_where_it_ends(const Call& call, const hrbfnpr_line_set_info& info, double support) {
     String text(&call.pool);
     if (info.borders == 0) {
-        text = formatted(call.pool, "lines: the surface ends nowhere within support %g", support);
+        text = formatted(call.pool, "lines: the surface has no border within support %g", support);
     } else {
         text = formatted(call.pool,
-                         "lines: the surface ends beyond its samples, at %lld border%s (support %g); %.1f %% of it is "
-                         "left out",
-                         static_cast<long long>(info.borders), info.borders == 1 ? "" : "s", support,
-                         100.0 * info.left_out);
+                         "lines: the surface has %s where its samples end (support %g); %.1f%% of it is left out",
+                         count_of(info.borders, "border", call.pool).c_str(), support, 100.0 * info.left_out);
     }
     call.report.info(HRBFNPR_NOTE_LINES_END, {static_cast<double>(info.borders), support, info.left_out}, text);
 }
@@ -302,12 +300,12 @@ void tell_if_thin(const Call& call, const hrbfnpr_line_set_info& info) {
     const auto turned = static_cast<double>(info.turned);
     const auto triangles = static_cast<double>(info.triangles);
     if (!(turned > lines_tuning.turned_share * triangles) && info.missed_seeds == 0) return;
-    call.report.warn(HRBFNPR_NOTE_LINES_THIN, {turned, triangles, static_cast<double>(info.missed_seeds)},
-                     formatted(call.pool,
-                               "the surface is thinner than the cells that lines are looked for in (%lld of %lld "
-                               "triangles look away, %lld samples are missed): lines may be missing there",
-                               static_cast<long long>(info.turned), static_cast<long long>(info.triangles),
-                               static_cast<long long>(info.missed_seeds)));
+    call.report.warn(
+        HRBFNPR_NOTE_LINES_THIN, {turned, triangles, static_cast<double>(info.missed_seeds)},
+        "parts of the surface are thinner than the grid that finds lines: some may be missing there",
+        {.detail = formatted(call.pool, "%lld of %lld triangles of the grid face the wrong way, and it misses %s.",
+                             static_cast<long long>(info.turned), static_cast<long long>(info.triangles),
+                             count_of(info.missed_seeds, "sample", call.pool).c_str())});
 }
 
 } // namespace
@@ -359,28 +357,27 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
             made = create_line_set(call, model, desc, stage);
             info = info_of(made);
         }
-        stage.says(formatted(call.pool, "on %lld triangles, %lld lines found once",
-                             static_cast<long long>(info.triangles), static_cast<long long>(info.lines)));
+        stage.says(formatted(call.pool, "%s on %lld triangles",
+                             count_of(info.lines, "view-independent line", call.pool).c_str(),
+                             static_cast<long long>(info.triangles)));
     }
     if (is_sharp && !has_faces && info.creases == 0)
-        call.report.refuse("creases come from a mesh, or from a model with edges; this file has neither");
+        call.report.refuse("creases need a mesh, or a model with sharp edges; this file has neither");
     if (desc.support > 0.0) tell_where_it_ends(call, info, desc.support);
     tell_if_thin(call, info);
     return made;
 }
 
 void tell_doubts(Report& report, const hrbfnpr_drawing_info& info) {
-    const auto warn = [&](std::uint32_t code, std::int64_t count, const char* what) {
-        if (count > 0)
-            report.warn(code, {static_cast<double>(count)},
-                        formatted(report.pool(), "%s: %lld", what, static_cast<long long>(count)));
+    const auto warn = [&](std::uint32_t code, std::int64_t count, const char* noun, const char* what) {
+        if (count > 0) report.warn(code, {static_cast<double>(count)}, count_of(count, noun, report.pool()) += what);
     };
-    warn(HRBFNPR_NOTE_LINES_BROKEN, info.line_broken,
-         "curves that end inside the surface, or were missed; more samples there would help");
-    warn(HRBFNPR_NOTE_LINES_DOUBTED, info.line_contradictions,
-         "lines of which a part may be drawn where it is hidden, or the other way round");
-    warn(HRBFNPR_NOTE_LINES_TANGLED, info.line_tangles,
-         "places of the picture with so many crossings of lines that none was taken");
+    warn(HRBFNPR_NOTE_LINES_BROKEN, info.line_broken, "line",
+         " broken off inside the surface, or missing: more samples there would help");
+    warn(HRBFNPR_NOTE_LINES_DOUBTED, info.line_contradictions, "line",
+         " possibly drawn where hidden, or left out where visible");
+    warn(HRBFNPR_NOTE_LINES_TANGLED, info.line_tangles, "place",
+         " where many lines cross: hidden parts of lines may be wrong there");
 }
 
 } // namespace hrbfnpr::picture

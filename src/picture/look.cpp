@@ -388,11 +388,10 @@ void look_at_front(const Call& call, View& view, const Shape* shape, std::span<c
         const glm::dvec3 towards = *shape->viewpoint - sum / static_cast<double>(count);
         view.azimuth = whole_degrees(azimuth_of(view.up, towards));
         view.elevation = view.elevation.value_or(0.0);
-        call.report.note(HRBFNPR_NOTE_SEEN_FROM_CAMERA, {*view.azimuth},
-                         formatted(call.pool,
-                                   "the points are a picture of a depth camera: seen from where it stood, azimuth "
-                                   "%g; what it did not see is missing",
-                                   *view.azimuth));
+        call.report.note(
+            HRBFNPR_NOTE_SEEN_FROM_CAMERA, {*view.azimuth},
+            formatted(call.pool, "the depth image is drawn from where its camera stood, azimuth %g", *view.azimuth),
+            {.detail = "Other sides lack whatever the camera did not see."});
         return;
     }
     glm::dvec3 sum(0.0);
@@ -406,8 +405,7 @@ void look_at_front(const Call& call, View& view, const Shape* shape, std::span<c
     view.azimuth = azimuth;
     call.report.note(HRBFNPR_NOTE_SEEN_FROM_FRONT, {*azimuth},
                      formatted(call.pool,
-                               "the surface looks away from the usual side: seen from azimuth %g ({azimuth=%g} sees "
-                               "its back)",
+                               "the surface is drawn from its front, azimuth %g ({azimuth=%g} shows its back)",
                                *azimuth, look_tuning.azimuth));
 }
 

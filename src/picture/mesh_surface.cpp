@@ -142,27 +142,31 @@ void tell_mesh_repairs(const Call& call, const hrbfnpr_mesh_info& info) {
     const auto figure = [](std::int64_t count) { return static_cast<double>(count); };
     if (info.turned_faces > 0)
         report.note(HRBFNPR_NOTE_FACES_TURNED, {figure(info.turned_faces)},
-                    count_of(info.turned_faces, "face", pool) += " looked to the other side than those beside: turned");
+                    count_of(info.turned_faces, "face", pool) += " turned to the side of their neighbours");
     if (info.turned_components > 0) {
-        String what("the mesh was", &pool);
-        if (info.components != 1) what = count_of(info.turned_components, "part", pool) += " of the mesh were";
+        const bool is_one = info.components == 1 || info.turned_components == 1;
+        String what("the mesh", &pool);
+        if (info.components != 1) what = count_of(info.turned_components, "part", pool) += " of the mesh";
         report.note(HRBFNPR_NOTE_INSIDE_OUT, {figure(info.turned_components)},
-                    what += " inside out: its faces are turned");
+                    what +=
+                    is_one ? " was inside out: its faces are turned" : " were inside out: their faces are turned");
     }
     const std::int64_t left_out = info.degenerate_faces + info.repeated_faces;
     if (left_out > 0)
         report.note(HRBFNPR_NOTE_FACES_LEFT_OUT, {figure(left_out)},
-                    count_of(left_out, "face", pool) += " without area, or twice there, left out");
+                    count_of(left_out, "face", pool) += " left out: without area, or repeated");
     if (info.left_out_components > 0)
         report.note(HRBFNPR_NOTE_PARTS_INSIDE, {figure(info.left_out_components), figure(info.left_out_faces)},
-                    formatted(pool, "%s inside others left out (%lld faces); {parts=all} keeps them",
+                    formatted(pool, "%s inside others left out (%s); {parts=all} keeps them",
                               count_of(info.left_out_components, "part", pool).c_str(),
-                              static_cast<long long>(info.left_out_faces)));
+                              count_of(info.left_out_faces, "face", pool).c_str()));
     if (info.contrary_edges > 0)
         report.warn(HRBFNPR_NOTE_CONTRARY_EDGES, {figure(info.contrary_edges)},
                     count_of(info.contrary_edges, "edge", pool) +=
-                    " between faces that look to opposite sides, which cannot be turned: a surface of one side, or one "
-                    "that crosses itself");
+                    " between faces that face opposite sides: the surface may be wrong there",
+                    {.detail =
+                         "The mesh has one side only, as a Moebius strip, or it crosses itself, so turning faces does "
+                         "not help."});
 }
 
 // Removes the faces with the given numbers from a mesh, and welds the rest again.
@@ -211,7 +215,7 @@ void tell_left_out(const Call& call, const LeftOut& left_out) {
     if (left_out.flaps > 0)
         call.report.note(HRBFNPR_NOTE_FLAPS, {static_cast<double>(left_out.flaps)},
                          count_of(left_out.flaps, "face", pool) +=
-                         " that only an edge of two others holds left out; {parts=all} keeps them");
+                         " left out: each hangs on an edge of two others; {parts=all} keeps them");
 }
 
 mesh::Facing facing_of(const Call& call, const LookedAtMesh& looked) {
@@ -226,14 +230,13 @@ void tell_facing(const Call& call, mesh::Facing facing) {
     if (facing == mesh::Facing::right) return;
     if (facing == mesh::Facing::inward) {
         call.report.note(HRBFNPR_NOTE_NORMALS_TURNED, {},
-                         "all normals looked inward: they are turned ({normals=keep} leaves them)");
+                         "all normals pointed inward: they are turned ({normals=keep} leaves them)");
         return;
     }
     const char axis = facing == mesh::Facing::down_z ? 'z' : 'y';
     call.report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {static_cast<double>(axis - 'x')},
                      formatted(call.pool,
-                               "the surface is a terrain that looked down along %c: its normals are turned "
-                               "({normals=keep} leaves them)",
+                               "the terrain faced down along %c: its normals are turned ({normals=keep} leaves them)",
                                axis));
 }
 
@@ -303,32 +306,31 @@ void tell_divided(const Call& call, const Divided& found) {
     switch (found.plan.choice) {
     case Divided::Choice::nothing: return;
     case Divided::Choice::all_flat:
-        report.note(HRBFNPR_NOTE_ALL_FLAT, {}, "by the normals of its file all faces are flat ({edges=smooth} rounds)");
+        report.note(HRBFNPR_NOTE_ALL_FLAT, {},
+                    "all faces are flat, by the normals in the file ({edges=smooth} rounds them)");
         return;
     case Divided::Choice::coarse_flat:
         report.note(HRBFNPR_NOTE_COARSE_FLAT, {},
-                    "the faces are coarse, but nothing round goes through them: flat ({edges=smooth} rounds)");
+                    "the faces are coarse and stay flat: no round shape fits them ({edges=smooth} rounds)");
         return;
     case Divided::Choice::divided: break;
     }
     if (found.by_file)
         report.note(HRBFNPR_NOTE_EDGES_BY_NORMALS, {},
-                    "some edges are sharp and others round, by the normals of its file ({edges=auto} keeps those that "
-                    "stand out)");
-    const String divided =
-        formatted(pool, "divided %s, vertices moved by at most %s, what lies between them by %s",
-                  count_of(found.plan.rounds, "time", pool).c_str(), percent_of(found.moved, 2, pool).c_str(),
-                  percent_of(found.raised, 2, pool).c_str());
-    const double times = found.plan.rounds;
+                    "edges are sharp or round by the normals in the file ({edges=auto} goes by their angles)");
+    const String times = count_of(found.plan.rounds, "time", pool);
+    const String moved = formatted(pool, "Vertices moved by up to %s of the diagonal, points between them by up to %s.",
+                                   percent_of(found.moved, 2, pool).c_str(), percent_of(found.raised, 2, pool).c_str());
+    const double rounds = found.plan.rounds;
     if (found.coarseness < 0.0)
-        report.note(HRBFNPR_NOTE_DIVIDED, {times, found.moved, found.raised},
-                    formatted(pool, "the faces are %s", divided.c_str()));
+        report.note(HRBFNPR_NOTE_DIVIDED, {rounds, found.moved, found.raised},
+                    formatted(pool, "the faces are divided %s", times.c_str()), {.detail = moved});
     else
-        report.note(HRBFNPR_NOTE_DIVIDED, {times, found.moved, found.raised, found.coarseness},
-                    formatted(pool,
-                              "the faces are coarse, %s of the diagonal off something round: %s ({subdivide=0} leaves "
-                              "them)",
-                              percent_of(found.coarseness, 2, pool).c_str(), divided.c_str()));
+        report.note(
+            HRBFNPR_NOTE_DIVIDED, {rounds, found.moved, found.raised, found.coarseness},
+            formatted(pool, "the faces are coarse: divided %s and rounded ({subdivide=0} leaves them)", times.c_str()),
+            {.detail = formatted(pool, "They were up to %s of the diagonal off a round shape. %s",
+                                 percent_of(found.coarseness, 2, pool).c_str(), moved.c_str())});
 }
 
 // Makes a mesh round where it is coarse but approximates a round shape, and keeps its sharp edges, as far as the two
@@ -387,7 +389,7 @@ std::int64_t samples_of_look(const Call& call) {
     if (chooses_samples(call.options)) return mesh_tuning.looked_at;
     const std::int64_t wanted = call.options.desc.samples > 0 ? call.options.desc.samples : mesh_tuning.samples;
     if (wanted > mesh_tuning.most_samples)
-        call.report.refuse(formatted(call.pool, "{samples=%lld} is more than a mesh can have: %lld",
+        call.report.refuse(formatted(call.pool, "{samples=%lld} is too many for a mesh: give %lld at most",
                                      static_cast<long long>(wanted), static_cast<long long>(mesh_tuning.most_samples)));
     return wanted;
 }
@@ -406,7 +408,7 @@ void sample_and_divide(const Call& call, LookedAtMesh& looked) {
         looked.normals.resize(static_cast<std::size_t>(count));
         sample_mesh(looked.mesh, desc, looked.points, &looked.normals, stage.operation());
         stage.says(formatted(call.pool, "%lld samples%s", static_cast<long long>(count),
-                             chooses_samples(options) ? ", to look at" : ""));
+                             chooses_samples(options) ? ", to check which way faces look" : ""));
         facing = facing_of(call, looked);
         if (facing != mesh::Facing::right) {
             Vector<Triangle> turned(&call.pool);
@@ -488,11 +490,9 @@ Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
     }
     call.report.note(HRBFNPR_NOTE_GROUPS,
                      {static_cast<double>(found->parts), static_cast<double>(found->groups.size())},
-                     formatted(call.pool,
-                               "%s of the mesh, not all of them closed, cross or are close to each other: they are "
-                               "fitted and drawn in %zu groups, each a surface of its own ({together!} makes one of "
-                               "them)",
-                               count_of(found->parts, "part", call.pool).c_str(), found->groups.size()));
+                     formatted(call.pool, "%s cross or nearly touch: drawn as %zu surfaces ({together!} joins them)",
+                               count_of(found->parts, "part", call.pool).c_str(), found->groups.size()),
+                     {.detail = "Some of these parts are open, so one surface through all of them would be wrong."});
     for (const FaceNumbers& faces : found->groups) groups.push_back(group_of_faces(call, mesh, shape, faces));
     return groups;
 }
@@ -529,51 +529,64 @@ hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
     return desc;
 }
 
-// Returns advice for a fit that did not reach its tolerance.
-String remedy_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done) {
+// The advice for a fit that did not reach its tolerance.
+struct Remedy {
+    String text;
+    const char* detail = "";
+};
+
+Remedy remedy_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done) {
     const Options& options = call.options;
     std::int64_t most = options.desc.maximum_centres > 0 ? options.desc.maximum_centres : mesh_tuning.most_centres;
     if (done.sheets > 1) most = std::max(most, mesh_tuning.centres_a_sheet * done.sheets);
     if (static_cast<double>(done.centres) >= mesh_tuning.nearly_all_centres * static_cast<double>(most))
-        return formatted(call.pool, "{max_centres=%lld} allows more samples", static_cast<long long>(2 * most));
+        return {formatted(call.pool, "{max_centres=%lld} helps", static_cast<long long>(2 * most))};
     if (done.sheets > 1 && done.mesh_share < mesh_tuning.mostly_reached && edges_are_as_given(options))
-        return {"its faces are coarse, and what is round bulges over them: if they are flat, {edges=5} keeps them so",
-                &call.pool};
-    return formatted(call.pool, "%s edges and very thin parts are rounded", done.sheets == 1 ? "sharp" : "some");
+        return {{"{edges=5} keeps faces flat", &call.pool},
+                "The faces are coarse, and the round surface bulges over them. "};
+    return {{done.sheets == 1 ? "sharp edges are rounded" : "some edges are rounded", &call.pool},
+            "Very thin parts are rounded too. "};
 }
 
 void warn_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done, double diagonal) {
     Pool& pool = call.pool;
     const double farthest = std::fmax(done.mesh_max, done.surface_max) / diagonal;
-    String surface("nothing of the surface was found to measure from", &pool);
-    if (!std::isnan(done.surface_share))
-        surface = percent_of(1.0 - done.surface_share, 1, pool) += " of the surface are farther";
-    String most("and some of the mesh has no surface near it", &pool);
-    if (std::isfinite(farthest)) most = formatted(pool, "at most %s", percent_of(farthest, 1, pool).c_str());
-    call.report.warn(
-        HRBFNPR_NOTE_NOT_REACHED, {done.tolerance / diagonal, done.mesh_share, done.surface_share, farthest},
-        formatted(pool, "the surface is not within %s of the diagonal everywhere: %s of the mesh and %s, %s; %s",
-                  percent_of(done.tolerance / diagonal, 2, pool).c_str(),
-                  percent_of(1.0 - done.mesh_share, 1, pool).c_str(), surface.c_str(), most.c_str(),
-                  remedy_of_shortfall(call, done).c_str()));
+    const String mesh = percent_of(1.0 - done.mesh_share, 1, pool);
+    String farther =
+        formatted(pool, "%s of the mesh is farther off; no surface was found to measure from.", mesh.c_str());
+    if (!std::isnan(done.surface_share)) {
+        farther = formatted(pool, "%s of the mesh and %s of the surface are farther off, ", mesh.c_str(),
+                            percent_of(1.0 - done.surface_share, 1, pool).c_str());
+        farther += std::isfinite(farthest)
+                       ? formatted(pool, "by at most %s of the diagonal.", percent_of(farthest, 1, pool).c_str())
+                       : String("and parts of the mesh have no surface near them.", &pool);
+    }
+    const Remedy remedy = remedy_of_shortfall(call, done);
+    call.report.warn(HRBFNPR_NOTE_NOT_REACHED,
+                     {done.tolerance / diagonal, done.mesh_share, done.surface_share, farthest},
+                     formatted(pool, "the surface is over %s of the diagonal off the mesh in places: %s",
+                               percent_of(done.tolerance / diagonal, 2, pool).c_str(), remedy.text.c_str()),
+                     {.detail = formatted(pool, "%s%s", remedy.detail, farther.c_str())});
 }
 
 void tell_mesh_fit(const Call& call, const hrbfnpr_mesh_fit_info& done, double diagonal) {
     if (done.touching_parts[0] >= 0)
-        call.report.warn(HRBFNPR_NOTE_PARTS_TOO_THIN,
-                         {static_cast<double>(done.touching_parts[0]), static_cast<double>(done.touching_parts[1]),
-                          done.touching_place[0], done.touching_place[1], done.touching_place[2]},
-                         formatted(call.pool,
-                                   "parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
-                                   "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller "
-                                   "tolerance holds apart what does not cross ({tolerance})",
-                                   static_cast<int>(done.touching_parts[0]), static_cast<int>(done.touching_parts[1]),
-                                   done.parts_may_cross != 0 ? "cross or are" : "are", done.touching_place[0],
-                                   done.touching_place[1], done.touching_place[2]));
+        call.report.warn(
+            HRBFNPR_NOTE_PARTS_TOO_THIN,
+            {static_cast<double>(done.touching_parts[0]), static_cast<double>(done.touching_parts[1]),
+             done.touching_place[0], done.touching_place[1], done.touching_place[2]},
+            formatted(call.pool, "parts %d and %d %snearly touch, and may be joined: try a smaller {tolerance}",
+                      static_cast<int>(done.touching_parts[0]), static_cast<int>(done.touching_parts[1]),
+                      done.parts_may_cross != 0 ? "cross or " : ""),
+            {.detail = formatted(call.pool,
+                                 "They come closer than the tolerance near %.4g %.4g %.4g, and other parts "
+                                 "may do so too. Parts that cross are joined with any tolerance.",
+                                 done.touching_place[0], done.touching_place[1], done.touching_place[2])});
     if (done.reached == 0) warn_of_shortfall(call, done, diagonal);
     if (done.smooth_length > mesh_tuning.told_smooth_length * diagonal)
         call.report.note(HRBFNPR_NOTE_EDGES_STAY_SMOOTH, {done.smooth_length / diagonal},
-                         formatted(call.pool, "edges %.2g diagonals long stay smooth", done.smooth_length / diagonal));
+                         formatted(call.pool, "some sharp edges are rounded, %.2g diagonals long in all",
+                                   done.smooth_length / diagonal));
 }
 
 // Fits the group within a tolerance in both directions. A warning tells where the fit exceeds it.
@@ -620,13 +633,13 @@ mesh::EndPlan end_plan_of(const Model& model, const hrbfnpr_mesh_info& mesh,
 void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
     const hrbfnpr_trim_info info = trim_info_of(ended);
     if (!(info.share > mesh_tuning.doubted_share)) return;
-    String remedy("its faces cross or are folded there, and mending them may do without", &call.pool);
+    String remedy("mend faces that cross or fold there", &call.pool);
     if (!of_sheets)
-        remedy = formatted(call.pool, "more samples may do without, {samples=%lld} for example",
+        remedy = formatted(call.pool, "try {samples=%lld}",
                            static_cast<long long>(mesh_tuning.more_samples) *
                                static_cast<long long>(model_info_of(ended).centres));
     call.report.warn(HRBFNPR_NOTE_MADE_BY_FIT, {static_cast<double>(info.parts)},
-                     formatted(call.pool, "the fit made %s of surface that the mesh does not have, left out: %s",
+                     formatted(call.pool, "%s of the surface left out, as the mesh has none there: %s",
                                count_of(info.parts, "part", call.pool).c_str(), remedy.c_str()));
 }
 

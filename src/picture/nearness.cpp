@@ -13,19 +13,13 @@ namespace {
 template <class Found>
 String distances_of(const Found& found, double diagonal, Pool& pool) {
     const auto share = [&](double distance) { return percent_of(distance / diagonal, 2, pool); };
+    if (std::isnan(found.surface_p99)) return {"no surface near the mesh", &pool};
     // For some places of the mesh no surface may be found at all.
-    const String near = std::isfinite(found.mesh_p99) ? share(found.mesh_p99) : String("not found", &pool);
-    String words(&pool);
-    if (std::isnan(found.surface_p99)) {
-        words = "no surface was found to measure from; mesh to surface: ";
-        words += near;
-        return words;
-    }
-    ((words = "surface to mesh: 99 % within ") += share(found.surface_p99)) += " of the diagonal, all within ";
-    ((words += share(found.surface_max)) += "; mesh to surface: ") += near;
-    words += ", ";
-    words += std::isfinite(found.mesh_max) ? share(found.mesh_max) : String("and somewhere none is near", &pool);
-    return words;
+    if (!std::isfinite(found.mesh_p99)) return {"parts of the mesh have no surface near them", &pool};
+    String words = formatted(pool, "99%% of surface and mesh are within %s of the diagonal of each other, ",
+                             share(std::max(found.surface_p99, found.mesh_p99)).c_str());
+    if (!std::isfinite(found.mesh_max)) return words += "but parts of the mesh have no surface near them";
+    return (words += "all within ") += share(std::max(found.surface_max, found.mesh_max));
 }
 
 } // namespace
@@ -55,13 +49,16 @@ void tell_nearness(const Call& call, const Mesh& mesh, const Model& model) {
     if (!(found.missed_share > nearness_tuning.missed_share)) return;
     const std::int64_t more = nearness_tuning.more_samples * model_info_of(model).samples;
     const double farthest = found.mesh_max / found.diagonal;
-    call.report.warn(HRBFNPR_NOTE_OFF_MESH, {found.missed_share, farthest},
-                     formatted(pool,
-                               "the surface is off the mesh by more than %s of the diagonal at %s of it (at most %s): "
-                               "thin parts need more samples, {samples=%lld} for example",
-                               percent_of(nearness_tuning.far, 0, pool).c_str(),
-                               percent_of(found.missed_share, 1, pool).c_str(), percent_of(farthest, 1, pool).c_str(),
-                               static_cast<long long>(more)));
+    call.report.warn(
+        HRBFNPR_NOTE_OFF_MESH, {found.missed_share, farthest},
+        formatted(pool, "%s of the mesh is more than %s of the diagonal off the surface: try {samples=%lld}",
+                  percent_of(found.missed_share, 1, pool).c_str(), percent_of(nearness_tuning.far, 0, pool).c_str(),
+                  static_cast<long long>(more)),
+        {.detail = formatted(
+             pool, "%s Thin parts need more samples.",
+             std::isfinite(farthest)
+                 ? formatted(pool, "The farthest place is %s off.", percent_of(farthest, 1, pool).c_str()).c_str()
+                 : "Some places have no surface near them.")});
 }
 
 hrbfnpr_model_info model_info_of(const Model& model) {
@@ -82,8 +79,9 @@ double diagonal_of(const Model& model) { return diagonal_of(model_info_of(model)
 String nearness_of_points(const hrbfnpr_model_info& info, Pool& pool) {
     const double diagonal = diagonal_of(info);
     const double most = info.input_distance_max / diagonal;
-    if (most < nearness_tuning.through) return {"through all samples", &pool};
-    return formatted(pool, "samples within %.2g of the diagonal, %.2g rms", most, info.input_distance_rms / diagonal);
+    if (most < nearness_tuning.through) return {"passes through all samples", &pool};
+    return formatted(pool, "samples within %.2g diagonals, %.2g on average (rms)", most,
+                     info.input_distance_rms / diagonal);
 }
 
 void tell_repaired_samples(const Call& call, const hrbfnpr_model_info& info) {
@@ -94,9 +92,9 @@ void tell_repaired_samples(const Call& call, const hrbfnpr_model_info& info) {
     };
     const std::array repairs{
         Repair{HRBFNPR_NOTE_SAMPLES_MERGED, info.merged_samples, " merged with another at the same place"},
-        Repair{HRBFNPR_NOTE_SAMPLES_NEAR, info.near_duplicates, " merged with another very near"},
-        Repair{HRBFNPR_NOTE_SAMPLES_DROPPED, info.outliers_dropped, " dropped as strays"},
-        Repair{HRBFNPR_NOTE_SAMPLES_FLIPPED, info.flipped_repaired, " with a flipped normal repaired"}};
+        Repair{HRBFNPR_NOTE_SAMPLES_NEAR, info.near_duplicates, " merged with a very near one"},
+        Repair{HRBFNPR_NOTE_SAMPLES_DROPPED, info.outliers_dropped, " left out as strays"},
+        Repair{HRBFNPR_NOTE_SAMPLES_FLIPPED, info.flipped_repaired, " with a flipped normal turned"}};
     for (const Repair& repair : repairs)
         if (repair.count > 0)
             call.report.note(repair.code, {static_cast<double>(repair.count)},
@@ -114,7 +112,7 @@ void tell_doubted_samples(const Call& call, const hrbfnpr_model_info& info) {
     if (static_cast<double>(flipped) >= least)
         call.report.warn(HRBFNPR_NOTE_LIKE_FLIPPED, {static_cast<double>(flipped)},
                          count_of(flipped, "sample", call.pool) +=
-                         " look as if their normal were flipped: {flipped_normals=reorient} turns them");
+                         " look as if their normals were flipped: {flipped_normals=reorient} turns them");
 }
 
 } // namespace hrbfnpr::picture

@@ -170,45 +170,39 @@ NormalsLook look_at_normals(const Points& points, const Points& normals, bool ev
 }
 
 String normals_in_words(const NormalsLook& look, Pool& pool) {
-    const char* const words = look.mixed() ? "normals differ"
-                              : look.closed > -normals_tuning.inward_sum
-                                  ? "normals look outward"
-                                  : "an open surface: its normals are as they are";
+    const char* const words = look.mixed()                               ? "some normals point outward, others inward"
+                              : look.closed > -normals_tuning.inward_sum ? "normals point outward"
+                                                                         : "open surface, normals kept";
     return {words, &pool};
 }
 
 void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh, bool advice_apart) {
     if (look.inward()) return;
     const auto warn = [&](std::uint32_t code, std::initializer_list<double> figures, String&& what,
-                          std::string_view advice) {
+                          std::string_view advice, std::string_view detail) {
         if (advice_apart)
-            call.report.warn(code, figures, what, advice);
+            call.report.warn(code, figures, what, {advice, detail});
         else
-            call.report.warn(code, figures, (what += ": ") += advice);
+            call.report.warn(code, figures, (what += ": ") += advice, {.detail = detail});
     };
     if (of_mesh && look.mixed()) {
         const double share = std::max(look.flipped, look.outside_in);
         warn(HRBFNPR_NOTE_NORMALS_MIXED, {share},
-             formatted(call.pool,
-                       "some faces look outward and others inward (about %.0f%%), so the surface is wrong there",
-                       100.0 * share),
-             "turn them in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)");
+             formatted(call.pool, "about %.0f%% of the faces face inward, and are drawn wrong", 100.0 * share),
+             "turn them in MeshLab or Blender", how_to_turn_faces);
     } else if (look.against >= normals_tuning.mixed_share || look.flipped >= normals_tuning.unsure_share) {
         const double wrong = std::nearbyint(look.flipped * static_cast<double>(count));
-        warn(
-            HRBFNPR_NOTE_NORMALS_AGAINST, {wrong, static_cast<double>(count)},
-            formatted(call.pool,
-                      "about %.0f of %zu normals look against those around them, so the surface is wrong there", wrong,
-                      count),
-            "{flipped_normals=reorient} repairs a few; orient them anew, in MeshLab or CloudCompare, if they are many");
+        warn(HRBFNPR_NOTE_NORMALS_AGAINST, {wrong, static_cast<double>(count)},
+             formatted(call.pool, "%.0f of %zu normals oppose their neighbours", wrong, count),
+             "{flipped_normals=reorient} repairs a few",
+             "The surface is wrong there. Orient the normals again in MeshLab or CloudCompare if many are wrong.");
     } else if (look.mixed()) {
         warn(HRBFNPR_NOTE_NORMALS_MIXED, {look.outside_in},
-             formatted(call.pool, "some parts have outward normals and others inward ones (about %.0f%%)",
-                       100.0 * look.outside_in),
-             "parts that look inward are drawn empty");
+             formatted(call.pool, "about %.0f%% of the normals point inward", 100.0 * look.outside_in),
+             "their parts are drawn empty", "Turn them in MeshLab or CloudCompare.");
     } else if (look.closed < normals_tuning.doubtful_sum) {
-        warn(HRBFNPR_NOTE_NORMALS_INWARD, {}, {"most of the surface looks inward, and it is open", &call.pool},
-             "{flip!} turns all normals, if the picture is empty");
+        warn(HRBFNPR_NOTE_NORMALS_INWARD, {}, {"most normals of the open surface point inward", &call.pool},
+             "{flip!} turns all, if the picture is empty", {});
     }
 }
 
@@ -283,11 +277,11 @@ void set_vector(double (&to)[3], const glm::dvec3& from) noexcept {
 
 const char* found_in_words(std::uint32_t found) noexcept {
     switch (found) {
-    case HRBFNPR_NORMALS_NONE: return "none of these points'";
-    case HRBFNPR_NORMALS_UNORIENTED: return "of any sign";
-    case HRBFNPR_NORMALS_MIXED: return "turned here and there";
-    case HRBFNPR_NORMALS_INWARD: return "inward";
-    default: return "right";
+    case HRBFNPR_NORMALS_NONE: return "do not fit the points";
+    case HRBFNPR_NORMALS_UNORIENTED: return "point to either side at random";
+    case HRBFNPR_NORMALS_MIXED: return "point inward in some places";
+    case HRBFNPR_NORMALS_INWARD: return "point inward";
+    default: return "point outward";
     }
 }
 
@@ -315,28 +309,27 @@ MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, c
 String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool) {
     String words(&pool);
     if (info.made >= static_cast<std::int64_t>(count))
-        words = "normals are made";
+        words = "normals computed";
     else if (info.turned != 0 || info.made != 0)
-        words = formatted(pool, "%lld normals turned, %lld made anew", static_cast<long long>(info.turned),
+        words = formatted(pool, "%lld normals turned, %lld computed again", static_cast<long long>(info.turned),
                           static_cast<long long>(info.made));
     else
-        words = "normals stay as they are";
-    words += info.closed != 0 ? "; the surface is closed" : "; the surface is open";
+        words = "normals kept";
+    words += info.closed != 0 ? "; closed surface" : "; open surface";
     words += formatted(pool, ", confidence %.2f", info.confidence);
     return words;
 }
 
 void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info) {
     if (info.confidence < normals_tuning.unsure_confidence)
-        call.report.warn(HRBFNPR_NOTE_NORMALS_NOT_SURE, {info.confidence},
-                         formatted(call.pool,
-                                   "normals of the points are not sure (confidence %.2f): look at the picture; more "
-                                   "points, or normals of the scanner, help",
-                                   info.confidence));
+        call.report.warn(
+            HRBFNPR_NOTE_NORMALS_NOT_SURE, {info.confidence},
+            formatted(call.pool, "normals may be wrong (confidence %.2f of 1): check the picture", info.confidence),
+            {.detail = "More points, or normals from the scanner, are more reliable."});
     if (info.outward_by == HRBFNPR_OUTWARD_UP)
         call.report.warn(HRBFNPR_NOTE_FRONT_NOT_TOLD, {},
-                         "the surface is open, and which side is its front cannot be told: {flip!} takes the other "
-                         "one, and {viewpoint=X,Y,Z} that which the scanner saw");
+                         "the front of this open surface is a guess: {flip!} takes the other side",
+                         {.detail = "{viewpoint=X,Y,Z} takes the side that a scanner at this place saw."});
 }
 
 String repaired_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
@@ -348,27 +341,25 @@ String repaired_normals(const Call& call, Stage& stage, const Points& points, Po
         call.report.note(
             HRBFNPR_NOTE_NORMALS_REPAIRED,
             {static_cast<double>(info.turned), static_cast<double>(info.made), static_cast<double>(info.found)},
-            formatted(call.pool,
-                      "the normals were %s: %lld are turned, %lld are made anew ({normals=keep} leaves "
-                      "them)",
-                      found_in_words(info.found), static_cast<long long>(info.turned),
-                      static_cast<long long>(info.made)));
+            formatted(call.pool, "normals repaired: %lld turned, %lld computed again ({normals=keep} leaves them)",
+                      static_cast<long long>(info.turned), static_cast<long long>(info.made)),
+            {.detail = formatted(call.pool, "The normals of the source %s.", found_in_words(info.found))});
     normals = std::move(made.normals);
     return made_in_words(info, points.size(), call.pool);
 }
 
 String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
                       const SeenFrom& seen) {
-    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals as they are", &call.pool};
+    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals kept", &call.pool};
     if (mode != HRBFNPR_NORMALS_AUTO) return repaired_normals(call, stage, points, normals, mode, seen);
     const NormalsLook look = look_at_normals(points, normals, false, call.pool);
     if ((look.mixed() && points.size() >= normals_tuning.fewest_repaired) || lie_along_curves(points, call.pool))
         return repaired_normals(call, stage, points, normals, HRBFNPR_NORMALS_AUTO, seen);
     if (look.inward()) {
         call.report.note(HRBFNPR_NOTE_NORMALS_TURNED, {},
-                         "all normals looked inward: they are turned ({normals=keep} leaves them)");
+                         "all normals pointed inward: they are turned ({normals=keep} leaves them)");
         for (glm::dvec3& normal : normals) normal = -normal;
-        return {"normals looked inward: all are turned", &call.pool};
+        return {"normals pointed inward: all turned", &call.pool};
     }
     tell_wrong_normals(call, look, points.size(), false);
     return normals_in_words(look, call.pool);

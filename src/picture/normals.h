@@ -55,11 +55,15 @@ struct MadeNormals {
     Points normals;
     hrbfnpr_orient_info info;
 };
+// The detail of a warning whose advice is to turn faces.
+constexpr const char* how_to_turn_faces =
+    "MeshLab: Filters, Re-Orient all faces coherently. Blender: Mesh, Normals, Recalculate Outside.";
+
 // Makes or repairs normals. `mode` is a constant HRBFNPR_NORMALS_* for the state of the given normals. With
 // NONE `normals` is empty.
 [[nodiscard]] MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
                                        std::uint32_t mode, const SeenFrom& seen);
-// Returns the words that follow "the normals are" for a constant HRBFNPR_NORMALS_* of an orient_info.
+// Returns the words that follow "the normals" for a constant HRBFNPR_NORMALS_* of an orient_info.
 [[nodiscard]] const char* found_in_words(std::uint32_t found) noexcept;
 // Describes the changes that make_normals() made to this many points.
 [[nodiscard]] String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool);

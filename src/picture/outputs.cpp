@@ -102,7 +102,7 @@ void write_sheet(hrbfnpr_picture& picture, const hrbfnpr_views_desc* desc, hrbfn
                  hrbfnpr_views_info* info, hrbfnpr_operation* operation) {
     const Surfaces& surfaces = picture.surfaces();
     if (surfaces.list.empty())
-        fail(Status::invalid_argument, "picture is of a point set; views are drawn of samples, a mesh or a model");
+        fail(Status::invalid_argument, "picture shows a point set; views need samples, a mesh or a model");
     if (info != nullptr) api::check_output_struct(info, "views_info");
     if (write == nullptr) fail(Status::invalid_argument, "write is NULL");
     const hrbfnpr_views_desc full =
@@ -135,9 +135,12 @@ void write_settings_of(hrbfnpr_picture& picture, hrbfnpr_write_fn write, void* u
     const WrittenSettings written = write_settings(picture.options, parts, picture.pool);
     api::CallbackWriter(write, user).write(written.json.data(), written.json.size());
     if (written.not_held.empty()) return;
-    String text(&picture.pool);
-    ((text += "settings do not hold ") += written.not_held) += ": give them again with {settings}";
-    picture.report.note(HRBFNPR_NOTE_NOT_IN_SETTINGS, {}, text);
+    String text("settings do not hold ", &picture.pool);
+    (text += written.not_held) += ": give them again";
+    String detail("They do not hold ", &picture.pool);
+    (detail += written.not_held) += ". Give these together with {settings}.";
+    if (!picture.report.is_short(text)) text = "settings do not hold all options of the surface: give them again";
+    picture.report.note(HRBFNPR_NOTE_NOT_IN_SETTINGS, {}, text, {.detail = detail});
 }
 
 } // namespace

@@ -234,7 +234,7 @@ Placed placed_on_paper(const glm::dvec2& size, const hrbfnpr_picture_page_desc& 
     const glm::dvec2 room = page - 2.0 * margin;
     if (margin < 0.0 || !(std::min(room.x, room.y) > 0.0))
         report.refuse(formatted(report.pool(),
-                                "{page_margin=%g} must be 0 or more, and leave room on a page of %g x %g mm", margin,
+                                "{page_margin=%g} must be at least 0, and leave room on a page of %g x %g mm", margin,
                                 page.x, page.y));
     const double scale = std::min(room.x / size.x, room.y / size.y);
     return {(page - scale * size) / 2.0, scale, page};
@@ -374,34 +374,42 @@ base::Array<double> widths_at_hand(const hrbfnpr_array& given, Pool& pool) {
 }
 
 void note_pens(Report& report, const Vector<ChosenPen>& chosen, const base::Array<double>& at_hand) {
-    String text("pens: ", &report.pool());
+    Pool& pool = report.pool();
+    String text("pens: ", &pool);
+    String detail("Pens and what they draw: ", &pool);
+    bool is_short = true;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         std::string_view group = chosen[i].groups;
         while (!group.empty() && group.back() == '*') group.remove_suffix(1);
-        if (i > 0) text += ", ";
-        text += group;
-        text += formatted(report.pool(), " %g mm (%s of %.2g)", at_hand[static_cast<std::int64_t>(chosen[i].pen)],
-                          chosen[i].what, chosen[i].drawn);
+        const std::string_view comma = i > 0 ? ", " : "";
+        const double pen = at_hand[static_cast<std::int64_t>(chosen[i].pen)];
+        ((detail += comma) += group) += formatted(pool, " %g mm (%s of %.2g mm)", pen, chosen[i].what, chosen[i].drawn);
+        String longer(text, &pool);
+        ((longer += comma) += short_name(group, pool)) += formatted(pool, " %g mm", pen);
+        is_short = is_short && report.is_short(String(longer, &pool) += ", ...");
+        if (is_short) text = longer;
     }
-    report.note(HRBFNPR_NOTE_PENS, {}, text);
+    report.note(HRBFNPR_NOTE_PENS, {}, is_short ? text : text += ", ...", {.detail = detail += '.'});
 }
 
 void note_plotted(Report& report, const hrbfnpr_page_info& info) {
     Pool& pool = report.pool();
-    const double rounded = std::nearbyint(info.seconds);
-    const double minutes = std::floor(rounded / 60.0);
-    String text = formatted(pool, "the pen draws %.2f m and travels %.2f m, in about %.0f min %.0f s",
-                            info.drawn / 1000.0, info.travelled / 1000.0, minutes, rounded - 60.0 * minutes);
-    const auto count = [&](std::int64_t number) { return static_cast<long long>(number); };
-    if (info.filled_paths > 0)
-        text +=
-            formatted(pool, "; %lld lines wider than their pen are filled by several passes", count(info.filled_paths));
-    if (info.joined > 0) text += formatted(pool, "; %lld ends joined", count(info.joined));
-    if (info.dropped_paths > 0) text += formatted(pool, "; %lld lines", count(info.dropped_paths));
-    if (info.dropped_dots > 0)
-        text += formatted(pool, "%s %lld dots", info.dropped_paths > 0 ? " and" : ";", count(info.dropped_dots));
-    if (info.dropped_paths > 0 || info.dropped_dots > 0) text += " left out, too fine for the pen";
-    report.note(HRBFNPR_NOTE_PLOTTED, {info.drawn / 1000.0, info.travelled / 1000.0, info.seconds}, text);
+    const double longest_in_seconds = 120.0; // Longer times are given in minutes.
+    const bool is_long = info.seconds > longest_in_seconds;
+    String text =
+        formatted(pool, "the pen draws %.1f m and travels %.1f m in about %.0f %s", info.drawn / 1000.0,
+                  info.travelled / 1000.0, is_long ? info.seconds / 60.0 : info.seconds, is_long ? "min" : "s");
+    if (info.dropped_paths + info.dropped_dots > 0)
+        text += formatted(pool, "; too fine for it: %s",
+                          info.dropped_dots == 0    ? count_of(info.dropped_paths, "line", pool).c_str()
+                          : info.dropped_paths == 0 ? count_of(info.dropped_dots, "dot", pool).c_str()
+                                                    : "lines and dots");
+    const String detail =
+        formatted(pool, "%s wider than the pen filled by several passes, %s joined; too fine and left out: %s, %s.",
+                  count_of(info.filled_paths, "line", pool).c_str(), count_of(info.joined, "end", pool).c_str(),
+                  count_of(info.dropped_paths, "line", pool).c_str(), count_of(info.dropped_dots, "dot", pool).c_str());
+    report.note(HRBFNPR_NOTE_PLOTTED, {info.drawn / 1000.0, info.travelled / 1000.0, info.seconds}, text,
+                {.detail = detail});
 }
 
 // ---- The lists of a page

@@ -216,7 +216,7 @@ void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
     const std::string_view lines = picture.options.desc.lines != nullptr ? picture.options.desc.lines : "none";
     if (lines != "none" && !lines.empty())
         call.report.note(HRBFNPR_NOTE_NO_LINES_OF_MARKS, {},
-                         "lines are drawn of a model, not of saved points: there are no contours");
+                         "no lines are drawn: they need a model, and this is a point set");
     picture.style.emplace(plan_style(call, picture.camera.viewport[2], picture.camera.viewport[3], false));
     Part& part = picture.parts.emplace_back();
     part.marks = surfaces.marks;
@@ -349,8 +349,9 @@ hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* ca
         drawing = draw(picture, camera != nullptr ? *camera : picture.camera, stage.operation());
         auto info = defaults<hrbfnpr_drawing_info>(hrbfnpr_drawing_info_init);
         call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_get_info(drawing.get(), &info, error); });
-        stage.says(formatted(picture.pool, "%lld of %lld marks shown, %lld curves", static_cast<long long>(info.shown),
-                             static_cast<long long>(picture.mark_count()), static_cast<long long>(info.line_curves)));
+        stage.says(formatted(picture.pool, "%lld of %s visible, %s", static_cast<long long>(info.shown),
+                             count_of(picture.mark_count(), "mark", picture.pool).c_str(),
+                             count_of(info.line_curves, "line", picture.pool).c_str()));
         if (camera == nullptr) check_visible(picture, drawing);
         if (camera == nullptr) tell_doubts(picture.report, info);
     }

@@ -75,7 +75,7 @@ Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
         if (name.empty()) continue;
         const std::optional<std::uint32_t> kind = layer_kind_of(name);
         if (!kind || *kind == HRBFNPR_LAYER_KIND_ANY || *kind == HRBFNPR_LAYER_KIND_OWN)
-            call.report.refuse(formatted(call.pool, "{layers} must be of stipples, hatch, not '%.*s'",
+            call.report.refuse(formatted(call.pool, "{layers} must be stipples, hatch or both, not '%.*s'",
                                          static_cast<int>(std::min<std::size_t>(name.size(), 60)), name.data()));
         kinds.push_back(*kind);
     }
@@ -306,12 +306,14 @@ void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double want
     const char* const kind = layer_kind_name(layer.kind);
     const auto most = static_cast<long long>(plan_tuning.most_marks);
     const auto made = static_cast<double>(plan_tuning.most_marks);
-    call.report.note(
-        HRBFNPR_NOTE_MARKS_LIMITED, {wanted, made},
-        formatted(call.pool,
-                  "%s: %.0f marks would fill the darkest tone, %lld are made, so that it gets %.0f%% of its ink: "
-                  "{marks=%s=%.0f} makes all, and with a larger {mark_radius} fewer are needed",
-                  name_of_layer(layer), wanted, most, 100.0 * (made / wanted), kind, wanted));
+    call.report.note(HRBFNPR_NOTE_MARKS_LIMITED, {wanted, made},
+                     formatted(call.pool, "%s: dark tones are too light; {marks=%s=%.0f} fills them",
+                               short_name(name_of_layer(layer), call.pool).c_str(), kind, wanted),
+                     {.detail = formatted(
+                          call.pool,
+                          "Full tone needs %.0f marks, and %lld are made, which give %.0f%% of the ink. With a larger "
+                          "{mark_radius} fewer marks are enough.",
+                          wanted, most, 100.0 * (made / wanted))});
 }
 
 // Gives an evenly spread layer as many marks as fill the darkest tone, unless its number is given. `radius` is the
@@ -344,11 +346,11 @@ void fill_as_published(const Call& call, LayerPlan& layer, double radius, const 
     const double steps = std::nearbyint(std::log(std::max(wanted, 1.0) / std::max(start, 1.0)) / std::log(factor));
     if (steps > plan_tuning.most_levels)
         call.report.note(HRBFNPR_NOTE_LEVELS_LIMITED, {steps, static_cast<double>(plan_tuning.most_levels)},
-                         formatted(call.pool,
-                                   "%s: %.0f refinement steps would fill the picture, %d are taken, so that dark tones "
-                                   "are pale: {levels=%s=%.0f} takes all",
-                                   name_of_layer(desc), steps, plan_tuning.most_levels, layer_kind_name(desc.kind),
-                                   steps));
+                         formatted(call.pool, "%s: dark tones are too light; {levels=%s=%.0f} fills them",
+                                   short_name(name_of_layer(desc), call.pool).c_str(), layer_kind_name(desc.kind),
+                                   steps),
+                         {.detail = formatted(call.pool, "Full tone needs %.0f refinement steps, and %d are made.",
+                                              steps, plan_tuning.most_levels)});
     desc.levels = steps >= 1.0 ? static_cast<std::int32_t>(std::min<double>(steps, plan_tuning.most_levels)) : 1;
 }
 

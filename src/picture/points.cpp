@@ -94,17 +94,16 @@ void give_normals(const Call& call, Shape& shape) {
     Stage stage(call.report, HRBFNPR_STAGE_ORIENT);
     if (points.size() > points_tuning.most_oriented) {
         choose_elements(points, farthest_points(call, stage, points, points_tuning.most_oriented), call.pool);
-        call.report.note(
-            HRBFNPR_NOTE_SOME_ORIENTED, {static_cast<double>(all), static_cast<double>(points.size())},
-            formatted(call.pool, "%lld points, of which %lld get normals", as_printed(all), as_printed(points.size())));
+        call.report.note(HRBFNPR_NOTE_SOME_ORIENTED, {static_cast<double>(all), static_cast<double>(points.size())},
+                         formatted(call.pool, "%lld of %lld points are used, and get normals",
+                                   as_printed(points.size()), as_printed(all)));
     }
     MadeNormals made =
         make_normals(call, stage, points, Points(&call.pool), HRBFNPR_NORMALS_NONE, seen_from(call, shape));
     stage.says(made_in_words(made.info, points.size(), call.pool));
-    call.report.note(
-        HRBFNPR_NOTE_NORMALS_MADE, {static_cast<double>(points.size())},
-        formatted(call.pool, "the points have no normals: %lld are made%s", as_printed(points.size()),
-                  made.info.outward_by == HRBFNPR_OUTWARD_VIEWPOINT ? ", which look to where the scanner stood" : ""));
+    call.report.note(HRBFNPR_NOTE_NORMALS_MADE, {static_cast<double>(points.size())},
+                     formatted(call.pool, "the points have no normals: %lld are computed%s", as_printed(points.size()),
+                               made.info.outward_by == HRBFNPR_OUTWARD_VIEWPOINT ? ", facing the scanner" : ""));
     tell_unsure_normals(call, made.info);
     shape.points = std::move(points);
     shape.normals = std::move(made.normals);
@@ -123,21 +122,21 @@ double use_depth_image(const Call& call, Shape& shape) {
     {
         Stage stage(call.report, HRBFNPR_STAGE_SMOOTH);
         info = smooth_depth_image(call, stage, shape);
-        stage.says(formatted(pool, "%lld pixels of %lld x %lld, over %.1f pixels where the depth is %.3g",
+        stage.says(formatted(pool, "%lld points in %lld x %lld pixels, smoothed over %.1f pixels at depth %.3g",
                              static_cast<long long>(info.seen), static_cast<long long>(columns),
                              static_cast<long long>(rows), info.radius, info.depth));
     }
     if (info.left_out != 0)
         call.report.note(HRBFNPR_NOTE_PIXELS_LEFT_OUT, {static_cast<double>(info.left_out)},
                          count_of(info.left_out, "pixel", pool) +=
-                         " on no surface left out, as between an edge and what is behind it");
+                         " left out: they lie between a near and a far surface");
     const double noise = depth_noise_of(info);
     call.report.note(HRBFNPR_NOTE_DEPTH_NOISE, {noise, info.depth},
-                     formatted(pool, "the depth camera has noise of %.2g where the depth is %.3g: %s", noise,
-                               info.depth,
+                     formatted(pool, "the depth image has noise of %.2g at depth %.3g: %s", noise, info.depth,
                                call.options.desc.depth_smoothing == 0.0
-                                   ? "the points keep it"
-                                   : "it is smoothed ({depth_smoothing=F}: more or less, 0 keeps it)"));
+                                   ? "it is kept"
+                                   : "it is smoothed ({depth_smoothing=0} keeps it)"),
+                     {.detail = "{depth_smoothing=F} smooths over F times the usual width."});
     return points_tuning.hole_pixels * info.depth / info.focal_length;
 }
 
@@ -161,7 +160,7 @@ Samples usable_samples(const Call& call, const Shape& shape) {
         const glm::dvec3& normal = shape.normals[i];
         samples.normals.emplace_back(normal.x / length, normal.y / length, normal.z / length);
     }
-    if (samples.points.empty()) call.report.refuse("no point is finite and has a normal that is not zero");
+    if (samples.points.empty()) call.report.refuse("no point has both a finite position and a normal that is not zero");
     return samples;
 }
 
@@ -193,8 +192,8 @@ Samples samples_of(const Call& call, const Shape& shape) {
     if (wanted == 0 && !fit_chooses(call.options) && all > points_tuning.most_samples) {
         wanted = points_tuning.most_samples;
         call.report.note(HRBFNPR_NOTE_SAMPLES_CHOSEN, {static_cast<double>(all), static_cast<double>(wanted)},
-                         formatted(call.pool, "%lld points, of which %lld are used; {samples=N} sets another number",
-                                   as_printed(all), as_printed(wanted)));
+                         formatted(call.pool, "%lld of %lld points are used ({samples=N} changes this)",
+                                   as_printed(wanted), as_printed(all)));
     }
     Stage stage(call.report, HRBFNPR_STAGE_SAMPLE);
     Samples samples = usable_samples(call, shape);
@@ -213,9 +212,9 @@ Samples samples_of(const Call& call, const Shape& shape) {
     stage.says(formatted(call.pool, "%lld samples", as_printed(samples.points.size())));
     if (wanted == 0 && samples.points.size() < all) {
         const std::size_t left_out = all - samples.points.size();
-        call.report.note(
-            HRBFNPR_NOTE_POINTS_NOT_USABLE, {static_cast<double>(left_out)},
-            formatted(call.pool, "%lld points without a usable position or normal are left out", as_printed(left_out)));
+        call.report.note(HRBFNPR_NOTE_POINTS_NOT_USABLE, {static_cast<double>(left_out)},
+                         count_of(static_cast<std::int64_t>(left_out), "point", call.pool) +=
+                         " left out: without a usable position or normal");
     }
     return samples;
 }
@@ -236,7 +235,7 @@ void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
     if (places.left_out != 0)
         report.warn(HRBFNPR_NOTE_NORMALS_OPPOSITE, {static_cast<double>(places.left_out)},
                     count_of(places.left_out, "place", pool) += " with opposite normals left out");
-    if (samples.points.empty()) report.refuse("all points are in pairs with opposite normals");
+    if (samples.points.empty()) report.refuse("all points come in pairs with opposite normals");
     if (call.options.has(HRBFNPR_PICTURE_FLIP)) {
         turn(samples.normals);
         return;
@@ -247,12 +246,10 @@ void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
     const char axis = mode != HRBFNPR_NORMALS_GIVEN ? hangs_along(samples.points, samples.normals) : char{0};
     if (axis == 0) return;
     turn(samples.normals);
-    stage.says("a terrain looked down: its normals are turned");
-    report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {static_cast<double>(axis - 'x')},
-                formatted(pool,
-                          "the surface is a terrain that looked down along %c: its normals are turned ({normals=keep} "
-                          "leaves them)",
-                          axis));
+    stage.says("terrain that faced down: normals turned");
+    report.note(
+        HRBFNPR_NOTE_TERRAIN_TURNED, {static_cast<double>(axis - 'x')},
+        formatted(pool, "the terrain faced down along %c: its normals are turned ({normals=keep} leaves them)", axis));
 }
 
 // ---- The fit
@@ -323,20 +320,17 @@ void leave_out_unusable(const Call& call, Shape& shape) {
         };
         const auto unusable = std::remove_if(shape.triangles.begin(), shape.triangles.end(), is_unusable);
         const std::int64_t left_out = shape.triangles.end() - unusable;
-        if (unusable == shape.triangles.begin()) call.report.refuse("no face has three corners that are finite");
+        if (unusable == shape.triangles.begin()) call.report.refuse("every face has a corner that is not finite");
         shape.triangles.erase(unusable, shape.triangles.end());
         if (left_out != 0)
             call.report.warn(HRBFNPR_NOTE_FACES_NOT_FINITE, {static_cast<double>(left_out)},
-                             count_of(left_out, "face", pool) += " with a corner that is not finite left out");
+                             count_of(left_out, "face", pool) += " left out: a corner is not finite");
     }
     const NoData no_data = leave_out_no_data(shape, pool);
     if (no_data.points == 0) return;
-    const auto count = static_cast<long long>(no_data.points);
-    const char* const one = shape.is_mesh() ? "vertex" : "point";
-    const char* const several = shape.is_mesh() ? "vertices" : "points";
-    call.report.note(HRBFNPR_NOTE_NO_DATA, {static_cast<double>(count), no_data.value},
-                     formatted(pool, "%lld %s at %g, which stands for no data, left out", count,
-                               count == 1 ? one : several, no_data.value));
+    const String count = count_of(no_data.points, shape.is_mesh() ? "vertex" : "point", pool);
+    call.report.note(HRBFNPR_NOTE_NO_DATA, {static_cast<double>(no_data.points), no_data.value},
+                     formatted(pool, "%s left out: the value %g marks missing data", count.c_str(), no_data.value));
 }
 
 bool has_normals(const Shape& shape) noexcept {
@@ -376,8 +370,7 @@ void tell_unused_viewpoint(const Call& call, const Shape& shape) {
     const bool keeps = mode == HRBFNPR_NORMALS_AUTO || mode == HRBFNPR_NORMALS_GIVEN;
     if (call.options.viewpoint() && (shape.is_mesh() || (has_normals(shape) && keeps)))
         call.report.warn(HRBFNPR_NOTE_VIEWPOINT_NOT_USED, {},
-                         "{viewpoint} is for points whose normals are made, and these have some: {normals=none} makes "
-                         "new ones");
+                         "{viewpoint} is ignored: there are normals already ({normals=none} computes new ones)");
 }
 
 Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up) {
@@ -392,7 +385,7 @@ Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up) {
     if (made && is_depth_image(shape)) {
         if (call.options.viewpoint())
             call.report.warn(HRBFNPR_NOTE_VIEWPOINT_NOT_USED, {},
-                             "{viewpoint} is not used: the points are a picture, whose camera is known");
+                             "{viewpoint} is ignored: the camera of the depth image is known");
         hole = use_depth_image(call, shape);
     } else if (made) {
         give_normals(call, shape);
@@ -429,8 +422,7 @@ Model fit_samples(const Call& call, const Points& points, const Points& normals,
     }
     if (of_points && desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && info.regularization > 0.0)
         call.report.note(HRBFNPR_NOTE_SMOOTHED, {},
-                         "the samples have noise, and the surface is smooth ({regularization=0} goes through all of "
-                         "them)");
+                         "the samples are noisy: the surface is smoothed ({regularization=0} keeps the noise)");
     tell_repaired_samples(call, info);
     tell_doubted_samples(call, info);
     tell_thin_evidence(call, points);
@@ -441,18 +433,18 @@ void tell_thin_evidence(const Call& call, const Points& points) {
     Report& report = call.report;
     const auto count = static_cast<double>(points.size());
     if (points.size() == 1) {
-        report.warn(HRBFNPR_NOTE_FEW_POINTS, {count}, "there is one point only: what is drawn is its plane");
+        report.warn(HRBFNPR_NOTE_FEW_POINTS, {count}, "there is only one point: its plane is drawn");
     } else if (points.size() < points_tuning.few_samples) {
         report.warn(HRBFNPR_NOTE_FEW_POINTS, {count},
-                    formatted(call.pool, "there are %lld points only: the surface between them is a guess",
+                    formatted(call.pool, "there are only %lld points: the surface between them is a guess",
                               as_printed(points.size())));
     } else {
         const std::array<double, 3> extent = principal_extents(points);
         if (extent[1] < points_tuning.thin * extent[2])
-            report.warn(HRBFNPR_NOTE_ON_A_LINE, {}, "all points are on a line: the surface beside it is a guess");
+            report.warn(HRBFNPR_NOTE_ON_A_LINE, {}, "all points lie on a line: the surface beside it is a guess");
         else if (extent[0] < points_tuning.thin * extent[2])
             report.warn(HRBFNPR_NOTE_IN_A_PLANE, {},
-                        "all points lie in a plane: the surface is flat, and ends where they do");
+                        "all points lie in a plane: the surface is flat and ends where they do");
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture/report.h"
 
+#include "base/assert.h"
 #include "base/format.h"
 #include "base/status.h"
 #include "picture/field_table.h"
@@ -155,8 +156,22 @@ String count_of(std::int64_t count, std::string_view what, Pool& pool) {
     std::array<char, 24> digits;
     char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), count).ptr;
     text.append(digits.data(), end);
-    (text += ' ') += what;
-    if (count != 1) text += 's';
+    text += ' ';
+    const bool is_vertex = what == "vertex";
+    if (count == 1)
+        text += what;
+    else
+        (text += is_vertex ? std::string_view("vertice") : what) += 's';
+    return text;
+}
+
+String short_name(std::string_view name, Pool& pool) {
+    constexpr std::size_t longest = 24; // bytes
+    if (name.size() <= longest) return String(name, &pool);
+    std::size_t end = longest - 3;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U) --end; // Keep whole characters.
+    String text(name.substr(0, end), &pool);
+    text += "...";
     return text;
 }
 
@@ -173,8 +188,16 @@ String formatted(Pool& pool, const char* format, ...) {
 // ---- Notes
 
 void Report::tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures,
-                  std::string_view text, std::string_view advice) {
-    Note note{code, severity, 0, {}, in_words(text, wording_, *pool_), in_words(advice, wording_, *pool_)};
+                  std::string_view text, const More& more) {
+    Note note{code,
+              severity,
+              0,
+              {},
+              in_words(text, wording_, *pool_),
+              in_words(more.advice, wording_, *pool_),
+              in_words(more.detail, wording_, *pool_)};
+    if (severity == HRBFNPR_SEVERITY_NOTE || severity == HRBFNPR_SEVERITY_WARNING)
+        HRBFNPR_ASSERT(note.text.size() <= longest_note && note.advice.size() <= longest_note);
     for (const double figure : figures) {
         if (note.figure_count == note.figures.size()) break;
         note.figures[note.figure_count++] = figure;
@@ -195,12 +218,11 @@ void Report::tell(std::uint32_t severity, std::uint32_t code, std::initializer_l
 void Report::info(std::uint32_t code, std::initializer_list<double> figures, std::string_view text) {
     tell(HRBFNPR_SEVERITY_INFO, code, figures, text);
 }
-void Report::note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text) {
-    tell(HRBFNPR_SEVERITY_NOTE, code, figures, text);
+void Report::note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more) {
+    tell(HRBFNPR_SEVERITY_NOTE, code, figures, text, more);
 }
-void Report::warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
-                  std::string_view advice) {
-    tell(HRBFNPR_SEVERITY_WARNING, code, figures, text, advice);
+void Report::warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more) {
+    tell(HRBFNPR_SEVERITY_WARNING, code, figures, text, more);
 }
 void Report::failure(std::uint32_t code, std::string_view text) { tell(HRBFNPR_SEVERITY_FAILURE, code, {}, text); }
 
@@ -222,6 +244,7 @@ hrbfnpr_note described(const Note& note) noexcept {
     std::copy(note.figures.begin(), note.figures.end(), to.figures);
     to.text = note.text.c_str();
     to.advice = note.advice.empty() ? nullptr : note.advice.c_str();
+    to.detail = note.detail.empty() ? nullptr : note.detail.c_str();
     return to;
 }
 
@@ -235,19 +258,18 @@ struct StageWords {
     double share; // the share of the remaining progress
 };
 
-constexpr std::array<StageWords, HRBFNPR_STAGE_VIEWS + 1> stage_words{
-    {{"", "", 0.0},
-     {"mesh", "looking at the mesh", 0.1},
-     {"sample", "sampling", 0.05},
-     {"orient", "looking for normals", 0.2},
-     {"smooth", "smoothing", 0.2},
-     {"fit", "fitting", 0.4},
-     {"compare", "comparing", 0.1},
-     {"end", "looking for the end of the surface", 0.1},
-     {"place marks", "placing marks", 0.6},
-     {"trace lines", "looking for lines", 0.8},
-     {"frame", "drawing", 0.9},
-     {"views", "drawing views", 0.9}}};
+constexpr std::array<StageWords, HRBFNPR_STAGE_VIEWS + 1> stage_words{{{"", "", 0.0},
+                                                                       {"mesh", "checking the mesh", 0.1},
+                                                                       {"sample", "sampling", 0.05},
+                                                                       {"orient", "orienting normals", 0.2},
+                                                                       {"smooth", "smoothing", 0.2},
+                                                                       {"fit", "fitting", 0.4},
+                                                                       {"compare", "comparing", 0.1},
+                                                                       {"end", "finding the end of the surface", 0.1},
+                                                                       {"place marks", "placing marks", 0.6},
+                                                                       {"trace lines", "tracing lines", 0.8},
+                                                                       {"frame", "drawing", 0.9},
+                                                                       {"views", "drawing views", 0.9}}};
 
 const StageWords& words_of(std::uint32_t stage) noexcept { return stage_words[stage < stage_words.size() ? stage : 0]; }
 

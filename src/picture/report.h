@@ -22,11 +22,19 @@ namespace hrbfnpr::picture {
 //   ARGUMENTS   samples=400, flip=True
 [[nodiscard]] String in_words(std::string_view text, std::uint32_t wording, Pool& pool);
 
-// Returns a count with its noun: "1 sample", "2 samples".
+// Returns a count with its noun: "1 sample", "2 samples", "2 vertices".
 [[nodiscard]] String count_of(std::int64_t count, std::string_view what, Pool& pool);
+
+// Returns the verb for this count: "1 point has", "2 points have".
+[[nodiscard]] constexpr const char* has_or_have(std::int64_t count) noexcept { return count == 1 ? "has" : "have"; }
+
+// Returns a name that a user chose, or as much of it as fits in a note.
+[[nodiscard]] String short_name(std::string_view name, Pool& pool);
 
 // Works like printf, but returns a String.
 [[nodiscard]] [[gnu::format(printf, 2, 3)]] String formatted(Pool& pool, const char* format, ...);
+
+constexpr std::size_t longest_note = 100; // bytes of the text of a note or a warning
 
 struct Note {
     std::uint32_t code;
@@ -35,6 +43,7 @@ struct Note {
     std::array<double, 8> figures;
     String text;
     String advice; // empty if the text already says what to do
+    String detail; // empty if the text says all
 };
 
 struct FinishedStage {
@@ -45,6 +54,12 @@ struct FinishedStage {
 
 class Stage;
 
+// What a note or a warning says beside its text, in the form that in_words() takes.
+struct More {
+    std::string_view advice = {}; // what to do; empty if the text says it
+    std::string_view detail = {}; // one or two sentences for those who ask for more
+};
+
 // Stores all notes and stages, and passes them to the caller as they come.
 class Report {
 public:
@@ -53,18 +68,22 @@ public:
         : notes(&pool), stages(&pool), pool_(&pool), wording_(wording), on_event_(on_event), user_(user),
           context_(&context), operation_(operation) {}
 
-    // Report a note. `text`, and `advice` on how to resolve it, have the form that in_words() takes. A repeated warning
-    // is reported once.
+    // Report a note. `text` has the form that in_words() takes. A note and a warning, and the advice on it, have at
+    // most `longest_note` bytes. A repeated warning is reported once.
     void info(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
-    void note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
-    void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
-              std::string_view advice = {});
+    void note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
+    void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
     // Reports a failure that is not an error of the call.
     void failure(std::uint32_t code, std::string_view text);
     // Stores the full text as a note, and throws Error{invalid_argument} with as much of it as fits.
     [[noreturn]] void fail(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     // Throws Error{invalid_argument} in the caller's words.
     [[noreturn]] void refuse(std::string_view text) const;
+
+    // Tells whether a text, in the caller's words, is short enough for a note or a warning.
+    [[nodiscard]] bool is_short(std::string_view text) const {
+        return in_words(text, wording_, *pool_).size() <= longest_note;
+    }
 
     [[nodiscard]] Pool& pool() const noexcept { return *pool_; }
     // Marks the end of planning. Later calls may be many, so a note or a stage that they repeat is not kept twice.
@@ -77,9 +96,8 @@ private:
     friend class Stage;
     friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
-              std::string_view advice = {});
-    // Returns the entry of an earlier call's stage of the same kind; null if there was none, or if planning has not
-    // ended.
+              const More& more = {});
+    // Returns the entry of an earlier call's stage of the same kind; null if there was none or planning goes on.
     [[nodiscard]] FinishedStage* kept_before(std::uint32_t stage) noexcept;
     const FinishedStage& keep(FinishedStage&& finished);
 

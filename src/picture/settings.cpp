@@ -26,7 +26,7 @@ constexpr std::size_t shown_of_wrong = 60; // A message shows at most this many 
 }
 
 [[noreturn]] void refuse_missing(std::string_view where, std::string_view key) {
-    fail(Status::invalid_argument, "%.*s.%.*s: it is missing, and needed", static_cast<int>(where.size()), where.data(),
+    fail(Status::invalid_argument, "%.*s.%.*s: it is missing", static_cast<int>(where.size()), where.data(),
          static_cast<int>(key.size()), key.data());
 }
 
@@ -258,7 +258,7 @@ constexpr std::string_view camera_keys[] = {"eye",         "target",     "up",  
 [[nodiscard]] SavedCamera read_matrices(const JsonValue& value, bool has_size, Pool& pool) {
     constexpr std::string_view keys[] = {"view", "projection"};
     check_keys(value, "camera", keys, pool);
-    if (!has_size) fail(Status::invalid_argument, "size: it is missing, and the matrices of a camera need it");
+    if (!has_size) fail(Status::invalid_argument, "size: it is missing, and the camera's matrices need it");
     SavedCamera camera;
     camera.has_matrices = true;
     camera.view = read_numbers<16>(*value.find("view"), "camera.view", pool);
@@ -465,14 +465,15 @@ std::optional<hrbfnpr_camera> Settings::camera(std::int32_t width, std::int32_t 
 
 std::shared_ptr<const Settings> read_settings(std::string_view json, Pool& pool) {
     if (json.size() > settings_tuning.most_bytes)
-        fail(Status::invalid_argument, "%zu bytes are no settings: these have at most %zu", json.size(),
+        fail(Status::invalid_argument, "settings of %zu bytes are too large: %zu bytes are the most", json.size(),
              settings_tuning.most_bytes);
     const JsonDocument document(json, pool);
     const JsonValue root = document.root();
     const std::optional<JsonValue> version = root.find(settings_magic);
-    if (!version) fail(Status::invalid_argument, "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
+    if (!version)
+        fail(Status::invalid_argument, "this is not a settings file: it must begin with {\"hrbfnpr-settings\": 1}");
     if (!version->is_number() || version->number() != static_cast<double>(settings_version))
-        fail(Status::invalid_argument, "hrbfnpr-settings: version 1 is known here, not %s",
+        fail(Status::invalid_argument, "hrbfnpr-settings: version 1 is needed, not %s",
              version->in_short(shown_of_wrong, pool).c_str());
     constexpr std::string_view keys[] = {settings_magic, "preset", "size",     "pen",      "camera", "style",
                                          "marks",        "fit",    "mesh_fit", "line_set", "paint"};

@@ -143,7 +143,8 @@ Vector<Source> read_sources(const hrbfnpr_picture_desc& desc, Pool& pool) {
         read_source(list[i], list.name(i).text, pool, sources.emplace_back(pool));
     const auto is_set = [](const Source& source) { return !source.shape && !source.model; };
     if (sources.size() > 1 && std::any_of(sources.begin(), sources.end(), is_set))
-        fail(Status::invalid_argument, "picture_desc.sources has a point set beside others; draw it by itself");
+        fail(Status::invalid_argument,
+             "picture_desc.sources has a point set and other sources; draw the point set alone");
     return sources;
 }
 

@@ -318,7 +318,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
     const std::int64_t after = faces << 2 * rounds;
     if (after > subdivide_tuning.most_faces)
         fail(Status::invalid_argument,
-             "%lld faces are %lld after %d rounds of subdivision, and %lld are the most: subdivide fewer times",
+             "%lld faces become %lld after %d rounds of subdivision, and %lld are the most: use fewer rounds",
              static_cast<long long>(faces), static_cast<long long>(after), static_cast<int>(rounds),
              static_cast<long long>(subdivide_tuning.most_faces));
     Shape finer(pool);

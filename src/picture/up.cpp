@@ -20,7 +20,7 @@ namespace {
 using UpAxis = glm::length_t;
 constexpr UpAxis y_axis = 1;
 constexpr UpAxis z_axis = 2;
-constexpr const char* nothing_speaks = "nothing speaks for another direction";
+constexpr const char* nothing_speaks = "nothing suggests another direction";
 
 struct OtherAxes { // The two axes other than a given one, in ascending order.
     UpAxis first;
@@ -362,24 +362,23 @@ const char* reason_for_z(const Shape* shape, const Points& points, const Points&
     const geometry::Bounds box = box_of_samples(points);
     const glm::dvec3 extent = box.size();
     if (extent.x <= 0.0 || extent.y <= 0.0 || extent.z <= 0.0) return nullptr;
-    if (is_on_a_map(box)) return "x and y are coordinates of a map";
-    if (is_terrain(extent, normals, z_axis) && !is_terrain(extent, normals, y_axis))
-        return "the surface is a terrain: it is flat, and looks along z everywhere";
+    if (is_on_a_map(box)) return "x and y are map coordinates";
+    if (is_terrain(extent, normals, z_axis) && !is_terrain(extent, normals, y_axis)) return "the surface is a terrain";
     if (is_seen_from_one_side(normals)) return nullptr;
     const FlatEnds ends = flat_ends(points, normals, box);
-    if (has_flat_base(ends)) return "it has a flat base below along z, and no other flat end";
+    if (has_flat_base(ends)) return "its lower end along z is a flat base";
     const UpAxis sideways = sideways_axis(points, box, pool);
-    if (sideways == y_axis) return "left and right, along y, are alike, above and below along z are not";
+    if (sideways == y_axis) return "left and right are alike along y";
     if (sideways == z_axis || opens_below(shape, y_axis, pool)) return nullptr;
     if (stands_at_origin(box, z_axis) && !stands_at_origin(box, y_axis) && ends[below_z] >= ends[below_y])
-        return "it stands on z = 0, in the middle of x and y";
+        return "it stands on z = 0";
     if (!rests_on_end(points, box, z_axis, 1.0, pool) || rests_on_end(points, box, y_axis, 1.0, pool) ||
         rests_on_end(points, box, y_axis, -1.0, pool))
         return nullptr;
     const auto feet = static_cast<double>(count_at_end(points, box, z_axis, 1.0));
     const auto top = static_cast<double>(count_at_end(points, box, z_axis, -1.0));
     if (top > up_tuning.base_over_others * feet || !rests_on_end(points, box, z_axis, -1.0, pool))
-        return "it stands on its feet below along z, and would fall along y";
+        return "it stands on its feet along z";
     return nullptr;
 }
 
@@ -388,11 +387,11 @@ const char* reason_for_z(const Shape* shape, const Points& points, const Points&
 FoundUp find_up(const Shape* shape, const Points& points, const Points& normals, Pool& pool) {
     HRBFNPR_ASSERT(points.size() == normals.size());
     if (shape != nullptr && shape->up) {
-        String reason("it is so in ", &pool);
+        String reason("as in ", &pool);
         if (shape->is_photo)
-            reason += "pictures of a depth camera";
+            reason += "depth images";
         else
-            reason += shape->up_by.empty() ? std::string_view("files of this kind") : std::string_view(shape->up_by);
+            reason += shape->up_by.empty() ? String("files of this kind", &pool) : shape->up_by;
         return {*shape->up, std::move(reason)};
     }
     const char* const reason = reason_for_z(shape, points, normals, pool);
@@ -410,9 +409,13 @@ glm::dvec3 choose_up(const Call& call, const Shape* shape, const Points& points,
     if (found.direction == y || options.has(HRBFNPR_PICTURE_SURFACE_ONLY)) return found.direction;
     const glm::dvec3& up = found.direction;
     String text("up is ", &call.pool);
-    ((text += name_of_direction(up, call.pool)) += ": ") += found.reason;
-    text += "; {up=y} sets another direction";
-    call.report.note(HRBFNPR_NOTE_UP, {up.x, up.y, up.z}, text);
+    text += name_of_direction(up, call.pool);
+    String reasoned(text, &call.pool);
+    (reasoned += shape != nullptr && shape->up ? ", " : ": ") += found.reason;
+    for (String* const one : {&text, &reasoned}) *one += " ({up=y} changes it)";
+    const bool is_short = call.report.is_short(reasoned); // A caller may name the kind of file at length.
+    call.report.note(HRBFNPR_NOTE_UP, {up.x, up.y, up.z}, is_short ? reasoned : text,
+                     {.detail = is_short ? std::string_view() : std::string_view(found.reason)});
     return up;
 }
 

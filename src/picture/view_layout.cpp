@@ -72,8 +72,7 @@ AskedCut parse_cut(std::string_view text, const Report& report) {
     }
     String words("{section}: ", &report.pool());
     words += quoted(text, report.pool());
-    words += " must be AXIS:PLACE, such as z:20, AXIS alone for the middle, or the plane A:B:C:D, where Ax + By + Cz = "
-             "D";
+    words += " is not a plane: write z:20, z for the middle, or A:B:C:D for the plane Ax + By + Cz = D";
     report.refuse(words);
 }
 
@@ -151,7 +150,7 @@ std::optional<SheetScale> parse_scale(std::string_view text, const Report& repor
         const double value = drawn && real && *real != 0.0 ? *drawn / *real : 0.0;
         if (std::isfinite(value) && value > 0.0) return SheetScale{String(text, &pool), value};
     }
-    String words("{scale}: must be such as 1:2, 2:1 or 1:1, or auto, not ", &pool);
+    String words("{scale} must be auto or like 1:2, 2:1 or 1:1, not ", &pool);
     words += quoted(text, pool);
     report.refuse(words);
 }
@@ -425,8 +424,7 @@ std::optional<Vector<glm::dvec2>> place_on(const SheetPage& page, const Vector<V
         break;
     }
     report.refuse(formatted(pool,
-                            "{scale=%s}: the views need %.0f x %.0f mm, and %s has %.0f x %.0f beside its title block: "
-                            "%s fits",
+                            "{scale=%s}: the views need %.0f x %.0f mm, but %s has room for %.0f x %.0f mm: %s fits",
                             scale.text.c_str(), table.width, table.height, largest.name.c_str(), room.x, room.y,
                             ways.empty() ? "a smaller {spacing}" : ways.c_str()));
 }
@@ -498,9 +496,8 @@ SheetLayout choose_layout(const Vector<ViewCell>& cells, const std::optional<She
         for (const SheetScale& one : standard_scales(pool))
             if (auto centres = place_on(on, cells, one.value * rules.unit_mm, rules, pool))
                 return made(on, one, std::move(*centres));
-        report.refuse(formatted(pool,
-                                "{page=%s}: there is no room for these views; a smaller {spacing}, or a larger page",
-                                on.name.c_str()));
+        report.refuse(formatted(
+            pool, "{page=%s} is too small for these views: use a larger page or a smaller {spacing}", on.name.c_str()));
     }
     Vector<SheetPage> pages(&pool);
     if (page)

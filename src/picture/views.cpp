@@ -140,9 +140,9 @@ void require_cut(const CutPlane& plane, const AskedCut& cut, const Points& place
     if (low < plane.place && plane.place < high) return;
     // has the sign of the requested normal
     const double factor = std::copysign(glm::length(cut.normal), glm::dot(plane.normal, cut.normal));
-    report.refuse(
-        formatted(report.pool(), "{section}: the plane at %g misses the model, which is between %g and %g there",
-                  factor * plane.place, std::min(factor * low, factor * high), std::max(factor * low, factor * high)));
+    report.refuse(formatted(report.pool(), "{section}: the plane at %g misses the model, which lies between %g and %g",
+                            factor * plane.place, std::min(factor * low, factor * high),
+                            std::max(factor * low, factor * high)));
 }
 
 SheetPlan plan_sheet(const Call& call, const ViewsOptions& options, const glm::dvec3& up, const Points& places,
@@ -150,7 +150,7 @@ SheetPlan plan_sheet(const Call& call, const ViewsOptions& options, const glm::d
     Pool& pool = call.pool;
     geometry::Bounds bounds;
     for (const glm::dvec3& place : places) bounds.extend(place);
-    if (!(bounds.diagonal() > 0.0)) call.report.refuse("the model has no extent; a view of it would be empty");
+    if (!(bounds.diagonal() > 0.0)) call.report.refuse("the model is a single point: its views would be empty");
     const Standing axes = standing(up);
     const glm::dvec3 middle = middle_of(places, axes);
     Vector<CutPlane> planes = planes_of(options.cuts, options.views, axes, middle, pool);
@@ -236,8 +236,9 @@ void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, con
     auto info = defaults<hrbfnpr_line_set_info>(hrbfnpr_line_set_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_line_set_get_info(solid.lines.get(), &info, error); });
     if (info.creases > 0) solid.creases.clear(); // The model's own creases are already among the lines.
-    stage.says(formatted(pool, "on %lld triangles; %zu sharp edges of the mesh", static_cast<long long>(info.triangles),
-                         solid.creases.size()));
+    stage.says(formatted(pool, "%s of the mesh on %lld triangles",
+                         count_of(static_cast<std::int64_t>(solid.creases.size()), "sharp edge", pool).c_str(),
+                         static_cast<long long>(info.triangles)));
 }
 
 // Prepares the model with all lines that the views need.
@@ -323,10 +324,10 @@ void add_hatching(SheetContent& content, const Vector<PaperLine>& outlines, cons
     }
     if (open > 0)
         call.report.warn(HRBFNPR_NOTE_SECTION_OPEN, {static_cast<double>(open)},
-                         formatted(call.pool,
-                                   "section %s: %s of the cut not closed, and not hatched: the model is open there, or "
-                                   "the plane lies in a face",
-                                   placed.view.name.c_str(), count_of(open, "outline", call.pool).c_str()));
+                         formatted(call.pool, "section %s: %s of the cut not closed, so not hatched",
+                                   short_name(placed.view.name, call.pool).c_str(),
+                                   count_of(open, "outline", call.pool).c_str()),
+                         {.detail = "The model is open there, or the plane lies in one of its faces."});
     for (const Segment& segment : hatched(closed, options.hatch_spacing, call.pool))
         content.add(SheetKind::hatching, {segment[0] + placed.centre, segment[1] + placed.centre}, placed.view.name);
 }
@@ -355,7 +356,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
         symmetric = symmetric_planes(call, surface.model, plan);
         if (symmetric.empty())
             call.report.note(HRBFNPR_NOTE_NO_SYMMETRY, {},
-                             "{centre_lines!}: no plane of symmetry through the middle is found");
+                             "{centre_lines!}: the model has no plane of symmetry through its middle");
     }
     SheetContent content(options.line_width, options.hidden == HiddenLines::shown, pool);
     Stage stage(call.report, HRBFNPR_STAGE_VIEWS);
@@ -461,8 +462,7 @@ void write_views(const Call& call, const Surface& surface, const glm::dvec3& up,
     double unit_mm = options.unit_mm.value_or(1.0);
     if (!options.unit_mm && options.unit_is_metre) {
         unit_mm = metre;
-        call.report.note(HRBFNPR_NOTE_UNIT_IS_METRE, {},
-                         "glTF is in metres: a unit is 1000 mm; {unit_mm} sets another");
+        call.report.note(HRBFNPR_NOTE_UNIT_IS_METRE, {}, "glTF is in metres: a unit is 1000 mm ({unit_mm} changes it)");
     }
     const SheetPlan plan = plan_sheet(call, options, up, places_of_model(call, surface), unit_mm);
     SheetContent content = draw_sheet(call, surface, options, plan);

@@ -54,7 +54,7 @@ std::uint32_t line_kind_of(std::string_view name) {
     for (const LineName& one : line_names)
         if (is_line_name(one.name, name)) return one.kind;
     fail(Status::invalid_argument,
-         "'%.*s' is no kind of lines; there are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, "
+         "there are no lines '%.*s'; there are contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, "
          "section, border, crease and none",
          shown_length(name), name.data());
 }
@@ -122,7 +122,7 @@ WantedLine parse_line(std::string_view part, Pool& pool) {
                          : line.kind == HRBFNPR_LINE_KIND_ISOPHOTE ? read_levels(value, line.levels)
                                                                    : false;
     if (!is_read)
-        fail(Status::invalid_argument, "'%.*s' is not understood; write section=z:20 or isophotes=0.3:0.6",
+        fail(Status::invalid_argument, "'%.*s' is not understood: write section=z:20 or isophotes=0.3:0.6",
              shown_length(part), part.data());
     return line;
 }

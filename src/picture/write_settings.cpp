@@ -56,8 +56,7 @@ void for_names(std::string_view names, F&& f) {
 
 // Writes a number. With `short_floats` it gets the shortest decimals that a float reads as the same value.
 void write_number(JsonDocument& to, double number, bool short_floats) {
-    if (!std::isfinite(number))
-        fail(Status::invalid_argument, "settings cannot hold %g, which is no finite number", number);
+    if (!std::isfinite(number)) fail(Status::invalid_argument, "settings cannot hold %g: only finite numbers", number);
     to.add_number(short_floats ? shortest_decimals(number) : number);
 }
 
@@ -398,7 +397,7 @@ WrittenSettings write_settings(const Options& options, const PictureParts& parts
     document.write(written.json, 0, 0);
     written.json += '\n';
     if (written.json.size() > settings_tuning.most_bytes)
-        fail(Status::invalid_argument, "the settings would have %zu bytes; they can have %zu: paint less",
+        fail(Status::invalid_argument, "the settings would have %zu bytes, and %zu are the most: paint less",
              written.json.size(), settings_tuning.most_bytes);
     return written;
 }

@@ -83,9 +83,8 @@ TEST_F(BlankTest, ASphereIsNotBlank) {
 TEST_F(BlankTest, ACameraThatLooksAwayIsNamed) {
     view.eye = glm::dvec3(5, 0, 0);
     view.target = glm::dvec3(9, 0, 0);
-    EXPECT_EQ(message(),
-              "the picture would be blank: nothing is drawn. The camera looks away from the model, or past it: "
-              "leave out --eye and --direction, or let --target be in the model");
+    EXPECT_EQ(message(), "the picture would be blank: nothing is drawn. The camera looks away from the model or past "
+                         "it: leave out --eye and --direction, or set --target in the model");
 }
 
 TEST_F(BlankTest, AModelOfOnePointIsNamed) {
@@ -98,7 +97,8 @@ TEST_F(BlankTest, AModelOfOnePointIsNamed) {
 
 TEST_F(BlankTest, InkLikeThePaperIsNamed) {
     std::fill(layer.ink, layer.ink + 3, 1.0F);
-    EXPECT_EQ(message(), "the picture would be blank: nothing is drawn. The ink cannot be seen on the paper");
+    EXPECT_EQ(message(),
+              "the picture would be blank: nothing is drawn. The ink has the colour of the paper, or is transparent");
 }
 
 TEST_F(BlankTest, ATooLightToneIsNamed) {
@@ -108,7 +108,7 @@ TEST_F(BlankTest, ATooLightToneIsNamed) {
     style.tone_rule = HRBFNPR_TONE_RULE_PUBLISHED;
     style.tone_exponent = 0.001;
     const std::string text = message();
-    EXPECT_NE(text.find("All is so light that no mark is drawn: --tone none draws all marks, --light turns the light"),
+    EXPECT_NE(text.find("The surface is too light for any mark: --tone none draws all marks, --light turns the light"),
               std::string::npos)
         << text;
 }
@@ -116,8 +116,7 @@ TEST_F(BlankTest, ATooLightToneIsNamed) {
 TEST_F(BlankTest, InwardNormalsAreNamed) {
     for (const bool is_flipped : {false, true}) {
         const std::string text = message(-1.0, is_flipped);
-        EXPECT_NE(text.find("marks that face the eye are behind something, as where normals look inward: "),
-                  std::string::npos)
+        EXPECT_NE(text.find("marks that face the eye are hidden, as if normals pointed inward: "), std::string::npos)
             << text;
         const std::string advice = is_flipped ? ": leave out --flip" : ": --flip turns them";
         EXPECT_EQ(text.substr(text.size() - advice.size()), advice);

@@ -121,7 +121,7 @@ TEST_F(InspectTest, Good_points_have_facts_and_no_findings) {
     EXPECT_NEAR(info.bounds_min[0], -1.0, 0.01);
     EXPECT_NEAR(info.bounds_max[2], 1.0, 0.01);
     EXPECT_THAT(info.up, ElementsAre(0.0, 1.0, 0.0));
-    EXPECT_STREQ(info.up_reason, "nothing speaks for another direction");
+    EXPECT_STREQ(info.up_reason, "nothing suggests another direction");
 }
 
 TEST_F(InspectTest, The_format_tells_up) {
@@ -131,7 +131,7 @@ TEST_F(InspectTest, The_format_tells_up) {
     source.up_by = "STL files";
     const auto info = inspect(source);
     EXPECT_THAT(info.up, ElementsAre(0.0, 0.0, 1.0));
-    EXPECT_STREQ(info.up_reason, "it is so in STL files");
+    EXPECT_STREQ(info.up_reason, "as in STL files");
     const std::string longer(300, 'x');
     source.up_by = longer.c_str();
     EXPECT_EQ(std::string(inspect(source).up_reason).size(), sizeof info.up_reason - 1);
@@ -143,13 +143,13 @@ TEST_F(InspectTest, Inward_normals_give_a_warning_in_the_callers_words) {
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_INWARD);
     EXPECT_EQ(info.severity, HRBFNPR_SEVERITY_WARNING);
     EXPECT_EQ(info.normals_unit_share, 0.0);
-    EXPECT_THAT(repairs(), ElementsAre("400 normals made of length 1", "all normals turned, as they look inward"));
-    EXPECT_THAT(warnings(), ElementsAre("all normals look inward"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: they are turned; --normals keep leaves them"));
+    EXPECT_THAT(repairs(), ElementsAre("400 normals scaled to length 1", "all normals turned: they point inward"));
+    EXPECT_THAT(warnings(), ElementsAre("all normals point inward"));
+    EXPECT_THAT(advice(), ElementsAre("nothing: the fit turns them; --normals keep leaves them"));
     inspect(source_of(inward), HRBFNPR_WORDING_ARGUMENTS);
-    EXPECT_THAT(advice(), ElementsAre("nothing: they are turned; normals='keep' leaves them"));
+    EXPECT_THAT(advice(), ElementsAre("nothing: the fit turns them; normals='keep' leaves them"));
     inspect(source_of(inward), HRBFNPR_WORDING_FIELDS);
-    EXPECT_THAT(advice(), ElementsAre("nothing: they are turned; normals keep leaves them"));
+    EXPECT_THAT(advice(), ElementsAre("nothing: the fit turns them; normals keep leaves them"));
 }
 
 TEST_F(InspectTest, Mixed_normals_give_a_warning) {
@@ -162,9 +162,8 @@ TEST_F(InspectTest, Mixed_normals_give_a_warning) {
     EXPECT_THAT(repairs(), IsEmpty());
     ASSERT_EQ(told.size(), 1U);
     EXPECT_EQ(told[0].code, HRBFNPR_NOTE_NORMALS_AGAINST);
-    EXPECT_THAT(told[0].text, testing::EndsWith("look against those around them, so the surface is wrong there"));
-    EXPECT_EQ(told[0].advice, "--flipped-normals reorient repairs a few; orient them anew, in MeshLab or CloudCompare, "
-                              "if they are many");
+    EXPECT_THAT(told[0].text, testing::EndsWith("normals oppose their neighbours"));
+    EXPECT_EQ(told[0].advice, "--flipped-normals reorient repairs a few");
 }
 
 TEST_F(InspectTest, Unusable_points_are_counted) {
@@ -184,11 +183,11 @@ TEST_F(InspectTest, Unusable_points_are_counted) {
     EXPECT_EQ(info.normals_not_finite, 1);
     EXPECT_EQ(info.duplicates, 1);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD);
-    EXPECT_THAT(repairs(), ElementsAre("2 points without a finite position left out",
-                                       "1 point at the place of another merged, where their normals agree",
+    EXPECT_THAT(repairs(), ElementsAre("2 points left out: without a finite position",
+                                       "1 point merged with another at the same place, if their normals agree",
                                        "3 points without a usable normal left out"));
-    EXPECT_THAT(warnings(), ElementsAre("2 positions not finite", "2 normals zero, 1 not finite",
-                                        "1 place with opposite normals, left out"));
+    EXPECT_THAT(warnings(), ElementsAre("2 points have a position that is not finite",
+                                        "2 normals are zero, 1 not finite", "1 place with opposite normals left out"));
     EXPECT_THAT(advice(), IsEmpty());
 }
 
@@ -197,11 +196,11 @@ TEST_F(InspectTest, Missing_normals_are_made) {
     auto info = inspect(source_of(ball, false));
     EXPECT_EQ(info.has_normals, 0U);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_UNKNOWN);
-    EXPECT_THAT(repairs(), ElementsAre("normals made, as there are none"));
+    EXPECT_THAT(repairs(), ElementsAre("normals computed: there are none"));
     EXPECT_THAT(warnings(), ElementsAre("the points have no normals"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: they are made; those of the scanner are surer"));
+    EXPECT_THAT(advice(), ElementsAre("nothing: they are computed; normals from the scanner are more reliable"));
     info = inspect(turned(ball, 0.0));
-    EXPECT_THAT(repairs(), ElementsAre("normals made, as all are zero"));
+    EXPECT_THAT(repairs(), ElementsAre("normals computed: all are zero"));
 }
 
 TEST_F(InspectTest, Strays_no_data_and_distant_origins_are_reported) {
@@ -213,7 +212,7 @@ TEST_F(InspectTest, Strays_no_data_and_distant_origins_are_reported) {
     EXPECT_EQ(info.strays, 1);
     EXPECT_EQ(info.points, 1002);
     EXPECT_LT(info.bounds_max[0], 1.01);
-    EXPECT_THAT(repairs(), ElementsAre("1 point at -9999, which stands for no data, left out",
+    EXPECT_THAT(repairs(), ElementsAre("1 point left out: the value -9999 marks missing data",
                                        "1 point far from all others left out"));
     EXPECT_EQ(info.severity, HRBFNPR_SEVERITY_NOTE);
 
@@ -221,8 +220,8 @@ TEST_F(InspectTest, Strays_no_data_and_distant_origins_are_reported) {
     for (std::size_t i = 1; i < samples.points.size(); i += 3) samples.points[i] += 4e6;
     inspect(samples);
     EXPECT_THAT(warnings(),
-                ElementsAre("it is very far from the origin for its size: single precision loses its details"));
-    EXPECT_THAT(advice(), ElementsAre("move it near to the origin, in double precision"));
+                ElementsAre("the model is far from the origin for its size: single precision loses its details"));
+    EXPECT_THAT(advice(), ElementsAre("move it to the origin with a program that keeps double precision"));
 
     for (double& x : samples.points) x = 2.0;
     inspect(samples);
@@ -243,8 +242,8 @@ TEST_F(InspectTest, A_terrain_that_looks_down_gives_a_warning) {
     EXPECT_EQ(info.looks_down, 2U);
     EXPECT_THAT(info.up, ElementsAre(0.0, 0.0, 1.0));
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OPEN);
-    EXPECT_THAT(repairs(), ElementsAre("all normals turned, as a terrain looks up"));
-    EXPECT_THAT(warnings(), Contains("the surface is a terrain that looks down along z"));
+    EXPECT_THAT(repairs(), ElementsAre("all normals turned: the surface is a terrain, and they point down"));
+    EXPECT_THAT(warnings(), Contains("the surface is a terrain whose normals point down along z"));
 }
 
 TEST_F(InspectTest, Normals_along_curves_are_judged_by_the_library) {
@@ -255,9 +254,9 @@ TEST_F(InspectTest, Normals_along_curves_are_judged_by_the_library) {
     EXPECT_THAT(told, IsEmpty());
     info = inspect(turned(wires));
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_INWARD);
-    EXPECT_THAT(repairs(), ElementsAre("normals repaired: they are inward"));
-    EXPECT_THAT(warnings(), ElementsAre("the normals are inward"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: --normals keep leaves them"));
+    EXPECT_THAT(repairs(), ElementsAre("normals repaired: they point inward"));
+    EXPECT_THAT(warnings(), ElementsAre("the normals point inward"));
+    EXPECT_THAT(advice(), ElementsAre("nothing: the fit repairs them; --normals keep leaves them"));
 }
 
 TEST_F(InspectTest, An_undrawable_source_is_a_failure_not_an_error) {
@@ -269,7 +268,7 @@ TEST_F(InspectTest, An_undrawable_source_is_a_failure_not_an_error) {
     auto info = inspect(both);
     EXPECT_EQ(info.severity, HRBFNPR_SEVERITY_FAILURE);
     EXPECT_EQ(told.back().code, HRBFNPR_NOTE_NOT_USABLE);
-    EXPECT_THAT(failures(), ElementsAre("all points are in pairs with opposite normals"));
+    EXPECT_THAT(failures(), ElementsAre("all points come in pairs with opposite normals"));
     EXPECT_EQ(info.duplicates, 50);
     EXPECT_STREQ(info.up_reason, "");
 
@@ -286,7 +285,7 @@ TEST_F(InspectTest, An_undrawable_source_is_a_failure_not_an_error) {
     EXPECT_EQ(failures().size(), 1U);
     line.vertices[0] = nan;
     inspect(line);
-    EXPECT_THAT(failures(), ElementsAre("no face has three corners that are finite"));
+    EXPECT_THAT(failures(), ElementsAre("every face has a corner that is not finite"));
 }
 
 TEST_F(InspectTest, A_mesh_has_facts) {
@@ -300,7 +299,7 @@ TEST_F(InspectTest, A_mesh_has_facts) {
     EXPECT_EQ(info.duplicates, 8 * 2 + 12);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD);
     EXPECT_EQ(info.severity, HRBFNPR_SEVERITY_NOTE);
-    EXPECT_THAT(repairs(), ElementsAre("28 vertices at the place of another joined"));
+    EXPECT_THAT(repairs(), ElementsAre("28 vertices joined with another at the same place"));
     EXPECT_THAT(warnings(), IsEmpty());
 }
 
@@ -308,20 +307,19 @@ TEST_F(InspectTest, Faults_of_a_mesh_are_reported) {
     auto info = inspect(pipe());
     EXPECT_EQ(info.boundary_loops, 2);
     EXPECT_EQ(info.closed, 0U);
-    EXPECT_THAT(warnings(), ElementsAre("it is open: 2 borders of 48 edges"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: what is drawn ends at wide borders, with a line, and closes small "
-                                      "holes; --close closes all"));
+    EXPECT_THAT(warnings(), ElementsAre("the mesh is open: it has 2 borders of 48 edges"));
+    EXPECT_THAT(advice(), ElementsAre("nothing: small holes are closed, wide ones stay open; --close closes all"));
 
     const test::Triangles ball = test::icosphere(2);
     info = inspect(ball.turned());
     EXPECT_EQ(info.inside_out, 1U);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD); // This holds once the faces are turned.
-    EXPECT_THAT(repairs(), ElementsAre("all faces turned, as the mesh is inside out"));
+    EXPECT_THAT(repairs(), ElementsAre("all faces turned: the mesh is inside out"));
     EXPECT_THAT(warnings(), ElementsAre("the mesh is inside out"));
 
     info = inspect(ball.with(ball.moved(0.4, 0.0, 0.0, 0.0).turned()));
     EXPECT_EQ(info.components_inside_out, 1);
-    EXPECT_THAT(warnings(), ElementsAre("1 of 2 parts are inside out, or cavities", "it has 2 parts"));
+    EXPECT_THAT(warnings(), ElementsAre("1 of 2 parts are inside out or are cavities", "the mesh has 2 parts"));
 }
 
 TEST_F(InspectTest, Edges_of_many_faces_are_mended_where_solids_touch) {
@@ -329,7 +327,7 @@ TEST_F(InspectTest, Edges_of_many_faces_are_mended_where_solids_touch) {
     auto info = inspect(box.with(box.moved(1.0, 1.0, 1.0, 0.0)));
     EXPECT_EQ(info.nonmanifold_edges, 1);
     EXPECT_EQ(info.nonmanifold_left, 0);
-    EXPECT_THAT(repairs(), Contains("1 edge of more than two triangles parted, as solids touch there"));
+    EXPECT_THAT(repairs(), Contains("1 edge of more than two triangles split: solids touch there"));
 
     test::Triangles fan;
     const std::int32_t a = fan.add(0.0, 0.0, 0.0), b = fan.add(0.0, 0.0, 1.0);
@@ -339,7 +337,7 @@ TEST_F(InspectTest, Edges_of_many_faces_are_mended_where_solids_touch) {
     info = inspect(fan);
     EXPECT_EQ(info.nonmanifold_edges, 1);
     EXPECT_EQ(info.nonmanifold_left, 1);
-    EXPECT_THAT(warnings(), Contains("1 edge of more than two triangles"));
+    EXPECT_THAT(warnings(), Contains("1 edge has more than two triangles"));
 }
 
 TEST_F(InspectTest, The_noise_of_a_depth_image_is_reported) {
@@ -354,8 +352,8 @@ TEST_F(InspectTest, The_noise_of_a_depth_image_is_reported) {
     EXPECT_EQ(info.points_not_finite, 6 * 4); // The camera did not see this corner.
     EXPECT_EQ(info.image_seen, 48 * 36 - 6 * 4);
     EXPECT_NEAR(info.image_noise / (info.image_depth * info.image_depth), 1e-3, 2.5e-4);
-    EXPECT_STREQ(info.up_reason, "it is so in pictures of a depth camera");
-    EXPECT_THAT(repairs(), Contains(StartsWith("the picture of a depth camera smoothed over ")));
+    EXPECT_STREQ(info.up_reason, "as in depth images");
+    EXPECT_THAT(repairs(), Contains(StartsWith("depth image smoothed over ")));
     EXPECT_THAT(warnings(), IsEmpty());
 }
 

@@ -145,17 +145,17 @@ TEST_F(LinesTest, SectionsStandEvenlyBetweenTheBounds) {
 TEST_F(LinesTest, ReportsFoundLinesAndTheEndOfTheSurface) {
     EXPECT_TRUE(lines_of("contour,section=z:3"));
     ASSERT_EQ(planned.report->stages.size(), 1U);
-    EXPECT_NE(planned.report->stages[0].says.find(" triangles, 3 lines found once"), String::npos);
+    EXPECT_NE(planned.report->stages[0].says.find("3 view-independent lines on "), String::npos);
     EXPECT_TRUE(notes().empty());
     EXPECT_TRUE(lines_of("border"));
     ASSERT_EQ(notes().size(), 1U);
     EXPECT_EQ(notes()[0].code, std::uint32_t{HRBFNPR_NOTE_LINES_END});
     EXPECT_EQ(notes()[0].severity, std::uint32_t{HRBFNPR_SEVERITY_INFO});
-    EXPECT_EQ(notes()[0].text, "lines: the surface ends nowhere within support 3");
+    EXPECT_EQ(notes()[0].text, "lines: the surface has no border within support 3");
     planned.change("line_set.support", "2.5");
     EXPECT_TRUE(lines_of("contour"));
     ASSERT_EQ(notes().size(), 1U);
-    EXPECT_EQ(notes()[0].text, "lines: the surface ends nowhere within support 2.5");
+    EXPECT_EQ(notes()[0].text, "lines: the surface has no border within support 2.5");
     planned.change("line_set.support", "0");
     EXPECT_TRUE(lines_of("border"));
     EXPECT_TRUE(notes().empty());
@@ -176,7 +176,7 @@ TEST_F(LinesTest, CreasesNeedAMeshOrAModelWithEdges) {
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::invalid_argument);
-        EXPECT_STREQ(error.what(), "creases come from a mesh, or from a model with edges; this file has neither");
+        EXPECT_STREQ(error.what(), "creases need a mesh, or a model with sharp edges; this file has neither");
     }
     const auto shape = std::make_shared<Shape>(pool);
     shape->points = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}}, &pool};
@@ -184,7 +184,7 @@ TEST_F(LinesTest, CreasesNeedAMeshOrAModelWithEdges) {
     shape->triangles.push_back({1, 3, 2});
     surface.shape = shape;
     ASSERT_TRUE(lines_of("crease"));
-    EXPECT_NE(planned.report->stages[0].says.find(" triangles, 1 lines found once"), String::npos);
+    EXPECT_NE(planned.report->stages[0].says.find("1 view-independent line on "), String::npos);
 }
 
 TEST_F(LinesTest, WarnsOfDoubtfulLines) {
@@ -197,9 +197,9 @@ TEST_F(LinesTest, WarnsOfDoubtfulLines) {
     info.line_tangles = 4;
     tell_doubts(*planned.report, info);
     ASSERT_EQ(notes().size(), 3U);
-    EXPECT_EQ(notes()[0].text, "curves that end inside the surface, or were missed; more samples there would help: 2");
-    EXPECT_EQ(notes()[1].text, "lines of which a part may be drawn where it is hidden, or the other way round: 3");
-    EXPECT_EQ(notes()[2].text, "places of the picture with so many crossings of lines that none was taken: 4");
+    EXPECT_EQ(notes()[0].text, "2 lines broken off inside the surface, or missing: more samples there would help");
+    EXPECT_EQ(notes()[1].text, "3 lines possibly drawn where hidden, or left out where visible");
+    EXPECT_EQ(notes()[2].text, "4 places where many lines cross: hidden parts of lines may be wrong there");
     EXPECT_EQ(notes()[2].code, std::uint32_t{HRBFNPR_NOTE_LINES_TANGLED});
     EXPECT_EQ(notes()[2].severity, std::uint32_t{HRBFNPR_SEVERITY_WARNING});
 }

@@ -304,8 +304,8 @@ TEST_F(ProbeTest, LooksAtTheFront) {
     EXPECT_EQ(free.azimuth, 204.0); // 180 - atan(1 / 9), plus 30
     ASSERT_EQ(report.notes.size(), 1U);
     EXPECT_EQ(report.notes[0].code, HRBFNPR_NOTE_SEEN_FROM_FRONT);
-    EXPECT_STREQ(report.notes[0].text.c_str(), "the surface looks away from the usual side: seen from azimuth 204 "
-                                               "(--azimuth 30 sees its back)");
+    EXPECT_STREQ(report.notes[0].text.c_str(),
+                 "the surface is drawn from its front, azimuth 204 (--azimuth 30 shows its back)");
 
     Shape photo(pool);
     photo.is_photo = true;
@@ -315,8 +315,7 @@ TEST_F(ProbeTest, LooksAtTheFront) {
     EXPECT_EQ(of_photo.azimuth, 268.0);
     EXPECT_EQ(of_photo.elevation, 0.0);
     ASSERT_EQ(report.notes.size(), 2U);
-    EXPECT_STREQ(report.notes[1].text.c_str(), "the points are a picture of a depth camera: seen from where it stood, "
-                                               "azimuth 268; what it did not see is missing");
+    EXPECT_STREQ(report.notes[1].text.c_str(), "the depth image is drawn from where its camera stood, azimuth 268");
 
     View said = view(y_up);
     said.azimuth = 30.0;

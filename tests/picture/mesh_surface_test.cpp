@@ -75,19 +75,17 @@ TEST_F(MeshSurface, DividesACoarseBall) {
     EXPECT_EQ(made[0].fit->tolerance, 0.02);
     EXPECT_NEAR(greatest_radius(made[0].shape->points), 1.0, 5e-3);
     ASSERT_EQ(notes().size(), 1U);
-    EXPECT_EQ(notes()[0],
-              "the faces are coarse, 0.83% of the diagonal off something round: divided 1 time, vertices moved "
-              "by at most 0.01%, what lies between them by 1.29% (--subdivide 0 leaves them)");
+    EXPECT_EQ(notes()[0], "the faces are coarse: divided 1 time and rounded (--subdivide 0 leaves them)");
     const Note divided = note(HRBFNPR_NOTE_DIVIDED);
     ASSERT_EQ(divided.figure_count, 4U);
     EXPECT_EQ(divided.figures[0], 1.0);
     EXPECT_NEAR(divided.figures[3], 0.00832568926515175, 1e-9);
     ASSERT_EQ(stages().size(), 4U);
     EXPECT_EQ(stages()[0], "1: 1 part, closed");
-    EXPECT_EQ(stages()[1], "2: 2000 samples, to look at");
+    EXPECT_EQ(stages()[1], "2: 2000 samples, to check which way faces look");
     EXPECT_THAT(stages()[2], HasSubstr(" centres in "));
-    EXPECT_THAT(stages()[2], HasSubstr("; surface to mesh: 99 % within "));
-    EXPECT_EQ(stages()[3], "7: the surface is whole");
+    EXPECT_THAT(stages()[2], HasSubstr("; 99% of surface and mesh are within "));
+    EXPECT_EQ(stages()[3], "7: the whole surface is kept");
     EXPECT_EQ(up, glm::dvec3(0, 1, 0));
 }
 
@@ -111,10 +109,12 @@ TEST_F(MeshSurface, DividesTheGivenNumberOfTimes) {
     planned.desc.subdivide = 1;
     EXPECT_EQ(surfaces(test::box(1, 1, 1, 1))[0].shape->triangles.size(), 48U);
     ASSERT_EQ(notes().size(), 1U);
-    EXPECT_THAT(notes()[0], testing::StartsWith("the faces are divided 1 time, vertices moved by at most "));
+    EXPECT_EQ(notes()[0], "the faces are divided 1 time");
+    EXPECT_THAT(std::string(note(HRBFNPR_NOTE_DIVIDED).detail),
+                testing::StartsWith("Vertices moved by up to 3.39% of the diagonal, "));
     EXPECT_EQ(note(HRBFNPR_NOTE_DIVIDED).figure_count, 3U);
     planned.desc.subdivide = 6;
-    EXPECT_THAT(refusal(test::icosphere(3)), HasSubstr("and 4000000 are the most: subdivide fewer times"));
+    EXPECT_THAT(refusal(test::icosphere(3)), HasSubstr("and 4000000 are the most: use fewer rounds"));
 }
 
 TEST_F(MeshSurface, UsesTheSharpEdgesOfAFile) {
@@ -124,7 +124,7 @@ TEST_F(MeshSurface, UsesTheSharpEdgesOfAFile) {
     ball.has_sharp_edges = true;
     ball.sharp_edges = find_edges(ball.triangles, ball.points.size(), planned.pool).ends;
     const Vector<Surface> flat = surfaces(std::move(ball));
-    EXPECT_THAT(notes(), ElementsAre("by the normals of its file all faces are flat (--edges smooth rounds)"));
+    EXPECT_THAT(notes(), ElementsAre("all faces are flat, by the normals in the file (--edges smooth rounds them)"));
     EXPECT_GT(flat[0].fit->sheets, 40);
 }
 
@@ -135,10 +135,7 @@ TEST_F(MeshSurface, CrossingPartsBecomeSurfaces) {
     const Vector<Surface> two = surfaces(walls);
     ASSERT_EQ(two.size(), 2U);
     for (const Surface& one : two) EXPECT_EQ(one.shape->triangles.size(), info_of(one.mesh).faces);
-    EXPECT_THAT(notes(),
-                Contains("2 parts of the mesh, not all of them closed, cross or are close to each other: they "
-                         "are fitted and drawn in 2 groups, each a surface of its own (--together makes one of "
-                         "them)"));
+    EXPECT_THAT(notes(), Contains("2 parts cross or nearly touch: drawn as 2 surfaces (--together joins them)"));
     const auto fits = [&] {
         int count = 0;
         for (const FinishedStage& stage : planned.report->stages) count += stage.stage == HRBFNPR_STAGE_FIT ? 1 : 0;
@@ -155,11 +152,8 @@ TEST_F(MeshSurface, CrossingPartsBecomeSurfaces) {
     EXPECT_EQ(thin.severity, HRBFNPR_SEVERITY_WARNING);
     EXPECT_EQ(thin.figure_count, 5U);
     const std::string text(thin.text);
-    EXPECT_EQ(text.find("parts 0 and 1 of the mesh, and maybe others, cross or are nearer to each other than the "
-                        "tolerance, as near "),
-              0U);
-    EXPECT_THAT(text, HasSubstr(": the surface may join them there; a smaller tolerance holds apart what does not "
-                                "cross (--tolerance)"));
+    EXPECT_EQ(text, "parts 0 and 1 cross or nearly touch, and may be joined: try a smaller --tolerance");
+    EXPECT_THAT(std::string(thin.detail), testing::StartsWith("They come closer than the tolerance near "));
 }
 
 TEST_F(MeshSurface, TurnsAnInsideOutMesh) {
@@ -181,9 +175,8 @@ TEST_F(MeshSurface, TurnsATerrainThatLooksDown) {
         return doubled_area_of(vertices_of(of.mesh, planned.pool), face).z;
     };
     const Vector<Surface> turned = surfaces(terrain.turned());
-    EXPECT_THAT(notes(),
-                Contains("the surface is a terrain that looked down along z: its normals are turned (--normals "
-                         "keep leaves them)"));
+    EXPECT_THAT(notes(), Contains("the terrain faced down along z: its normals are turned (--normals "
+                                  "keep leaves them)"));
     EXPECT_EQ(note(HRBFNPR_NOTE_TERRAIN_TURNED).figures[0], 2.0);
     EXPECT_GT(height_of_first_face(turned[0]), 0.0);
     planned.desc.normals = HRBFNPR_NORMALS_GIVEN;
@@ -213,7 +206,7 @@ TEST_F(MeshSurface, UsesTheGivenNumberOfSamples) {
     EXPECT_THAT(stages()[2], HasSubstr("200 centres"));
     EXPECT_EQ(stages()[3][0], '6'); // Stage 6 compares the surface with the mesh.
     planned.desc.samples = 1'000'000'000;
-    EXPECT_EQ(refusal(test::icosphere(0)), "--samples 1000000000 is more than a mesh can have: 10000000");
+    EXPECT_EQ(refusal(test::icosphere(0)), "--samples 1000000000 is too many for a mesh: give 10000000 at most");
 }
 
 TEST_F(MeshSurface, FitsSamplesIfAnOptionNeedsIt) {
@@ -241,8 +234,8 @@ TEST_F(MeshSurface, ReportsAToleranceThatIsNotReached) {
     planned.desc.subdivide = 0;
     static_cast<void>(surfaces(test::torus(24, 12, 0.4)));
     const std::string text(note(HRBFNPR_NOTE_NOT_REACHED).text);
-    EXPECT_EQ(text.find("the surface is not within 0.20% of the diagonal everywhere: "), 0U);
-    EXPECT_THAT(text, HasSubstr("; --max-centres 40 allows more samples"));
+    EXPECT_EQ(text.find("the surface is over 0.20% of the diagonal off the mesh in places: "), 0U);
+    EXPECT_THAT(text, HasSubstr(": --max-centres 40 helps"));
 }
 
 TEST_F(MeshSurface, RefusesAMeshWithoutArea) {
@@ -256,7 +249,7 @@ TEST_F(MeshSurface, AcceptsASingleFlatFace) {
     const Vector<Surface> made = surfaces(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1));
     ASSERT_EQ(made.size(), 1U);
     EXPECT_EQ(info_of(made[0].mesh).faces, 2);
-    EXPECT_THAT(notes(), Contains("all points lie in a plane: the surface is flat, and ends where they do"));
+    EXPECT_THAT(notes(), Contains("all points lie in a plane: the surface is flat and ends where they do"));
 }
 
 } // namespace

@@ -50,7 +50,7 @@ TEST_F(Normals, LookOutwardOnABall) {
     EXPECT_EQ(outward.flipped, 0.0);
     EXPECT_EQ(outward.outside_in, 0.0);
     EXPECT_FALSE(outward.inward() || outward.mixed());
-    EXPECT_EQ(normals_in_words(outward, pool), "normals look outward");
+    EXPECT_EQ(normals_in_words(outward, pool), "normals point outward");
     EXPECT_NEAR(look(ball, ball, true).closed, 0.9561150766565927, 1e-12);
     const NormalsLook inward = look(ball, turned_where(ball, [](std::size_t) { return true; }));
     EXPECT_NEAR(inward.closed, -1.0234579554273797, 1e-12);
@@ -65,7 +65,7 @@ TEST_F(Normals, AreMixedIfSomeAreTurned) {
     EXPECT_NEAR(some.against, 0.008, 1e-12);
     EXPECT_NEAR(some.flipped, 0.2550510257216822, 1e-12); // A quarter of the normals is turned.
     EXPECT_TRUE(some.mixed());
-    EXPECT_EQ(normals_in_words(some, pool), "normals differ");
+    EXPECT_EQ(normals_in_words(some, pool), "some normals point outward, others inward");
     const NormalsLook patch = look(ball, turned_where(ball, [&](std::size_t i) { return ball[i].x > 0.3; }));
     EXPECT_NEAR(patch.closed, 0.3763303343231941, 1e-12);
     EXPECT_NEAR(patch.flipped, 0.043929829960344835, 1e-12);
@@ -107,7 +107,7 @@ TEST_F(Normals, TellLessOnOpenSurfaces) {
     const Points up(sheet.size(), glm::dvec3(0.0, 0.0, 1.0), &pool);
     const NormalsLook flat = look(sheet, up);
     EXPECT_NEAR(flat.closed, 0.0, 0.1);
-    EXPECT_EQ(normals_in_words(flat, pool), "an open surface: its normals are as they are");
+    EXPECT_EQ(normals_in_words(flat, pool), "open surface, normals kept");
 }
 
 // ---- Samples at one place

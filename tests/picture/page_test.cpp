@@ -92,10 +92,10 @@ TEST_F(PageTest, PaperIsTurnedToFitBetter) {
     EXPECT_EQ(info.height, 300.0);
     desc.paper_margin = 100.0;
     EXPECT_EQ(refusal(content({480, 960})),
-              "--page-margin 100 must be 0 or more, and leave room on a page of 200 x 300 mm");
+              "--page-margin 100 must be at least 0, and leave room on a page of 200 x 300 mm");
     desc.paper_margin = -1.0;
     EXPECT_EQ(refusal(content({960, 480})),
-              "--page-margin -1 must be 0 or more, and leave room on a page of 300 x 200 mm");
+              "--page-margin -1 must be at least 0, and leave room on a page of 300 x 200 mm");
 }
 
 TEST_F(PageTest, UnknownPaperIsRefused) {
@@ -113,8 +113,8 @@ TEST_F(PageTest, PlotterFilesReportLengthAndTime) {
     written(content({960, 720}));
     ASSERT_EQ(notes().size(), 1U);
     EXPECT_EQ(notes()[0].code, std::uint32_t{HRBFNPR_NOTE_PLOTTED});
-    EXPECT_EQ(notes()[0].text.find("the pen draws 0.32 m and travels "), 0U) << notes()[0].text;
-    EXPECT_NE(notes()[0].text.find(" m, in about 0 min 1"), String::npos) << notes()[0].text;
+    EXPECT_EQ(notes()[0].text.find("the pen draws 0.3 m and travels "), 0U) << notes()[0].text;
+    EXPECT_NE(notes()[0].text.find(" m in about 1"), String::npos) << notes()[0].text;
 }
 
 TEST_F(PageTest, WidthsOfPensMustAscend) {

@@ -130,9 +130,7 @@ TEST(Plan, ReportsLimitedMarks) {
     EXPECT_EQ(note.code, std::uint32_t{HRBFNPR_NOTE_MARKS_LIMITED});
     EXPECT_NEAR(note.figures[0], 101017348.0, 1.0);
     EXPECT_EQ(note.figures[1], 2e6);
-    EXPECT_EQ(note.text,
-              "stipples: 101017348 marks would fill the darkest tone, 2000000 are made, so that it gets 2% of "
-              "its ink: --marks stipples=101017348 makes all, and with a larger --mark-radius fewer are needed");
+    EXPECT_EQ(note.text, "stipples: dark tones are too light; --marks stipples=101017348 fills them");
 }
 
 TEST(Plan, LinesAloneNeedFewMarks) {
@@ -159,10 +157,7 @@ TEST(Plan, TheRecursionPlansLevels) {
     EXPECT_EQ(fine.layers[0].levels, 6);
     ASSERT_EQ(given.report->notes.size(), 2U);
     EXPECT_EQ(given.report->notes[0].code, std::uint32_t{HRBFNPR_NOTE_LEVELS_LIMITED});
-    EXPECT_NE(
-        given.report->notes[0].text.find("refinement steps would fill the picture, 6 are taken, so that dark tones "
-                                         "are pale: --levels stipples="),
-        String::npos);
+    EXPECT_NE(given.report->notes[0].text.find("stipples: dark tones are too light; --levels stipples="), String::npos);
 }
 
 // Its strokes are one layer, in place of the style's layers of lines.

@@ -130,9 +130,9 @@ TEST_F(FitPoints, CleanPointsWithNormalsGiveNoNotes) {
     EXPECT_THAT(notes(), IsEmpty());
     EXPECT_THAT(warnings(), IsEmpty());
     EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "250 samples");
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals look outward");
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_FIT), "250 centres, triharmonic, iterative; through all samples");
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_END), "the surface is whole");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals point outward");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_FIT), "250 centres, triharmonic, iterative; passes through all samples");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_END), "the whole surface is kept");
     EXPECT_LT(value_at_origin(fitted.surface.model), 0.0);
     EXPECT_EQ(fitted.up, glm::dvec3(0.0, 1.0, 0.0));
     ASSERT_NE(fitted.surface.shape, nullptr);
@@ -143,12 +143,12 @@ TEST_F(FitPoints, CleanPointsWithNormalsGiveNoNotes) {
 TEST_F(FitPoints, InwardNormalsAreTurned) {
     const Shape inward = shape_of(test::sphere(250), -1.0);
     EXPECT_LT(value_at_origin(fit(inward).surface.model), 0.0);
-    EXPECT_THAT(notes(), ElementsAre("all normals looked inward: they are turned (--normals keep leaves them)"));
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals looked inward: all are turned");
+    EXPECT_THAT(notes(), ElementsAre("all normals pointed inward: they are turned (--normals keep leaves them)"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals pointed inward: all turned");
     desc.normals = HRBFNPR_NORMALS_GIVEN;
     EXPECT_GT(value_at_origin(fit(inward).surface.model), 0.0);
     EXPECT_THAT(notes(), IsEmpty());
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals as they are");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals kept");
     desc.flags = HRBFNPR_PICTURE_FLIP;
     EXPECT_LT(value_at_origin(fit(inward).surface.model), 0.0);
     EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "no such stage") << "it is the user's own word";
@@ -158,22 +158,21 @@ TEST_F(FitPoints, MixedNormalsAreRepaired) {
     Shape mixed = ball(120);
     for (std::size_t i = 0; i < mixed.normals.size(); i += 7) mixed.normals[i] = -mixed.normals[i];
     EXPECT_LT(value_at_origin(fit(mixed).surface.model), 0.0);
-    EXPECT_THAT(notes(),
-                ElementsAre("the normals were turned here and there: 18 are turned, 0 are made anew (--normals "
-                            "keep leaves them)"));
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "18 normals turned, 0 made anew; the surface is closed, confidence 1.00");
+    EXPECT_THAT(notes(), ElementsAre("normals repaired: 18 turned, 0 computed again (--normals "
+                                     "keep leaves them)"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "18 normals turned, 0 computed again; closed surface, confidence 1.00");
 }
 
 TEST_F(FitPoints, MissingNormalsAreMade) {
     const Fitted fitted = fit(without_normals(ball(120)));
     EXPECT_LT(value_at_origin(fitted.surface.model), 0.0);
-    EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are made"));
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals are made; the surface is closed, confidence 1.00");
+    EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are computed"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals computed; closed surface, confidence 1.00");
     Shape zeros = ball(120);
     zeros.normals.assign(120, glm::dvec3(0.0, nan, 0.0));
     EXPECT_FALSE(has_normals(zeros));
     fit(zeros);
-    EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are made"));
+    EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are computed"));
 }
 
 TEST_F(FitPoints, AnOpenSurfaceLooksToTheScanner) {
@@ -181,13 +180,13 @@ TEST_F(FitPoints, AnOpenSurfaceLooksToTheScanner) {
     for (const glm::dvec3& p : ball(240).points)
         if (p.z > 0.4) cap.points.push_back(p);
     fit(cap);
-    EXPECT_THAT(said_of(HRBFNPR_STAGE_END), HasSubstr(" is beyond the points (up to "));
-    EXPECT_THAT(said_of(HRBFNPR_STAGE_END), HasSubstr(" of the diagonal) and left out; --close keeps it"));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_END), testing::StartsWith("left out "));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_END), HasSubstr("% of the diagonal beyond the points; --close keeps it"));
     desc.viewpoint[0] = desc.viewpoint[1] = 0.0;
     desc.viewpoint[2] = -30.0;
     const Fitted seen_from_below = fit(cap);
     EXPECT_GT(value_at_origin(seen_from_below.surface.model), 0.0);
-    EXPECT_THAT(notes(), testing::Contains(HasSubstr("are made, which look to where the scanner stood")));
+    EXPECT_THAT(notes(), testing::Contains(HasSubstr("are computed, facing the scanner")));
     EXPECT_THAT(warnings(), IsEmpty());
     desc.flags = HRBFNPR_PICTURE_CLOSE;
     fit(cap);
@@ -197,8 +196,8 @@ TEST_F(FitPoints, AnOpenSurfaceLooksToTheScanner) {
 TEST_F(FitPoints, AnUnusedViewpointGivesAWarning) {
     desc.viewpoint[0] = desc.viewpoint[1] = desc.viewpoint[2] = 5.0;
     fit(ball());
-    EXPECT_THAT(warnings(), ElementsAre("--viewpoint is for points whose normals are made, and these have some: "
-                                        "--normals none makes new ones"));
+    EXPECT_THAT(warnings(),
+                ElementsAre("--viewpoint is ignored: there are normals already (--normals none computes new ones)"));
 }
 
 TEST_F(FitPoints, ATerrainThatLooksDownIsTurned) {
@@ -211,9 +210,9 @@ TEST_F(FitPoints, ATerrainThatLooksDownIsTurned) {
         }
     const Fitted fitted = fit(terrain);
     EXPECT_EQ(fitted.up, glm::dvec3(0.0, 0.0, 1.0));
-    EXPECT_THAT(notes(), testing::Contains("the surface is a terrain that looked down along z: its normals are turned "
-                                           "(--normals keep leaves them)"));
-    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "a terrain looked down: its normals are turned");
+    EXPECT_THAT(notes(), testing::Contains(
+                             "the terrain faced down along z: its normals are turned (--normals keep leaves them)"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "terrain that faced down: normals turned");
     ASSERT_FALSE(report.notes.empty());
     EXPECT_EQ(report.notes.front().code, static_cast<std::uint32_t>(HRBFNPR_NOTE_TERRAIN_TURNED));
     EXPECT_EQ(report.notes.front().figures[0], 2.0);
@@ -224,7 +223,7 @@ TEST_F(FitPoints, ATerrainThatLooksDownIsTurned) {
 TEST_F(FitPoints, SamplesAreChosenFromManyPoints) {
     desc.flags = HRBFNPR_PICTURE_CLOSE; // The end of the surface is not looked for.
     fit(ball(5000));                    // The default uses fewer points.
-    EXPECT_THAT(notes(), ElementsAre("5000 points, of which 4096 are used; --samples N sets another number"));
+    EXPECT_THAT(notes(), ElementsAre("4096 of 5000 points are used (--samples N changes this)"));
     desc.samples = 100; // They are chosen from 4000 random points.
     EXPECT_LT(value_at_origin(fit(ball(5000)).surface.model), 0.0);
     EXPECT_THAT(notes(), IsEmpty());
@@ -243,11 +242,11 @@ TEST_F(FitPoints, UnusablePointsAreLeftOut) {
     shape.normals[6].y = std::numeric_limits<double>::infinity();
     shape.points[8].z = -9999.0;
     fit(shape);
-    EXPECT_THAT(notes(), ElementsAre("1 point at -9999, which stands for no data, left out",
-                                     "3 points without a usable position or normal are left out"));
+    EXPECT_THAT(notes(), ElementsAre("1 point left out: the value -9999 marks missing data",
+                                     "3 points left out: without a usable position or normal"));
     EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "246 samples");
     shape.points.assign(250, glm::dvec3(nan));
-    EXPECT_EQ(refusal(shape), "no point is finite and has a normal that is not zero");
+    EXPECT_EQ(refusal(shape), "no point has both a finite position and a normal that is not zero");
     EXPECT_NE(refusal(Shape(pool)), "");
     EXPECT_NE(refusal(without_normals(shape)), "");
 }
@@ -258,7 +257,7 @@ TEST_F(FitPoints, NonFiniteFacesAreLeftOut) {
     mesh.points[0].x = nan;
     with_call([&](const Call& call) { leave_out_unusable(call, mesh); });
     EXPECT_EQ(mesh.triangles.size(), 2U);
-    EXPECT_THAT(warnings(), ElementsAre("1 face with a corner that is not finite left out"));
+    EXPECT_THAT(warnings(), ElementsAre("1 face left out: a corner is not finite"));
     mesh.points[2] = mesh.points[5] = glm::dvec3(nan);
     EXPECT_THROW(with_call([&](const Call& call) { leave_out_unusable(call, mesh); }), Error);
     EXPECT_EQ(mesh.triangles.size(), 2U);
@@ -279,7 +278,7 @@ TEST_F(FitPoints, PlacesWithSeveralNormalsAreReported) {
         shape.points.push_back(shape.points[i]);
         shape.normals.push_back(-shape.normals[i]);
     }
-    EXPECT_EQ(refusal(shape), "all points are in pairs with opposite normals");
+    EXPECT_EQ(refusal(shape), "all points come in pairs with opposite normals");
 }
 
 TEST_F(FitPoints, PointsFarFromAllOthersAreLeftOut) {
@@ -299,15 +298,14 @@ TEST_F(FitPoints, NoiseIsSmoothed) {
     Shape noisy = ball(400);
     for (std::size_t i = 0; i < noisy.points.size(); ++i)
         noisy.points[i] *= 1.0 + 0.03 * std::sin(17.0 * static_cast<double>(i * i % 97));
-    const char* const smooth =
-        "the samples have noise, and the surface is smooth (--regularization 0 goes through all of them)";
+    const char* const smooth = "the samples are noisy: the surface is smoothed (--regularization 0 keeps the noise)";
     fit(noisy);
     EXPECT_THAT(notes(), testing::Contains(smooth));
     EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; samples within "));
     change("fit.regularization", "0");
     fit(noisy);
     EXPECT_THAT(notes(), testing::Not(testing::Contains(smooth)));
-    EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; through all samples"));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; passes through all samples"));
 }
 
 TEST_F(FitPoints, FitOptionsAreApplied) {
@@ -328,12 +326,12 @@ TEST_F(FitPoints, TooFewPointsGiveAWarning) {
         with_call([&](const Call& call) { tell_thin_evidence(call, points); });
         return warnings();
     };
-    EXPECT_THAT(told_of({{1, 2, 3}}), ElementsAre("there is one point only: what is drawn is its plane"));
+    EXPECT_THAT(told_of({{1, 2, 3}}), ElementsAre("there is only one point: its plane is drawn"));
     EXPECT_THAT(told_of({{1, 2, 3}, {2, 2, 3}}),
-                ElementsAre("there are 2 points only: the surface between them is a guess"));
-    EXPECT_THAT(told_of({{1, 2, 3}}, 10), ElementsAre("all points are on a line: the surface beside it is a guess"));
+                ElementsAre("there are only 2 points: the surface between them is a guess"));
+    EXPECT_THAT(told_of({{1, 2, 3}}, 10), ElementsAre("all points lie on a line: the surface beside it is a guess"));
     EXPECT_THAT(told_of({{1, 2, 3}, {3, -1, 1}}, 10),
-                ElementsAre("all points lie in a plane: the surface is flat, and ends where they do"));
+                ElementsAre("all points lie in a plane: the surface is flat and ends where they do"));
     EXPECT_THAT(told_of({{1, 2, 3}, {3, -1, 1}, {1, 0, 0}}, 5), IsEmpty());
     EXPECT_THAT(told_of({{nan, 2, 3}, {3, -1, 1}, {1, 0, 0}}, 5), IsEmpty());
 }
@@ -361,19 +359,17 @@ Shape depth_image(int columns, int rows, Pool& pool) {
 TEST_F(FitPoints, ADepthImageIsSmoothed) {
     desc.samples = 120;
     const Fitted fitted = fit(depth_image(60, 40, pool));
-    EXPECT_THAT(said_of(HRBFNPR_STAGE_SMOOTH), testing::StartsWith("2280 pixels of 60 x 40, over "));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_SMOOTH), testing::StartsWith("2280 points in 60 x 40 pixels, smoothed over "));
     EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "120 samples");
     EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "no such stage");
-    EXPECT_THAT(notes(),
-                testing::Contains(HasSubstr(": it is smoothed (--depth-smoothing F: more or less, 0 keeps it)")));
+    EXPECT_THAT(notes(), testing::Contains(HasSubstr(": it is smoothed (--depth-smoothing 0 keeps it)")));
     EXPECT_EQ(fitted.up, glm::dvec3(0.0, 1.0, 0.0));
     EXPECT_GT(value_at_origin(fitted.surface.model), 0.0) << "the camera is outside";
     desc.depth_smoothing = 0.0;
     desc.viewpoint[0] = desc.viewpoint[1] = desc.viewpoint[2] = 1.0;
     fit(depth_image(60, 40, pool));
-    EXPECT_THAT(notes(), testing::Contains(HasSubstr(": the points keep it")));
-    EXPECT_THAT(warnings(),
-                testing::Contains("--viewpoint is not used: the points are a picture, whose camera is known"));
+    EXPECT_THAT(notes(), testing::Contains(HasSubstr(": it is kept")));
+    EXPECT_THAT(warnings(), testing::Contains("--viewpoint is ignored: the camera of the depth image is known"));
 }
 
 // ---- Nearness
@@ -385,13 +381,14 @@ TEST_F(FitPoints, DistancesAreWrittenInWords) {
     found.mesh_p99 = 0.001;
     found.mesh_max = 0.0456;
     EXPECT_EQ(distances_in_words(found, 2.0, pool),
-              "surface to mesh: 99 % within 0.10% of the diagonal, all within 1.00%; mesh to surface: 0.05%, 2.28%");
+              "99% of surface and mesh are within 0.10% of the diagonal of each other, all within 2.28%");
     found.mesh_max = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(distances_in_words(found, 2.0, pool), "99% of surface and mesh are within 0.10% of the diagonal of each "
+                                                    "other, but parts of the mesh have no surface near them");
     found.mesh_p99 = nan;
-    EXPECT_EQ(distances_in_words(found, 2.0, pool), "surface to mesh: 99 % within 0.10% of the diagonal, all within "
-                                                    "1.00%; mesh to surface: not found, and somewhere none is near");
+    EXPECT_EQ(distances_in_words(found, 2.0, pool), "parts of the mesh have no surface near them");
     found.surface_p99 = nan;
-    EXPECT_EQ(distances_in_words(found, 2.0, pool), "no surface was found to measure from; mesh to surface: not found");
+    EXPECT_EQ(distances_in_words(found, 2.0, pool), "no surface near the mesh");
     EXPECT_EQ(percent_of(nan, 1, pool), "nan%");
 }
 
@@ -410,9 +407,9 @@ TEST_F(FitPoints, RepairedAndDoubtfulSamplesAreReported) {
         tell_doubted_samples(call, info);
     });
     EXPECT_THAT(notes(),
-                ElementsAre("1 sample merged with another at the same place", "2 samples merged with another very near",
-                            "3 samples dropped as strays", "4 samples with a flipped normal repaired"));
-    EXPECT_THAT(warnings(), ElementsAre("5 samples look as if their normal were flipped: --flipped-normals reorient "
+                ElementsAre("1 sample merged with another at the same place", "2 samples merged with a very near one",
+                            "3 samples left out as strays", "4 samples with a flipped normal turned"));
+    EXPECT_THAT(warnings(), ElementsAre("5 samples look as if their normals were flipped: --flipped-normals reorient "
                                         "turns them"));
 }
 

@@ -217,19 +217,19 @@ TEST_F(SettingsTest, InvalidValuesAreNamed) {
          "marks.layers[0].budget: a whole number is needed, not 1.5"},
         {R"("marks": {"layers": [{"kind": "any"}]})", "marks.layers[0].kind: one of stipples"},
         {R"("marks": {"box_resolution": -1})", "marks.box_resolution: a number that fits a uint32_t is needed, not -1"},
-        {R"("camera": {"eye": [0, 0, 1]})", "camera.target: it is missing, and needed"},
+        {R"("camera": {"eye": [0, 0, 1]})", "camera.target: it is missing"},
         {R"("camera": {"view": )" + zeros + R"(, "projection": )" + zeros + "}", "size: it is missing"},
-        {R"("size": [9, 9], "camera": {"view": )" + zeros + "}", "camera.projection: it is missing, and needed"},
+        {R"("size": [9, 9], "camera": {"view": )" + zeros + "}", "camera.projection: it is missing"},
         {R"("camera": {"eye": [0,0,1], "target": [0,0,0], "up": [0,1,0], "vertical_angle": 0, "near_plane": 1,
             "far_plane": 2})",
-         "camera.view_height: it is missing, and needed"},
+         "camera.view_height: it is missing"},
         {R"("camera": {"eye": [0,0,1], "target": [0,0,0], "up": [0,1,0], "vertical_angle": 4, "near_plane": 1,
             "far_plane": 2})",
          "camera.vertical_angle: a number from 0 to 3.14 is needed, not 4"},
         {R"("fit": {"kernel": "csg"})", "fit.kernel: one of triharmonic, gaussian, wendland_c2 is needed"},
         {R"("line_set": {"lines": [{"kind": "contour"}]})", "line_set.lines[0].kind: one of ridge"},
         {R"("paint": 1)", "paint: a list of objects is needed, not 1"},
-        {R"("paint": [)" + dab + R"(, "value": 0}, )" + dab + "}]", "paint[1].value: it is missing, and needed"},
+        {R"("paint": [)" + dab + R"(, "value": 0}, )" + dab + "}]", "paint[1].value: it is missing"},
         {R"("paint": [{"map": "tone", "position": [0,0,0], "normal": [0,0,1], "radius": 0, "strength": 1, "value": 0}])",
          "paint[0].radius: a number above 0 is needed, not 0"},
         {R"("paint": [{"map": "colour"}])", "paint[0].map: one of tone, density, direction is needed, not \"colour\""},
@@ -242,16 +242,17 @@ TEST_F(SettingsTest, InvalidValuesAreNamed) {
 }
 
 TEST_F(SettingsTest, OtherTextsAreRefused) {
-    EXPECT_EQ(refused("{}"), "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
-    EXPECT_EQ(refused("[1]"), "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
-    EXPECT_EQ(refused("7"), "these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
-    EXPECT_EQ(refused(R"({"hrbfnpr-settings": 2})"), "hrbfnpr-settings: version 1 is known here, not 2");
-    EXPECT_EQ(refused(R"({"hrbfnpr-settings": "1"})"), "hrbfnpr-settings: version 1 is known here, not \"1\"");
-    EXPECT_TRUE(refused("{\n\"a\": }").starts_with("this is no JSON: line 2, column 6: syntax error"));
+    EXPECT_EQ(refused("{}"), "this is not a settings file: it must begin with {\"hrbfnpr-settings\": 1}");
+    EXPECT_EQ(refused("[1]"), "this is not a settings file: it must begin with {\"hrbfnpr-settings\": 1}");
+    EXPECT_EQ(refused("7"), "this is not a settings file: it must begin with {\"hrbfnpr-settings\": 1}");
+    EXPECT_EQ(refused(R"({"hrbfnpr-settings": 2})"), "hrbfnpr-settings: version 1 is needed, not 2");
+    EXPECT_EQ(refused(R"({"hrbfnpr-settings": "1"})"), "hrbfnpr-settings: version 1 is needed, not \"1\"");
+    EXPECT_TRUE(refused("{\n\"a\": }").starts_with("this is not JSON: line 2, column 6: syntax error"));
     for (const char* text : {"", "{", "{} {}", "nan", "{\"a\": NaN}", "\xff", "\"\xff\"", "\"\\ud800\"", "1e999"})
-        EXPECT_TRUE(refused(text).starts_with("this is no JSON: ")) << text << ": " << refused(text);
-    EXPECT_NE(refused(std::string(100'000, '[')).find("lie in each other"), std::string::npos);
-    EXPECT_NE(refused(std::string(settings_tuning.most_bytes + 1, ' ')).find("are no settings"), std::string::npos);
+        EXPECT_TRUE(refused(text).starts_with("this is not JSON: ")) << text << ": " << refused(text);
+    EXPECT_NE(refused(std::string(100'000, '[')).find("nested more than"), std::string::npos);
+    EXPECT_NE(refused(std::string(settings_tuning.most_bytes + 1, ' ')).find(" bytes are too large"),
+              std::string::npos);
     std::string many = "{\"hrbfnpr-settings\": 1";
     for (int i = 0; i < 20'000; ++i) many += ", \"key" + std::to_string(i) + "\": [[], {}]";
     EXPECT_TRUE(refused(many + "}").starts_with("key0: there is no such field; there are "));

@@ -245,7 +245,7 @@ TEST_F(Subdivide, RefusesMeshesItCannotDivide) {
     EXPECT_EQ(message(Shape(pool), 1), "there are no faces to subdivide");
     EXPECT_EQ(message(cube(), 7), "rounds is 7; it must be from 0 to 6");
     EXPECT_EQ(message(shape_of(test::icosphere(4), pool), 5),
-              "5120 faces are 5242880 after 5 rounds of subdivision, and 4000000 are the most: subdivide fewer times");
+              "5120 faces become 5242880 after 5 rounds of subdivision, and 4000000 are the most: use fewer rounds");
 }
 
 // ---- What it stands on

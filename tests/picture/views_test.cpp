@@ -82,7 +82,7 @@ TEST_F(ViewsTest, ASheetHasItsViewsInLayers) {
     EXPECT_EQ(info.width, 297.0);
     EXPECT_EQ(info.unit_mm, 20.0);
     ASSERT_EQ(planned.report->stages.size(), 2U);
-    EXPECT_THAT(std::string(planned.report->stages[0].says), HasSubstr("triangles; 0 sharp edges of the mesh"));
+    EXPECT_THAT(std::string(planned.report->stages[0].says), HasSubstr("0 sharp edges of the mesh on "));
     EXPECT_EQ(planned.report->stages[1].says, "front, top, A-A");
     EXPECT_EQ(written(), sheet);
 }
@@ -98,14 +98,14 @@ TEST_F(ViewsTest, UnitsAndTitlesAreApplied) {
     EXPECT_STREQ(info.scale_text, "1:10"); // The sphere takes 200 of 247 mm.
     ASSERT_EQ(planned.report->notes.size(), 1U);
     EXPECT_EQ(planned.report->notes[0].code, std::uint32_t{HRBFNPR_NOTE_UNIT_IS_METRE});
-    EXPECT_EQ(planned.report->notes[0].text, "glTF is in metres: a unit is 1000 mm; --unit-mm sets another");
+    EXPECT_EQ(planned.report->notes[0].text, "glTF is in metres: a unit is 1000 mm (--unit-mm changes it)");
 }
 
 TEST_F(ViewsTest, ImpossibleViewsAreRefusedInTheCallersWords) {
     desc.sections = "x:3";
-    EXPECT_THAT(refusal(), HasSubstr("--section: the plane at 3 misses the model, which is between -0.999"));
+    EXPECT_THAT(refusal(), HasSubstr("--section: the plane at 3 misses the model, which lies between -0.999"));
     desc.sections = "y:-3"; // The cut is seen against its axis, but the message uses the axis.
-    EXPECT_THAT(refusal(), HasSubstr("--section: the plane at -3 misses the model, which is between -"));
+    EXPECT_THAT(refusal(), HasSubstr("--section: the plane at -3 misses the model, which lies between -"));
     desc.sections = nullptr;
     desc.smooth = "ridges,hills";
     EXPECT_THAT(refusal(), HasSubstr("'hills'; there are ridges, valleys, suggestive and none"));

@@ -21,6 +21,7 @@ namespace HrbfNpr
             Figures = new ReadOnlyCollection<double>(figures);
             Text = Errors.Utf8((byte*)note->text);
             Advice = note->advice == IntPtr.Zero ? null : Errors.Utf8((byte*)note->advice);
+            Detail = note->detail == IntPtr.Zero ? null : Errors.Utf8((byte*)note->detail);
         }
 
         /// <summary>What the note is about.</summary>
@@ -32,13 +33,16 @@ namespace HrbfNpr
         /// <summary>The figures of its <see cref="NoteCode"/>, in the order of the brackets there.</summary>
         public IReadOnlyList<double> Figures { get; }
 
-        /// <summary>One sentence without a full stop.</summary>
+        /// <summary>A short sentence without a full stop.</summary>
         public string Text { get; }
 
-        /// <summary>What to do about it; null if the text says it, or if there is nothing to say.</summary>
+        /// <summary>What to do about it; null if the text says it or nothing needs doing.</summary>
         public string Advice { get; }
 
-        /// <summary>Returns the text.</summary>
+        /// <summary>One or two more sentences that explain the text; null if none.</summary>
+        public string Detail { get; }
+
+        /// <summary>The text.</summary>
         public override string ToString()
         {
             return Text;

@@ -186,7 +186,7 @@ namespace HrbfNpr
             get { return insideOut != 0; }
         }
 
-        /// <summary>Reason for <see cref="Up"/>, such as "it is so in PLY files"; empty if up is not known.</summary>
+        /// <summary>Reason for <see cref="Up"/>, such as "as in PLY files"; empty if up is not known.</summary>
         public string UpReason
         {
             get

@@ -57,6 +57,7 @@ namespace HrbfNpr
         internal fixed double figures[8];
         internal IntPtr text;
         internal IntPtr advice;
+        internal IntPtr detail;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_picture_event")]

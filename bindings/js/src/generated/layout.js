@@ -747,13 +747,14 @@ export const STRUCTS = {
     value: ["f64", 72],
     direction: ["f64", 80, 3],
   } },
-  hrbfnpr_note: { size: 88, sized: true, fields: {
+  hrbfnpr_note: { size: 96, sized: true, fields: {
     code: ["u32", 4, 0, "NOTE"],
     severity: ["u32", 8, 0, "SEVERITY"],
     figureCount: ["u32", 12],
     figures: ["f64", 16, 8],
     text: ["text", 80],
     advice: ["text", 84],
+    detail: ["text", 88],
   } },
   hrbfnpr_picture_event: { size: 40, sized: true, fields: {
     stage: ["u32", 4, 0, "STAGE"],
@@ -1056,7 +1057,8 @@ export const OFFSETS = {
     136, point_set: 140, up: 144, up_by: 168, viewpoint: 176, columns: 200, rows: 208, name: 216},
   hrbfnpr_change: {struct_size: 0, reserved: 4, field: 8, value: 12},
   hrbfnpr_dab: {struct_size: 0, map: 4, position: 8, normal: 32, radius: 56, strength: 64, value: 72, direction: 80},
-  hrbfnpr_note: {struct_size: 0, code: 4, severity: 8, figure_count: 12, figures: 16, text: 80, advice: 84},
+  hrbfnpr_note: {struct_size: 0, code: 4, severity: 8, figure_count: 12, figures: 16, text: 80, advice: 84, detail:
+    88},
   hrbfnpr_picture_event: {struct_size: 0, stage: 4, fraction: 8, seconds: 16, name: 24, doing: 28, says: 32, note:
     36},
   hrbfnpr_picture_desc: {struct_size: 0, flags: 4, sources: 8, source_count: 16, source_stride: 24, preset: 32,

@@ -2063,10 +2063,15 @@ export interface Note {
   figureCount?: number;
   /** figures of the code, in the order of its brackets */
   figures?: Numbers;
-  /** one sentence without a full stop, UTF-8, in the words of `wording` */
+  /**
+   * a short sentence without a full stop, UTF-8, in the words of `wording`; at most 100 bytes for notes and
+   * warnings
+   */
   text?: string;
-  /** what to do about it, in the same words; NULL where the text says it, or there is nothing to say */
+  /** what to do about it, in the same words; NULL if the text says it or nothing needs doing */
   advice?: string;
+  /** one or two more sentences that explain the text, in the same words; NULL if none */
+  detail?: string;
 }
 
 /** What happens while a picture is made: a new note, or the progress of a stage. */
@@ -2355,7 +2360,7 @@ export interface SourceInfo {
   readonly area: number;
   /** enclosed volume, in cubed units of the source; 0 if the mesh is not closed */
   readonly volume: number;
-  /** reason for `up`, such as "it is so in PLY files"; "" = up is not known */
+  /** reason for `up`, such as "as in PLY files"; "" = up is not known */
   readonly upReason: string;
 }
 

@@ -1332,7 +1332,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_note>() == either(96, 88, 88));
+    assert!(size_of::<hrbfnpr_note>() == either(104, 96, 92));
     assert!(align_of::<hrbfnpr_note>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1345,6 +1345,7 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_note, figures) == 16);
     assert!(offset_of!(hrbfnpr_note, text) == 80);
     assert!(offset_of!(hrbfnpr_note, advice) == either(88, 84, 84));
+    assert!(offset_of!(hrbfnpr_note, detail) == either(96, 88, 88));
 };
 
 const _: () = {

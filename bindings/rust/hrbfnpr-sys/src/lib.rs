@@ -5117,10 +5117,13 @@ pub struct hrbfnpr_note {
     pub figure_count: u32,
     /// figures of the code, in the order of its brackets
     pub figures: [f64; 8],
-    /// one sentence without a full stop, UTF-8, in the words of `wording`
+    /// a short sentence without a full stop, UTF-8, in the words of `wording`; at most 100 bytes
+    /// for notes and warnings
     pub text: *const c_char,
-    /// what to do about it, in the same words; NULL where the text says it, or there is nothing to say
+    /// what to do about it, in the same words; NULL if the text says it or nothing needs doing
     pub advice: *const c_char,
+    /// one or two more sentences that explain the text, in the same words; NULL if none
+    pub detail: *const c_char,
 }
 
 extern "C" {
@@ -5434,7 +5437,7 @@ pub struct hrbfnpr_source_info {
     pub area: f64,
     /// enclosed volume, in cubed units of the source; 0 if the mesh is not closed
     pub volume: f64,
-    /// reason for `up`, such as "it is so in PLY files"; "" = up is not known
+    /// reason for `up`, such as "as in PLY files"; "" = up is not known
     pub up_reason: [c_char; 128],
 }
 
