@@ -46,157 +46,217 @@ def flag(name, target, words=""):
 
 GROUPS = {
     "": [
-        flag("allow_blank", "flags.ALLOW_BLANK", "make the picture even if hardly anything is seen"),
-        Option("size", "", "size", "WxH", "pixels, or the longer side alone; 1600"),
+        flag("allow_blank", "flags.ALLOW_BLANK", "write the picture even if hardly anything is visible in it"),
+        Option("size", "", "size", "WxH", "size of the picture in pixels, or its longer side alone; 1 to 32768 "
+               "(default: 1600)"),  # fmt: skip
     ],
     "style": [
-        number("mark_radius", "pen", "PIXELS"),
-        Option("ink", "style.ink", "paint", "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1"),
-        Option("paper", "style.paper", "paint", "COLOUR", "as that of ink"),
-        flag("transparent", "flags.TRANSPARENT", "paper that lets all through"),
-        choice("sides", "sides", "of a surface on which marks are drawn: auto = both of one that ends"),
-        choice("hidden_lines", "style.hidden_lines", "what becomes of them"),
-        choice("visibility", "style.visibility", "how hidden marks are found"),
-        number("delta", "style.silhouette_threshold", "X", "limit of silhouettes, 0 to 1", "silhouette_threshold"),
-        Option("lines", "lines", "lines", "KINDS", "lines drawn as curves: contour, suggestive, ridges, valleys, apparent, "
-               "parabolic, isophotes, section, border, crease, with commas between; section=z:20, isophotes=0.3:0.6; none; "
-               "those of the style"),  # fmt: skip
-        choice("hidden", "style.lines.hidden", "hidden parts of lines"),
-        number("support", "line_set.support", "S", "where lines end beyond the samples of open data: 1.5 close to even "
-               "ones, 3 farther; 0 nowhere; 3 with a border among the lines, else 0"),  # fmt: skip
-        number("line_width", "line_width", "PIXELS", "of contours; others are finer"),
-        number("outline", "style.lines.outline_factor", "X", "times the width of lines where nothing lies beside them; 1.5 "
-               "of silhouette and xray, else 1", "outline_factor"),  # fmt: skip
-        number("far_lines", "style.lines.far_factor", "X", "times the width of lines at the farthest place; 1", "far_factor"),
-        number("lit_lines", "style.lines.lit_factor", "X", "times the width of lines towards the light; 1", "lit_factor"),
-        number("sharp_lines", "style.lines.curvature_factor", "X", "times the width of lines where the surface bends sharply; "
-               "1", "curvature_factor"),  # fmt: skip
-        number("wobble", "style.lines.wobble", "WIDTHS", "how far lines stray, as of an unsteady hand; their width varies by "
-               "half as much; 0"),  # fmt: skip
-        number("attenuation_front", "style.attenuation_front", "LAMBDA", "of what lies behind front marks"),
-        number("attenuation_back", "style.attenuation_back", "LAMBDA", "of what lies behind back marks"),
-        number("splat_radius", "style.splat_radius", "PIXELS", "of the splats that stand for the surface; automatic"),
-        number("splat_overlap", "style.splat_overlap", "N", "opacity of a layer of surface; 0 as published"),
-        number("halo", "style.halo_width", "PIXELS", "how far beyond its contour a surface hides; as the pen", "halo_width"),
-        choice("tone", "style.tone", "what marks are dense by", "none light"),
-        choice("tone_rule", "style.tone_rule", "how tone, depth, zoom and share combine"),
-        choice("tone_curve", "style.tone_curve", "what is as dark as asked for"),
-        number("tone_fade", "style.tone_fade", "X", "share of marks that grow instead of popping, 0 to 1"),
-        number("tone_exponent", "style.tone_exponent", "LAMBDA", "of the tone law; more is darker"),
-        number("fill_light", "style.fill_light", "X", "from the side opposite to the light, 0 to 1"),
-        Option("light", "style.light", "direction", "X,Y,Z", "towards the light"),
-        choice("light_space", "style.light_space", "frame of the light"),
-        Option("depth_range", "", "interval", "MIN,MAX", "distances between which marks vanish"),
-        number("zoom_reference", "style.zoom_reference", "X", "pixels per unit at which all marks show"),
-        number("zoom_exponent", "style.zoom_exponent", "X", "how fast they vanish below it"),
-        Option("silhouette_ink", "style.silhouette_ink", "paint", "COLOUR", "as that of ink"),
-        number("silhouette_radius", "style.silhouette_radius", "PIXELS", "of silhouette marks"),
-        choice("shape", "style.layers.shape", "how marks of strokes are drawn"),
-        Option("scale_bar", "scale_bar", "text", "UNIT", "a scale bar below the picture, its length in this unit; none: no "
-               "bar; units of archaeological"),  # fmt: skip
-        choice("profile", "profile", "whether an upright section through the middle is drawn beside the picture; yes of "
-               "archaeological", "yes no"),  # fmt: skip
-        number("share", "style.layers.share", "X", "share of the style's marks that is used, 0 to 1"),
+        number("mark_radius", "pen", "PIXELS", "radius of the pen in pixels, which sets the size of all marks "
+               "(default: 1/800 of the longer side, at least 0.75)"),  # fmt: skip
+        Option("ink", "style.ink", "paint", "COLOUR", "colour of all marks: #rrggbb, #rrggbbaa, or R,G,B or R,G,B,A "
+               "from 0 to 1 (default: black)"),  # fmt: skip
+        Option("paper", "style.paper", "paint", "COLOUR", "colour of the paper, written as for ink (default: white)"),
+        flag("transparent", "flags.TRANSPARENT", "leave the paper transparent"),
+        choice("sides", "sides", "sides of the surface that are drawn; auto draws both sides of an open surface "
+               "(default: auto)"),  # fmt: skip
+        choice("hidden_lines", "style.hidden_lines", "hidden marks are drawn paler, left out or drawn in full "
+               "(default: from the style)"),  # fmt: skip
+        choice("visibility", "style.visibility", "how hidden marks are found: by the layers of depth, or as in the "
+               "published article (default: depth-layers)"),  # fmt: skip
+        number("delta", "style.silhouette_threshold", "X", "largest cosine between the normal and the view at which a "
+               "mark is on the silhouette; 0 to 1 (default: 0.2)", "silhouette_threshold"),  # fmt: skip
+        Option("lines", "lines", "lines", "KINDS", "kinds of lines to draw, with commas between: contour, suggestive, "
+               "ridges, valleys, apparent, parabolic, isophotes, section, border, crease, or none; section=z:20 sets "
+               "planes, isophotes=0.3:0.6 sets levels (default: from the style)"),  # fmt: skip
+        choice("hidden", "style.lines.hidden", "how the hidden parts of lines are drawn (default: from the style)"),
+        number("support", "line_set.support", "S", "where an open surface ends beyond its samples: 1.5 near them, 3 "
+               "farther out, 0 nowhere (default: 3 with border lines, else 0)"),  # fmt: skip
+        number("line_width", "line_width", "PIXELS", "width of contours in pixels; other lines are finer (default: "
+               "from the style)"),  # fmt: skip
+        number("outline", "style.lines.outline_factor", "X", "factor of the width of lines with nothing beside them, "
+               "the outline (default: 1.5 in silhouette and xray, else 1)", "outline_factor"),  # fmt: skip
+        number("far_lines", "style.lines.far_factor", "X", "factor of the width of the farthest lines (default: 1)",
+               "far_factor"),  # fmt: skip
+        number("lit_lines", "style.lines.lit_factor", "X", "factor of the width of lines on the side towards the light "
+               "(default: 1)", "lit_factor"),  # fmt: skip
+        number("sharp_lines", "style.lines.curvature_factor", "X", "factor of the width of lines where the surface "
+               "bends sharply (default: 1)", "curvature_factor"),  # fmt: skip
+        number("wobble", "style.lines.wobble", "WIDTHS", "how far lines stray to either side, as if drawn by hand, in "
+               "line widths; 0 to 16 (default: 0)"),  # fmt: skip
+        number("attenuation_front", "style.attenuation_front", "LAMBDA", "how strongly the front of a surface hides "
+               "marks behind it; 0 shows them in full (default: from the style)"),  # fmt: skip
+        number("attenuation_back", "style.attenuation_back", "LAMBDA", "how strongly the back of a surface hides marks "
+               "behind it; 0 shows them in full (default: from the style)"),  # fmt: skip
+        number("splat_radius", "style.splat_radius", "PIXELS", "radius in pixels of the piece of surface around a mark "
+               "that hides others (default: from the marks' spacing)"),  # fmt: skip
+        number("splat_overlap", "style.splat_overlap", "N", "how opaque the surface is, as the number of pieces that "
+               "overlap; 0 as published (default: 8)"),  # fmt: skip
+        number("halo", "style.halo_width", "PIXELS", "how far a surface hides what is behind it beyond its contour, in "
+               "pixels (default: as wide as the pen)", "halo_width"),  # fmt: skip
+        choice("tone", "style.tone", "what makes the drawing light and dark: light shades it, none draws all marks "
+               "(default: from the style)", "none light"),  # fmt: skip
+        choice("tone_rule", "style.tone_rule", "how tone, depth, zoom and share combine: share multiplies them, "
+               "published follows the article (default: share)"),  # fmt: skip
+        choice("tone_curve", "style.tone_curve", "whether the tone sets the area that ink covers or the number of "
+               "marks (default: coverage)"),  # fmt: skip
+        number("tone_fade", "style.tone_fade", "X", "share of the marks that grow gradually in place of popping up; 0 "
+               "to 1 (default: 0.25)"),  # fmt: skip
+        number("tone_exponent", "style.tone_exponent", "LAMBDA", "exponent of the tone, above 0; larger is darker "
+               "(default: 1)"),  # fmt: skip
+        number("fill_light", "style.fill_light", "X", "strength of a second light from the opposite side; 0 to 1 "
+               "(default: 0.25)"),  # fmt: skip
+        Option("light", "style.light", "direction", "X,Y,Z", "direction towards the light (default: -0.4,0.6,0.7)"),
+        choice("light_space", "style.light_space", "whether the light stands in the world or moves with the camera "
+               "(default: camera)"),  # fmt: skip
+        Option("depth_range", "", "interval", "MIN,MAX", "distances from the camera between which marks fade out, with "
+               "0 < MIN < MAX (default: they do not)"),  # fmt: skip
+        number("zoom_reference", "style.zoom_reference", "X", "pixels per unit of the model from which all marks are "
+               "drawn; fewer marks below it (default: all marks always)"),  # fmt: skip
+        number("zoom_exponent", "style.zoom_exponent", "X", "how fast marks vanish below zoom_reference; at least 0, "
+               "and 2 keeps the tone (default: 2)"),  # fmt: skip
+        Option("silhouette_ink", "style.silhouette_ink", "paint", "COLOUR", "colour of silhouette marks, written as "
+               "for ink (default: black)"),  # fmt: skip
+        number("silhouette_radius", "style.silhouette_radius", "PIXELS", "radius of silhouette marks in pixels "
+               "(default: from the style)"),  # fmt: skip
+        choice("shape", "style.layers.shape", "how marks along lines of hatching are drawn (default: from the style)"),
+        Option("scale_bar", "scale_bar", "text", "UNIT", "unit of a scale bar below the picture, such as mm, or none "
+               "(default: none, units in archaeological)"),  # fmt: skip
+        choice("profile", "profile", "whether a vertical section through the middle is drawn beside the picture "
+               "(default: no, yes in archaeological)", "yes no"),  # fmt: skip
+        number("share", "style.layers.share", "X", "share of the marks that is used; 0 to 1 (default: 1)"),
         Option("set", "", "assignment", "[LAYER.]FIELD=VALUE", "any other field of a style, such as "
                "hatch.hatch_pen=1.5 or stipples.ink=#800000; may be repeated", "assignments"),  # fmt: skip
     ],
     "camera": [
-        Option("up", "up", "up", "AXIS", "x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file and the shape, y "
-               "where neither tells"),  # fmt: skip
-        number("azimuth", "azimuth", "DEGREES"),
-        number("elevation", "elevation", "DEGREES"),
-        Option("direction", "direction", "direction", "X,Y,Z", "from the eye into the scene, instead of these"),
-        Option("eye", "eye", "vector", "X,Y,Z", "place of the eye, looking at the target"),
-        Option("target", "target", "vector", "X,Y,Z", "the middle of the model"),
-        number("fov", "fov", "DEGREES", "vertical angle of view, 0 = orthographic; 30"),
-        number("margin", "margin", "SHARE", "free on each side, 0 to 0.45; 0.05"),
+        Option("up", "up", "up", "AXIS", "direction that points up: x, y, z, -x, -y, -z, X,Y,Z or auto, which judges "
+               "the format and the shape (default: auto)"),  # fmt: skip
+        number("azimuth", "azimuth", "DEGREES", "angle of the camera around the up axis in degrees (default: 30, or "
+               "the front of an open surface)"),  # fmt: skip
+        number("elevation", "elevation", "DEGREES", "angle of the camera above the horizon in degrees (default: 20)"),
+        Option("direction", "direction", "direction", "X,Y,Z", "direction from the eye into the scene, in place of "
+               "azimuth and elevation"),  # fmt: skip
+        Option("eye", "eye", "vector", "X,Y,Z", "position of the eye, which looks at the target"),
+        Option("target", "target", "vector", "X,Y,Z", "point that the camera looks at (default: the middle of the model)"),
+        number("fov", "fov", "DEGREES", "vertical angle of view in degrees; 0 is orthographic (default: 30, 0 in "
+               "archaeological)"),  # fmt: skip
+        number("margin", "margin", "SHARE", "share of the picture left free on each side; 0 to 0.45 (default: 0.05)"),
     ],
     "marks": [
-        Option("layers", "mark_kinds", "layers", "NAMES", "stipples,hatch; those the style draws"),
-        choice("distribution", "marks.distribution", "of marks over the surface"),
-        Option("marks", "marks.*.budget", "per_layer", "N", "the most marks of each layer, or LAYER=N,...; enough to make the "
-               "darkest tone nearly black", "budget"),  # fmt: skip
-        Option("levels", "marks.*.levels", "per_layer", "N", "refinement steps of published, or LAYER=N,..."),
-        number("step", "marks.initial_step", "LENGTH", "initial step rho_0 of published", "initial_step"),
-        choice("seeds", "marks.seed_source", "where marks start", alias="seed_source"),
-        Option("seed_points", "seed_points", "file", "FILE", "points to be the seeds"),
-        count("box_resolution", "marks.box_resolution", 1, 256, "cells of the box of seeds; 8"),
-        number("box_jitter", "marks.box_jitter", "X", "in cell sides, 0 to 0.5; 0.25"),
-        choice("stroke_start", "marks.layers.start", "what strokes of published start from", alias="start"),
-        count("start_level", "marks.layers.start_level", 0, 12, "last level of those stipples; 0"),
-        number("separation", "marks.layers.separation", "LENGTH", "of neighbouring lines of hatching"),
-        number("stroke_step", "marks.layers.step", "LENGTH", "of the marks along a line"),
-        choice("guide", "marks.layers.guide", "what lines of hatching follow"),
-        Option("guide_direction", "marks.layers.guide_direction", "direction", "X,Y,Z", "to the light, or to the eye, that "
-               "such a guide means; z"),  # fmt: skip
-        number("guide_weight", "marks.layers.guide_weight", "X", "of that guide; the rest of 1 is curvature's; 1"),
-        number("hatch_angle", "hatch_angle", "DEGREES", "by which all lines of hatching are turned; 90 is across what they "
-               "follow; 0"),  # fmt: skip
-        choice("density", "marks.layers.density", "where stipples are denser", "uniform curvature"),
-        number("density_strength", "marks.layers.density_strength", "X", "of curvature, 0 to 1; 0.5"),
-        choice("tone_ranges", "marks.tone_ranges", "whether one layer of marks follows the other from light to dark"),
-        count("shared_marks", "marks.shared_budget", 0, None, "the most marks of all layers together, in place of those of "
-              "each", "shared_budget"),  # fmt: skip
-        number("tone_smoothing", "marks.layers.tone_smoothing", "X", "share of the diagonal over which normals are averaged "
-               "for tone, 0 to 0.1; 0.006 of hatching, else 0"),  # fmt: skip
-        number("projection_tolerance", "marks.projection_tolerance", "X", "share of the diagonal; 1e-7"),
-        Option("curvature_of", "", "layers", "NAMES", "keep curvatures of these layers too"),
+        Option("layers", "mark_kinds", "layers", "NAMES", "layers of marks to draw: stipples, hatch or stipples,hatch "
+               "(default: from the style)"),  # fmt: skip
+        choice("distribution", "marks.distribution", "how marks are spread over the surface: evenly, or as in the "
+               "published article (default: blue-noise)"),  # fmt: skip
+        Option("marks", "marks.*.budget", "per_layer", "N", "largest number of marks of each layer, or LAYER=N,... "
+               "(default: enough for nearly black tones)", "budget"),  # fmt: skip
+        Option("levels", "marks.*.levels", "per_layer", "N", "refinement steps of the published distribution, or "
+               "LAYER=N,...; 0 to 12 (default: enough to fill the picture)"),  # fmt: skip
+        number("step", "marks.initial_step", "LENGTH", "first step of the published distribution, in units of the "
+               "model (default: from the seeds)", "initial_step"),  # fmt: skip
+        choice("seeds", "marks.seed_source", "where marks start: at the samples, in a box of cells or at seed_points "
+               "(default: auto)", alias="seed_source"),  # fmt: skip
+        Option("seed_points", "seed_points", "file", "FILE", "file of points to use as seeds"),
+        count("box_resolution", "marks.box_resolution", 1, 256, "number of cells along the longest side of the box of "
+              "seeds; 1 to 256 (default: 8)"),  # fmt: skip
+        number("box_jitter", "marks.box_jitter", "X", "how far seeds are moved at random, in cell sides; 0 to 0.5 "
+               "(default: 0.25)"),  # fmt: skip
+        choice("stroke_start", "marks.layers.start", "what strokes of the published distribution start from (default: "
+               "seeds)", alias="start"),  # fmt: skip
+        count("start_level", "marks.layers.start_level", 0, 12, "last level of stipples that strokes start from; 0 to "
+              "12 (default: 0)"),  # fmt: skip
+        number("separation", "marks.layers.separation", "LENGTH", "distance between neighbouring lines of hatching, in "
+               "units of the model (default: from the number of marks)"),  # fmt: skip
+        number("stroke_step", "marks.layers.step", "LENGTH", "distance of marks along a line of hatching, in units of "
+               "the model (default: 0.4 of the separation)"),  # fmt: skip
+        choice("guide", "marks.layers.guide", "what lines of hatching follow (default: from the style)"),
+        Option("guide_direction", "marks.layers.guide_direction", "direction", "X,Y,Z", "direction to the light or the "
+               "eye for the guides light and silhouette (default: 0,0,1)"),  # fmt: skip
+        number("guide_weight", "marks.layers.guide_weight", "X", "weight of the guide against the curvature; 0 to 1 "
+               "(default: 1)"),  # fmt: skip
+        number("hatch_angle", "hatch_angle", "DEGREES", "angle in degrees by which lines of hatching are turned; 90 "
+               "crosses the guide (default: 0)"),  # fmt: skip
+        choice("density", "marks.layers.density", "where stipples are denser: nowhere, or where the surface bends "
+               "(default: from the style)", "uniform curvature"),  # fmt: skip
+        number("density_strength", "marks.layers.density_strength", "X", "how much denser stipples are where the "
+               "surface bends; 0 to 1 (default: 0.5)"),  # fmt: skip
+        choice("tone_ranges", "marks.tone_ranges", "whether each layer shows all tones, or one layer after the other "
+               "from light to dark (default: from the style)"),  # fmt: skip
+        count("shared_marks", "marks.shared_budget", 0, None, "largest number of marks of all layers together, in "
+              "place of one number for each layer", "shared_budget"),  # fmt: skip
+        number("tone_smoothing", "marks.layers.tone_smoothing", "X", "share of the diagonal over which normals are "
+               "averaged for the tone; 0 to 0.1 (default: 0.006 for hatch, else 0)"),  # fmt: skip
+        number("projection_tolerance", "marks.projection_tolerance", "X", "largest distance of a mark from the "
+               "surface, as a share of the diagonal (default: 1e-7)"),  # fmt: skip
+        Option("curvature_of", "", "layers", "NAMES", "layers whose curvatures are kept in the result"),
     ],
     "fit": [
-        choice("kernel", "fit.kernel", "radial function", "triharmonic gaussian wendland_c2"),
-        number("kernel_radius", "fit.kernel_radius", "LENGTH", "of gaussian and wendland-c2"),
-        count("degree", "fit.polynomial_degree", -1, 3, "of the polynomial, -1 (none) to 3; 1", "polynomial_degree"),
-        Option("regularization", "fit.regularization", "number_or_auto", "X", "0 interpolates, more is smoother, auto takes "
-               "it from the noise, and is 0 if none is seen; auto, but 0 for samples of meshes"),  # fmt: skip
-        choice("solver", "fit.solver", "solver"),
-        number("tolerance", "tolerance", "LENGTH", "choose samples as centres until all are this near to the surface"),
-        count("max_centres", "maximum_centres", 0, None, "choose no more samples than this as centres", "maximum_centres"),
-        choice("outliers", "fit.outliers", "what becomes of stray samples; without normals they are dropped", "keep drop"),
-        choice("flipped_normals", "fit.flipped_normals", "what becomes of them"),
-        count("refinement_steps", "fit.refinement_steps", 0, 20, "after a direct solve; 2"),
+        choice("kernel", "fit.kernel", "radial function of the fit (default: triharmonic)",
+               "triharmonic gaussian wendland_c2"),  # fmt: skip
+        number("kernel_radius", "fit.kernel_radius", "LENGTH", "radius of the kernels gaussian and wendland-c2, in "
+               "units of the points (default: from their spacing)"),  # fmt: skip
+        count("degree", "fit.polynomial_degree", -1, 3, "degree of the polynomial of the fit, -1 (none) to 3 (default: "
+              "1)", "polynomial_degree"),  # fmt: skip
+        Option("regularization", "fit.regularization", "number_or_auto", "X", "smoothness of the fit, at least 0: 0 "
+               "passes through all samples, larger is smoother, auto measures the noise (default: auto for points, 0 "
+               "for meshes)"),  # fmt: skip
+        choice("solver", "fit.solver", "solver of the linear system (default: auto)"),
+        number("tolerance", "tolerance", "LENGTH", "largest distance between samples and surface, in units of the "
+               "model; more centres are chosen until it is reached (default: 0.002 of the diagonal for meshes, none "
+               "for points)"),  # fmt: skip
+        count("max_centres", "maximum_centres", 0, None, "largest number of samples that become centres (default: 8000 "
+              "for meshes, no limit for points)", "maximum_centres"),  # fmt: skip
+        choice("outliers", "fit.outliers", "keep or drop stray samples (default: keep, drop for points without normals)",
+               "keep drop"),  # fmt: skip
+        choice("flipped_normals", "fit.flipped_normals", "keep samples with flipped normals, drop them or turn their "
+               "normals (default: keep)"),  # fmt: skip
+        count("refinement_steps", "fit.refinement_steps", 0, 20, "steps of refinement after a direct solve; 0 to 20 "
+              "(default: 2)"),  # fmt: skip
     ],
     "samples": [
-        count("samples", "samples", 1, None, "how many samples: of a mesh (by default as many as its shape needs), or chosen "
-              "from a point set (all up to 4096 by default)"),  # fmt: skip
-        number("crease", "crease_angle", "DEGREES", "faces of a mesh that meet at a sharper angle do not share their normals; "
-               "60"),  # fmt: skip
-        Option("edges", "", "edges", "EDGES", "of a mesh: auto keeps those sharp that stand out, as of machine parts, smooth "
-               "rounds them, a number of degrees keeps all that bend more; by default as auto, and where faces are coarse as "
-               "the normals of the file tell, if they do"),  # fmt: skip
-        Option("subdivide", "subdivide", "count_or_auto 0 6", "N", "divide the faces of a mesh into four, so often, to "
-               "something round; by default where they are coarse and no edges stand out"),  # fmt: skip
-        choice("parts", "parts", "which parts of a mesh: all but those inside others (default), all, or that of the largest "
-               "area"),  # fmt: skip
-        flag("together", "flags.TOGETHER", "fit an open mesh as one surface, also where parts cross"),
-        choice("normals", "normals", "what is known of those of points: auto (default) finds it out and repairs them, keep "
-               "leaves them, none makes new ones, unoriented and mixed turn some, inward turns all",
+        count("samples", "samples", 1, None, "number of samples of a mesh or a point set (default: as many as the mesh "
+              "needs, or up to 4096 points)"),  # fmt: skip
+        number("crease", "crease_angle", "DEGREES", "angle in degrees from which faces of a mesh do not share normals; "
+               "0 to 180 (default: 60)"),  # fmt: skip
+        Option("edges", "", "edges", "EDGES", "which edges of a mesh stay sharp: auto keeps edges that stand out, "
+               "smooth rounds all, a number of degrees keeps all that bend more (default: auto, or as the normals of "
+               "the file say if faces are coarse)"),  # fmt: skip
+        Option("subdivide", "subdivide", "count_or_auto 0 6", "N", "how often each face of a mesh is divided into four "
+               "and rounded; 0 to 6 (default: as needed if faces are coarse)"),  # fmt: skip
+        choice("parts", "parts", "parts of a mesh to draw: all that are not inside others, all, or the largest by area "
+               "(default: outer)"),  # fmt: skip
+        flag("together", "flags.TOGETHER", "fit an open mesh as one surface, even if its parts cross"),
+        choice("normals", "normals", "state of the normals of points: auto finds out and repairs them, keep leaves "
+               "them, none computes new ones, unoriented and mixed turn some, inward turns all (default: auto)",
                "auto keep none unoriented mixed inward"),  # fmt: skip
-        Option("viewpoint", "viewpoint", "vector", "X,Y,Z", "where the scanner stood, in the coordinates of the file: open "
-               "surfaces of points whose normals are made look to it; by default what the file tells"),  # fmt: skip
-        number("depth_smoothing", "depth_smoothing", "F", "factor of the width over which the picture of a depth camera is "
-               "smoothed; 1, and 0 leaves its points where they are"),  # fmt: skip
-        flag("flip", "flags.FLIP"),
-        flag("close", "flags.CLOSE", "let the surface go on beyond open data, as the fit has it"),
-        count("random_seed", "random_seed", 0, 2**64 - 1),
+        Option("viewpoint", "viewpoint", "vector", "X,Y,Z", "position of the scanner; open surfaces without normals "
+               "face it (default: from the file)"),  # fmt: skip
+        number("depth_smoothing", "depth_smoothing", "F", "factor of the width over which a depth image is smoothed; 0 "
+               "leaves the points (default: 1)"),  # fmt: skip
+        flag("flip", "flags.FLIP", "turn all normals, whichever way they point"),
+        flag("close", "flags.CLOSE", "draw the surface beyond open data too, as the fit continues it"),
+        count("random_seed", "random_seed", 0, 2**64 - 1, "seed of everything random, a whole number of at least 0 "
+              "(default: 1)"),  # fmt: skip
     ],
     "vectors": [
-        Option("page", "page.paper", "page", "PAPER", "paper that the drawing fills but for 10 mm, turned as it fits better: "
-               "a4, a3, letter, ... or WIDTHxHEIGHT in mm; by default a pixel is 1/96 inch"),  # fmt: skip
-        number("page_margin", "page.paper_margin", "MM", "free on each side of the page; 10"),
-        choice("dots", "page.dots", "of stipples: circles, lines of no length that a pen touches the paper with, or spirals "
-               "that fill them; circles, which plotters fill unless in a single pass"),  # fmt: skip
-        choice("stroke_widths", "page.widths", "of strokes that swell: outlines, or classes of even widths; outlines"),
-        Option("pens", "page.pens", "pens", "GROUP=COLOUR:MM", "pens of groups, with commas between, such as "
-               "contour=#000000:0.5,hatch*=#803000:0.3; a third part is a line type of ISO 128, such as dashed"),  # fmt: skip
-        Option("pen_widths", "page.pen_widths", "pen_widths", "MM,MM", "widths of the pens at hand: each group gets the one "
-               "that is nearest to its lines' median width, or to its dots' median diameter"),  # fmt: skip
-        flag("single_pass", "page.SINGLE_PASS", "draw a line that is wider than its pen once, along its centre, and touch the "
-             "paper for a dot; else plotters, and pens in plot order, fill both by several passes"),  # fmt: skip
-        flag("plot_order", "page.IN_PLOT_ORDER", "sort lines so that a pen travels little; plotters' files always are"),
-        number("vector_tolerance", "page.tolerance", "MM", "between what is drawn and what is written; 0.05"),
-        number("draw_speed", "page.draw_speed", "MM/S", "of a plotter's pen, for the time it takes; 30"),
-        Option("pen_up", "page.pen_up", "text", "GCODE", "raises the pen in .gcode; G0 Z5"),
-        Option("pen_down", "page.pen_down", "text", "GCODE", "lowers it; G1 Z0"),
+        Option("page", "page.paper", "page", "PAPER", "size of the paper: a0 to a6, letter, legal, tabloid or "
+               "WIDTHxHEIGHT in mm; the drawing is turned to fill it (default: 1/96 inch for each pixel)"),  # fmt: skip
+        number("page_margin", "page.paper_margin", "MM", "free space on each side of the page in mm (default: 10)"),
+        choice("dots", "page.dots", "how dots are drawn: circles, points that the pen touches, or spirals that fill "
+               "them (default: circles)"),  # fmt: skip
+        choice("stroke_widths", "page.widths", "how lines of varying width are drawn: as filled outlines, or split "
+               "into classes of one width (default: outlines)"),  # fmt: skip
+        Option("pens", "page.pens", "pens", "GROUP=COLOUR:MM", "pens for groups of lines, with commas between, as "
+               "GROUP=COLOUR:MM or GROUP=COLOUR:MM:TYPE, such as contour=#000000:0.5 or hatch*=#803000:0.3:dashed"),  # fmt: skip
+        Option("pen_widths", "page.pen_widths", "pen_widths", "MM,MM", "widths of your pens in mm: each group of lines "
+               "gets the nearest one"),  # fmt: skip
+        flag("single_pass", "page.SINGLE_PASS", "draw each line once along its centre, even if it is wider than the "
+             "pen; dots are touched once"),  # fmt: skip
+        flag("plot_order", "page.IN_PLOT_ORDER", "order lines so that a pen travels little; files for plotters always are"),
+        number("vector_tolerance", "page.tolerance", "MM", "largest distance between drawn and written lines in mm, "
+               "0.001 to 10 (default: 0.05)"),  # fmt: skip
+        number("draw_speed", "page.draw_speed", "MM/S", "speed of the plotter's pen in mm/s, to estimate the time "
+               "(default: 30)"),  # fmt: skip
+        Option("pen_up", "page.pen_up", "text", "GCODE", "G-code that raises the pen (default: G0 Z5)"),
+        Option("pen_down", "page.pen_down", "text", "GCODE", "G-code that lowers the pen (default: G1 Z0)"),
     ],
 }
 

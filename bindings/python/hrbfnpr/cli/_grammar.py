@@ -21,7 +21,7 @@ VIEWS = {
 }  # fmt: skip
 SHEET_VIEWS = ("front", "back", "left", "right", "top", "bottom", "iso")
 SMOOTH = ("ridges", "valleys", "suggestive")
-_TITLES = {"vectors": "of .svg, .pdf, .hpgl (.plt) and .gcode (.nc, .ngc)"}
+_TITLES = {"vectors": "for outputs .svg, .pdf, .hpgl (.plt) and .gcode (.nc, .ngc)"}
 _DRAWING = ("", "style", "camera", "marks", "fit", "samples", "vectors")
 _SURFACE = ("fit", "samples")
 
@@ -58,7 +58,7 @@ def _add_option(group: Any, row: Option) -> None:
         group.add_argument(name, dest=dest, action="store_true", help=words)
     elif row.choices:
         shown = [choice.replace("_", "-") for choice in row.choices]
-        words = f"{words}: {', '.join(shown)}"
+        words = f"{words}; one of {', '.join(shown)}"
         group.add_argument(name, dest=dest, default=None, choices=shown, metavar=row.metavar, help=words)
     elif row.kind == "assignment":
         group.add_argument(name, dest=dest, action="append", default=[], type=values.assignment, metavar=row.metavar, help=words)
@@ -73,8 +73,8 @@ def _add_groups(parser: Parser, groups: Sequence[str], without: Sequence[str] = 
             if row.group == title and row.name not in without:
                 _add_option(group, row)
         if title == "style":
-            group.add_argument("--style", default=None, choices=PRESETS, metavar="NAME", help="named style, "
-                               f"{DEFAULT_STYLE} by default: {', '.join(PRESETS)}")  # fmt: skip
+            group.add_argument("--style", default=None, choices=PRESETS, metavar="NAME", help="style of the "
+                               f"drawing, one of {', '.join(PRESETS)} (default: {DEFAULT_STYLE})")  # fmt: skip
         if title == "marks":
             group.add_argument("--budget", dest="option_marks", type=values.per_layer, help=argparse.SUPPRESS)
 
@@ -85,35 +85,42 @@ def _add(group: Any, option: str, kind: Any, metavar: str, words: str, default: 
 
 def _add_common(parser: Parser) -> None:
     group = parser.add_argument_group("general")
-    _add(group, "--threads", values.count(0, 256), "N", "threads, 0 = all processors (default)")
-    group.add_argument("-q", "--quiet", action="store_true", help="warnings and errors only")
+    _add(group, "--threads", values.count(0, 256), "N", "number of threads, 0 to 256; 0 uses all processors (default: 0)")
+    either = group.add_mutually_exclusive_group()
+    either.add_argument("-q", "--quiet", action="store_true", help="print only warnings and errors")
+    either.add_argument("-v", "--verbose", action="store_true", help="print the details of notes and warnings too")
 
 
-def _add_output(parser: Parser, ending: str, what: str = "picture, or vectors where the command draws them (.svg, .pdf, "
-                ".hpgl, .gcode)") -> None:  # fmt: skip
-    words = f"{what}; INPUT's name with {ending} by default"
+def _add_output(parser: Parser, ending: str, what: str = "file of the picture, or of vectors if the command draws them (.svg, "
+                ".pdf, .hpgl, .gcode)") -> None:  # fmt: skip
+    words = f"{what} (default: the name of INPUT with {ending})"
     parser.add_argument("output", metavar="OUTPUT", nargs="?", help=words)
-    parser.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the same as an option")
+    parser.add_argument("-o", "--output", dest="output_option", metavar="OUTPUT", help="the output, given as an option")
 
 
 def _add_cells(parser: Parser) -> None:
     group = parser.add_argument_group("sheet")
-    _add(group, "--styles", values.styles, "NAMES", f"named styles, all by default: {', '.join(PRESETS)}")
-    _add(group, "--views", values.one_of("view", VIEWS), "NAMES", "each style from these sides, instead of --azimuth and "
-         f"--elevation: {', '.join(VIEWS)}")  # fmt: skip
-    _add(group, "--size", values.count(16, 4096), "PIXELS", "longer side of each drawing; 640", dest="option_size")
-    _add(group, "--columns", values.count(1), "N", "drawings beside each other; as many as make the sheet about square, or "
-         "one for each view")  # fmt: skip
+    _add(group, "--styles", values.styles, "NAMES", f"styles, with commas between: {', '.join(PRESETS)} (default: all)")
+    _add(group, "--views", values.one_of("view", VIEWS), "NAMES", "views of each style, with commas between, in place of "
+         f"--azimuth and --elevation: {', '.join(VIEWS)}")  # fmt: skip
+    _add(group, "--size", values.count(16, 4096), "PIXELS", "longer side of each drawing in pixels, 16 to 4096 (default: 640)",
+         dest="option_size")  # fmt: skip
+    _add(group, "--columns", values.count(1), "N", "number of drawings side by side (default: one for each view, or as "
+         "many as make the sheet about square)")  # fmt: skip
 
 
 def _add_turn(parser: Parser) -> None:
-    _add_output(parser, ".gif", "animation (.gif, .png or .apng, .mp4), or pictures where it has a number, such as %%03d.png")
+    _add_output(parser, ".gif", "animation (.gif, .png, .apng or .mp4), or pictures if the name has a number, such as "
+                "%%03d.png")  # fmt: skip
     group = parser.add_argument_group("turntable")
-    _add(group, "--frames", values.count(1, 100_000), "N", "how many; 36", 36)
-    _add(group, "--fps", values.number, "N", "frames in a second; 12", 12.0)
-    _add(group, "--turn", values.number, "DEGREES", "of the camera about the up axis, from --azimuth on; 360", 360.0)
-    _add(group, "--loops", values.count(0, 65535), "N", "how often .gif and .png are shown, 0 = without end; 0", 0)
-    _add(group, "--size", values.size, "WxH", "pixels, or the longer side alone; 480", 480, dest="option_size")
+    _add(group, "--frames", values.count(1, 100_000), "N", "number of frames, 1 to 100000 (default: 36)", 36)
+    _add(group, "--fps", values.number, "N", "frames per second, above 0, at most 1000 (default: 12)", 12.0)
+    _add(group, "--turn", values.number, "DEGREES", "angle that the camera turns around the up axis, from --azimuth "
+         "(default: 360)", 360.0)  # fmt: skip
+    _add(group, "--loops", values.count(0, 65535), "N", "how often .gif and .png play, 0 to 65535; 0 is for ever "
+         "(default: 0)", 0)  # fmt: skip
+    _add(group, "--size", values.size, "WxH", "size of the frames in pixels, or the longer side alone (default: 480)", 480,
+         dest="option_size")  # fmt: skip
 
 
 def _cut(text: str) -> str:
@@ -125,8 +132,7 @@ def _cut(text: str) -> str:
         return text
     if len(parts) == 4 and any([values.number(part) for part in parts][:3]):
         return text
-    raise values.wrong(f"{text!r} must be AXIS:PLACE, such as z:20, AXIS alone for the middle, or the plane A:B:C:D, where "
-                       "Ax + By + Cz = D")  # fmt: skip
+    raise values.wrong(f"{text!r} is not a plane: write z:20, z for the middle, or A:B:C:D for Ax + By + Cz = D")  # fmt: skip
 
 
 def _scale(text: str) -> str:
@@ -136,7 +142,7 @@ def _scale(text: str) -> str:
     except (ValueError, ZeroDivisionError):
         value = 0.0
     if not 0 < value < float("inf"):
-        raise values.wrong(f"must be such as 1:2, 2:1 or 1:1, or auto, not {text!r}")
+        raise values.wrong(f"auto or a scale like 1:2, 2:1 or 1:1 is needed, not {text!r}")
     return text
 
 
@@ -154,46 +160,49 @@ def _paper(text: str) -> str:
 def _add_views(parser: Parser) -> None:
     """Names are those of hrbfnpr_views_desc."""
     group = parser.add_argument_group("sheet")
-    _add(group, "--views", values.one_of("view", SHEET_VIEWS), "NAMES", f"with commas between: {', '.join(SHEET_VIEWS)}; "
-         "front, top, iso and the side that is on the right by default")  # fmt: skip
-    group.add_argument("--section", type=_cut, action="append", default=[], metavar="AXIS:PLACE", help="a section by the "
-                       "plane, such as z:20; -z:20 is seen from below, z is through the middle, 1:1:0:5 is x + y = 5; may be "
-                       "repeated")  # fmt: skip
-    group.add_argument("--projection", choices=("first", "third"), default="first", metavar="NAME", help="where views are: "
-                       "first angle (default), the left view at the right, or third angle")  # fmt: skip
-    _add(group, "--page", _paper, "PAPER", "a4, a3, ... lying, WIDTHxHEIGHT in mm, or auto (default): the smallest of a4 to "
-         "a0 that holds the views; a3 where the scale is auto, too")  # fmt: skip
-    _add(group, "--scale", _scale, "N:M", "such as 1:2, or auto (default): the largest of 1, 2, 5, 10, ... that fits the page")
-    _add(group, "--unit-mm", values.positive, "MM", "millimetres of a unit of the model; 1, of glTF 1000")
+    _add(group, "--views", values.one_of("view", SHEET_VIEWS), "NAMES", f"views, with commas between: {', '.join(SHEET_VIEWS)} "
+         "(default: front, top, iso and the side view on the right)")  # fmt: skip
+    group.add_argument("--section", type=_cut, action="append", default=[], metavar="AXIS:PLACE", help="plane of a "
+                       "section: z:20 is z = 20, -z:20 is the same seen from below, z cuts through the middle, 1:1:0:5 is "
+                       "x + y = 5; may be repeated")  # fmt: skip
+    group.add_argument("--projection", choices=("first", "third"), default="first", metavar="NAME", help="order of "
+                       "the views: first angle, with the left view on the right, or third angle (default: first)")  # fmt: skip
+    _add(group, "--page", _paper, "PAPER", "landscape paper: a0 to a6, WIDTHxHEIGHT in mm, or auto, which takes a3, or with "
+         "--scale the smallest of a4 to a0 that holds the views (default: auto)")  # fmt: skip
+    _add(group, "--scale", _scale, "N:M", "scale, such as 1:2, or auto, which takes the largest of 1:1, 1:2, 1:5, 2:1, ... "
+         "that fits the page (default: auto)")
+    _add(group, "--unit-mm", values.positive, "MM", "length of a unit of the model in mm, above 0 (default: 1, or 1000 "
+         "for glTF)")  # fmt: skip
     group.add_argument("--hidden", choices=("dashed", "none", "shown"), default="dashed", metavar="NAME", help="hidden edges: "
-                       "dashed (default), none or shown")  # fmt: skip
-    _add(group, "--smooth", _smooth, "KINDS", f"edges that are not sharp, as thin lines: {', '.join(SMOOTH)}; none by default")
-    _add(group, "--crease-angle", values.positive, "DEGREES", "edges of a mesh are sharp if its faces meet at more than this; "
-         "30")  # fmt: skip
-    _add(group, "--line-width", values.positive, "MM", "of outlines; thin lines are half as wide; 0.5")
-    _add(group, "--hatch-spacing", values.positive, "MM", "of lines in cut faces; 3")
-    _add(group, "--spacing", values.positive, "MM", "between views; 15")
-    group.add_argument("--centre-lines", action="store_true", help="of planes of symmetry")
-    group.add_argument("--labels", action="store_true", help="write the views' names above them; sections have theirs always")
-    group.add_argument("--title", metavar="TEXT", help="in the title block; the file's name without its ending by default")
+                       "dashed, none or shown (default: dashed)")  # fmt: skip
+    _add(group, "--smooth", _smooth, "KINDS", "rounded edges to draw as thin lines, with commas between: "
+         f"{', '.join(SMOOTH)} or none (default: none)")
+    _add(group, "--crease-angle", values.positive, "DEGREES", "angle in degrees above which an edge between faces is sharp "
+         "(default: 30)")  # fmt: skip
+    _add(group, "--line-width", values.positive, "MM", "width of outlines in mm; thin lines are half as wide (default: 0.5)")
+    _add(group, "--hatch-spacing", values.positive, "MM", "distance of hatch lines in cut faces in mm (default: 3)")
+    _add(group, "--spacing", values.positive, "MM", "distance between views in mm (default: 15)")
+    group.add_argument("--centre-lines", action="store_true", help="draw centre lines of planes of symmetry")
+    group.add_argument("--labels", action="store_true", help="write the name of each view above it, as sections always have")
+    group.add_argument("--title", metavar="TEXT", help="title in the title block (default: the file name without its ending)")
     _add_option(group, next(row for row in OPTIONS if row.name == "up"))
 
 
 def _add_drawing(draw: Parser) -> None:
     _add_output(draw, ".png")
-    draw.add_argument("--also", action="append", default=[], metavar="FILE", help="the same drawing in another format; "
-                      "may be repeated")  # fmt: skip
-    draw.add_argument("--save-model", metavar="FILE", help="save the model too")
-    draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
-    draw.add_argument("--settings", metavar="FILE", help="draw by a file of settings, as hrbfnpr-view saves them; other "
-                      "options win over it (docs/settings.md)")  # fmt: skip
-    draw.add_argument("--save-settings", metavar="FILE", help="save what the drawing was made with, for --settings")
+    draw.add_argument("--also", action="append", default=[], metavar="FILE", help="another file for the same drawing, "
+                      "such as a .pdf; may be repeated")  # fmt: skip
+    draw.add_argument("--save-model", metavar="FILE", help="save the fitted model too, as .hrbf")
+    draw.add_argument("--save-points", metavar="FILE", help="save the marks too, as .hrbm")
+    draw.add_argument("--settings", metavar="FILE", help="file of settings, from --save-settings or hrbfnpr-view; other "
+                      "options override it (docs/settings.md)")  # fmt: skip
+    draw.add_argument("--save-settings", metavar="FILE", help="save the settings of the drawing, for --settings")
     _add_groups(draw, _DRAWING)
 
 
 def build() -> Parser:
     """The whole grammar."""
-    parser = Parser(prog="hrbfnpr", description="Pen-and-ink drawings of surfaces given by points and normals.")
+    parser = Parser(prog="hrbfnpr", description="Draw surfaces in pen and ink, from meshes, scans and points.")
     parser.add_argument("--version", action="version", version=f"hrbfnpr {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     source = "a mesh or points with normals (check --help lists the formats), a script of solids (.csg), a saved model"
@@ -215,7 +224,7 @@ def build() -> Parser:
         _add_groups(turn, ("", "style", "camera", "marks", *_SURFACE), without=("size",))
 
     def add_views(views: Parser) -> None:
-        _add_output(views, "-views.svg", "vectors (.svg, .pdf, .hpgl, .gcode)")
+        _add_output(views, "-views.svg", "file of the sheet (.svg, .pdf, .hpgl, .gcode)")
         _add_views(views)
         _add_groups(views, _SURFACE)
 
@@ -227,24 +236,26 @@ def build() -> Parser:
         return fill
 
     def add_json(command: Parser) -> None:
-        command.add_argument("--json", action="store_true", help="as JSON")
+        command.add_argument("--json", action="store_true", help="print JSON, for programs")
 
     marks_too = f"{source} or point set"
     add("draw", "draw a picture", "Draw a picture.", _add_drawing, marks_too)
-    add("csg", "put solids together and draw them", "Draw the solid that a script puts together from boxes, cylinders, files "
-        "and others: docs/csg.md.", _add_drawing, "lines of `name = solid`; the last one is drawn", "SCRIPT")  # fmt: skip
-    add("sheet", "draw a model in all styles, on one picture", "Draw a model in all named styles on one picture: each as draw "
-        "does at this size.", add_sheet, source)  # fmt: skip
-    add("turntable", "draw an orbit as an animation", "Draw an orbit about a model as an animation.", add_turntable, marks_too)
-    add("sheet-views", "draw views and sections on a sheet, to scale", "Draw views and sections of a model on a sheet, to "
-        "scale, by the conventions of technical drawing.", add_views, source)  # fmt: skip
-    add("fit", "fit a model and save it", "Fit a model and save it.", add_saved("the model", _SURFACE),
+    add("csg", "combine solids and draw the result", "Draw the solid that a script combines from boxes, cylinders, files and "
+        "others; see docs/csg.md.", _add_drawing, "script with lines of `name = solid`; it draws the last one", "SCRIPT")  # fmt: skip
+    add("sheet", "draw a model in all styles, in one picture", "Draw a model in several styles in one picture, each as the "
+        "command draw does at this size.", add_sheet, source)  # fmt: skip
+    add("turntable", "draw an animation that turns around a model", "Draw an animation in which the camera turns around a "
+        "model.", add_turntable, marks_too)  # fmt: skip
+    add("sheet-views", "draw views and sections to scale", "Draw views and sections of a model to scale on a sheet, by the "
+        "conventions of technical drawing.", add_views, source)  # fmt: skip
+    add("fit", "fit a model and save it", "Fit a model and save it.", add_saved("file of the model, .hrbf", _SURFACE),
         "a mesh or points with normals")  # fmt: skip
     add("points", "place marks and save them", "Place marks and save them.",
-        add_saved("the point set, or its marks as .ply", ("marks", *_SURFACE)), source)  # fmt: skip
-    add("check", "look at a file without drawing it", "Look at a file without drawing it: what it holds, what is wrong with "
-        f"it, what a fit would repair, and what to do. Read are {READ}. Exit status: 0 fine, 1 warnings, 2 unusable.",
+        add_saved("file of the marks, .hrbm or .ply", ("marks", *_SURFACE)), source)  # fmt: skip
+    add("check", "report what is in a file and what is wrong with it", "Print what a file holds, what is wrong "
+        f"with it, what a fit repairs and what you can do. These are read: {READ}. Exit status: 0 fine, 1 warnings, 2 unusable.",
         add_json, "a mesh or points, a saved model or point set", "FILE")  # fmt: skip
-    add("info", "tell about a file or the library", "Tell about a file, or, without one, about the library.", add_json,
+    add("info", "print facts about a file or the library", "Print facts about a file, or about the library "
+        "if no FILE is given.", add_json,
         marks_too, "FILE", "?")  # fmt: skip
     return parser
