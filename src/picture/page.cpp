@@ -396,18 +396,18 @@ void note_plotted(Report& report, const hrbfnpr_page_info& info) {
     Pool& pool = report.pool();
     const double longest_in_seconds = 120.0; // Longer times are given in minutes.
     const bool is_long = info.seconds > longest_in_seconds;
-    String text =
-        formatted(pool, "the pen draws %.1f m and travels %.1f m in about %.0f %s", info.drawn / 1000.0,
-                  info.travelled / 1000.0, is_long ? info.seconds / 60.0 : info.seconds, is_long ? "min" : "s");
+    String text = formatted(pool, "the pen draws %.3g m and travels %.3g m in about %.3g %s", info.drawn / 1000.0,
+                            info.travelled / 1000.0, std::nearbyint(is_long ? info.seconds / 60.0 : info.seconds),
+                            is_long ? "min" : "s");
     if (info.dropped_paths + info.dropped_dots > 0)
         text += formatted(pool, "; too fine for it: %s",
                           info.dropped_dots == 0    ? count_of(info.dropped_paths, "line", pool).c_str()
                           : info.dropped_paths == 0 ? count_of(info.dropped_dots, "dot", pool).c_str()
                                                     : "lines and dots");
-    const String detail =
-        formatted(pool, "%s wider than the pen filled by several passes, %s joined; too fine and left out: %s, %s.",
-                  count_of(info.filled_paths, "line", pool).c_str(), count_of(info.joined, "end", pool).c_str(),
-                  count_of(info.dropped_paths, "line", pool).c_str(), count_of(info.dropped_dots, "dot", pool).c_str());
+    const String detail = formatted(
+        pool, "It fills %s wider than the pen by several passes, joins %s, and leaves out %s and %s as too fine.",
+        count_of(info.filled_paths, "line", pool).c_str(), count_of(info.joined, "end", pool).c_str(),
+        count_of(info.dropped_paths, "line", pool).c_str(), count_of(info.dropped_dots, "dot", pool).c_str());
     report.note(HRBFNPR_NOTE_PLOTTED, {info.drawn / 1000.0, info.travelled / 1000.0, info.seconds}, text,
                 {.detail = detail});
 }

@@ -304,16 +304,21 @@ std::int64_t whole_marks(double wanted) noexcept {
 
 void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double wanted) {
     const char* const kind = layer_kind_name(layer.kind);
-    const auto most = static_cast<long long>(plan_tuning.most_marks);
     const auto made = static_cast<double>(plan_tuning.most_marks);
+    // A layer may have more marks than a picture takes unasked, but not any number. Two digits are enough.
+    const double digit = std::pow(10.0, std::floor(std::log10(wanted)) - 1.0);
+    const double rounded = std::ceil(wanted / digit) * digit;
+    const String advice = rounded <= plan_tuning.largest_budget
+                              ? formatted(call.pool, "{marks=%s=%.0f} fills them", kind, rounded)
+                              : String("a larger {mark_radius} fills them", &call.pool);
     call.report.note(HRBFNPR_NOTE_MARKS_LIMITED, {wanted, made},
-                     formatted(call.pool, "%s: dark tones are too light; {marks=%s=%.0f} fills them",
-                               short_name(name_of_layer(layer), call.pool).c_str(), kind, wanted),
+                     formatted(call.pool, "%s: dark tones are too light; %s",
+                               short_name(name_of_layer(layer), call.pool).c_str(), advice.c_str()),
                      {.detail = formatted(
                           call.pool,
-                          "Full tone needs %.0f marks, and %lld are made, which give %.0f%% of the ink. With a larger "
-                          "{mark_radius} fewer marks are enough.",
-                          wanted, most, 100.0 * (made / wanted))});
+                          "Full tone needs %.1f million marks, and %.1f million are made. With a larger {mark_radius} "
+                          "fewer marks are enough.",
+                          wanted / 1e6, made / 1e6)});
 }
 
 // Gives an evenly spread layer as many marks as fill the darkest tone, unless its number is given. `radius` is the
@@ -348,7 +353,7 @@ void fill_as_published(const Call& call, LayerPlan& layer, double radius, const 
         call.report.note(HRBFNPR_NOTE_LEVELS_LIMITED, {steps, static_cast<double>(plan_tuning.most_levels)},
                          formatted(call.pool, "%s: dark tones are too light; {levels=%s=%.0f} fills them",
                                    short_name(name_of_layer(desc), call.pool).c_str(), layer_kind_name(desc.kind),
-                                   steps),
+                                   std::min(steps, plan_tuning.largest_levels)),
                          {.detail = formatted(call.pool, "Full tone needs %.0f refinement steps, and %d are made.",
                                               steps, plan_tuning.most_levels)});
     desc.levels = steps >= 1.0 ? static_cast<std::int32_t>(std::min<double>(steps, plan_tuning.most_levels)) : 1;

@@ -23,6 +23,9 @@ struct PlanTuning {
     // The limit of refinement steps of the published recursion unless the caller sets another. Each step multiplies the
     // marks by 3 or 5. Larger: darker tones, more memory.
     int most_levels = 6;
+    // The limits of hrbfnpr_layer_desc. Notes advise no larger numbers.
+    double largest_budget = 1e8;
+    double largest_levels = 12.0;
     // The radius of the marks of published strokes, which are dots, in pens. Larger: darker tones.
     float published_dot = 1.1F;
     // The share of published strokes that the style "full" uses beside its stipples. Larger: strokes reach farther into

@@ -130,7 +130,10 @@ TEST(Plan, ReportsLimitedMarks) {
     EXPECT_EQ(note.code, std::uint32_t{HRBFNPR_NOTE_MARKS_LIMITED});
     EXPECT_NEAR(note.figures[0], 101017348.0, 1.0);
     EXPECT_EQ(note.figures[1], 2e6);
-    EXPECT_EQ(note.text, "stipples: dark tones are too light; --marks stipples=101017348 fills them");
+    EXPECT_EQ(note.text, "stipples: dark tones are too light; a larger --mark-radius fills them");
+    given.desc.pen = 1.0;
+    EXPECT_EQ(planned(given.call(), 800.0, 600.0, 30.0, 2000.0).marks.layers[0].budget, 2'000'000);
+    EXPECT_EQ(given.report->notes[0].text, "stipples: dark tones are too light; --marks stipples=26000000 fills them");
 }
 
 TEST(Plan, LinesAloneNeedFewMarks) {

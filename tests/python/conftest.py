@@ -31,6 +31,27 @@ def torus(around=24, across=8, tube=0.4):
     return centres + tube * normals, normals
 
 
+@pytest.fixture(autouse=True)
+def notes_of_one_line(monkeypatch):
+    """Whatever a test draws, its notes and warnings have at most 100 characters."""
+    from hrbfnpr import _report
+    from hrbfnpr.cli import _progress
+
+    told = []
+
+    def watched(tell):
+        def watching(self, text):
+            told.append(str(text))
+            return tell(self, text)
+
+        return watching
+
+    for kind, name in ((_report.Reporter, "note"), (_report.Reporter, "warn"), (_progress.Reporter, "note")):
+        monkeypatch.setattr(kind, name, watched(getattr(kind, name)))
+    yield
+    assert [text for text in told if len(text) > 100 or "\n" in text] == []
+
+
 @pytest.fixture(scope="session")
 def sphere():
     points = fibonacci_sphere(60)

@@ -64,7 +64,7 @@ def test_print_supports_are_left_out(tmp_path):
     mesh = support[support.index("<mesh>") : support.index("</mesh>") + 7]
     model = support.replace("{}", f'<object id="3" type="support">{mesh}</object>')
     shape = shapes.read(write(tmp_path, "a.3mf", mf3(model)))
-    assert len(shape.points) == 8 and shape.notes == ("1 objects that support the print left out",)
+    assert len(shape.points) == 8 and shape.notes == ("1 support object of the print left out",)
 
 
 CIRCLE = '<object id="2"><components><component objectid="3"/></components></object>'
@@ -78,17 +78,17 @@ MANY = "".join(
 @pytest.mark.parametrize(
     "data, words",
     [
-        (mf3()[:-30], "no whole ZIP archive"),
-        (b"PK\3\4" + bytes(100), "no whole ZIP archive"),
-        (mf3().replace(b'x="1"', b'x="2"', 1), "no whole ZIP archive"),  # its checksum differs
-        (mf3("<model"), r"3D/3dmodel.model of the 3MF file is no XML: .*line 1, column"),
+        (mf3()[:-30], "not a whole ZIP archive"),
+        (b"PK\3\4" + bytes(100), "not a whole ZIP archive"),
+        (mf3().replace(b'x="1"', b'x="2"', 1), "not a whole ZIP archive"),  # its checksum differs
+        (mf3("<model"), r"3D/3dmodel.model of the 3MF file is not XML: .*line 1, column"),
         (mf3('<?xml version="1.0" encoding="none"?><model/>'), "cannot be read|no XML"),
         (mf3(target="/3D/lost.model"), "refers to 3D/lost.model, which is not in it"),
         (mf3(mf3_model("")), "places nothing"),
         (mf3(f'<model xmlns="{CORE}"/>'), "places nothing"),
         (mf3(mf3_model('<item objectid="7"/>')), "places object '7', which 3D/3dmodel.model does not have"),
-        (mf3(mf3_model('<item objectid="1" transform="1 2 x"/>')), "no 12 numbers: '1 2 x'"),
-        (mf3(mf3_model('<item objectid="2"/>', CIRCLE)), "go in a circle"),
+        (mf3(mf3_model('<item objectid="1" transform="1 2 x"/>')), "not 12 numbers: '1 2 x'"),
+        (mf3(mf3_model('<item objectid="2"/>', CIRCLE)), "contain each other"),
         (mf3(mf3_model('<item objectid="11"/>', MANY)), "more than 100000 objects"),
         (mf3(mf3_model().replace('v3="3"', 'v3="99"', 1)), "names vertex 99, but there are only 8"),
         (mf3(mf3_model().replace('v3="3"', 'v3="-1"', 1)), "names vertex -1, but there are only 8"),

@@ -72,16 +72,16 @@ def test_unreadable_files_are_named(tmp_path):
     circle = f"<constellation id='2'>{instance(3)}</constellation><constellation id='3'>{instance(2)}</constellation>"
     within = f"<constellation id='5'>{instance(2)}</constellation>"
     cases = {
-        "no XML that can be read": "<amf><object>",
+        "not valid XML": "<amf><object>",
         "has no triangles$": "<amf></amf>",
-        "has no triangles that stand anywhere": amf(body=mesh([])),
+        "has no triangles, or none that is placed": amf(body=mesh([])),
         "object '1' of the AMF file names vertex 8, but there are only 8": amf(body=mesh([*TRIANGLES, (0, 1, 8)])),
         "names vertex 0.5": amf(body=mesh([*TRIANGLES, (0, 1, 0.5)])),
-        "a triangle whose v1, v2, v3 are no numbers": amf(body=mesh([*TRIANGLES, (0, 1, "a")])),
+        "a triangle whose v1, v2, v3 are not numbers": amf(body=mesh([*TRIANGLES, (0, 1, "a")])),
         "a vertex whose coordinates/x, ": amf(body=mesh().replace("<x>", "<w>").replace("</x>", "</w>")),
-        "go in a circle": amf(circle + within),
+        "contain each other": amf(circle + within),
         "places object '7', which it does not have": amf(f"<constellation id='2'>{instance(7)}</constellation>"),
-        "object '1' of the AMF file is placed by no numbers":
+        "the place of object '1' in the AMF file is not given by numbers":
             amf(f"<constellation id='2'>{instance(1, deltax='here')}</constellation>"),
         "packed as a ZIP archive, and the model is not in it": zipped(("box.txt", amf())),
         "packed as a ZIP archive, and damaged": zipped(("box.amf", amf()))[:200],

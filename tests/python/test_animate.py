@@ -134,7 +134,7 @@ def test_mp4_needs_ffmpeg(turn, tmp_path, monkeypatch):
     [
         ({"frames": 0}, "frames must be at least 1, not 0"),
         ({"fps": 0}, "fps must be above 0"),
-        ({"path": "a.avi"}, "a.avi: an animation is .gif, .png, .apng, .mp4, or pictures where"),
+        ({"path": "a.avi"}, "a.avi: an animation ends in .gif, .png, .apng, .mp4, or has a number"),
         ({"path": "a-%03d.bmpx"}, "no picture format is known"),
         ({"eye": (0, 0, 90), "target": (0, 0, 99)}, "would be blank"),
     ],
@@ -183,7 +183,7 @@ def test_the_command(tmp_path, monkeypatch, capsys):
     assert (tmp_path / "ring.gif").read_bytes() == (tmp_path / "call.gif").read_bytes()
     for words, code, said in (
         (["--frames", "0"], 2, "the number must be 1 to "),
-        (["-o", "a.avi"], 1, "a.avi: an animation is"),
+        (["-o", "a.avi"], 1, "a.avi: an animation ends in"),
         (["-o", "nowhere/a.gif"], 1, "there is no folder nowhere"),
         (["--fps", "-1"], 1, "fps must be above 0"),
         (["--eye", "0,0,90", "--target", "0,0,99", "--marks", "200"], 3, "would be blank"),

@@ -55,7 +55,7 @@ def picture():
 def test_marks_lie_on_both_parts_only(picture):
     parts = picture._scene.parts
     assert len(parts) == 2
-    assert any("2 parts of the mesh, not all of them closed" in note for note in picture.notes)
+    assert any("2 parts cross or nearly touch" in note for note in picture.notes)
     count = []
     for marks in (part.marks for part in parts):
         places = np.concatenate([np.asarray(layer.positions, dtype=float) for layer in marks.layers]) + marks.origin
@@ -77,7 +77,7 @@ def test_separate_parts_give_no_warning(tmp_path, capsys):
     assert (tmp_path / "a.svg").read_text().count("<g") > 1
     assert main(["draw", path, str(tmp_path / "b.png"), "--size", "200", "--together"]) == 0
     said = capsys.readouterr()
-    assert "not all of them closed" not in said.err and said.out.count("\nfit ") == 1
+    assert "cross or nearly touch" not in said.err and said.out.count("\nfit ") == 1
     assert main(["draw", path, str(tmp_path / "c.png"), "--size", "200", "--save-model", str(tmp_path / "c.hrbf")]) == 0
     assert capsys.readouterr().out.count("\nfit ") == 1  # --save-model saves one model
 

@@ -66,11 +66,11 @@ def test_unreadable_files_are_named(assimp, tmp_path):
 
 def test_a_missing_program_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
-    with pytest.raises(shapes.ShapeError, match="reading Collada files needs assimp .assimp-utils.; or without it"):
+    with pytest.raises(shapes.ShapeError, match="reading Collada files needs assimp .assimp-utils.; without it"):
         shapes.read(write(tmp_path, "box.dae", collada()))
 
 
 def test_a_program_that_hangs_is_named(monkeypatch):
     monkeypatch.setattr(_optional, "_LONGEST", 0.2)
-    with pytest.raises(shapes.ShapeError, match="sleep does not come to an end with it; wake it"):
+    with pytest.raises(shapes.ShapeError, match="sleep did not finish reading it; wake it"):
         _optional.run("sleep", ["sleep", "20"], "wake it")

@@ -102,7 +102,7 @@ def test_dying_workers_are_retried(client, here, monkeypatch, retries):
     client.run(die)  # workers that start later are not affected
     drawn = batch.frames_of((POINTS, NORMALS), frames=8, scheduler=client, **QUICK)
     if retries == 0:
-        with pytest.raises(batch.WorkerError, match="workers died 1 times while they drew number"):
+        with pytest.raises(batch.WorkerError, match="workers died 1 time while drawing number"):
             dict(drawn)
     else:
         found = dict(drawn)
@@ -136,7 +136,7 @@ def test_many_sources(client, tmp_path):
     found = dict(batch.draw(paths, "stipple", scheduler=client, **QUICK))
     for number, path in enumerate(paths):
         assert np.array_equal(found[number], hrbfnpr.draw(path, "stipple", **QUICK).image)
-    with pytest.warns(hrbfnpr.DrawingWarning, match="number 1: there are 6 points only") as told:
+    with pytest.warns(hrbfnpr.DrawingWarning, match="number 1: there are only 6 points") as told:
         dict(batch.draw([paths[0], hrbfnpr.datasets.sphere(6)], scheduler=client, **QUICK))
     assert told[0].filename == __file__
     with pytest.raises(FileNotFoundError):
@@ -175,7 +175,7 @@ def test_a_missing_dask_is_named(monkeypatch, tmp_path):
         batch.turntable((POINTS, NORMALS), tmp_path / "a.gif", frames=2)
     with pytest.raises(ImportError, match="python3-distributed"):
         next(batch.draw([(POINTS, NORMALS)]))
-    with pytest.raises(ValueError, match="a.avi: an animation is"):
+    with pytest.raises(ValueError, match="a.avi: an animation ends in"):
         batch.turntable((POINTS, NORMALS), "a.avi")
     with pytest.raises(ValueError, match="frames must be at least 1"):
         next(batch.frames_of((POINTS, NORMALS), frames=0))

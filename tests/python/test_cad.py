@@ -104,7 +104,7 @@ def test_step_is_drawn(draw, tmp_path, capsys):
     path = write(tmp_path, "box.step", step())
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     captured = capsys.readouterr()
-    assert "STEP: " in captured.out and "up is z: it is so in STEP files" in captured.err
+    assert "STEP: " in captured.out and "up is z, as in STEP files" in captured.err
 
 
 def test_unreadable_files_are_named(draw, tmp_path):
@@ -113,7 +113,7 @@ def test_unreadable_files_are_named(draw, tmp_path):
         ("a.igs", "x", "Cannot read any relevant data from the IGES file"),
         ("a.brep", "no such thing", "File was not written with this version of the topology"),
     ):
-        with pytest.raises(shapes.ShapeError, match=f"makes no triangles of it: {reason}.*; FreeCAD exports it as STL"):
+        with pytest.raises(shapes.ShapeError, match=f"cannot turn it into triangles: {reason}.*; FreeCAD exports it as STL"):
             shapes.read(write(tmp_path, name, data))
     made_by_draw(tmp_path, "polyline p 0 0 0 1 0 0 1 1 0\nsave p curve.brep\n")
     with pytest.raises(shapes.ShapeError, match="no faces: curves alone"):
@@ -122,7 +122,7 @@ def test_unreadable_files_are_named(draw, tmp_path):
 
 def test_a_missing_program_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(_cad, "_program", lambda: None)
-    with pytest.raises(shapes.ShapeError, match="needs DRAW of Open CASCADE .occt-draw.; or without it: FreeCAD"):
+    with pytest.raises(shapes.ShapeError, match="needs DRAW of Open CASCADE .occt-draw.; without it, FreeCAD"):
         shapes.read(write(tmp_path, "box.step", step()))
 
 

@@ -128,7 +128,7 @@ def test_invalid_solids_are_refused():
     a = csg.sphere(1)
     with pytest.raises(TypeError):
         a | 3
-    with pytest.raises(TypeError, match="not from int"):
+    with pytest.raises(TypeError, match="not with int"):
         a.union(3)
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="unbounded along"):
         a | csg.half_space()

@@ -21,7 +21,7 @@ def drawn(tmp_path, capsys, table, *options):
 
 def test_the_surface_between_wires_is_drawn(tmp_path, capsys):
     out, err = drawn(tmp_path, capsys, wires()[0])
-    assert "the surface is closed" in out and "the surface is whole" in out
+    assert "closed surface" in out and "the whole surface is kept" in out
     assert "the points lie along curves" in err and "left out" not in out + err
     ink = np.asarray(Image.open(tmp_path / "a.png").convert("L")) < 250
     drawn(tmp_path, capsys, np.hstack(wires()), "--close")
@@ -33,7 +33,7 @@ def test_normals_in_the_surface_are_replaced(tmp_path, capsys):
     wrong = normals.copy()
     wrong[::3] = np.cross(normals[::3], [0.6, 0.0, 0.8])
     _, err = drawn(tmp_path, capsys, np.hstack([points, wrong]))
-    assert f"the normals were none of these points': 0 are turned, {len(points)} are made anew" in err
+    assert f"normals repaired: 0 turned, {len(points)} computed again" in err
 
 
 def checked(tmp_path, capsys, table):
@@ -51,4 +51,4 @@ def test_check_reports_points_along_curves(tmp_path, capsys):
     normals[::3] = np.cross(normals[::3], [0.6, 0.0, 0.8])
     status, facts = checked(tmp_path, capsys, np.hstack([points, normals]))
     assert status == 1 and facts["normals_look"] == "none"
-    assert "the normals are none of these points'" in facts["warnings"]
+    assert "the normals do not fit the points" in facts["warnings"]

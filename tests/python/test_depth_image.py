@@ -97,14 +97,14 @@ def test_a_noisy_wall_becomes_smooth(tmp_path, capsys):
     file = write(tmp_path, "a.pcd", pcd(points))
     assert main(["fit", str(file), str(tmp_path / "a.hrbf")]) == 0
     said = "".join(capsys.readouterr())
-    assert "pixels of 160 x 120, over" in said
-    assert re.search(r"the depth camera has noise of 0\.02\d where the depth is (3\.9\d|4): it is smoothed", said)
-    assert "normals of the points are not sure" not in said
+    assert "points in 160 x 120 pixels, smoothed over" in said
+    assert re.search(r"the depth image has noise of 0\.02\d at depth (3\.9\d|4): it is smoothed", said)
+    assert "normals may be wrong" not in said
     distance, angle = off_the_wall(tmp_path / "a.hrbf", z)
     assert distance < 0.004 and angle < 2
 
     assert main(["fit", str(file), str(tmp_path / "b.hrbf"), "--depth-smoothing", "0"]) == 0
-    assert "the points keep it" in capsys.readouterr().err
+    assert ": it is kept" in capsys.readouterr().err
     kept, turned = off_the_wall(tmp_path / "b.hrbf", z)
     assert kept > 1.05 * distance and turned < 3  # the fit reduces noise, too
     assert main(["fit", str(file), str(tmp_path / "c.hrbf"), "--depth-smoothing", "-1"]) == 1
@@ -138,6 +138,6 @@ def test_a_check_reports_the_smoothing(tmp_path, capsys):
     assert main(["check", str(file)]) == 0
     said = capsys.readouterr().out
     assert "image rows: 60" in said and "image columns: 80" in said and "image seen: 3200" in said
-    assert "the picture of a depth camera smoothed over" in said and "normals made" in said
+    assert "depth image smoothed over" in said and "normals computed" in said
     assert main(["fit", str(file), str(tmp_path / "a.hrbf"), "--viewpoint", "1,2,3"]) == 0
-    assert "--viewpoint is not used: the points are a picture" in capsys.readouterr().err
+    assert "--viewpoint is ignored: the camera of the depth image" in capsys.readouterr().err

@@ -64,5 +64,5 @@ def test_a_missing_program_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     path = tmp_path / "a.glb"
     path.write_bytes(glb(document_of(b"DRACO"), b"DRACO"))
-    with pytest.raises(shapes.ShapeError, match="needs draco_decoder .draco.; or save it without compression"):
+    with pytest.raises(shapes.ShapeError, match="needs draco_decoder .draco.; without it, save it without compression"):
         shapes.read(path)

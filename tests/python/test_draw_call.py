@@ -115,7 +115,7 @@ def test_notes_have_codes_and_figures():
         ({"set": {"colour": 3}}, ValueError, "set: there is no field 'colour'"),
         ({"set": "ink=red"}, TypeError, "set must be a mapping"),
         ({"camera": 3}, TypeError, "camera must be a hrbfnpr.Camera, not int"),
-        ({"style": hrbfnpr.Style("stipple"), "mark_radius": 2}, ValueError, "mark_radius sizes named styles"),
+        ({"style": hrbfnpr.Style("stipple"), "mark_radius": 2}, ValueError, "mark_radius is for named styles"),
         ({"progress": 3}, TypeError, "progress must be a function"),
     ],
 )
@@ -258,14 +258,14 @@ def test_objects_with_points_become_shapes(thing, faces, has_normals):
 
 def test_objects_without_points_are_refused():
     for thing in (3, None, object()):
-        with pytest.raises(TypeError, match="PyVista, trimesh or Open3D, not of "):
+        with pytest.raises(TypeError, match="PyVista, trimesh or Open3D, not "):
             hrbfnpr.draw(thing)
     for thing, words in (
         ((POINTS, NORMALS[:5]), "there are 72 points and 5 normals"),
-        ((POINTS, np.array([[0, 0, -1]])), "normals are an array of floats"),
+        ((POINTS, np.array([[0, 0, -1]])), "give normals as floats"),
         ((POINTS, np.array([[0, 0, 72]])), "a face names vertex 72"),
         (POINTS[:, :2], r"points must have the shape \(n, 3\), not \(72, 2\)"),
-        (PolyData(POINTS, [3, 0, 1]), "faces must be counts of corners"),
+        (PolyData(POINTS, [3, 0, 1]), "faces must be lists of a count"),
     ):
         with pytest.raises(ValueError, match=words):
             hrbfnpr.draw(thing)
@@ -289,7 +289,7 @@ def test_models_and_marks_are_drawn_unchanged(ring, tmp_path):
 
 def test_warnings_are_python_warnings_and_notes_are_kept(tmp_path):
     few = datasets.sphere(6)
-    with pytest.warns(hrbfnpr.DrawingWarning, match="there are 6 points only: the surface between them is a guess") as told:
+    with pytest.warns(hrbfnpr.DrawingWarning, match="there are only 6 points: the surface between them is a guess") as told:
         hrbfnpr.draw(few, size=100, marks=500)
     assert all(one.filename == __file__ for one in told)
     with warnings.catch_warnings():
@@ -304,7 +304,7 @@ def test_warnings_are_python_warnings_and_notes_are_kept(tmp_path):
 
 def test_a_blank_picture_is_an_error_unless_allowed():
     away = {"eye": (0, 0, 9), "target": (0, 0, 20), "marks": 300, "size": 80}
-    with pytest.raises(ValueError, match="would be blank: .*leave out eye and direction, or let target be in the model"):
+    with pytest.raises(ValueError, match="would be blank: .*leave out eye and direction, or set target in the model"):
         hrbfnpr.draw((POINTS, NORMALS), **away)
     assert ink(hrbfnpr.draw((POINTS, NORMALS), **away, allow_blank=True)) == 0
 

@@ -32,7 +32,7 @@ def fitted(path, *options):
 def test_a_terrain_ends_where_its_points_do(scan, capsys):
     info = fitted(scan).trim_info
     assert info.is_trimmed and info.samples == SIDE**2 and info.parts_to_end == info.parts
-    assert "is beyond the points" in capsys.readouterr().out
+    assert "of the diagonal beyond the points" in capsys.readouterr().out
 
 
 def test_an_open_scan_is_closed_on_request(scan, capsys):
@@ -68,7 +68,7 @@ def test_a_mesh_fit_ends_with_the_mesh(tmp_path, capsys):
     rows = [f"v {x} {y} {z}\n" for x, y, z in points] + [f"f {i} {j} {k} {m}\n" for i, j, k, m in zip(a, b, c, d)]
     path.write_text("".join(rows))
     assert fitted(path).trim_info.is_trimmed
-    assert "is beyond the mesh" in capsys.readouterr().out
+    assert "of the diagonal beyond the mesh" in capsys.readouterr().out
 
 
 def test_a_fit_ends_near_a_self_crossing_mesh(tmp_path, capsys):
@@ -85,7 +85,7 @@ def test_a_fit_ends_near_a_self_crossing_mesh(tmp_path, capsys):
     path = tmp_path / "mesh.obj"
     path.write_text("".join(rows + ["f {} {} {} {}\n".format(*face) for face in faces]))
     assert fitted(path).trim_info.share > 0.1
-    assert "left out: its faces cross or are folded" in capsys.readouterr().err
+    assert "left out, as the mesh has none there: mend faces that cross" in capsys.readouterr().err
 
 
 def test_the_border_is_drawn(scan, tmp_path, capsys):

@@ -94,10 +94,10 @@ def test_colours_are_no_normals(tmp_path, text, columns):
 def test_the_meaning_of_columns_is_reported(tmp_path):
     assert "columns 4 to 6 are colours" in shapes.read(write(tmp_path, "a.xyz", lines(POINTS, COLOURS))).notes[0]
     scaled = write(tmp_path, "b.xyz", TABLES["scaled.xyz"])
-    assert "columns 4 to 6 are not of unit length" in shapes.read(scaled).notes[0]
+    assert "columns 4 to 6 are read as normals, though" in shapes.read(scaled).notes[0]
     counted = shapes.read(write(tmp_path, "d.txt", lines(GREY, POINTS, COLOURS))).notes
     assert "column 1 counts the points" in counted[0] and "columns 5 to 7 are colours" in counted[1]
-    assert "commas are decimal marks" in shapes.read(write(tmp_path, "c.txt", TABLES["decimal_commas.txt"])).notes[0]
+    assert "commas are read as decimal marks" in shapes.read(write(tmp_path, "c.txt", TABLES["decimal_commas.txt"])).notes[0]
 
 
 def test_missing_values_become_nan(tmp_path):
@@ -115,9 +115,9 @@ def test_missing_values_become_nan(tmp_path):
         ("a.xyz", "1 2 3\n4 5 six\n", "line 2, column 3: 'six' is not a number"),
         ("a.csv", "x,y,z\n1,2,3\n4,five,6\n", "line 3, column 2: 'five' is not a number"),
         ("a.csv", "1;2;3\n4;;6\n7;8;nine\n", "line 3, column 3: 'nine' is not a number"),
-        ("a.csv", "x,y,z\n1,2\n", "line 2: there are 2 columns, and 3 were expected"),
-        ("a.txt", "# one\n# two\n1 2 3\n\n4 5\n", "line 5: 2 numbers, where line 3 has 3"),
-        ("a.pts", "3\n1 2 3\n4 5 6\n", "the first line announces 3 points, but 2 lines"),
+        ("a.csv", "x,y,z\n1,2\n", "line 2: there are 2 columns, but 3 were expected"),
+        ("a.txt", "# one\n# two\n1 2 3\n\n4 5\n", "line 5: there are 2 numbers, but line 3 has 3"),
+        ("a.pts", "3\n1 2 3\n4 5 6\n", "the first line says 3 points, but 2 lines"),
         ("a.xyz", "1 2 " + 300 * "x" + "\n", r"column 3: '" + 37 * "x" + r"\.\.\.' is not"),
         ("a.xyz", "lon lat\n1 2\n", "line 1, column 1: 'lon' is not a number"),
     ],
@@ -177,20 +177,20 @@ def test_contents_override_the_ending(tmp_path, ending, data, kind):
 @pytest.mark.parametrize(
     "name, data, words",
     [
-        ("a.docx", b"PK\3\4" + bytes(200), r"files that end in \.docx are not read; MeshLab.* Read are PLY, OBJ, STL"),
-        ("a.sldprt", b"\xd0\xcf", "the program that it is of exports STEP or STL"),
+        ("a.docx", b"PK\3\4" + bytes(200), r"files that end in \.docx are not read; MeshLab.* These are read: PLY, OBJ, STL"),
+        ("a.sldprt", b"\xd0\xcf", "its program exports STEP or STL"),
         ("a.usdz", b"PK", "Blender exports it as glTF"),
         ("a.zip", b"PK\3\4" + bytes(200), "unpack it first"),
-        ("a", bytes(range(256)), "no ending, and its contents tell nothing.* Read are"),
+        ("a", bytes(range(256)), "no ending, and its contents are of no known format.* These are read: "),
         ("a.xyz", bytes(range(256)), "binary data"),
         ("a.ply", b"", "not a PLY file: the file is empty"),
         ("a.glb", b"", "not a glTF file: the file is empty"),
-        ("a.csv", b" \n", "no points: the file holds blanks only"),
+        ("a.csv", b" \n", "no points: the file holds only blanks"),
         ("a.obj", b"# nothing\n", "no points"),
-        ("a.ply.gz", gzip.compress(b"ply\n")[:-6], "packed by gzip, and damaged"),
+        ("a.ply.gz", gzip.compress(b"ply\n")[:-6], "packed by gzip and is damaged"),
         ("a.blend", b"\x28\xb5\x2f\xfd" + bytes(20), "packed by zstd.*unzstd"),
         ("a.docx.gz", gzip.compress(b"PK\3\4" + bytes(200)), r"files that end in \.docx are not read"),
-        ("a.obj", b"<!DOCTYPE html>\n<html>", "a page of the web"),
+        ("a.obj", b"<!DOCTYPE html>\n<html>", "this is a web page"),
         ("a.ply", b"version https://git-lfs.github.com/spec/v1\noid sha256:00", "git lfs pull"),
         ("a.png", b"\x89PNG\r\n\x1a\n" + bytes(40), "it is a picture"),
     ],
@@ -214,7 +214,7 @@ def test_a_missing_package_is_named(tmp_path, monkeypatch, module, name, data, p
     for missing in {module, "vtk"}:
         monkeypatch.setitem(sys.modules, missing, None)
     data = las(form=0x80) if data is None else data
-    with pytest.raises(shapes.ShapeError, match=f"needs {module} .*{package}.*or without it"):
+    with pytest.raises(shapes.ShapeError, match=f"needs {module} .*{package}.*without it"):
         shapes.read(write(tmp_path, name, data))
 
 

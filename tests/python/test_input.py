@@ -250,65 +250,65 @@ ROWS = {
 
 # The text printed for each row. N is any number, FILE is the file. None: nothing is printed.
 SAID = {
-    "points, all normals inward": "note: all normals looked inward: they are turned (--normals keep leaves them)",
-    "points, some normals inward": "note: the normals were of any sign: N are turned, N are made anew",
-    "points without normals": "note: the points have no normals: N are made",
+    "points, all normals inward": "note: all normals pointed inward: they are turned (--normals keep leaves them)",
+    "points, some normals inward": "note: normals repaired: N turned, N computed again",
+    "points without normals": "note: the points have no normals: N are computed",
     "points of one scan without normals, scanner position known":
-        "note: the points have no normals: N are made, which look to where the scanner stood",
+        "note: the points have no normals: N are computed, facing the scanner",
     "points with normals and noise":
-        "note: the samples have noise, and the surface is smooth (--regularization 0 goes through all of them)",
+        "note: the samples are noisy: the surface is smoothed (--regularization 0 keeps the noise)",
     "points with noise, without normals":
-        "note: the samples have noise, and the surface is smooth (--regularization 0 goes through all of them)",
+        "note: the samples are noisy: the surface is smoothed (--regularization 0 keeps the noise)",
     "points without normals, with stray points around them":
         "note: N points far from all others left out (--outliers keep keeps them)",
     "points along curves, such as wires, cross sections or a tracked pen":
-        "note: the points lie along curves, as of wires or cross sections: the surface between these is drawn, too",
+        "note: the points lie along curves: the surface between the curves is drawn too",
     "points with colours, without normals": "note: columns 4 to 6 are colours: they are not used",
-    "points, some without a usable position or normal": "note: N points without a usable position or normal are left out",
+    "points, some without a usable position or normal": "note: N points left out: without a usable position or normal",
     "points with normals, a few far away": "note: N points far from all others left out",
     "several points at one place": "note: N samples merged with another at the same place",
     "several points with different normals at one place, as on a sharp edge":
         "note: N places with several normals, as on a sharp edge: their mean is used",
-    "more than 4096 points": "note: N points, of which 4096 are used",
-    "fewer than ten points": "warning: there are N points only: the surface between them is a guess",
-    "points in a plane, or a flat mesh": "warning: all points lie in a plane: the surface is flat, and ends where they do",
+    "more than 4096 points": "note: N of N points are used",
+    "fewer than ten points": "warning: there are only N points: the surface between them is a guess",
+    "points in a plane, or a flat mesh": "warning: all points lie in a plane: the surface is flat and ends where they do",
     "a solid pressed flat":
         "error: FILE: the mesh is flat: all of its vertices lie in one plane, N % of the area looks one way and N % the other, so it has no inside; keep the faces of one side, or give it a thickness",
     "one point": "error: the picture would be blank: nothing is drawn. All samples are at one point",
     "closed mesh, inside out": "note: the mesh was inside out: its faces are turned",
-    "mesh with holes, inside out": "note: all normals looked inward: they are turned",
-    "mesh, some faces turned over": "note: N faces looked to the other side than those beside: turned",
+    "mesh with holes, inside out": "note: all normals pointed inward: they are turned",
+    "mesh, some faces turned over": "note: N faces turned to the side of their neighbours",
     "mesh with sharp edges": None,
     "coarse mesh of a round shape":
-        "note: the faces are coarse, N% of the diagonal off something round: divided N times, vertices moved by at most N%, what lies between them by N%",
+        "note: the faces are coarse: divided N times and rounded (--subdivide 0 leaves them)",
     "coarse mesh, some edges sharp by the file's normals":
-        "note: some edges are sharp and others round, by the normals of its file (--edges auto keeps those that stand out)",
+        "note: edges are sharp or round by the normals in the file (--edges auto goes by their angles)",
     "coarse mesh, all edges sharp by the file's normals":
-        "note: by the normals of its file all faces are flat (--edges smooth rounds)",
+        "note: all faces are flat, by the normals in the file (--edges smooth rounds them)",
     "coarse mesh that no round surface fits, such as a convex hull":
-        "note: the faces are coarse, but nothing round goes through them: flat (--edges smooth rounds)",
-    "mesh of solids that share faces, such as voxels": "note: N faces without area, or twice there, left out",
+        "note: the faces are coarse and stay flat: no round shape fits them (--edges smooth rounds)",
+    "mesh of solids that share faces, such as voxels": "note: N faces left out: without area, or repeated",
     "mesh with a tiny part far away": "note: N part (N face) far from all others left out",
     "mesh or points with -9999 or a similar number for missing data":
-        "note: N vertices at -9999, which stands for no data, left out",
+        "note: N vertices left out, as the value -9999 marks missing data",
     "mesh with parts inside others": "note: N part inside others left out (N faces)",
     "mesh with thin parts, `--samples` too small":
-        "warning: the surface is off the mesh by more than 1% of the diagonal at N% of it",
+        "warning: N% of the mesh is more than 1% of the diagonal off the surface",
     "mesh with parts closer than the tolerance":
-        "warning: parts N and N of the mesh, and maybe others, are nearer to each other than the tolerance",
+        "warning: parts N and N nearly touch, and may be joined: try a smaller --tolerance",
     "mesh with open parts that cross or nearly touch":
-        "note: N parts of the mesh, not all of them closed, cross or are close to each other: they are fitted and drawn in N groups, each a surface of its own",
+        "note: N parts cross or nearly touch: drawn as N surfaces",
     "mesh with a few faces that only hang on an edge of two others":
-        "note: N face that only an edge of two others holds left out",
-    "mesh, some corners not finite": "warning: N face with a corner that is not finite left out",
+        "note: N face left out: each hangs on an edge of two others",
+    "mesh, some corners not finite": "warning: N face left out, as a corner is not finite",
     "depth image: a PCD file whose rows are those of an image":
-        "note: the depth camera has noise of N where the depth is N: it is smoothed",
+        "note: the depth image has noise of N at depth N: it is smoothed",
     "open surface whose front faces away, such as a mask that faces -z":
-        "note: the surface looks away from the usual side: seen from azimuth N",
-    "height map": "note: up is z: it is so in height map files; --up y sets another direction",
-    "terrain whose normals point down": "note: the surface is a terrain that looked down along z: its normals are turned",
-    "STL file": "note: up is z: it is so in STL files; --up y sets another direction",
-    "file with the wrong ending": "note: the ending is .xyz, but the file holds STL, and is read so",
+        "note: the surface is drawn from its front, azimuth N",
+    "height map": "note: up is z, as in height map files (--up y changes it)",
+    "terrain whose normals point down": "note: the terrain faced down along z: its normals are turned",
+    "STL file": "note: up is z, as in STL files (--up y changes it)",
+    "file with the wrong ending": "note: the ending is .xyz, but the file holds STL and is read as such",
     "text that is no table of numbers": "error: FILE: line 1, column 1: 'Dear' is not a number; a line holds x y z",
     "face with a vertex that does not exist":
         "error: FILE: line 5, column 4: a face names vertex 9, but there are 3 vertices, 1 to 3",
@@ -445,7 +445,7 @@ def test_several_normals_at_one_place(tmp_path, capsys):
     assert "warning: 3 places with opposite normals left out" in err and " 197 centres" in out
     path = write(tmp_path, "c.xyz", table(points, normals) + table(points, -normals))
     assert main(["draw", str(path), str(tmp_path / "c.png"), *QUICK]) == 1
-    assert "all points are in pairs with opposite normals" in capsys.readouterr().err
+    assert "all points come in pairs with opposite normals" in capsys.readouterr().err
 
 
 def test_check_of_unusable_files(tmp_path, capsys):
@@ -482,7 +482,7 @@ def test_check_of_saved_files(tmp_path, capsys, sphere, marks):
 @pytest.mark.parametrize("way, options", [(1, []), (-1, ["--azimuth", "30"]), (-1, ["--direction", "0,0,-1"])])
 def test_an_explicit_view_direction_is_kept(tmp_path, capsys, way, options):
     assert main(["draw", str(write(tmp_path, "a.obj", mask(way))), str(tmp_path / "out.png"), *QUICK, *options]) == 0
-    assert "usual side" not in capsys.readouterr().err
+    assert "from its front" not in capsys.readouterr().err
 
 
 def test_dust_does_not_become_sheets(tmp_path):

@@ -31,7 +31,7 @@ def test_ply_lists_with_invalid_numbers_are_refused(tmp_path):
         shapes.read(write(tmp_path, "a.ply", data + bytes(64)))
     data = ply_header("binary_little_endian", points, ("face", 1, ["list uchar float vertex_indices"]))
     data += bytes(36) + struct.pack("<B3f", 3, 0, 1, float("nan"))
-    with pytest.raises(shapes.ShapeError, match="a list 'vertex_indices' with what is not a number"):
+    with pytest.raises(shapes.ShapeError, match="a list 'vertex_indices' with something that is not a number"):
         shapes.read(write(tmp_path, "b.ply", data))
 
 
@@ -66,7 +66,7 @@ def test_obj_dialects(tmp_path):
 @pytest.mark.parametrize(
     "data, words",
     [
-        (stl(True)[:-10], "ends in the middle of its 4 triangles, behind 3"),
+        (stl(True)[:-10], "ends in the middle of its 4 triangles, after 3"),
         (stl(False)[:200], "ends in the middle"),
         (stl(False).replace(b"endsolid cube\n", b""), "there is no endsolid"),
         (b"solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n", "line 4, column 4: 'zero' is not a number"),
@@ -202,19 +202,19 @@ def broken_gltf(change):
 @pytest.mark.parametrize(
     "name, data, words",
     [
-        ("a.glb", glb(*gltf())[:-20], r"cut short: \d+ of \d+ bytes"),
+        ("a.glb", glb(*gltf())[:-20], r"cut short: it has \d+ of \d+ bytes"),
         ("a.glb", b"glTF" + struct.pack("<II", 1, 20) + bytes(20), "version 1"),
         ("a.gltf", b'{"asset": {}, "meshes": {"cube": {}}, "nodes": {}}', "version 1 are not read"),
         ("a.glb", broken_gltf(lambda d: d["accessors"][0].update(count=4000)), "cut short"),
-        ("a.glb", broken_gltf(lambda d: d["accessors"][1].update(componentType=1)), "has a type 1, unknown"),
+        ("a.glb", broken_gltf(lambda d: d["accessors"][1].update(componentType=1)), "has an unknown type 1"),
         ("a.glb", broken_gltf(lambda d: d["accessors"][0].pop("componentType")), "has no 'componentType'"),
-        ("a.glb", broken_gltf(lambda d: d["accessors"].pop()), "beyond its list"),
-        ("a.glb", broken_gltf(lambda d: d.update(scene=[0])), "not as the format has it"),
-        ("a.glb", broken_gltf(lambda d: d["nodes"][1].update(children=[0])), "in a circle"),
+        ("a.glb", broken_gltf(lambda d: d["accessors"].pop()), "an index is larger than its list"),
+        ("a.glb", broken_gltf(lambda d: d.update(scene=[0])), "a value has the wrong type"),
+        ("a.glb", broken_gltf(lambda d: d["nodes"][1].update(children=[0])), "contain each other"),
         ("a.glb", broken_gltf(lambda d: d.update(meshes=[{"primitives": []}])), "no triangles"),
         ("a.glb", glb(*gltf([[0, 1, 7]])), "names vertex 7, but its part has only 4"),
         ("a.gltf", '{"asset": {}, "buffers": [{"uri": "lost.bin"}], ', "line 1, column"),
-        ("a.gltf", json.dumps({**gltf()[0], "buffers": [{"uri": "lost.bin"}]}), "needs lost.bin beside it"),
+        ("a.gltf", json.dumps({**gltf()[0], "buffers": [{"uri": "lost.bin"}]}), "needs the file lost.bin in the same folder"),
     ],
 )
 def test_broken_gltf(tmp_path, name, data, words):

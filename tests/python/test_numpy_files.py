@@ -58,7 +58,7 @@ def test_an_image_of_points_is_read_row_by_row(tmp_path):
 def test_columns_may_be_points(tmp_path):
     shape = shapes.read(write(tmp_path, "a.npy", npy(POINTS.T)))
     np.testing.assert_array_equal(shape.points, POINTS)
-    assert shape.notes == ("the array is of shape 3 x 300: its columns are the points",)
+    assert shape.notes == ("the array is 3 x 300: its columns are read as points",)
 
 
 @pytest.mark.parametrize("faces", [np.array(QUADS), np.array(QUADS, dtype=np.uint32)])
@@ -74,16 +74,16 @@ def test_arrays_are_read_by_name(tmp_path, faces):
 @pytest.mark.parametrize(
     "name, data, words",
     [
-        ("a.npy", npy(POINTS)[:500], "not a usable file of NumPy's"),
-        ("a.npy", npy(np.array([{}], dtype=object)), "not a usable file of NumPy's: it holds Python objects; save numbers"),
-        ("a.npy", npy(POINTS[:, :2]), "of shape 300 x 2; an array of n x 3"),
-        ("a.npy", npy(np.array(1.0)), "of shape a single number"),
+        ("a.npy", npy(POINTS)[:500], "not a usable NumPy file"),
+        ("a.npy", npy(np.array([{}], dtype=object)), "not a usable NumPy file: it holds Python objects; save numbers"),
+        ("a.npy", npy(POINTS[:, :2]), "is 300 x 2; give points as an array of n x 3"),
+        ("a.npy", npy(np.array(1.0)), "is a single number"),
         ("a.npy", npy(np.array([["a", "b", "c"]])), "holds <U1, not numbers"),
-        ("a.npy", npy(np.zeros(3, dtype=[("a", "f4")])), "its records name no x, y and z: a"),
+        ("a.npy", npy(np.zeros(3, dtype=[("a", "f4")])), "its records have no fields x, y and z; they have a"),
         ("a.npy", npy(np.zeros((0, 3))), "there are no points"),
-        ("a.npz", npz(cells=np.zeros((3, 3), dtype=int)), "here are cells"),
-        ("a.npz", npz(points=POINTS, normals=NORMALS[:5]), "normals is of shape 5 x 3, and points of 300 x 3"),
-        ("a.npz", npz(points=POINTS, faces=np.zeros((3, 3))), "faces is of shape 3 x 3 and holds float64"),
+        ("a.npz", npz(cells=np.zeros((3, 3), dtype=int)), "among cells"),
+        ("a.npz", npz(points=POINTS, normals=NORMALS[:5]), "normals is 5 x 3, but points is 300 x 3"),
+        ("a.npz", npz(points=POINTS, faces=np.zeros((3, 3))), "faces is 3 x 3 and holds float64"),
         ("a.npz", npz(points=POINTS, faces=np.full((1, 3), 300)), "a face names vertex 300, but there are only 300"),
         ("a.npz", npz(points=POINTS)[:400], "not a usable"),
         ("a.npz", b"PK\3\4 and so on", "not a usable"),

@@ -106,7 +106,7 @@ def test_layers_can_be_given_in_many_forms(ring):
         (("own",), ValueError, "kind of a layer"),
         ((hrbfnpr.Layer(tone=(0.5, 0.2)),), ValueError, "tone"),
         ((hrbfnpr.Layer(name=""),), ValueError, "name"),
-        (([],), ValueError, "layers must name one"),
+        (([],), ValueError, "layers must name at least one"),
     ],
 )
 def test_bad_layers(ring, arguments, kind, words):
@@ -191,8 +191,8 @@ def test_options_reach_the_library(ring):
         ({"density": "thick"}, ValueError, "density"),
         ({"tone_ranges": "random"}, ValueError, "tone_ranges"),
         ({"tone": (0.5, 0.5)}, hrbfnpr.InvalidArgumentError, r"layers\[0\].*tone"),
-        ({"separation": 1}, ValueError, "separation means nothing"),
-        ({"layers": hrbfnpr.Layer(), "budget": 5}, ValueError, "budget means nothing"),
+        ({"separation": 1}, ValueError, "separation does not apply"),
+        ({"layers": hrbfnpr.Layer(), "budget": 5}, ValueError, "budget does not apply"),
         ({"seed_points": [[0, 0]]}, ValueError, "seed_points"),
         ({"seed_source": "points"}, hrbfnpr.InvalidArgumentError, "seed_points"),
         ({"random_seed": -1}, OverflowError, ""),

@@ -42,8 +42,8 @@ def test_rays_without_an_echo_give_no_points(tmp_path):
     points = wall()
     points[::3] = 0
     shape = shapes.read(write(tmp_path, "a.ptx", ptx(points, 30, np.eye(3), (0, 0, 1))))
-    assert len(shape.points) == 400 and shape.notes == ("nothing came back from 200 places of its grid",)
-    with pytest.raises(shapes.ShapeError, match="no points: nothing came back"):
+    assert len(shape.points) == 400 and shape.notes == ("200 places of its grid are empty",)
+    with pytest.raises(shapes.ShapeError, match="no points: all places of its grids are empty"):
         shapes.read(write(tmp_path, "b.ptx", ptx(0 * points, 30)))
 
 
@@ -51,22 +51,22 @@ def test_several_scans_are_one(tmp_path):
     text = ptx(wall(), 30) + ptx(wall(4, 5), 4, TURN, (7, 8, 9))
     shape = shapes.read(write(tmp_path, "a.ptx", text))
     np.testing.assert_allclose(shape.points[600:], wall(4, 5) @ TURN + (7, 8, 9), atol=1e-5)
-    assert shape.notes == ("2 scans are taken together",) and shape.viewpoint is None
+    assert shape.notes == ("2 scans are joined",) and shape.viewpoint is None
 
 
 LINES = ptx(wall(3, 2), 3).decode().splitlines()
 
 
 @pytest.mark.parametrize("lines, says", [
-    (LINES[:-2], "ends in the middle of the 6 points of a scan, behind 4 of them"),
+    (LINES[:-2], "ends in the middle of the 6 points of a scan, after 4 of them"),
     (LINES[:6], "ends in the middle of a header"),
     (["0", *LINES[1:]], "line 1, column 1: a grid has 1 to 1000000000 columns; not 0"),
     (["3", "1.5", *LINES[2:]], "line 2, column 1: a grid has 1 to 1000000000 rows; not 1.5"),
     (["3", "900000000", *LINES[2:]], "ends in the middle of the 2700000000 points"),
-    (["3 2", "3", *LINES[2:]], "line 1: line 1 of a scan's header has 1 numbers; here are 2"),
+    (["3 2", "3", *LINES[2:]], "line 1: line 1 of a scan's header needs 1 number, not 2"),
     ([*LINES[:9], "0 0 0 2", *LINES[10:]], "line 7: the matrix of a scan"),
     ([*LINES[:9], "nan 0 0 1", *LINES[10:]], "line 7: the matrix of a scan"),
-    ([*LINES[:12], "7", *LINES[13:]], "line 13: a point has three numbers or more; here are 1"),
+    ([*LINES[:12], "7", *LINES[13:]], "line 13: a point needs three numbers or more, not 1"),
     ([*LINES[:12], "1 x 2", *LINES[13:]], "line 13, column 2"),
     ([*LINES, "5"], "ends in the middle of a header"),
 ])  # fmt: skip
@@ -94,7 +94,7 @@ def test_walls_face_the_scanner(tmp_path, capsys, kind):
     path, saved = write(tmp_path, f"a.{kind}", text), tmp_path / "a.hrbf"
     quick = ["--size", "100", "--marks", "600"]
     assert main(["draw", str(path), str(tmp_path / "a.png"), *quick, "--save-model", str(saved)]) == 0
-    assert "600 are made, which look to where the scanner stood" in capsys.readouterr().err
+    assert "600 are computed, facing the scanner" in capsys.readouterr().err
     fitted = tmp_path / "b.hrbf"
     assert main(["fit", str(path), str(fitted)]) == 0
     for file in (saved, fitted):
@@ -113,7 +113,7 @@ def test_walls_face_a_given_viewpoint(tmp_path, capsys, normals, side):
     path, saved = write(tmp_path, "a.xyz", rows.encode()), tmp_path / "a.hrbf"
     given = ",".join(f"{x:.6f}" for x in stood)
     assert main(["fit", str(path), str(saved), "--viewpoint", given, *normals]) == 0
-    assert "which side is its front" not in capsys.readouterr().err
+    assert "the front of this open surface" not in capsys.readouterr().err
     with hrbfnpr.Model.load(saved) as model:
         assert looks_to(model, points, stood) == 1
 
@@ -124,7 +124,7 @@ def test_an_unused_viewpoint_gives_a_warning(tmp_path, capsys):
     rows = "".join(" ".join(f"{x:.6f}" for x in row) + "\n" for row in np.hstack([points, normals]))
     path = write(tmp_path, "a.xyz", rows.encode())
     assert main(["fit", str(path), str(tmp_path / "a.hrbf"), "--viewpoint", "0,0,0"]) == 0
-    assert "--viewpoint is for points whose normals are made" in capsys.readouterr().err
+    assert "--viewpoint is ignored: there are normals already" in capsys.readouterr().err
     assert main(["fit", str(path), str(tmp_path / "b.hrbf"), "--viewpoint", "0,0"]) == 2
     assert "--viewpoint" in capsys.readouterr().err
 

@@ -34,9 +34,9 @@ def test_coarse_faces_are_round_unless_the_option_says_flat(tmp_path, capsys):
     sides = [[i, 16 + i, 16 + (i + 1) % 16, (i + 1) % 16] for i in range(16)]
     path = write(tmp_path, "prism.obj", obj(np.vstack(rings), [*sides, list(range(16)), list(range(31, 15, -1))]))
     assert draw(path, tmp_path / "round.png") == 0
-    assert "what is round bulges over them: if they are flat, --edges 5" in capsys.readouterr().err
+    assert "in places: --edges 5 keeps faces flat" in capsys.readouterr().err
     assert draw(path, tmp_path / "flat.png", "--edges", "5") == 0
-    assert "is not within" not in capsys.readouterr().err
+    assert "off the mesh in places" not in capsys.readouterr().err
 
 
 # --- normals -----------------------------------------------------------------------------------
@@ -57,7 +57,7 @@ def test_the_format_decides_the_up_axis(tmp_path, capsys):
     path = write(tmp_path, "a.stl", stl(True))
     more = ["--samples", "200"]
     assert draw(path, tmp_path / "a.png", *more) == 0
-    assert "up is z: it is so in STL files" in capsys.readouterr().err
+    assert "up is z, as in STL files" in capsys.readouterr().err
     assert draw(path, tmp_path / "b.png", *more, "--up", "z") == 0 == draw(path, tmp_path / "c.png", *more, "--up", "y")
     assert "up is" not in capsys.readouterr().err
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes() != (tmp_path / "c.png").read_bytes()
@@ -73,9 +73,9 @@ def test_the_format_decides_the_up_axis(tmp_path, capsys):
     "options, words",
     [
         (["--eye", "0,0,5", "--target", "0,0,9"], "The camera looks away"),
-        (["--normals", "keep", "--lines", "none"], "behind something, as where normals look inward: --flip"),
+        (["--normals", "keep", "--lines", "none"], "are hidden, as if normals pointed inward: --flip"),
         (["--flip", "--style", "stipple"], "leave out --flip"),
-        (["--ink", "#ffffff", "--lines", "none"], "ink cannot be seen"),
+        (["--ink", "#ffffff", "--lines", "none"], "ink has the colour of the paper"),
         (["--depth-range", "0.01,0.02", "--lines", "none"], "leave out --depth-range"),
     ],
 )
@@ -100,7 +100,7 @@ def test_an_open_surface_seen_from_its_back(tmp_path, capsys):
     assert draw(path, tmp_path / "a.png", *options) == 0, "both its sides are drawn"
     options += ["--sides", "front"]
     assert draw(path, tmp_path / "a.png", *options) == 3
-    assert "looks away from the eye: another --azimuth shows its front, or --sides both" in capsys.readouterr().err
+    assert "shows only its back: try another --azimuth, or --sides both" in capsys.readouterr().err
     assert draw(path, tmp_path / "a.png", *options, "--azimuth", "210") == 0
 
 
@@ -110,6 +110,39 @@ def test_sheet_warns_of_blank_drawings(tmp_path, capsys):
     assert main(["sheet", str(path), str(tmp_path / "s.png"), *options]) == 0
     err = capsys.readouterr().err
     assert err.count("would be blank") == 1 and "warning: stipple: the picture" in err
+
+
+# --- details -----------------------------------------------------------------------------------
+
+
+def test_verbose_prints_details(tmp_path, capsys):
+    path = write(tmp_path, "a.obj", obj(*tube()))
+    said = "hrbfnpr: warning: .*% of the mesh is more than 1% of the diagonal off the surface: try --samples 320"
+    detail = r"\n    The farthest place is \d+\.\d% off. Thin parts need more samples.\n"
+    few = ["--samples", "80"]
+    assert draw(path, tmp_path / "a.png", *few, "--verbose") == 0
+    assert re.search(said + detail, capsys.readouterr().err)
+    assert draw(path, tmp_path / "a.png", *few) == 0
+    assert re.search(said + "\n", err := capsys.readouterr().err) and not re.search("^ ", err, re.M)
+    assert draw(path, tmp_path / "a.png", "--quiet", "--verbose") == 2
+    assert "not allowed with argument" in capsys.readouterr().err
+
+
+def test_verbose_prints_details_of_a_check(tmp_path, capsys):
+    path = write(tmp_path, "a.obj", obj(*(part[:-1] if i else part for i, part in enumerate(tube()))))
+    assert main(["check", str(path)]) == 1
+    detail = "\n    The border of a hole that stays open is drawn as a line.\n"
+    assert detail not in capsys.readouterr().out
+    assert main(["check", str(path), "-v"]) == 1
+    assert re.search(r"\nwarning: the mesh is open: it has \d border.* edges?" + detail, capsys.readouterr().out)
+
+
+def test_warnings_of_python_have_details(tmp_path):
+    path = write(tmp_path, "a.obj", obj(*tube()))
+    with pytest.warns(hrbfnpr.DrawingWarning, match="off the surface: try samples=320") as caught:
+        hrbfnpr.draw(path, size=100, marks=600, samples=80)
+    note = next(one.message.note for one in caught if "off the surface" in str(one.message))
+    assert note.code == "off_mesh" and note.detail.endswith("Thin parts need more samples.") and len(note.figures) == 2
 
 
 # --- outputs -----------------------------------------------------------------------------------
@@ -167,7 +200,7 @@ def test_the_total_is_the_time_of_the_process(tmp_path):
     assert float(lines[summary].split()[-2]) == pytest.approx(seconds["total"], abs=0.11)
     # Warnings come last, and are written in words.
     assert lines[summary + 1 :] and all(line.startswith("hrbfnpr: warning: ") for line in lines[summary + 1 :])
-    assert "there are 8 points only" in lines[summary + 1]
+    assert "there are only 8 points" in lines[summary + 1]
 
 
 def test_bars_show_percent():
@@ -192,12 +225,11 @@ def test_the_distance_of_the_surface_is_reported(tmp_path, capsys):
     for samples in ("80", "2000"):
         assert draw(path, tmp_path / "a.png", "--samples", samples) == 0
         out, err = capsys.readouterr()
-        to_mesh = r"surface to mesh: 99 % within ([\d.]+)% of the diagonal, all within ([\d.]+)%"
-        figures = re.search(rf"(?m)^compare .*{to_mesh}; mesh to surface: ([\d.]+)%, ([\d.]+)%", out)
-        surface, surface_most, mesh, mesh_most = (float(figure) for figure in figures.groups())
-        assert surface <= surface_most and mesh <= mesh_most
-        found.append(mesh)
-        assert ("the surface is off the mesh" in err) == (samples == "80")
+        figures = re.search(r"(?m)^compare .*99% of .* within ([\d.]+)% of the diagonal .*, all within ([\d.]+)%$", out)
+        most, all_of_it = (float(figure) for figure in figures.groups())
+        assert most <= all_of_it
+        found.append(most)
+        assert ("% of the diagonal off the surface: try --samples 320" in err) == (samples == "80")
     assert found[0] > 1 > found[1] > 0
     assert draw(write(tmp_path, "a.xyz", table(*ball())), tmp_path / "a.png") == 0
-    assert re.search(r"(?m)^fit .* 200 centres, .*; through all samples$", capsys.readouterr().out)
+    assert re.search(r"(?m)^fit .* 200 centres, .*; passes through all samples$", capsys.readouterr().out)

@@ -126,8 +126,8 @@ def test_ply_strips(tmp_path):
          + bytes(12) + b"\xff\xff\xff\xff", "list of -1"),
         (ply_header("ascii", ("vertex", 1, XYZ), ("face", 1, ["list int int vertex_indices"]))
          + b"0 0 0\n3 0 1 2\n", "line 12: a face names vertex 1, but there is one vertex, 0"),
-        (ply_header("odd", ("vertex", 1, XYZ)), "cannot be understood"),
-        (ply_header("ascii", ("vertex", 1, ["complex x"])), "cannot be understood"),
+        (ply_header("odd", ("vertex", 1, XYZ)), "is not valid"),
+        (ply_header("ascii", ("vertex", 1, ["complex x"])), "is not valid"),
     ],
 )  # fmt: skip
 def test_broken_ply(tmp_path, data, words):
@@ -158,11 +158,11 @@ def test_xyz_and_pwn(tmp_path, name, text):
     [
         ("", "no points"),
         ("# nothing\n", "no points"),
-        ("1 2 3 0 0 1\n4 5 6\n", "line 2: 3 numbers, where line 1 has 6"),
+        ("1 2 3 0 0 1\n4 5 6\n", "line 2: there are 3 numbers, but line 1 has 6"),
         ("1 2 x 0 0 1\n", "line 1, column 3: 'x' is not a number"),
-        ("1 2\n", "line 1: a line holds x y z, .*; here are 2 numbers"),
-        ("3\n1 2 3\n4 5 6\n0 0 1\n1 0 0\n", "announces 3"),
-        ("5\n", "5 points are announced"),
+        ("1 2\n", "line 1: a line holds x y z, .*; this line holds 2 numbers"),
+        ("3\n1 2 3\n4 5 6\n0 0 1\n1 0 0\n", "says 3 points"),
+        ("5\n", "5 points, but none follow"),
         ("-2\n1 2 3\n", "count was expected"),
     ],
 )
@@ -189,7 +189,7 @@ def test_obj_points(tmp_path):
 def test_obj_lines(tmp_path):
     corners = "".join(f"v {x} {y} {z}\n" for x, y, z in [(0, 0, 0), (2, 0, 0), (2, 1, 0), (9, 9, 9)])
     shape = shapes.read(write(tmp_path, "a.obj", corners + "l 1 2/5 3\nl -2 1\n"))
-    assert shape.triangles is None and "along its lines (2)" in shape.notes[0]
+    assert shape.triangles is None and "along its 2 lines" in shape.notes[0]
     points = shape.points
     assert 4000 <= len(points) <= 4004 and len(np.unique(points, axis=0)) == len(points)  # corner 3 is shared by both lines
     assert points[:, 0].max() == 2 and (points[:, 2] == 0).all()
@@ -197,9 +197,9 @@ def test_obj_lines(tmp_path):
     assert np.logical_or.reduce(sides).all()
     for side, length in zip(sides, (2, 1, 5**0.5)):
         assert side.sum() == pytest.approx(4000 * length / (3 + 5**0.5), abs=3)
-    assert shape.notes[1:] == ("vertices on no line, left out: 1",)
+    assert shape.notes[1:] == ("vertices left out, as they are on no line: 1",)
     broken = shapes.read(write(tmp_path, "c.obj", corners + "v nan 0 0\nl 1 2 3 5\n"))
-    assert np.isfinite(broken.points).all() and "not finite, left out: 1" in broken.notes[2]
+    assert np.isfinite(broken.points).all() and "a corner is not finite: 1" in broken.notes[2]
     few = shapes.read(write(tmp_path, "b.obj", 3 * corners + "l 1 2\n"))
     assert len(few.points) == 12 and "1 line among the points not used" in few.notes
 
@@ -249,7 +249,7 @@ def test_noff_points(tmp_path):
         ("OFF\n8 x 0\n", "count was expected"),
         ("OFF\n8 6 0\n1 2 3\n", "ends before"),
         ("OFF\n1 1 0\n1 2 3\n3 0 0\n", "fewer than its 3"),
-        ("4OFF\n1 0 0\n1 2 3 4\n", "not understood"),
+        ("4OFF\n1 0 0\n1 2 3 4\n", "are not read"),
         ("OFF\n1 0 0\n1 2\n", "line 3: a vertex needs 3 numbers, and there are 2"),
     ],
 )

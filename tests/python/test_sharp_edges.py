@@ -90,12 +90,12 @@ def drawn(tmp_path, capsys, text, *options):
 
 
 def test_the_command_uses_sharp_edges_of_files(tmp_path, capsys):
-    said = drawn(tmp_path, capsys, obj(*prism()))
-    assert "some edges are sharp and others round, by the normals of its file" in said and "divided" in said
-    assert 0 < float(re.search(r"what lies between them by ([0-9.]+)%", said)[1]) < 3
+    said = drawn(tmp_path, capsys, obj(*prism()), "-v")
+    assert "edges are sharp or round by the normals in the file" in said and "divided" in said
+    assert 0 < float(re.search(r"points between them by up to ([0-9.]+)%", said)[1]) < 3
     assert "warning" not in said
-    assert "normals of its file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
-    assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # smaller than the default
+    assert "normals in the file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
+    assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # less than by default
     assert "divided 1 time" in drawn(tmp_path, capsys, obj(*prism()), "--subdivide", "1")
 
 
@@ -104,7 +104,7 @@ def test_sharp_edges_stay_if_vertices_are_left_out(tmp_path, capsys):
     points, faces, normals, own = prism()
     points, own = np.vstack([[[-9999.0] * 3] * 2, points]), np.vstack([own, own[:1]])
     said = drawn(tmp_path, capsys, obj(points, np.vstack([faces + 2, [[0, 1, 2]]]), normals, own))
-    assert "stands for no data" in said and "some edges are sharp" in said
+    assert "marks missing data" in said and "edges are sharp or round by the normals" in said
 
 
 def test_damaged_normals_are_ignored(tmp_path):

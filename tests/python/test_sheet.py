@@ -119,7 +119,7 @@ def test_the_default_output_and_summary(ring_file, tmp_path, monkeypatch, capsys
         (["{ring}", "out.bmpx"], 1, "no picture format"),
         (["missing.xyz", "out.png"], 1, "missing.xyz: No such file"),
         (["marks.hrbp", "out.png"], 2, "holds a point set"),
-        (["{ring}", "out.png", "--lines", "crease"], 1, "creases come from a mesh"),
+        (["{ring}", "out.png", "--lines", "crease"], 1, "creases need a mesh"),
     ],
 )
 def test_failures_print_one_line_and_write_nothing(ring_file, marks, tmp_path, monkeypatch, capsys, arguments, code, words):

@@ -199,7 +199,7 @@ def test_the_output_reports_scale_and_page(egg, tmp_path, capsys):
     (["--scale", "10:1", "--page", "a4"], 1, ["--scale 10:1", "a4", "--scale 2:1", "--page a0"]),
     (["--scale", "1:0"], 2, ["--scale", "1:2"]),
     (["--views", "front,side"], 2, ["side", "front, back"]),
-    (["--section", "w:3"], 2, ["AXIS:PLACE"]),
+    (["--section", "w:3"], 2, ["is not a plane"]),
     (["--section", "x:50"], 1, ["--section", "misses", "-19.9", "19.9"]),
     (["--smooth", "hills"], 2, ["hills", "ridges"]),
     (["--unit-mm", "0"], 2, ["--unit-mm", "above 0"]),

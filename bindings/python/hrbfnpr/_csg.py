@@ -113,7 +113,7 @@ class Combining(Owner):
     ) -> Self:
         for other in others:
             if not isinstance(other, Combining):
-                raise TypeError(f"solids are put together from models, not from {type(other).__name__}")
+                raise TypeError(f"solids combine with models, not with {type(other).__name__}")
         return self._combined(node(kind, blend=radius, exponent=exponent), others, bounds)
 
     def union(

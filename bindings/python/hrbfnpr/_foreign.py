@@ -34,8 +34,8 @@ def shape_of(thing: Any) -> Shape:
     if isinstance(thing, (tuple, list, np.ndarray)):
         return _of_arrays(thing)
     raise TypeError(
-        "a drawing is made of a path, of arrays as (points, normals) or (points, triangles), of a Shape, Mesh, Model or "
-        f"PointSet, or of a mesh or cloud of PyVista, trimesh or Open3D, not of {type(thing).__name__}"
+        "draw a path, arrays as (points, normals) or (points, triangles), a Shape, Mesh, Model or PointSet, or a mesh or "
+        f"cloud of PyVista, trimesh or Open3D, not {type(thing).__name__}"
     )
 
 
@@ -73,7 +73,7 @@ def _corners(faces: Any) -> Integers:
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"triangles must have the shape (m, 3), not {array.shape}")
     if len(array) and array.min() < 0:
-        raise ShapeError("an array of integers is triangles, and a corner is negative: normals are an array of floats")
+        raise ShapeError("arrays of integers are triangles, and this has a negative corner: give normals as floats")
     return array
 
 
@@ -117,7 +117,7 @@ def _unpacked(row: Any, points: Floats) -> Optional[Integers]:
     while at < len(row):
         count = int(row[at])
         if count < 0 or at + 1 + count > len(row):
-            raise ShapeError(f"faces must be counts of corners, each with these behind it: {count} at {at}")
+            raise ShapeError(f"faces must be lists of a count and then its corners, not {count} at {at}")
         polygons.append([int(v) for v in row[at + 1 : at + 1 + count]])
         at += 1 + count
     found = fans(polygons, points)

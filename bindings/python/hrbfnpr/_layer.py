@@ -159,13 +159,13 @@ def layers_to_make(
     else:
         given = list(layers)
     if not given:
-        raise ValueError("layers must name one layer or more")
+        raise ValueError("layers must name at least one layer")
     named = [Layer(layer.replace("-", "_").lower()) if isinstance(layer, str) else layer for layer in given]
     by_name = [layer for layer, of in zip(named, given) if preset is not None or isinstance(of, str)]
     kinds = {layer.kind for layer in by_name if isinstance(layer, Layer)}
     for name in shared:
         if not kinds & set(_OF_KINDS.get(name, kinds)):
-            raise ValueError(f"{name} means nothing to the layers that are given by name")
+            raise ValueError(f"{name} does not apply to any layer that is given by name")
     result = []
     for layer in named:
         if not isinstance(layer, Layer):

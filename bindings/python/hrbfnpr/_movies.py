@@ -38,7 +38,7 @@ def check_movie(path: Path_, fps: float) -> None:
         format_of(path)
     elif ending not in FORMATS:
         raise ValueError(
-            f"{os.fspath(path)}: an animation is {', '.join(FORMATS)}, or pictures where its name has a number, such as "
+            f"{os.fspath(path)}: an animation ends in {', '.join(FORMATS)}, or has a number for pictures, such as "
             "frame-%03d.png"
         )
     if ending == ".mp4":

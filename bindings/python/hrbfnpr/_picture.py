@@ -194,7 +194,7 @@ def checked_style(style: Any, options: Options) -> Union[str, Style]:
     if not isinstance(style, Style):
         return chosen("style", str(style), PRESETS)
     if "mark_radius" in options:
-        raise ValueError("mark_radius sizes named styles; a Style has the radii of its layers")
+        raise ValueError("mark_radius is for named styles: set the radius of each layer of a Style")
     return style.copy()
 
 

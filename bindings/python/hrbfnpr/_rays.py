@@ -35,7 +35,7 @@ def pairs(origins: Array, directions: Array) -> Tuple[Block, Block]:
     if np is not None and along.shape == ():
         return start, _repeated("directions", along, start)
     raise ValueError(
-        f"directions must have the shape of origins, {(*start.shape, 3)}, or one of them (3,), not {(*along.shape, 3)}"
+        f"directions must have the shape of origins, {(*start.shape, 3)}, or (3,), not {(*along.shape, 3)}"
     )
 
 

@@ -16,12 +16,8 @@ _NOTES = {ffi.integer_const(name): name[13:].lower() for name in dir(lib) if nam
 SEVERITIES = ("info", "note", "warning", "failure")
 
 
-class DrawingWarning(UserWarning):
-    """Something may be wrong with a drawing; the message says what."""
-
-
 class Note(str):
-    """A sentence on what was chosen, repaired or left out.
+    """A short sentence that says what was chosen, repaired or left out.
 
     Attributes
     ----------
@@ -31,11 +27,14 @@ class Note(str):
     figures : tuple of float
         Its numbers.
     advice : str
-        What to do about it; empty where the sentence says it, or there is nothing to do.
+        What to do about it; empty if the sentence says it or nothing needs doing.
+    detail : str
+        One or two more sentences that explain the note; empty if none.
     """
 
     code = ""
     advice = ""
+    detail = ""
     severity = "note"
     figures: Tuple[float, ...] = ()
 
@@ -47,13 +46,30 @@ class Note(str):
         note.figures = tuple(struct.figures[0 : struct.figure_count])
         if struct.advice != ffi.NULL:
             note.advice = ffi.string(struct.advice).decode("utf-8", "replace")
+        if struct.detail != ffi.NULL:
+            note.detail = ffi.string(struct.detail).decode("utf-8", "replace")
         return note
 
     def about(self, what: str) -> Note:
         """The same, and what it is about."""
         note = Note(f"{what}: {self}")
-        note.code, note.severity, note.figures, note.advice = self.code, self.severity, self.figures, self.advice
+        note.code, note.severity, note.figures = self.code, self.severity, self.figures
+        note.advice, note.detail = self.advice, self.detail
         return note
+
+
+class DrawingWarning(UserWarning):
+    """Something may be wrong with a drawing; the message says what.
+
+    Attributes
+    ----------
+    note : Note
+        The message, with its code, figures and detail.
+    """
+
+    def __init__(self, note: str) -> None:
+        super().__init__(str(note))
+        self.note = note if isinstance(note, Note) else Note(note)
 
 
 class Stage:
@@ -190,7 +206,7 @@ class CallReport(Reporter):
         """Raise Python's warnings, for the line that called this package."""
         depth = _depth_of_caller()
         for text in self.taken():
-            warnings.warn(str(text), DrawingWarning, stacklevel=depth)
+            warnings.warn(DrawingWarning(text), stacklevel=depth)
 
 
 def _depth_of_caller() -> int:

@@ -81,12 +81,12 @@ class _Script:
         if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name):
             value = self._names[node.targets[0].id] = self._value(node.value)
             return value
-        raise ScriptError(f"line {node.lineno}: a line is `name = solid`, or a solid")
+        raise ScriptError(f"line {node.lineno}: a line must be `name = solid` or a solid")
 
     def _value(self, node: ast.expr) -> Any:
         work = getattr(self, "_" + type(node).__name__.lower(), None)
         if work is None:
-            raise ScriptError(f"line {node.lineno}: {type(node).__name__} is not part of these scripts")
+            raise ScriptError(f"line {node.lineno}: {type(node).__name__} cannot be used in these scripts")
         return self._guarded(node, work)
 
     def _constant(self, node: ast.Constant) -> Any:
@@ -94,12 +94,12 @@ class _Script:
             return float(node.value) if abs(node.value) > 2**53 else node.value
         if isinstance(node.value, str):
             return node.value
-        raise ScriptError(f"line {node.lineno}: {node.value!r} is no number")
+        raise ScriptError(f"line {node.lineno}: {node.value!r} is not a number")
 
     def _name(self, node: ast.Name) -> Any:
         if node.id not in self._names:
             known = ", ".join(sorted({*self._names, *self._functions}))
-            raise ScriptError(f"line {node.lineno}: there is no {node.id!r}; there are: {known}")
+            raise ScriptError(f"line {node.lineno}: there is no {node.id!r}; there are {known}")
         return self._names[node.id]
 
     def _tuple(self, node: ast.Tuple) -> Any:
@@ -111,7 +111,7 @@ class _Script:
     def _binop(self, node: ast.BinOp) -> Any:
         work = _OPERATORS.get(type(node.op))
         if work is None:
-            raise ScriptError(f"line {node.lineno}: {type(node.op).__name__} is not part of these scripts")
+            raise ScriptError(f"line {node.lineno}: {type(node.op).__name__} cannot be used in these scripts")
         left, right = self._value(node.left), self._value(node.right)
         if any(isinstance(side, (str, tuple, list)) for side in (left, right)):
             raise ScriptError(f"line {node.lineno}: only solids and numbers can be combined")
@@ -120,7 +120,7 @@ class _Script:
     def _unaryop(self, node: ast.UnaryOp) -> Any:
         work = _SIGNS.get(type(node.op))
         if work is None:
-            raise ScriptError(f"line {node.lineno}: {type(node.op).__name__} is not part of these scripts")
+            raise ScriptError(f"line {node.lineno}: {type(node.op).__name__} cannot be used in these scripts")
         return work(self._value(node.operand))
 
     def _listcomp(self, node: Any) -> Any:
@@ -129,12 +129,12 @@ class _Script:
         simple = len(node.generators) == 1 and isinstance(loop.target, ast.Name) and not loop.ifs
         call = loop.iter
         if not (simple and isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "range"):
-            raise ScriptError(f"line {node.lineno}: a loop is `for i in range(n)`")
+            raise ScriptError(f"line {node.lineno}: write a loop as `for i in range(n)`")
         values = []
         for i in range(*(int(self._value(argument)) for argument in call.args)):
             self._repeats += 1
             if self._repeats > MOST_REPEATS:
-                raise ScriptError(f"line {node.lineno}: there are more than {MOST_REPEATS} repeats")
+                raise ScriptError(f"line {node.lineno}: a loop repeats more than {MOST_REPEATS} times")
             self._names[loop.target.id] = i
             values.append(self._value(node.elt))
         return values
@@ -150,14 +150,14 @@ class _Script:
         named = {}
         for keyword in node.keywords:
             if keyword.arg is None or keyword.arg == "context":
-                raise ScriptError(f"line {node.lineno}: options are name=value")
+                raise ScriptError(f"line {node.lineno}: write options as name=value")
             named[keyword.arg] = self._value(keyword.value)
         return self._function(node.func)(*given, **named)
 
     def _function(self, node: ast.expr) -> Callable[..., Any]:
         if isinstance(node, ast.Name):
             if node.id not in self._functions:
-                raise ScriptError(f"line {node.lineno}: there is no {node.id}(); there are: "
+                raise ScriptError(f"line {node.lineno}: there is no {node.id}(); there are "
                                   f"{', '.join(sorted(self._functions))}")  # fmt: skip
             return self._functions[node.id]
         if isinstance(node, ast.Attribute) and node.attr in METHODS:
@@ -165,4 +165,4 @@ class _Script:
             if isinstance(solid, Model):
                 return getattr(solid, node.attr)  # type: ignore[no-any-return]
             raise ScriptError(f"line {node.lineno}: only solids have .{node.attr}()")
-        raise ScriptError(f"line {node.lineno}: this is no function; solids have .{', .'.join(METHODS)}")
+        raise ScriptError(f"line {node.lineno}: this is not a function; solids have .{', .'.join(METHODS)}")

@@ -37,7 +37,7 @@ def wrong(text: str) -> argparse.ArgumentTypeError:
 def _numbers(text: str, length: int) -> List[float]:
     parts = text.split(",")
     if len(parts) != length:
-        raise wrong(f"{length} numbers with commas between them are needed, not {text!r}")
+        raise wrong(f"{length} numbers with commas between are needed, not {text!r}")
     return [number(part) for part in parts]
 
 
@@ -109,14 +109,14 @@ def edges(text: str) -> Tuple[str, float]:
     except ValueError:
         angle = math.nan
     if not 5.0 <= angle <= 175.0:
-        raise wrong(f"auto, smooth, or degrees from 5 to 175 are needed, not {text!r}")
+        raise wrong(f"auto, smooth or a number of degrees from 5 to 175 is needed, not {text!r}")
     return "sharp", angle
 
 
 def interval(text: str) -> Tuple[float, float]:
     low, high = _numbers(text, 2)
     if not 0 < low < high:
-        raise wrong(f"0 < MIN < MAX is needed, not {text!r}")
+        raise wrong(f"MIN,MAX with 0 < MIN < MAX is needed, not {text!r}")
     return low, high
 
 
@@ -142,7 +142,7 @@ def layers(text: str) -> Tuple[str, ...]:
     names = tuple(name for name in text.split(",") if name)
     for name in names:
         if name not in MADE:
-            raise wrong(f"layers must be of {', '.join(MADE)}, not {name!r}")
+            raise wrong(f"there is no layer {name!r}; there are {', '.join(MADE)}")
     return names
 
 
@@ -180,10 +180,10 @@ def lines(text: str) -> str:
         name, _, value = part.partition("=")
         kind = name.replace("-", "_")
         if kind not in (*LINES, *_ALSO_LINES) and (kind not in LINE_KINDS or kind == "own"):
-            raise wrong(f"{name!r} is no kind of lines; there are {', '.join(LINES)} and none")
+            raise wrong(f"there are no lines {name!r}; there are {', '.join(LINES)} and none")
         if value and not (re.fullmatch(r"[xyz]:0*[1-9]\d*", value) if kind.startswith("section") else
                           kind.startswith("isophote") and _are_numbers(value.split(":"))):  # fmt: skip
-            raise wrong(f"{part!r} is not understood; write section=z:20 or isophotes=0.3:0.6")
+            raise wrong(f"{part!r} is not understood: write section=z:20 or isophotes=0.3:0.6")
     return text
 
 
@@ -277,7 +277,7 @@ def pen_widths(text: str) -> List[float]:
     """The widths of the available pens, in mm."""
     widths = sorted(number(part) for part in text.split(",") if part)
     if not widths or not 0 < widths[0] <= widths[-1] < 1e3:
-        raise wrong(f"must be widths above 0 in mm with commas between, not {text!r}")
+        raise wrong(f"widths in mm above 0, with commas between, are needed, not {text!r}")
     return widths
 
 

@@ -191,6 +191,10 @@ def draw(
             yield number, image
 
 
+def _times(count: int) -> str:
+    return f"{count} time{'' if count == 1 else 's'}"
+
+
 def _distributed() -> Any:
     try:
         import distributed
@@ -258,7 +262,7 @@ class _Work:
     def again(self, number: int, error: BaseException) -> Any:
         """Repeat a task whose worker died."""
         if self._tries[number] > RETRIES:
-            raise WorkerError(f"workers died {self._tries[number]} times while they drew number {number}") from error
+            raise WorkerError(f"workers died {_times(self._tries[number])} while drawing number {number}") from error
         if self._data.status != "finished":  # all workers that had the data are gone
             self._data = self._scattered()
         return self.submit(number)

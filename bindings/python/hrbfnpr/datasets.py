@@ -89,7 +89,7 @@ def knot(
     """
     p, q = turns
     if np.gcd(p, q) != 1 or min(p, q) < 1:
-        raise ValueError(f"turns must be two numbers from 1 on without a common divisor, not {turns}")
+        raise ValueError(f"turns must be two numbers of at least 1 without a common divisor, not {turns}")
     if not 0 < tube <= 0.4:
         raise ValueError(f"tube must be above 0 and at most 0.4, not {tube:g}")
 
@@ -193,8 +193,7 @@ def bunny(path: Union[None, str, "os.PathLike[str]"] = None) -> Shape:
         if (folder / _BUNNY).is_file():
             return read(folder / _BUNNY)
     raise FileNotFoundError(
-        f"the bunny is not there: run scripts/fetch_bunny of a checkout, which puts it at {_BUNNY}, or give the path of "
-        "a copy"
+        f"the bunny is not at {_BUNNY}: run scripts/fetch_bunny of a checkout, or give the path of a copy"
     )
 
 

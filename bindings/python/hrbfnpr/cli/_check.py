@@ -34,6 +34,7 @@ class Findings:
         self.warnings: List[str] = []
         self.errors: List[str] = []
         self.advice: List[str] = []
+        self.details: Dict[str, str] = {}  # of the texts above, for people
 
     @property
     def status(self) -> int:
@@ -45,7 +46,7 @@ class Findings:
         return {**self.facts, **lists}
 
 
-def check(path: Path, as_json: bool, context: Context) -> int:
+def check(path: Path, as_json: bool, context: Context, verbose: bool = False) -> int:
     """Report on a file.
 
     Returns
@@ -62,7 +63,7 @@ def check(path: Path, as_json: bool, context: Context) -> int:
     if as_json:
         print(json.dumps(_finite(facts), indent=2))
     else:
-        _print(facts)
+        _print(facts, findings.details if verbose else {})
     return findings.status
 
 
@@ -88,6 +89,8 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
     for note in notes:
         lists = {"note": findings.repairs, "warning": findings.warnings, "failure": findings.errors}
         lists[note.severity].append(str(note))
+        if note.detail:
+            findings.details[str(note)] = note.detail
         if note.advice and note.advice not in findings.advice:
             findings.advice.append(note.advice)
     facts.update(_facts(shape, info))
@@ -140,8 +143,8 @@ def _finite(value: Any) -> Any:
     return [_finite(one) for one in value] if isinstance(value, list) else value
 
 
-def _print(facts: Dict[str, Any]) -> None:
-    """The same for people."""
+def _print(facts: Dict[str, Any], details: Dict[str, str]) -> None:
+    """The same for people, with the details of what is found."""
     lists = ("notes", "repairs", "warnings", "errors", "advice")
     for name, value in facts.items():
         if name in (*lists, "status"):
@@ -156,6 +159,8 @@ def _print(facts: Dict[str, Any]) -> None:
                         ("errors", "error"), ("advice", "what to do")):  # fmt: skip
         for text in facts.get(name, ()):
             print(f"{words}: {text}")
+            if text in details:
+                print(f"    {details[text]}")
     print(f"status: {facts['status']}")
 
 

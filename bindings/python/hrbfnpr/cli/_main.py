@@ -40,7 +40,7 @@ def main(argv: Optional[List[str]] = None) -> int:
     try:
         arguments = build().parse_args(argv)
         work, context = _command(arguments.command), Context(arguments.threads or 0)
-        report = Reporter(arguments.quiet, start=start)
+        report = Reporter(arguments.quiet, start, arguments.verbose)
         with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
             return work(arguments, options_of(arguments), context, report) or 0
     except SystemExit as end:  # argparse, for --help and wrong options
@@ -56,7 +56,7 @@ def main(argv: Optional[List[str]] = None) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python complains at its end
         return 1
     except OutOfMemoryError as error:
-        return _fail(f"out of memory: {error}; fewer --samples or --marks need less", 1)
+        return _fail(f"out of memory: {error}; try fewer --samples or --marks", 1)
     except (Error, OSError, ValueError, ImportError) as error:
         return _fail(words_of(error), 1)
     except MemoryError:
@@ -81,7 +81,7 @@ def _command(name: str) -> Any:
 def _check(arguments: Any, options: Any, context: Context, report: Reporter) -> int:
     from ._check import check
 
-    return check(Path(arguments.input), arguments.json, context)
+    return check(Path(arguments.input), arguments.json, context, arguments.verbose)
 
 
 def _describe(path: Path, context: Context) -> Dict[str, Any]:

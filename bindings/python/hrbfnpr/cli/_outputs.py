@@ -21,12 +21,12 @@ def check(path: Union[str, Path]) -> None:
     """An error, by the name that the user typed, if a file cannot be put there."""
     target = Path(os.path.realpath(path))
     if target.is_dir():
-        raise IsADirectoryError(21, "it is a folder; a file name is needed", str(path))
+        raise IsADirectoryError(21, "it is a folder: give a file name", str(path))
     if not target.parent.is_dir():
         raise FileNotFoundError(2, f"there is no folder {os.path.dirname(path) or '.'}", str(path))
     writable = os.access(target, os.W_OK) if target.exists() else True
     if not (writable and (os.access(target.parent, os.W_OK) or target.exists() and not target.is_file())):
-        raise PermissionError(13, "it cannot be written there", str(path))
+        raise PermissionError(13, "the file cannot be written", str(path))
 
 
 def check_picture(path: Union[str, Path]) -> None:
@@ -49,7 +49,7 @@ def check_saved(path: Optional[str], kind: str, also: str = "") -> None:
     ending = os.path.splitext(path)[1].lower()
     if ending in ENDINGS and ending != also:
         other = f", or {also}" if also else ""
-        raise ValueError(f"{path}: a {kind} cannot be written as {ending}: use {_SAVED[kind]}{other}")
+        raise ValueError(f"{path}: a {kind} cannot be saved as {ending}: use {_SAVED[kind]}{other}")
     check(path)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is told to the user: stages and their seconds on stdout; bars, notes and, at the end, warnings on stderr."""
+"""What the user reads: stages and their seconds on stdout; bars, notes and, at the end, warnings on stderr."""
 from __future__ import annotations
 
 import shutil
@@ -13,13 +13,23 @@ from .._report import Note, Stage
 
 
 class Reporter(_report.Reporter):
-    """Bars where stderr is a terminal and tqdm is installed; warnings alone if quiet."""
+    """Shows bars if stderr is a terminal and tqdm is installed.
+
+    Parameters
+    ----------
+    quiet : bool
+        Prints warnings alone.
+    start : float, optional
+        When the process started, on the scale of time.monotonic().
+    verbose : bool
+        Prints the detail of each note and warning below it.
+    """
 
     wording = lib.HRBFNPR_WORDING_OPTIONS
 
-    def __init__(self, quiet: bool, start: Optional[float] = None) -> None:
+    def __init__(self, quiet: bool, start: Optional[float] = None, verbose: bool = False) -> None:
         super().__init__()
-        self.quiet = quiet
+        self.quiet, self.verbose = quiet, verbose
         self._start = time.monotonic() if start is None else start
         self._starting: Optional[float] = None if start is None else self.seconds
         self._tqdm: Any = None
@@ -39,7 +49,13 @@ class Reporter(_report.Reporter):
     def note(self, text: str) -> None:
         """What is good to know; at once."""
         if not self.quiet:
-            print(f"hrbfnpr: note: {text}", file=sys.stderr, flush=True)
+            self._print("note", text)
+
+    def _print(self, kind: str, text: str) -> None:
+        print(f"hrbfnpr: {kind}: {text}", file=sys.stderr, flush=True)
+        detail = getattr(text, "detail", "")
+        if self.verbose and detail:
+            print(f"    {detail}", file=sys.stderr, flush=True)
 
     def say(self, text: str) -> None:
         """A line on stdout."""
@@ -63,7 +79,7 @@ class Reporter(_report.Reporter):
     def finish(self) -> None:
         """Print the warnings."""
         for text in self.warnings:
-            print(f"hrbfnpr: warning: {text}", file=sys.stderr, flush=True)
+            self._print("warning", text)
         self.warnings.clear()
 
     def begin(self, doing: str) -> Stage:

@@ -9,6 +9,7 @@ from typing import Any, List, NamedTuple, Tuple
 from .. import _pictures
 from .._context import Context
 from .._names import PRESETS
+from .._report import Note
 from .._request import Options
 from .._scene import BlankError, Scene
 from .._sources import scene_of
@@ -93,11 +94,18 @@ def _drawn(scene: Scene, report: Any) -> Any:
     try:
         drawing = scene.draw(report=report)
     except BlankError as error:
-        report.failure.severity = "warning"
-        report.take_note(report.failure)
+        report.take_note(_warning_of(report.failure))
         drawing = scene.draw(scene.camera)
         del error
     return _pictures.to_pil(scene.image(drawing, scene.camera))
+
+
+def _warning_of(failure: Note) -> Note:
+    """Why a drawing is blank is the detail of its warning."""
+    what, _, why = str(failure).partition(". ")
+    note = Note(what)
+    note.code, note.severity, note.figures, note.detail = failure.code, "warning", failure.figures, why and f"{why}."
+    return note
 
 
 def _label(text: str, height: int, width: int) -> Any:
@@ -144,7 +152,7 @@ def draw_sheet(arguments: Any, options: Options, context: Context, report: Repor
     first = _First(report, wanted[0].label)
     made = scene_of(arguments.input, wanted[0].style, wanted[0].options, None, context, first, flags=("TOGETHER",))
     if made.model is None:
-        raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")
+        raise UsageError(f"{arguments.input} holds a point set; a sheet needs a mesh, points or a model")
     pictures = []
     with report.stage("drawings", "drawing") as stage:
         for cell in wanted:
@@ -155,7 +163,7 @@ def draw_sheet(arguments: Any, options: Options, context: Context, report: Repor
             pictures.append(_drawn(scene, about))
             if stage.bar is not None:
                 stage.bar.update(1 / len(wanted))
-        stage.says = f"{len(wanted)}: marks, lines and frames of each"
+        stage.says = f"{len(wanted)} drawings, each with its marks and lines"
     sizes = [picture.size for picture in pictures]
     text = max(8, max(map(max, sizes)) // 28)
     labels = [_label(cell.label, text, max(size[0] for size in sizes)) for cell in wanted]

@@ -40,7 +40,7 @@ def surface_of(arguments: Any, options: Options, context: Context, report: AnyRe
 def fit(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
     """Fit a model and save it."""
     check_saved(arguments.output, "model")
-    model = surface_of(arguments, options, context, report, "a point set; a model is fitted to samples").model
+    model = surface_of(arguments, options, context, report, "a point set; a fit needs a mesh or points with normals").model
     assert model is not None
     with report.stage("write", "writing") as stage:
         model.save(arguments.output)
@@ -54,7 +54,7 @@ def fit(arguments: Any, options: Options, context: Context, report: Reporter) ->
 def points(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
     """Place marks and save them."""
     check_saved(arguments.output, "point set", ".ply")
-    model = surface_of(arguments, options, context, report, "a point set already").model
+    model = surface_of(arguments, options, context, report, "a point set, so its marks are placed already").model
     assert model is not None
     with report.stage("place marks", "placing marks") as stage:
         marks = _generate(model, options, stage.bar, context)
@@ -106,9 +106,9 @@ def views(arguments: Any, options: Options, context: Context, report: Reporter) 
     """Draw all views and write the sheet."""
     output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-views.svg")
     if format_of(output) is None:
-        raise ValueError(f"{output}: a sheet of views is drawn as vectors: use .svg, .pdf, .hpgl or .gcode")
+        raise ValueError(f"{output}: a sheet of views is a vector file: use .svg, .pdf, .hpgl or .gcode")
     check_drawing(output)
-    scene = surface_of(arguments, options, context, report, "a point set; views are drawn of samples or of a model")
+    scene = surface_of(arguments, options, context, report, "a point set; views need a mesh, points or a model")
     desc, keep = _views_desc(arguments, scene, str(format_of(output)))
     buffer = io.BytesIO()
     info = scene.write_views(buffer, desc, report)

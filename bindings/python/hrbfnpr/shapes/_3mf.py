@@ -51,7 +51,7 @@ def read_3mf(path: Path) -> Shape:
         with zipfile.ZipFile(path) as archive:
             return _Reader(archive).shape()
     except zipfile.BadZipFile as error:
-        raise ShapeError(f"the 3MF file is no whole ZIP archive: {error}") from None
+        raise ShapeError(f"the 3MF file is not a whole ZIP archive: {error}") from None
     except ShapeError:
         raise
     except UNPACKING as error:
@@ -80,7 +80,8 @@ class _Reader:
         if not self._triangles:
             what = "places nothing" if not items else "places no triangles"
             raise ShapeError(f"the 3MF file {what}: its build has no object with a mesh")
-        notes = (f"{self._left_out} objects that support the print left out",) if self._left_out else ()
+        objects = f"{self._left_out} support object{'' if self._left_out == 1 else 's'}"
+        notes = (f"{objects} of the print left out",) if self._left_out else ()
         points, triangles = np.concatenate(self._points), np.concatenate(self._triangles)
         return Shape(points, None, triangles, "3MF", ("x", "y", "z"), UP, notes)
 
@@ -104,7 +105,7 @@ class _Reader:
         try:
             return ElementTree.fromstring(self._archive.read(info))
         except ElementTree.ParseError as error:
-            raise ShapeError(f"{part} of the 3MF file is no XML: {error}") from None
+            raise ShapeError(f"{part} of the 3MF file is not XML: {error}") from None
         except (LookupError, ValueError) as error:  # an unknown encoding
             raise ShapeError(f"{part} of the 3MF file cannot be read: {error}") from None
 
@@ -125,7 +126,7 @@ class _Reader:
     def _place(self, placed: _Placed, depth: int) -> None:
         self._placed += 1
         if depth > _DEEPEST:
-            raise ShapeError("the components of the 3MF file go in a circle")
+            raise ShapeError("the components of the 3MF file contain each other")
         if self._placed > _MOST_PLACED:
             raise ShapeError(f"the 3MF file places more than {_MOST_PLACED} objects")
         one = self._object(placed)
@@ -166,7 +167,7 @@ def _placed(element: ElementTree.Element, part: str, outer: Floats) -> _Placed:
         try:
             place[:, :3] = np.array(said.split(), dtype=np.float64).reshape(4, 3)
         except ValueError:
-            raise ShapeError(f"the 3MF file has a transform that is no 12 numbers: {said[:80]!r}") from None
+            raise ShapeError(f"the 3MF file has a transform that is not 12 numbers: {said[:80]!r}") from None
     return _Placed(part if path is None else _name(path), element.get("objectid", ""), place @ outer)
 
 

@@ -32,7 +32,7 @@ def read_amf(data: bytes) -> Shape:
     try:
         root = ElementTree.fromstring(data)
     except (ElementTree.ParseError, LookupError, ValueError) as error:
-        raise ShapeError(f"the AMF file is no XML that can be read: {error}") from None
+        raise ShapeError(f"the AMF file is not valid XML: {error}") from None
     placed = _Placer(root).placed()
     points = np.concatenate([mesh[0] for mesh in placed])
     first = np.cumsum([0] + [len(mesh[0]) for mesh in placed])
@@ -69,13 +69,13 @@ class _Placer:
         found += [mesh for name, some in self._meshes.items() if name not in within for mesh in some]
         found = [mesh for mesh in found if len(mesh[1])]
         if not found:
-            raise ShapeError("the AMF file has no triangles" + (" that stand anywhere" if self._meshes else ""))
+            raise ShapeError("the AMF file has no triangles" + (", or none that is placed" if self._meshes else ""))
         return found
 
     def _of(self, name: str, depth: int) -> List[_Mesh]:
         self._count += 1
         if depth > _DEEPEST:
-            raise ShapeError("the constellations of the AMF file go in a circle")
+            raise ShapeError("the constellations of the AMF file contain each other")
         if self._count > _MOST_PLACED:
             raise ShapeError(f"the AMF file places more than {_MOST_PLACED} objects")
         if name in self._meshes:
@@ -100,7 +100,7 @@ def _place(instance: ElementTree.Element) -> Tuple[Floats, Floats]:
         angles = np.radians([float(said.get(name, "0")) for name in ("rx", "ry", "rz")])
         move = np.array([float(said.get(name, "0")) for name in ("deltax", "deltay", "deltaz")])
     except ValueError:
-        raise ShapeError(f"an instance of object {_id(instance)!r} of the AMF file is placed by no numbers") from None
+        raise ShapeError(f"the place of object {_id(instance)!r} in the AMF file is not given by numbers") from None
     turn = np.eye(3)
     for axis, angle in enumerate(angles):
         one, other = (axis + 1) % 3, (axis + 2) % 3
@@ -127,6 +127,6 @@ def _numbers(elements: List[ElementTree.Element], names: Tuple[str, str, str], n
     except ValueError:
         bad = next((row for row in words if not all(is_number(word.encode()) for word in row)), words[0])
         raise ShapeError(
-            f"object {name!r} of the AMF file has a {elements[0].tag} whose {', '.join(names)} are no numbers: {bad}"[:300]
+            f"object {name!r} of the AMF file has a {elements[0].tag} whose {', '.join(names)} are not numbers: {bad}"[:300]
         ) from None
     return found

@@ -28,7 +28,7 @@ def read(path: Path) -> Shape:
     form = ENDINGS[path.suffix.lower()]
     program = shutil.which("assimp")
     if program is None:
-        raise ShapeError(f"reading {form} files needs assimp (assimp-utils); or without it: {_OTHERWISE}")
+        raise ShapeError(f"reading {form} files needs assimp (assimp-utils); without it, {_OTHERWISE}")
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.glb"
         done = run("assimp", [program, "export", str(path.resolve()), str(scene), "-fglb2"], _OTHERWISE)
@@ -37,7 +37,7 @@ def read(path: Path) -> Shape:
         try:
             shape = read_gltf(scene.read_bytes(), Path(folder))
         except ShapeError as error:
-            raise ShapeError(f"of what assimp makes of it, {error}; {_OTHERWISE}") from None
+            raise ShapeError(f"assimp reads it wrong: {error}; {_OTHERWISE}") from None
     return replace(shape, format=form, up=UP if form in _Z_UP else shape.up)
 
 

@@ -56,7 +56,7 @@ def read(path: Path) -> Shape:
         form = _by_content(file.read(65536)) or ENDINGS[path.suffix.lower()]
     program = _program()
     if program is None:
-        raise ShapeError(f"reading {form} files needs DRAW of Open CASCADE (occt-draw); or without it: {OTHERWISE}")
+        raise ShapeError(f"reading {form} files needs DRAW of Open CASCADE (occt-draw); without it, {OTHERWISE}")
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
         shutil.copyfile(path, work / "model")  # a name without characters that are special in Tcl
@@ -69,14 +69,14 @@ def read(path: Path) -> Shape:
         if b"Mesh writing has been failed" in done.stdout:
             raise ShapeError("it has no faces: curves alone are not read from CAD files")
         if not made.exists():
-            raise ShapeError(f"Open CASCADE makes no triangles of it{_reason(done.stdout + done.stderr)}; {OTHERWISE}")
+            raise ShapeError(f"Open CASCADE cannot turn it into triangles{_reason(done.stdout + done.stderr)}; {OTHERWISE}")
         shape = read_stl(made.read_bytes())
     off = re.search(rb"off by: ([-+.0-9e]+)", done.stdout)
     how_near = f", at most {float(off[1]):.2g}% of the diagonal off" if off else ""
-    notes = [*shape.notes, f"its surfaces are made triangles{how_near}"]
+    notes = [*shape.notes, f"its surfaces were turned into triangles{how_near}"]
     empty = re.search(rb"without triangles: ([1-9]\d*)", done.stdout)
     if empty:
-        notes.append(f"Open CASCADE makes no triangles of {int(empty[1])} of its surfaces, which are missing; {OTHERWISE}")
+        notes.append(f"surfaces missing, as Open CASCADE fails on them: {int(empty[1])}; {OTHERWISE}")
     return replace(shape, format=form, up=UP, notes=tuple(notes))
 
 

@@ -128,6 +128,6 @@ def _other_normals(table: Floats, starts: Sequence[int], expected: bool, notes: 
             continue  # among several triples, only the last can hold normals
         if expected or (not _is_colour(rows) and float(np.nanmin(rows)) < 0):
             which = f"columns {start + 1 + before} to {start + 3 + before}"
-            notes.append(f"{which} are not of unit length, and are taken for normals")
+            notes.append(f"{which} are read as normals, though not of length 1")
             return start
     return 0

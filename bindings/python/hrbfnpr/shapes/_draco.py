@@ -18,7 +18,7 @@ def unpack(data: bytes) -> Shape:
     """The points and triangles of compressed data, in Draco's own order."""
     program = shutil.which(_PROGRAM)
     if program is None:
-        raise ShapeError(f"its geometry is compressed by Draco: reading that needs {_PROGRAM} (draco); or {_OTHERWISE}")
+        raise ShapeError(f"its geometry is compressed by Draco: reading that needs {_PROGRAM} (draco); without it, {_OTHERWISE}")
     with tempfile.TemporaryDirectory() as folder:
         packed, plain = Path(folder) / "packed.drc", Path(folder) / "plain.ply"
         packed.write_bytes(data)

@@ -38,22 +38,22 @@ def read_gltf(data: bytes, folder: Path) -> Shape:
     except json.JSONDecodeError as error:
         raise ShapeError(f"line {error.lineno}, column {error.colno}: the JSON of the glTF file: {error.msg}") from None
     except UnicodeDecodeError:
-        raise ShapeError("not a glTF file: its JSON is no text") from None
+        raise ShapeError("not a glTF file: its JSON is not text") from None
     except OverflowError:
         raise ShapeError("a number of the glTF file is larger than coordinates can be") from None
     except RecursionError:
-        raise ShapeError("the JSON of the glTF file has lists in lists without an end") from None
+        raise ShapeError("the JSON of the glTF file is nested too deep") from None
     except ShapeError:
         raise
     except KeyError as error:
         key = error.args[0]
-        lacks = f"is not whole: a part of it has no {key!r}" if isinstance(key, str) else f"has a type {key!r}, unknown"
+        lacks = f"is incomplete: a part has no {key!r}" if isinstance(key, str) else f"has an unknown type {key!r}"
         raise ShapeError(f"the glTF file {lacks}") from None
     except IndexError:
-        raise ShapeError("the glTF file refers to what is not there: one of its numbers is beyond its list") from None
+        raise ShapeError("the glTF file is damaged: an index is larger than its list") from None
     except (TypeError, AttributeError, ValueError):
         raise ShapeError(
-            "the glTF file is not as the format has it: a list stands where a number belongs, or the like"
+            "the glTF file is not valid: a value has the wrong type, such as a list in place of a number"
         ) from None
 
 
@@ -65,7 +65,7 @@ def _chunks(data: bytes) -> Tuple[bytes, bytes]:
     if version != 2:
         raise ShapeError(f"GLB files of version {version} are not read: version 2 is")
     if length > len(data):
-        raise ShapeError(f"the GLB file is cut short: {len(data)} of {length} bytes are there")
+        raise ShapeError(f"the GLB file is cut short: it has {len(data)} of {length} bytes")
     parts: Dict[bytes, bytes] = {}
     at = 12
     while at + 8 <= length:
@@ -136,7 +136,7 @@ class _Reader:
         while todo:
             number, above, depth = todo.pop()
             if depth > _DEEPEST:
-                raise ShapeError("the nodes of the glTF file go in a circle")
+                raise ShapeError("the nodes of the glTF file contain each other")
             if len(placed) == _MOST_PLACED:
                 raise ShapeError(f"the scene of the glTF file places more than {_MOST_PLACED} nodes")
             place = above @ _matrix(nodes[number])
@@ -249,7 +249,7 @@ class _Reader:
         if count == 0:
             return np.zeros((0, width), dtype)
         if min(start, count, stride) < 0 or start + stride * (count - 1) + size > len(data):
-            raise ShapeError(f"the glTF file is cut short: part {number} ends beyond the {len(data)} bytes there are")
+            raise ShapeError(f"the glTF file is cut short: part {number} ends after the last of {len(data)} bytes")
         rows = np.ndarray((count, size), np.uint8, data, start, (stride, 1))
         return np.ascontiguousarray(rows).view(dtype)
 
@@ -275,7 +275,7 @@ class _Reader:
                 try:
                     self._buffers[number] = path.read_bytes()
                 except OSError as error:
-                    raise ShapeError(f"it needs {uri} beside it: {error.strerror}") from None
+                    raise ShapeError(f"it needs the file {uri} in the same folder: {error.strerror}") from None
         return self._buffers[number]
 
 

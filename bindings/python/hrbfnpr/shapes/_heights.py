@@ -28,7 +28,7 @@ def mesh(
     step = max(1, math.ceil(math.sqrt(rows * columns / MOST_CELLS)))
     if step > 1:
         heights = heights[::step, ::step]
-        notes.append(f"of its {columns} x {rows} heights every {_ordinal(step)} row and column is used")
+        notes.append(f"every {_ordinal(step)} row and column of its {columns} x {rows} heights is used")
     known = np.isfinite(heights)
     if not known.any():
         raise ShapeError("the height map has no heights: every one is marked as missing")
@@ -42,7 +42,7 @@ def mesh(
     whole = known[:-1, :-1] & known[1:, :-1] & known[1:, 1:] & known[:-1, 1:]
     triangles = np.concatenate([np.stack([a, b, c], -1)[whole], np.stack([a, c, d], -1)[whole]])
     if len(triangles) == 0:
-        raise ShapeError("the height map has no four neighbouring heights")
+        raise ShapeError("the height map has no cell with heights at all four corners")
     return Shape(points, None, triangles.astype(np.int64), form, ("z",), UP, tuple(notes))
 
 
@@ -51,8 +51,8 @@ def _ordinal(number: int) -> str:
 
 
 def _in_metres(cell: Tuple[float, float], west: float, south: float, rows: int, notes: List[str]) -> Tuple[float, float]:
-    """The sides of a cell in metres, because heights are in metres; converted if they are in degrees."""
-    notes.append("cells are in degrees: their sides are turned into metres, as heights are")
+    """Cells in degrees become metres, as heights are."""
+    notes.append("cells in degrees are converted to metres, the unit of the heights")
     latitude = south + rows * cell[1] / 2
     return cell[0] * _METRES * math.cos(math.radians(latitude)), cell[1] * _METRES
 
@@ -79,11 +79,11 @@ def read_grid(data: bytes) -> Shape:
     columns, rows = int(head.get("ncols", 0)), int(head.get("nrows", 0))
     cell = (head.get("cellsize", head.get("dx", 0.0)), head.get("cellsize", head.get("dy", 0.0)))
     if columns < 2 or rows < 2 or min(cell) <= 0:
-        raise ShapeError("the height map needs ncols, nrows and cellsize, and two columns and rows at least")
+        raise ShapeError("the height map needs ncols, nrows and cellsize, and at least two columns and rows")
     values = numbers(text[start:], number)
     if len(values.values) != columns * rows:
         last = int(values.lines[-1]) if len(values.lines) else number
-        raise at(last, 0, f"the height map has {len(values.values)} heights, and {columns} x {rows} are announced")
+        raise at(last, 0, f"the height map has {len(values.values)} heights, but its header says {columns} x {rows}")
     heights = values.values.reshape(rows, columns).copy()
     heights[heights == head.get("nodata_value", -9999.0)] = np.nan
     notes: List[str] = []
@@ -107,7 +107,7 @@ def read_pgm(data: bytes) -> Shape:
     else:
         values = np.frombuffer(data, dtype, min(count, (len(data) - head.end()) // dtype.itemsize), head.end())
     if len(values) < count:
-        raise ShapeError(f"the PGM file ends in the middle of its {columns} x {rows} heights, behind {len(values)}")
+        raise ShapeError(f"the PGM file ends in the middle of its {columns} x {rows} heights, after {len(values)}")
     heights = values[:count].astype(np.float64).reshape(rows, columns)
     comments = b" ".join(head.group(i) for i in (2, 4, 6)).decode("latin-1")
     cell, scale, notes = _scale_of(comments, heights)
@@ -123,7 +123,7 @@ def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], floa
         return (side, float(found.group(2) or side)), unit, []
     relief = float(heights.max() - heights.min())
     scale = _RELIEF * max(heights.shape) / relief if relief > 0 else 1.0
-    note = f"the picture does not say its scale: its heights are made {_RELIEF:.0%} of its longer side"
+    note = f"the picture gives no scale: its heights are set to {_RELIEF:.0%} of its longer side"
     return (1.0, 1.0), scale, [note]
 
 
@@ -156,7 +156,7 @@ def _raster(path: Path, form: str) -> Shape:
         except Exception as error:  # the types differ between versions of rasterio
             raise ShapeError(f"rasterio cannot read it: {error}") from None
     if step > 1:
-        notes.append(f"its {size[0]} x {size[1]} heights are used as {shape[1]} x {shape[0]}")
+        notes.append(f"its {size[0]} x {size[1]} heights are reduced to {shape[1]} x {shape[0]}")
     heights = np.ma.filled(band.astype(np.float64), np.nan)
     if degrees:
         cell = _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes)

@@ -32,7 +32,7 @@ def unpack(extension: Dict[str, Any], data: bytes) -> bytes:
         raise
     except (IndexError, ValueError, OverflowError):
         raise ShapeError(_DAMAGED) from None
-    raise ShapeError(f"a part of the glTF file is compressed in the mode {mode!r}, {stride} bytes apart, which is not known")
+    raise ShapeError(f"a part of the glTF file is compressed in the unknown mode {mode!r} with a stride of {stride} bytes")
 
 
 # --- attributes --------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ def unpack(extension: Dict[str, Any], data: bytes) -> bytes:
 def _attributes(data: bytes, count: int, stride: int) -> Any:
     """The bytes of vertices, shape (count, stride).  They are stored as differences from vertex to vertex, column by column."""
     if data[0] != 0xA0 or stride % 4:
-        raise ShapeError(f"a part of the glTF file is compressed as version {data[0] & 15}, which is not known")
+        raise ShapeError(f"a part of the glTF file is compressed in the unknown version {data[0] & 15}")
     if count * stride > 64 * len(data):  # a byte of data holds 64 bytes at most
         raise ValueError
     tail = max(stride, _TAIL)
@@ -142,7 +142,7 @@ class _Triangles:
     def __init__(self, data: bytes, count: int) -> None:
         version = data[0] & 15
         if data[0] & 0xF0 != 0xE0 or version > 1:
-            raise ShapeError(f"a part of the glTF file is compressed as version {version}, which is not known")
+            raise ShapeError(f"a part of the glTF file is compressed in the unknown version {version}")
         self._recent_below = 13 if version else 15
         self._codes, self._source, self._both = data[1 : 1 + count], _Source(data, 1 + count), data[-16:]
         self._edges, self._vertices = _Recent((0, 0)), _Recent(0)
@@ -213,7 +213,7 @@ def _triangles(data: bytes, count: int) -> List[int]:
 def _sequence(data: bytes, count: int) -> List[int]:
     """Unpack a sequence.  Each number is a difference from the last number of one of two series."""
     if data[0] & 0xF0 != 0xD0 or data[0] & 15 > 1:
-        raise ShapeError(f"a part of the glTF file is compressed as version {data[0] & 15}, which is not known")
+        raise ShapeError(f"a part of the glTF file is compressed in the unknown version {data[0] & 15}")
     source, last, result = _Source(data, 1), [0, 0], []
     for _ in range(count):
         number = source.number()

@@ -12,7 +12,7 @@ import numpy as np
 from ._columns import Columns, by_content, by_heading
 from ._shape import Floats, Shape, ShapeError
 
-_HINT = "an array of n x 3 or more numbers holds points, x y z in a row; in .npz, arrays points, normals and triangles"
+_HINT = "give points as an array of n x 3 numbers; an .npz file may also hold arrays normals and triangles"
 _POINTS = ("points", "point", "vertices", "verts", "vertex", "positions", "position", "pos", "xyz", "coords", "v", "arr_0")
 _NORMALS = ("normals", "normal", "vertex_normals", "n", "vn")
 _MOST_COLUMNS = 32  # largest number of columns of a point
@@ -33,11 +33,11 @@ def read_npz(data: bytes) -> Shape:
         raise ShapeError(f"not a usable NPZ file: {_first_line(error)}") from None
     place, normal, face = (_first(arrays, names) for names in (_POINTS, _NORMALS, _FACES))
     if place is None:
-        raise ShapeError(f"{_HINT}; here are {', '.join(sorted(arrays)) or 'none'}")
+        raise ShapeError(f"there is no array of points among {', '.join(sorted(arrays)) or 'none'}; {_HINT}")
     shape = _points(arrays[place], "NPZ")
     normals = _rows(arrays[normal], normal) if normal is not None else shape.normals
     if normals is not None and normals.shape != shape.points.shape:
-        raise ShapeError(f"{normal} is of shape {_shape(normals)}, and {place} of {_shape(shape.points)}")
+        raise ShapeError(f"{normal} is {_shape(normals)}, but {place} is {_shape(shape.points)}")
     triangles = _triangles(arrays[face], face) if face is not None else None
     return Shape(shape.points, normals, triangles, "NPZ", shape.columns, notes=shape.notes)
 
@@ -46,7 +46,7 @@ def _loaded(data: bytes) -> Any:
     try:
         return np.load(io.BytesIO(data), allow_pickle=False)
     except (ValueError, OSError, EOFError, zipfile.BadZipFile, MemoryError) as error:
-        raise ShapeError(f"not a usable file of NumPy's: {_first_line(error)}") from None
+        raise ShapeError(f"not a usable NumPy file: {_first_line(error)}") from None
 
 
 def _first_line(error: Exception) -> str:
@@ -67,7 +67,7 @@ def _points(array: Any, form: str) -> Shape:
         return _named(array, form)
     notes: Tuple[str, ...] = ()
     if array.ndim == 2 and array.shape[0] in (3, 6) and array.shape[1] > _MOST_COLUMNS:
-        notes = (f"the array is of shape {_shape(array)}: its columns are the points",)
+        notes = (f"the array is {_shape(array)}: its columns are read as points",)
         array = array.T
     table = _rows(array, "the array")
     columns = by_content(table)
@@ -84,7 +84,7 @@ def _named(array: Any, form: str) -> Shape:
     """A shape from an array with named fields."""
     columns: Optional[Columns] = by_heading(array.dtype.names)
     if columns is None:
-        raise ShapeError(f"its records name no x, y and z: {', '.join(array.dtype.names)[:200]}")
+        raise ShapeError(f"its records have no fields x, y and z; they have {', '.join(array.dtype.names)[:200]}")
     record = array.reshape(-1)
 
     def triple(names: Any) -> Optional[Floats]:
@@ -108,12 +108,12 @@ def _numbers(array: Any, name: str) -> Floats:
 def _rows(array: Any, name: str) -> Floats:
     """The rows of an array n x 3 or wider, or the pixels of a picture h x w x 3, row by row."""
     if array.ndim < 2 or array.shape[-1] < 3:
-        raise ShapeError(f"{name} is of shape {_shape(array)}; {_HINT}")
+        raise ShapeError(f"{name} is {_shape(array)}; {_HINT}")
     return _numbers(array, name).reshape(-1, array.shape[-1])
 
 
 def _triangles(array: Any, name: str) -> Any:
     if array.dtype.kind not in "iu" or array.ndim != 2 or array.shape[1] not in (3, 4):
-        raise ShapeError(f"{name} is of shape {_shape(array)} and holds {array.dtype}; n x 3 whole numbers are faces, from 0")
+        raise ShapeError(f"{name} is {_shape(array)} and holds {array.dtype}; faces are n x 3 whole numbers, from 0")
     corners = array.astype(np.int64)
     return corners if corners.shape[1] == 3 else np.vstack([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])

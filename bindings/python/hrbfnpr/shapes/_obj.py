@@ -61,7 +61,7 @@ def read_obj(data: bytes) -> Shape:
     if matched:
         columns = (*columns, "nx", "ny", "nz")
     count = len(found[b"l"][0])
-    notes = (f"{count} line{'s' if count > 1 else ''} among the points not used",) if count else ()
+    notes = (f"{count} line{'s' if count > 1 else ''} left out: the file is drawn as points",) if count else ()
     return Shape(vertices, normals if matched else None, None, "OBJ", columns, notes=notes)
 
 
@@ -125,16 +125,16 @@ def _wires(rows: Rows, corners: Floats, loose: int) -> Shape:
     usable = np.isfinite(length)
     start, end, length = start[usable], end[usable], length[usable]
     if not 0 < length.sum() < np.inf:
-        raise ShapeError("its lines have no length that can be told, and there are no faces")
+        raise ShapeError("there are no faces, and its lines have no length")
     parts = np.maximum(1, np.ceil(length / (length.sum() / _ALONG_LINES))).astype(np.int64)
     part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     share = (part / np.repeat(parts, parts))[:, None]
     along = np.repeat(start, parts, axis=0) * (1 - share) + np.repeat(end, parts, axis=0) * share
     along = np.concatenate([along, corners[~following & np.isfinite(corners).all(axis=1)]])
     along = along[np.sort(np.unique(along, axis=0, return_index=True)[1])]
-    notes = [f"it holds no faces: points are taken along its lines ({len(rows.counts)})"]
-    notes += [f"vertices on no line, left out: {loose}"] if loose else []
-    notes += [f"pieces of lines with a corner that is not finite, left out: {(~usable).sum()}"] if not usable.all() else []
+    notes = [f"there are no faces: points along its {len(rows.counts)} lines are used"]
+    notes += [f"vertices left out, as they are on no line: {loose}"] if loose else []
+    notes += [f"pieces of lines left out, as a corner is not finite: {(~usable).sum()}"] if not usable.all() else []
     return Shape(along, None, None, "OBJ", ("x", "y", "z"), notes=tuple(notes))
 
 
@@ -147,7 +147,7 @@ def _corners(lines: List[bytes], where: List[int], vertex_lines: Integers, what:
         for line, number in zip(lines, where):
             for column, word in enumerate(line.split(), 2):
                 if not _CORNER.fullmatch(word):
-                    raise at(number, column, f"a {what} has the corner {shown(word)}; 7, 7/1 or 7//3 are right") from None
+                    raise at(number, column, f"a {what} has the corner {shown(word)}; write it as 7, 7/1 or 7//3") from None
         raise
     count = len(vertex_lines)
     line_of = np.repeat(rows.lines, rows.counts)
@@ -172,7 +172,7 @@ def read_off(data: bytes) -> Shape:
         raise ShapeError("not an OFF file in text form: it does not begin with OFF")
     kind = head.group(1).decode()
     if "4" in kind or "n" in kind:
-        raise ShapeError(f"OFF files of the dimension of {kind!r} are not understood")
+        raise ShapeError(f"OFF files with the dimension of {kind!r} are not read")
     rest, first = text[head.end() :], 1 + text.count(b"\n", 0, head.end())
     start = re.search(rb"\S", rest)
     if start is None:

@@ -15,7 +15,7 @@ def read(kind: str, data: bytes) -> Shape:
     """Read what follows the line OFF BINARY.  Geomview writes big-endian numbers, and colours after faces; others do not."""
     width = {"OFF": 3, "NOFF": 6}.get(kind)
     if width is None:
-        raise ShapeError(f"binary OFF files of the kind {kind!r} are not understood; save it as text, or as PLY")
+        raise ShapeError(f"binary OFF files of the kind {kind!r} are not read: save it as text, or as PLY")
     if len(data) < 12:
         raise ShapeError("the OFF file lacks its counts")
     for order in ("<", ">"):
@@ -30,7 +30,7 @@ def read(kind: str, data: bytes) -> Shape:
             polygons = _polygons(words, faces, coloured)
             if polygons is not None:
                 return _shape(table, polygons)
-    raise ShapeError("the OFF file is damaged: it ends before its vertices and faces do, or has more than these")
+    raise ShapeError("the OFF file is damaged: it is too short or too long for its vertices and faces")
 
 
 def _polygons(words: Any, faces: int, coloured: bool) -> Any:

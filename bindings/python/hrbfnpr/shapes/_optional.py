@@ -18,7 +18,7 @@ def needed(module: str, what: str, package: str, otherwise: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError:
-        raise ShapeError(f"reading {what} needs {module} ({package}); or without it: {otherwise}") from None
+        raise ShapeError(f"reading {what} needs {module} ({package}); without it, {otherwise}") from None
 
 
 def is_here(module: str) -> bool:
@@ -41,4 +41,4 @@ def run(
             command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False, cwd=folder, env=environment
         )
     except subprocess.TimeoutExpired:
-        raise ShapeError(f"{name} does not come to an end with it; {otherwise}") from None
+        raise ShapeError(f"{name} did not finish reading it; {otherwise}") from None

@@ -29,7 +29,7 @@ def read_pcd(data: bytes) -> Shape:
                   for i, (name, kind, size, count) in enumerate(zip(names, types, sizes, counts))]  # fmt: skip
         np.dtype(fields)
     except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise ShapeError(f"the PCD header lacks {error.args[0]}, or cannot be understood") from None
+        raise ShapeError(f"the PCD header lacks {error.args[0]}, or is not valid") from None
     if not len(names) == len(sizes) == len(types) == len(counts) or points < 0 or min(counts, default=0) < 1:
         raise ShapeError("the PCD header has lists that differ in length, or a count that is too small")
     if form == "ascii":
@@ -39,7 +39,7 @@ def read_pcd(data: bytes) -> Shape:
     elif form == "binary_compressed":
         columns = _compressed(data[offset:], fields, points)
     else:
-        raise ShapeError(f"PCD files with data in the form {form!r} are not understood")
+        raise ShapeError(f"PCD files with data in the form {form!r} are not read")
     shape = replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])))
     up = _up_of_picture(shape.points, head)
     if up is None:
@@ -113,7 +113,7 @@ def _header(data: bytes) -> Tuple[Dict[str, List[str]], int, int]:
 def _ascii(data: bytes, line: int, names: List[str], counts: List[int], points: int) -> Dict[str, Any]:
     rows = numbers(data, line)
     if len(rows.counts) < points:
-        raise ShapeError(f"the PCD file ends in the middle of its {points} points, behind {len(rows.counts)} of them")
+        raise ShapeError(f"the PCD file ends in the middle of its {points} points, after {len(rows.counts)} of them")
     width = sum(counts)
     for i in np.flatnonzero(rows.counts[:points] != width):
         raise at(int(rows.lines[i]), 0, f"{rows.counts[i]} numbers, where the header has {width}")
@@ -125,7 +125,7 @@ def _ascii(data: bytes, line: int, names: List[str], counts: List[int], points: 
 def _packed(data: bytes, dtype: Any, points: int) -> Dict[str, Any]:
     there = len(data) // max(dtype.itemsize, 1)
     if there < points:
-        raise ShapeError(f"the PCD file ends in the middle of its {points} points, behind {there} of them")
+        raise ShapeError(f"the PCD file ends in the middle of its {points} points, after {there} of them")
     table = np.frombuffer(data, dtype, points)
     return {name.rsplit(" ", 1)[0]: table[name][:, 0] for name in dtype.names}
 
@@ -136,7 +136,7 @@ def _compressed(data: bytes, fields: List[Any], points: int) -> Dict[str, Any]:
         raise ShapeError("the PCD file ends before its points")
     packed, size = struct.unpack_from("<II", data)
     if len(data) < 8 + packed:
-        raise ShapeError(f"the PCD file ends in the middle of its {packed} compressed bytes, behind {len(data) - 8}")
+        raise ShapeError(f"the PCD file ends in the middle of its {packed} compressed bytes, after {len(data) - 8}")
     raw, at_byte, columns = _unpack(data[8 : 8 + packed], size), 0, {}
     for name, kind, (count,) in fields:
         if at_byte + points * count * np.dtype(kind).itemsize > len(raw):

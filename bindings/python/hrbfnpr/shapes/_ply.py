@@ -130,14 +130,14 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
                 elements.append(_Element(words[1], int(words[2])))
             elif words[:2] == ["property", "list"]:
                 if _TYPES[words[2]][0] == "f":
-                    raise at(number, 0, f"the PLY header has lists whose length is a {words[2]}: it is a whole number")
+                    raise at(number, 0, f"the PLY header has lists whose length is a {words[2]}, not a whole number")
                 elements[-1].add(words[4], _TYPES[words[3]], _TYPES[words[2]])
             elif words[:1] == ["property"]:
                 elements[-1].add(words[2], _TYPES[words[1]], None)
         except ShapeError:
             raise
         except (KeyError, IndexError, ValueError):
-            raise at(number, 0, f"the PLY header cannot be understood: {line.strip()[:80]!r}") from None
+            raise at(number, 0, f"the PLY header is not valid: {line.strip()[:80]!r}") from None
     if order is None:
         raise ShapeError("the PLY header has no format line")
     if any(element.count < 0 for element in elements):
@@ -147,7 +147,7 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
 
 
 def _cut_short(element: _Element, found: Optional[int] = None) -> ShapeError:
-    there = "" if found is None else f", behind {max(found, 0)} of them"
+    there = "" if found is None else f", after {max(found, 0)} of them"
     return ShapeError(f"the PLY file ends in the middle of its {element.count} elements {element.name!r}{there}")
 
 
@@ -282,7 +282,7 @@ class _Binary:
                 raise ShapeError(f"the PLY file has a list of {count} numbers")
             numbers = self._unpack(kind, count, element)
             if length and not all(map(math.isfinite, numbers)):
-                raise ShapeError(f"the PLY file has a list {name!r} with what is not a number")
+                raise ShapeError(f"the PLY file has a list {name!r} with something that is not a number")
             values[name] = [int(n) for n in numbers] if length else numbers[0]
         return values
 

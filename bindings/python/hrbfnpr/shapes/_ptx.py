@@ -41,10 +41,10 @@ def read_ptx(data: bytes) -> Shape:
         scans.append(np.column_stack([points[there], np.ones(int(there.sum()))]) @ matrix[:, :3])
     places: Floats = np.concatenate(scans) if scans else np.empty((0, 3))
     if len(places) == 0:
-        raise ShapeError("the PTX file has no points: nothing came back from any place of its grids")
-    notes = [f"{len(scans)} scans are taken together"] if len(scans) > 1 else []
+        raise ShapeError("the PTX file has no points: all places of its grids are empty")
+    notes = [f"{len(scans)} scans are joined"] if len(scans) > 1 else []
     if empty:
-        notes.append(f"nothing came back from {empty} places of {'its grids' if len(scans) > 1 else 'its grid'}")
+        notes.append(f"{empty} places of {'its grids' if len(scans) > 1 else 'its grid'} are empty")
     viewpoint = stood if len(scans) == 1 else None
     return Shape(places, None, None, "PTX", ("x", "y", "z"), UP, tuple(notes), viewpoint)
 
@@ -56,7 +56,7 @@ def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
         raise ShapeError("the PTX file ends in the middle of a header")
     for i, (count, wanted) in enumerate(zip(counts, _HEADER)):
         if count != wanted:
-            what = f"line {i + 1} of a scan's header has {wanted} numbers; here are {count}"
+            what = f"line {i + 1} of a scan's header needs {wanted} number{'' if wanted == 1 else 's'}, not {count}"
             raise at(int(rows.lines[line + i]), 0, what)
     sides: List[int] = []
     for i in range(2):
@@ -67,7 +67,7 @@ def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
     begin = starts[line + 6]
     matrix = rows.values[begin : begin + 16].reshape(4, 4)
     if not np.isfinite(matrix).all() or (matrix[:, 3] != (0.0, 0.0, 0.0, 1.0)).any():
-        what = "the matrix of a scan is of finite numbers, and its last column 0 0 0 1"
+        what = "the matrix of a scan needs finite numbers, and 0 0 0 1 as its last column"
         raise at(int(rows.lines[line + 6]), 0, what)
     return sides[0], sides[1], matrix
 
@@ -76,11 +76,11 @@ def _grid(rows: Rows, starts: Floats, line: int, count: int) -> Floats:
     """The places of a grid's points.  Their lines may continue with intensities and colours."""
     there = len(rows.counts) - line
     if there < count:
-        raise ShapeError(f"the PTX file ends in the middle of the {count} points of a scan, behind {there} of them")
+        raise ShapeError(f"the PTX file ends in the middle of the {count} points of a scan, after {there} of them")
     short = np.flatnonzero(rows.counts[line : line + count] < 3)
     if len(short):
         i = line + int(short[0])
-        what = f"a point has three numbers or more; here are {rows.counts[i]}: is the grid of another size?"
+        what = f"a point needs three numbers or more, not {rows.counts[i]}: is the size of the grid wrong?"
         raise at(int(rows.lines[i]), 0, what)
     points: Floats = rows.values[starts[line : line + count, None] + np.arange(3)]
     return points

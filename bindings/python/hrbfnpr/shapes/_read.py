@@ -84,7 +84,7 @@ READ = (
 )
 _CONVERT = {
     **dict.fromkeys((".sldprt", ".sldasm", ".ipt", ".iam", ".prt", ".catpart", ".x_t", ".sat", ".fcstd", ".f3d"),
-                    "the program that it is of exports STEP or STL"),
+                    "its program exports STEP or STL"),
     **dict.fromkeys((".max", ".usd", ".usda", ".usdc", ".usdz"),
                     "Blender exports it as glTF or PLY"),
     **dict.fromkeys((".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
@@ -93,14 +93,14 @@ _CONVERT = {
     **dict.fromkeys((".ctm",), "MeshLab exports it as STL"),
     **dict.fromkeys((".nii", ".dcm", ".nrrd", ".mha", ".vti"), "it holds a volume: 3D Slicer exports a surface as PLY"),
     **dict.fromkeys((".png", ".jpg", ".jpeg", ".bmp"), "it is a picture; heights of terrain go into a PGM of 16 bits"),
-    **dict.fromkeys((".mat", ".pkl", ".h5", ".hdf5"), "NumPy saves its arrays of points, normals and triangles as .npz"),
+    **dict.fromkeys((".mat", ".pkl", ".h5", ".hdf5"), "save its arrays of points, normals and triangles as .npz, with NumPy"),
 }  # fmt: skip
 
 
 _NO_MODEL = (
-    (rb"\s*<(?i:!doctype html|html)\b", "this is a page of the web, not a model: the download went wrong"),
+    (rb"\s*<(?i:!doctype html|html)\b", "this is a web page, not a model: the download went wrong"),
     (rb"version https://git-lfs", "this is a pointer of Git LFS, not the file itself: git lfs pull fetches it"),
-    (rb"\x28\xb5\x2f\xfd", "it is packed by zstd, as Blender packs its files: unzstd unpacks it; or export it as glTF or PLY"),
+    (rb"\x28\xb5\x2f\xfd", "it is packed by zstd, as Blender does: unpack it with unzstd, or export it as glTF or PLY"),
 )
 
 
@@ -186,13 +186,13 @@ def _read(path: Path) -> Shape:
         shape = _read_unpacked(form.read_path, data, ending) if packed else form.read_path(path)
     if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
         what = "a table of points" if name == "text" else name
-        note = f"the ending is {ending}, but the file holds {what}, and is read so"
+        note = f"the ending is {ending}, but the file holds {what} and is read as such"
         return replace(shape, notes=(note, *shape.notes))
     return shape
 
 
 def _empty(expected: Optional[str], size: int) -> str:
-    holds = "the file is empty" if size == 0 else "the file holds blanks only"
+    holds = "the file is empty" if size == 0 else "the file holds only blanks"
     if expected in (None, "text"):
         return f"there are no points: {holds}"
     return f"not {'an' if expected[0] in 'OELS' else 'a'} {expected} file: {holds}"
@@ -203,7 +203,7 @@ def _unpacked(path: Path) -> bytes:
         with gzip.open(path) as file:
             return file.read()
     except (OSError, EOFError, zlib.error) as error:
-        raise ShapeError(f"it is packed by gzip, and damaged: {error}") from None
+        raise ShapeError(f"it is packed by gzip and is damaged: {error}") from None
 
 
 def _read_unpacked(reader: Callable[[Path], Shape], data: bytes, ending: str) -> Shape:
@@ -215,8 +215,8 @@ def _read_unpacked(reader: Callable[[Path], Shape], data: bytes, ending: str) ->
 
 
 def _unknown(ending: str) -> str:
-    what = "the file has no ending, and its contents tell nothing"
+    what = "the file has no ending, and its contents are of no known format"
     if ending:
         what = f"files that end in {ending} are not read"
-    advice = _CONVERT.get(ending, "MeshLab, Blender or CloudCompare convert others, to PLY for example")
-    return f"{what}; {advice}. Read are {READ}"
+    advice = _CONVERT.get(ending, "MeshLab, Blender or CloudCompare may convert it, to PLY for example")
+    return f"{what}; {advice}. These are read: {READ}"

@@ -81,7 +81,7 @@ def _usable(points: Floats, normals: Floats) -> Tuple[Floats, Floats]:
     length = np.linalg.norm(normals, axis=1)
     usable = np.isfinite(points).all(axis=1) & np.isfinite(length) & (length > 0)
     if not usable.any():
-        raise ShapeError("no point is finite and has a normal that is not zero")
+        raise ShapeError("no point has both a finite position and a normal that is not zero")
     return points[usable], normals[usable] / length[usable, None]
 
 

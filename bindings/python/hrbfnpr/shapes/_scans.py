@@ -35,7 +35,7 @@ def read_las(path: Path) -> Shape:
         return Shape(points, None, None, "LAZ", ("x", "y", "z"), UP, notes)
     there = (path.stat().st_size - offset) // max(length, 1)
     if length < 20 or there < count:
-        raise ShapeError(f"the LAS file ends in the middle of its {count} points, behind {max(there, 0)} of them")
+        raise ShapeError(f"the LAS file ends in the middle of its {count} points, after {max(there, 0)} of them")
     record = np.dtype({"names": ["place"], "formats": [("<i4", 3)], "itemsize": length})
     table: Any = np.memmap(path, record, "r", offset, (count,))
     step = math.ceil(count / MOST_POINTS)
@@ -45,7 +45,7 @@ def read_las(path: Path) -> Shape:
 
 
 def _taken(count: int, used: int) -> Tuple[str, ...]:
-    return (f"of its {count} points {used} are read",) if used < count else ()
+    return (f"{used} of its {count} points are read",) if used < count else ()
 
 
 def _by_laspy(path: Path) -> Tuple[Floats, Tuple[str, ...]]:
@@ -80,7 +80,7 @@ def read_e57(path: Path) -> Shape:
         raise ShapeError("the E57 file has no points")
     given = [part for part in normals if part is not None]
     whole = len(given) == len(normals)
-    notes = () if whole or not given else (f"of its {len(normals)} scans {len(given)} have normals: none are used",)
+    notes = () if whole or not given else (f"only {len(given)} of its {len(normals)} scans have normals: these are not used",)
     columns = ("x", "y", "z", "nx", "ny", "nz") if whole else ("x", "y", "z")
     return Shape(np.concatenate(points), np.concatenate(given) if whole else None, None, "E57", columns, UP, notes)
 

@@ -40,7 +40,7 @@ def _binary(data: bytes) -> Shape:
         raise ShapeError("not an STL file: it is too short to be a binary one, and does not begin with solid")
     count, there = _count(data), (len(data) - _HEADER) // _TRIANGLE.itemsize
     if there < count:
-        raise ShapeError(f"the STL file ends in the middle of its {count} triangles, behind {there} of them")
+        raise ShapeError(f"the STL file ends in the middle of its {count} triangles, after {there} of them")
     if count == 0:
         raise ShapeError("the STL file has no triangles")
     corners = np.frombuffer(data, _TRIANGLE, count, _HEADER)["corners"].reshape(-1, 3).astype(np.float64)
@@ -56,7 +56,7 @@ def _text(data: bytes) -> Shape:
     if count == 0:
         raise ShapeError("the STL file has no triangles")
     if b"endsolid" not in text.lower():
-        raise ShapeError(f"the STL file ends in the middle, behind {count // 3} triangles: there is no endsolid")
+        raise ShapeError(f"the STL file ends in the middle, after {count // 3} triangles: there is no endsolid")
     corners = np.array(words, dtype=np.float64).reshape(-1, 3)
     return Shape(corners, None, np.arange(count).reshape(-1, 3), "STL, ascii", ("x", "y", "z"), UP)
 
@@ -76,4 +76,4 @@ def _say_what_is_wrong(text: bytes, count: int) -> None:
             if corners != 3:
                 raise at(number, 0, f"a facet has {corners} corners; STL has triangles only")
             corners = 0
-    raise ShapeError(f"the STL file ends in the middle of a facet, behind {count // 3} triangles")
+    raise ShapeError(f"the STL file ends in the middle of a facet, after {count // 3} triangles")

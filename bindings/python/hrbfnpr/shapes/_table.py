@@ -58,7 +58,7 @@ def plain(data: bytes) -> bytes:
     elif data[:3] == b"\xef\xbb\xbf":
         data = data[3:]
     if b"\0" in data[:4096]:
-        raise ShapeError("this is no text but binary data")
+        raise ShapeError("this is binary data, not text")
     return data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
 
 

@@ -65,7 +65,7 @@ def read_vtk(path: Path) -> Shape:
         _need_vtk("polygons of VTK")
         return _by_vtk("vtkPolyDataReader", path, "VTK")
     if b"STRUCTURED_POINTS" in head:
-        raise ShapeError("it holds a volume: ParaView's Contour makes a surface of it, to save as PLY")
+        raise ShapeError("it holds a volume: make a surface with ParaView's Contour and save it as PLY")
     return _cells("vtkDataSetReader", path, "VTK")
 
 
@@ -83,7 +83,7 @@ def _need_vtk(what: str) -> None:
     if not is_here("vtk"):
         needed("vtk", what, "python3-vtk9", _OTHERWISE)
     if not sys.executable:
-        raise ShapeError(f"reading {what} needs an interpreter of its own, which this program does not know: {_OTHERWISE}")
+        raise ShapeError(f"reading {what} needs a Python interpreter, and this program does not know one: {_OTHERWISE}")
 
 
 def _by_vtk(reader: str, path: Path, form: str) -> Shape:
@@ -95,14 +95,14 @@ def _by_vtk(reader: str, path: Path, form: str) -> Shape:
         command = [sys.executable, str(script), reader, str(path.resolve()), str(result)]
         done = run("VTK", command, _OTHERWISE)
         if done.returncode:
-            raise ShapeError(f"VTK cannot read it, and ended: it is damaged; {_OTHERWISE}")
+            raise ShapeError(f"VTK crashed on it: it is damaged; {_OTHERWISE}")
         stopped = re.search(rb"near line (\d+): parse error", done.stdout + done.stderr)
-        where = f"VTK stops near line {int(stopped[1]) + 1}, which it does not understand" if stopped else ""
+        where = f"VTK cannot read on from line {int(stopped[1]) + 1}" if stopped else ""
         if not result.exists():
             raise ShapeError(f"VTK finds no points in it: {where or 'it is damaged, or empty'}")
         with np.load(result) as found:
             shape = _shape_of(found, form)
-    return replace(shape, notes=(*shape.notes, f"{where}: what is behind may be missing; {_OTHERWISE}")) if where else shape
+    return replace(shape, notes=(*shape.notes, f"{where}: the rest may be missing; {_OTHERWISE}")) if where else shape
 
 
 def _shape_of(found: Any, form: str) -> Shape:
@@ -110,7 +110,7 @@ def _shape_of(found: Any, form: str) -> Shape:
     if len(triangles):
         return Shape(points, None, triangles, form, ("x", "y", "z"), notes=(_VOLUME,) if found["volume"] else ())
     count = int(found["lines"])
-    notes = (f"it has {count} lines and no faces: their points are taken",) if count else ()
+    notes = (f"it has {count} lines and no faces: their points are used",) if count else ()
     given: Optional[Floats] = normals if len(normals) == len(points) else None
     columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
     return Shape(points, given, None, form, columns, notes=notes)
@@ -127,7 +127,7 @@ def read_meshio(path: Path, form: str = "") -> Shape:
     except (Exception, SystemExit) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         other = "VTK itself, if it is installed (python3-vtk9), may, and " if form else ""
-        raise ShapeError(f"meshio cannot read it, which may be damaged or empty: {reason}; {other}{_OTHERWISE}") from error
+        raise ShapeError(f"meshio cannot read it, so it may be damaged or empty: {reason}; {other}{_OTHERWISE}") from error
     points = np.asarray(mesh.points, dtype=np.float64)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ShapeError("its points are not in three dimensions")
@@ -170,8 +170,7 @@ def _outer(blocks: Any) -> Tuple[Integers, Tuple[str, ...]]:
     notes: Tuple[str, ...] = (_VOLUME,) if faces else ()
     if count > 1 and len(faces) == all_faces:
         notes += (
-            f"no two of its {count} cells share a face: meshio may have misread them; with VTK installed (python3-vtk9) "
-            "it reads them",
+            f"no two of its {count} cells share a face: meshio may misread it; install VTK (python3-vtk9)",
         )
     return fans(faces.values()), notes
 

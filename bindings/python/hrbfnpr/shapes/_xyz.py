@@ -42,7 +42,7 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
     body = without_comments(text[head.at :], _COMMENTS)
     notes: Tuple[str, ...] = ()
     if decimal_comma:
-        body, notes = body.replace(b",", b"."), ("commas are decimal marks here",)
+        body, notes = body.replace(b",", b"."), ("commas are read as decimal marks",)
     body = body.rstrip()
     if head.columns is not None or _has_gaps(body, separator):
         names = head.columns.names if head.columns else None
@@ -56,7 +56,7 @@ def read_xyz(data: bytes, normals_expected: bool = False) -> Shape:
     _check_count(head.count, len(table), table.shape[1])
     columns = Columns(names) if names else by_content(table, normals_expected)
     if table.shape[1] < 3:
-        raise at(head.line, 0, f"{_HINT}; here are {table.shape[1]} numbers")
+        raise at(head.line, 0, f"{_HINT}; this line holds {table.shape[1]} numbers")
     places, normals = columns.triple("xyz"), columns.triple(("nx", "ny", "nz"))
     assert places is not None
     return Shape(
@@ -87,7 +87,7 @@ def _head(text: bytes) -> _Head:
                 return _Head(columns, sure, count, start, number, line)
         start = end + 1
     if count is not None:
-        raise at(number, 0, f"{count} points are announced, and none follow")
+        raise at(number, 0, f"this line says {count} points, but none follow")
     raise ShapeError("there are no points")
 
 
@@ -154,7 +154,7 @@ def _split(body: bytes, first_line: int, separator: bytes, names: Optional[Tuple
             words.pop()  # the empty word after a separator at the end of the line
         width = width or len(words)
         if len(words) < width and (not wanted or len(words) <= max(wanted)):
-            raise at(number, 0, f"there are {len(words)} columns, and {width} were expected")
+            raise at(number, 0, f"there are {len(words)} columns, but {width} were expected")
         row = [float("nan")] * width
         for i in wanted or range(min(width, len(words))):
             row[i] = number_at(words[i], number, i + 1, _HINT) if words[i] else float("nan")
@@ -183,7 +183,7 @@ def _even(rows: Rows) -> Floats:
     odd = np.flatnonzero(rows.counts != usual)
     if len(odd):
         i = int(odd[0])
-        raise at(int(rows.lines[i]), 0, f"{rows.counts[i]} numbers, where line {rows.lines[0]} has {usual}")
+        raise at(int(rows.lines[i]), 0, f"there are {rows.counts[i]} numbers, but line {rows.lines[0]} has {usual}")
     return rows.values.reshape(len(rows.counts), usual)
 
 
@@ -196,4 +196,4 @@ def _points_then_normals(rows: Rows, count: Optional[int]) -> Optional[Shape]:
 
 def _check_count(count: Optional[int], found: int, width: int) -> None:
     if count is not None and count != found:
-        raise ShapeError(f"the first line announces {count} points, but {found} lines of {width} numbers follow")
+        raise ShapeError(f"the first line says {count} points, but {found} lines of {width} numbers follow")
