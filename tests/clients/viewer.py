@@ -300,7 +300,7 @@ ERRORS = (
     ("none.json", "{}", "these are no settings"),
     ("up.json", '{"hrbfnpr-settings": 1, "camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "up": [0, 0, 1], "near_plane": 1, '
      '"vertical_angle": 1, "far_plane": 2}}', "up (0, 0, 1) is parallel to the direction of view"),
-    ("half.json", "{", "this is no JSON"),
+    ("half.json", "{", "this is not JSON"),
 )
 
 

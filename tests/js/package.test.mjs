@@ -246,7 +246,8 @@ test("one call draws points and reports its choices", () => {
   const [note] = picture.notes;
   assert.equal(note.code, "normals-turned");
   assert.equal(note.severity, "note");
-  assert.match(note.text, /all normals looked inward/);
+  assert.match(note.text, /all normals pointed inward/);
+  assert.equal(note.detail, undefined);
   const { data } = picture.rasterize();
   assert.deepEqual([...data.subarray(0, 4)], [255, 238, 221, 255]);
   assert.deepEqual(data, picture.drawing.rasterize().data);

@@ -147,7 +147,7 @@ async function files() {
   await drop(page, "ball.xyz", cloud);
   await page.waitForFunction(() => /^file ball\.xyz/.test(document.documentElement.dataset.made ?? ""));
   assert.match(await page.textContent("#facts"), /fit: 300 centres/);
-  assert.match(await page.textContent("#notes"), /the points have no normals: 300 are made/);
+  assert.match(await page.textContent("#notes"), /the points have no normals: 300 are computed/);
   await done();
 }
 

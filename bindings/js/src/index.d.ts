@@ -305,6 +305,10 @@ export interface PictureNote {
   severity: C.SeverityName | number;
   figures: number[];
   text: string;
+  /** What to do about it; undefined if the text says it or nothing needs doing. */
+  advice?: string;
+  /** One or two more sentences that explain the text; undefined if none. */
+  detail?: string;
 }
 
 /** One surface of a picture. */

@@ -76,12 +76,11 @@ export class Picture extends Made {
     return this.readInfo("hrbfnpr_picture_get_info", "hrbfnpr_picture_info");
   }
 
-  /** The notes about choices, repairs and omissions: { code, severity, figures, text } each. */
+  /** The notes about choices, repairs and omissions: { code, severity, figures, text, advice, detail } each. */
   get notes() {
     return Array.from({ length: this.info().notes }, (_, number) => {
-      const { code, severity, figures, figureCount, text } =
-        this.readInfo("hrbfnpr_picture_get_note", "hrbfnpr_note", number);
-      return { code, severity, figures: figures.slice(0, figureCount), text };
+      const { figures, figureCount, ...note } = this.readInfo("hrbfnpr_picture_get_note", "hrbfnpr_note", number);
+      return { ...note, figures: figures.slice(0, figureCount) };
     });
   }
 
