@@ -165,6 +165,8 @@ namespace HrbfNpr.Tests
             Assert.Equal(3L, info.BoundaryEdges);
             Note open = notes.Single(one => one.Code == NoteCode.MeshOpen);
             Assert.Equal(new double[] { 1, 3 }, open.Figures.ToArray());
+            Assert.Contains("small holes are closed", open.Advice);
+            Assert.Contains("drawn as a line", open.Detail);
             info = PictureSource.FromPoints(new[] { double.NaN, 0, 0 }).Inspect(out notes);
             Assert.Equal(1L, info.PointsNotFinite);
             Assert.Equal(Severity.Failure, info.Severity);
@@ -189,6 +191,7 @@ namespace HrbfNpr.Tests
                 Assert.Equal((double)(points.Length / 3), note.Figures.Single());
                 Assert.Contains("normals", note.Text);
                 Assert.Equal(note.Text, note.ToString());
+                Assert.True(note.Advice == null && note.Detail == null);
                 Assert.Equal(made.Notes.Select(one => one.Text).ToArray(),
                     happened.Where(one => one.Note != null).Select(one => one.Note.Text).ToArray());
                 Stage[] stages = made.Stages.Select(one => one.Stage).ToArray();
