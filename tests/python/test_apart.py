@@ -77,7 +77,7 @@ def test_separate_parts_give_no_warning(tmp_path, capsys):
     assert (tmp_path / "a.svg").read_text().count("<g") > 1
     assert main(["draw", path, str(tmp_path / "b.png"), "--size", "200", "--together"]) == 0
     said = capsys.readouterr()
-    assert "cross or nearly touch" not in said.err and said.out.count("\nfit ") == 1
+    assert "nearly touch: drawn as" not in said.err and said.out.count("\nfit ") == 1
     assert main(["draw", path, str(tmp_path / "c.png"), "--size", "200", "--save-model", str(tmp_path / "c.hrbf")]) == 0
     assert capsys.readouterr().out.count("\nfit ") == 1  # --save-model saves one model
 
