@@ -57,7 +57,7 @@ void leave_out_unused(const Call& call, Shape& shape, hrbfnpr_source_info& info)
     if (no_data.points != 0)
         call.report.note(HRBFNPR_NOTE_NO_DATA, {as_figure(no_data.points), no_data.value},
                          count_of(no_data.points, "point", pool) +=
-                         formatted(pool, " left out: the value %g marks missing data", no_data.value));
+                         formatted(pool, " left out, as the value %g marks missing data", no_data.value));
     if (shape.is_mesh()) return;
     info.strays = leave_out_far(shape, pool);
     if (info.strays != 0)
@@ -80,7 +80,7 @@ void inspect_places(const Call& call, const Shape& shape, hrbfnpr_source_info& i
     give_bounds(bounds, info);
     if (lost != 0 && !shape.is_mesh() && !shape.is_photo) {
         report.note(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
-                    count_of(lost, "point", pool) += " left out: without a finite position");
+                    count_of(lost, "point", pool) += " without a finite position left out");
         report.warn(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
                     formatted(pool, "%s %s a position that is not finite", count_of(lost, "point", pool).c_str(),
                               has_or_have(lost)));
@@ -108,17 +108,17 @@ void inspect_orientation(const Call& call, const InspectedSamples& samples, bool
                         : look.closed <= -normals_tuning.inward_sum ? HRBFNPR_NORMALS_LOOK_OPEN
                                                                     : HRBFNPR_NORMALS_LOOK_OUTWARD;
     if (look.inward()) {
-        report.note(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals turned: they point inward");
+        report.note(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals turned, as they point inward");
         report.warn(HRBFNPR_NOTE_NORMALS_TURNED, {}, "all normals point inward",
-                    {.advice = "nothing: the fit turns them; {normals=keep} leaves them"});
+                    {.advice = "nothing, as the fit turns them; {normals=keep} leaves them"});
     }
     if (const char axis = hangs_along(samples.points, samples.normals); axis != 0) {
         info.looks_down = static_cast<std::uint32_t>(axis - 'x');
         report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {double(info.looks_down)},
-                    "all normals turned: the surface is a terrain, and they point down");
+                    "all normals turned, as a terrain faces up");
         report.warn(HRBFNPR_NOTE_TERRAIN_TURNED, {double(info.looks_down)},
                     formatted(call.pool, "the surface is a terrain whose normals point down along %c", axis),
-                    {.advice = "nothing: the fit turns them; {normals=keep} leaves them"});
+                    {.advice = "nothing, as the fit turns them; {normals=keep} leaves them"});
     }
     tell_wrong_normals(call, look, samples.points.size(), of_mesh, true);
 }
@@ -146,9 +146,9 @@ void inspect_orientation_on_curves(const Call& call, const InspectedSamples& sam
     if (info.normals_look == HRBFNPR_NORMALS_LOOK_OUTWARD) return;
     const char* const words = found_in_words(found);
     report.note(HRBFNPR_NOTE_NORMALS_REPAIRED, {0.0, 0.0, double(found)},
-                formatted(call.pool, "normals repaired: they %s", words));
+                formatted(call.pool, "normals repaired, as they %s", words));
     report.warn(HRBFNPR_NOTE_NORMALS_REPAIRED, {0.0, 0.0, double(found)}, formatted(call.pool, "the normals %s", words),
-                {.advice = "nothing: the fit repairs them; {normals=keep} leaves them"});
+                {.advice = "nothing, as the fit repairs them; {normals=keep} leaves them"});
 }
 
 // ---- Points
@@ -230,9 +230,10 @@ InspectedSamples inspect_points(const Call& call, const Shape& shape, hrbfnpr_so
     if (info.has_normals == 0) {
         const auto count = static_cast<double>(finite.size());
         report.note(HRBFNPR_NOTE_NORMALS_MADE, {count},
-                    shape.normals.empty() ? "normals computed: there are none" : "normals computed: all are zero");
+                    shape.normals.empty() ? "normals computed, as there are none"
+                                          : "normals computed, as all are zero");
         report.warn(HRBFNPR_NOTE_NORMALS_MADE, {count}, "the points have no normals",
-                    {.advice = "nothing: they are computed; normals from the scanner are more reliable"});
+                    {.advice = "nothing, as they are computed; normals from the scanner are more reliable"});
         Points zeros(finite.size(), glm::dvec3(0.0), &pool);
         return {std::move(finite), std::move(zeros)};
     }
@@ -265,7 +266,7 @@ InspectedSamples inspect_image(const Call& call, Shape& shape, hrbfnpr_source_in
                                found.radius, info.image_depth, info.image_noise));
     if (found.left_out != 0)
         call.report.note(HRBFNPR_NOTE_PIXELS_LEFT_OUT, {as_figure(found.left_out)},
-                         count_of(found.left_out, "pixel", pool) += " left out: they lie on no surface");
+                         count_of(found.left_out, "pixel", pool) += " on no surface left out");
     return {Points(shape.points, &pool), Points(shape.normals, &pool)};
 }
 
@@ -308,7 +309,7 @@ void tell_faces_and_vertices(const Call& call, const MeshFacts& facts) {
     if (facts.faces_not_finite == 0) return;
     const String faces = count_of(facts.faces_not_finite, "face", call.pool);
     call.report.note(HRBFNPR_NOTE_FACES_NOT_FINITE, {as_figure(facts.faces_not_finite)},
-                     String(faces, &call.pool) += " left out: a corner is not finite");
+                     String(faces, &call.pool) += " left out, as a corner is not finite");
     call.report.warn(
         HRBFNPR_NOTE_FACES_NOT_FINITE, {as_figure(facts.faces_not_finite)},
         formatted(call.pool, "%s %s a corner that is not finite", faces.c_str(), has_or_have(facts.faces_not_finite)));
@@ -318,9 +319,9 @@ void tell_inside_out(const Call& call, const MeshFacts& facts) {
     Report& report = call.report;
     if (facts.inside_out) {
         report.note(HRBFNPR_NOTE_INSIDE_OUT, {as_figure(facts.components_inside_out)},
-                    "all faces turned: the mesh is inside out");
+                    "all faces turned, as the mesh is inside out");
         report.warn(HRBFNPR_NOTE_INSIDE_OUT, {as_figure(facts.components_inside_out)}, "the mesh is inside out",
-                    {.advice = "nothing: the fit turns its faces"});
+                    {.advice = "nothing, as the fit turns its faces"});
     } else if (facts.components_inside_out != 0) {
         report.warn(HRBFNPR_NOTE_INSIDE_OUT, {as_figure(facts.components_inside_out)},
                     formatted(call.pool, "%lld of %lld parts are inside out or are cavities",
@@ -337,7 +338,7 @@ void tell_nonmanifold(const Call& call, std::int64_t found, std::int64_t left, b
     if (left < found)
         call.report.note(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(found - left)},
                          (count_of(found - left, "edge", call.pool) += " of more than two triangles ") +=
-                         has_repeated_faces ? "mended: repeated faces are left out" : "split: solids touch there");
+                         has_repeated_faces ? "mended by leaving out repeated faces" : "split where solids touch");
     if (left != 0)
         call.report.warn(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(left)},
                          formatted(call.pool, "%s %s more than two triangles",
@@ -351,7 +352,7 @@ void tell_open(const Call& call, const MeshFacts& facts) {
                      formatted(call.pool, "the mesh is open: it has %s of %s",
                                count_of(facts.boundary_loops, "border", call.pool).c_str(),
                                count_of(facts.boundary_edges, "edge", call.pool).c_str()),
-                     {.advice = "nothing: small holes are closed, wide ones stay open; {close!} closes all",
+                     {.advice = "nothing, as small holes are closed and wide ones stay open; {close!} closes all",
                       .detail = "The border of a hole that stays open is drawn as a line."});
 }
 
@@ -364,7 +365,7 @@ void tell_contrary_and_parts(const Call& call, const MeshFacts& facts) {
     if (facts.components > 1)
         call.report.warn(HRBFNPR_NOTE_SEVERAL_PARTS, {as_figure(facts.components)},
                          formatted(call.pool, "the mesh has %lld parts", static_cast<long long>(facts.components)),
-                         {.advice = "nothing: parts inside others are left out; {parts=all} keeps them",
+                         {.advice = "nothing, as parts inside others are left out; {parts=all} keeps them",
                           .detail = "Open parts that cross or nearly touch are drawn as separate surfaces."});
 }
 

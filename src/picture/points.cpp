@@ -324,13 +324,13 @@ void leave_out_unusable(const Call& call, Shape& shape) {
         shape.triangles.erase(unusable, shape.triangles.end());
         if (left_out != 0)
             call.report.warn(HRBFNPR_NOTE_FACES_NOT_FINITE, {static_cast<double>(left_out)},
-                             count_of(left_out, "face", pool) += " left out: a corner is not finite");
+                             count_of(left_out, "face", pool) += " left out, as a corner is not finite");
     }
     const NoData no_data = leave_out_no_data(shape, pool);
     if (no_data.points == 0) return;
     const String count = count_of(no_data.points, shape.is_mesh() ? "vertex" : "point", pool);
     call.report.note(HRBFNPR_NOTE_NO_DATA, {static_cast<double>(no_data.points), no_data.value},
-                     formatted(pool, "%s left out: the value %g marks missing data", count.c_str(), no_data.value));
+                     formatted(pool, "%s left out, as the value %g marks missing data", count.c_str(), no_data.value));
 }
 
 bool has_normals(const Shape& shape) noexcept {

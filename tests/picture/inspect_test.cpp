@@ -143,13 +143,13 @@ TEST_F(InspectTest, Inward_normals_give_a_warning_in_the_callers_words) {
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_INWARD);
     EXPECT_EQ(info.severity, HRBFNPR_SEVERITY_WARNING);
     EXPECT_EQ(info.normals_unit_share, 0.0);
-    EXPECT_THAT(repairs(), ElementsAre("400 normals scaled to length 1", "all normals turned: they point inward"));
+    EXPECT_THAT(repairs(), ElementsAre("400 normals scaled to length 1", "all normals turned, as they point inward"));
     EXPECT_THAT(warnings(), ElementsAre("all normals point inward"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: the fit turns them; --normals keep leaves them"));
+    EXPECT_THAT(advice(), ElementsAre("nothing, as the fit turns them; --normals keep leaves them"));
     inspect(source_of(inward), HRBFNPR_WORDING_ARGUMENTS);
-    EXPECT_THAT(advice(), ElementsAre("nothing: the fit turns them; normals='keep' leaves them"));
+    EXPECT_THAT(advice(), ElementsAre("nothing, as the fit turns them; normals='keep' leaves them"));
     inspect(source_of(inward), HRBFNPR_WORDING_FIELDS);
-    EXPECT_THAT(advice(), ElementsAre("nothing: the fit turns them; normals keep leaves them"));
+    EXPECT_THAT(advice(), ElementsAre("nothing, as the fit turns them; normals keep leaves them"));
 }
 
 TEST_F(InspectTest, Mixed_normals_give_a_warning) {
@@ -183,7 +183,7 @@ TEST_F(InspectTest, Unusable_points_are_counted) {
     EXPECT_EQ(info.normals_not_finite, 1);
     EXPECT_EQ(info.duplicates, 1);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD);
-    EXPECT_THAT(repairs(), ElementsAre("2 points left out: without a finite position",
+    EXPECT_THAT(repairs(), ElementsAre("2 points without a finite position left out",
                                        "1 point merged with another at the same place, if their normals agree",
                                        "3 points without a usable normal left out"));
     EXPECT_THAT(warnings(), ElementsAre("2 points have a position that is not finite",
@@ -196,11 +196,11 @@ TEST_F(InspectTest, Missing_normals_are_made) {
     auto info = inspect(source_of(ball, false));
     EXPECT_EQ(info.has_normals, 0U);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_UNKNOWN);
-    EXPECT_THAT(repairs(), ElementsAre("normals computed: there are none"));
+    EXPECT_THAT(repairs(), ElementsAre("normals computed, as there are none"));
     EXPECT_THAT(warnings(), ElementsAre("the points have no normals"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: they are computed; normals from the scanner are more reliable"));
+    EXPECT_THAT(advice(), ElementsAre("nothing, as they are computed; normals from the scanner are more reliable"));
     info = inspect(turned(ball, 0.0));
-    EXPECT_THAT(repairs(), ElementsAre("normals computed: all are zero"));
+    EXPECT_THAT(repairs(), ElementsAre("normals computed, as all are zero"));
 }
 
 TEST_F(InspectTest, Strays_no_data_and_distant_origins_are_reported) {
@@ -212,7 +212,7 @@ TEST_F(InspectTest, Strays_no_data_and_distant_origins_are_reported) {
     EXPECT_EQ(info.strays, 1);
     EXPECT_EQ(info.points, 1002);
     EXPECT_LT(info.bounds_max[0], 1.01);
-    EXPECT_THAT(repairs(), ElementsAre("1 point left out: the value -9999 marks missing data",
+    EXPECT_THAT(repairs(), ElementsAre("1 point left out, as the value -9999 marks missing data",
                                        "1 point far from all others left out"));
     EXPECT_EQ(info.severity, HRBFNPR_SEVERITY_NOTE);
 
@@ -242,7 +242,7 @@ TEST_F(InspectTest, A_terrain_that_looks_down_gives_a_warning) {
     EXPECT_EQ(info.looks_down, 2U);
     EXPECT_THAT(info.up, ElementsAre(0.0, 0.0, 1.0));
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OPEN);
-    EXPECT_THAT(repairs(), ElementsAre("all normals turned: the surface is a terrain, and they point down"));
+    EXPECT_THAT(repairs(), ElementsAre("all normals turned, as a terrain faces up"));
     EXPECT_THAT(warnings(), Contains("the surface is a terrain whose normals point down along z"));
 }
 
@@ -254,9 +254,9 @@ TEST_F(InspectTest, Normals_along_curves_are_judged_by_the_library) {
     EXPECT_THAT(told, IsEmpty());
     info = inspect(turned(wires));
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_INWARD);
-    EXPECT_THAT(repairs(), ElementsAre("normals repaired: they point inward"));
+    EXPECT_THAT(repairs(), ElementsAre("normals repaired, as they point inward"));
     EXPECT_THAT(warnings(), ElementsAre("the normals point inward"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: the fit repairs them; --normals keep leaves them"));
+    EXPECT_THAT(advice(), ElementsAre("nothing, as the fit repairs them; --normals keep leaves them"));
 }
 
 TEST_F(InspectTest, An_undrawable_source_is_a_failure_not_an_error) {
@@ -308,13 +308,14 @@ TEST_F(InspectTest, Faults_of_a_mesh_are_reported) {
     EXPECT_EQ(info.boundary_loops, 2);
     EXPECT_EQ(info.closed, 0U);
     EXPECT_THAT(warnings(), ElementsAre("the mesh is open: it has 2 borders of 48 edges"));
-    EXPECT_THAT(advice(), ElementsAre("nothing: small holes are closed, wide ones stay open; --close closes all"));
+    EXPECT_THAT(advice(),
+                ElementsAre("nothing, as small holes are closed and wide ones stay open; --close closes all"));
 
     const test::Triangles ball = test::icosphere(2);
     info = inspect(ball.turned());
     EXPECT_EQ(info.inside_out, 1U);
     EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD); // This holds once the faces are turned.
-    EXPECT_THAT(repairs(), ElementsAre("all faces turned: the mesh is inside out"));
+    EXPECT_THAT(repairs(), ElementsAre("all faces turned, as the mesh is inside out"));
     EXPECT_THAT(warnings(), ElementsAre("the mesh is inside out"));
 
     info = inspect(ball.with(ball.moved(0.4, 0.0, 0.0, 0.0).turned()));
@@ -327,7 +328,7 @@ TEST_F(InspectTest, Edges_of_many_faces_are_mended_where_solids_touch) {
     auto info = inspect(box.with(box.moved(1.0, 1.0, 1.0, 0.0)));
     EXPECT_EQ(info.nonmanifold_edges, 1);
     EXPECT_EQ(info.nonmanifold_left, 0);
-    EXPECT_THAT(repairs(), Contains("1 edge of more than two triangles split: solids touch there"));
+    EXPECT_THAT(repairs(), Contains("1 edge of more than two triangles split where solids touch"));
 
     test::Triangles fan;
     const std::int32_t a = fan.add(0.0, 0.0, 0.0), b = fan.add(0.0, 0.0, 1.0);

@@ -242,7 +242,7 @@ TEST_F(FitPoints, UnusablePointsAreLeftOut) {
     shape.normals[6].y = std::numeric_limits<double>::infinity();
     shape.points[8].z = -9999.0;
     fit(shape);
-    EXPECT_THAT(notes(), ElementsAre("1 point left out: the value -9999 marks missing data",
+    EXPECT_THAT(notes(), ElementsAre("1 point left out, as the value -9999 marks missing data",
                                      "3 points left out: without a usable position or normal"));
     EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "246 samples");
     shape.points.assign(250, glm::dvec3(nan));
@@ -257,7 +257,7 @@ TEST_F(FitPoints, NonFiniteFacesAreLeftOut) {
     mesh.points[0].x = nan;
     with_call([&](const Call& call) { leave_out_unusable(call, mesh); });
     EXPECT_EQ(mesh.triangles.size(), 2U);
-    EXPECT_THAT(warnings(), ElementsAre("1 face left out: a corner is not finite"));
+    EXPECT_THAT(warnings(), ElementsAre("1 face left out, as a corner is not finite"));
     mesh.points[2] = mesh.points[5] = glm::dvec3(nan);
     EXPECT_THROW(with_call([&](const Call& call) { leave_out_unusable(call, mesh); }), Error);
     EXPECT_EQ(mesh.triangles.size(), 2U);

@@ -31,4 +31,4 @@ def test_the_check_reports_points_left_out(tmp_path, capsys):
     assert "1 point far from all others left out" in capsys.readouterr().out
     path = write(tmp_path, "b.obj", no_data())
     main(["check", str(path)])
-    assert "2 points left out: the value -9999 marks missing data" in capsys.readouterr().out
+    assert "2 points left out, as the value -9999 marks missing data" in capsys.readouterr().out

@@ -201,7 +201,7 @@ def test_obj_lines(tmp_path):
     broken = shapes.read(write(tmp_path, "c.obj", corners + "v nan 0 0\nl 1 2 3 5\n"))
     assert np.isfinite(broken.points).all() and "a corner is not finite: 1" in broken.notes[2]
     few = shapes.read(write(tmp_path, "b.obj", 3 * corners + "l 1 2\n"))
-    assert len(few.points) == 12 and "1 line among the points not used" in few.notes
+    assert len(few.points) == 12 and "1 line left out: the file is drawn as points" in few.notes
 
 
 @pytest.mark.parametrize(
