@@ -10,33 +10,33 @@ namespace {
 
 #if defined(__x86_64__) && defined(__GNUC__)
 // Tests bits by hand, because the compiler's own __builtin_cpu_supports brings a global and a constructor along.
-[[nodiscard]] constexpr bool has(unsigned word, unsigned bits) noexcept { return (word & bits) == bits; }
+[[nodiscard]] constexpr bool has_bits(unsigned word, unsigned bits) noexcept { return (word & bits) == bits; }
 
 // Returns a mask of the registers that the operating system saves for each thread.
-[[nodiscard]] unsigned kept_registers() noexcept {
+[[nodiscard]] unsigned saved_registers() noexcept {
     unsigned a = 0;
     unsigned b = 0;
     unsigned c = 0;
     unsigned d = 0;
-    if (__get_cpuid(1, &a, &b, &c, &d) == 0 || !has(c, bit_OSXSAVE)) return 0;
+    if (__get_cpuid(1, &a, &b, &c, &d) == 0 || !has_bits(c, bit_OSXSAVE)) return 0;
     unsigned low = 0;
     unsigned high = 0;
     __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     return low;
 }
 
-[[nodiscard]] InstructionSet best() noexcept {
+[[nodiscard]] InstructionSet best_instruction_set() noexcept {
     constexpr unsigned ymm = 0x6;  // XMM and YMM registers
     constexpr unsigned zmm = 0xe6; // also ZMM and mask registers
     unsigned a = 0;
     unsigned b = 0;
     unsigned c = 0;
     unsigned d = 0;
-    if (!has(kept_registers(), ymm) || __get_cpuid(1, &a, &b, &c, &d) == 0 || !has(c, bit_FMA | bit_F16C) ||
-        __get_cpuid_count(7, 0, &a, &b, &c, &d) == 0 || !has(b, bit_AVX2 | bit_BMI | bit_BMI2))
+    if (!has_bits(saved_registers(), ymm) || __get_cpuid(1, &a, &b, &c, &d) == 0 || !has_bits(c, bit_FMA | bit_F16C) ||
+        __get_cpuid_count(7, 0, &a, &b, &c, &d) == 0 || !has_bits(b, bit_AVX2 | bit_BMI | bit_BMI2))
         return InstructionSet::baseline;
-    const bool avx512 =
-        has(kept_registers(), zmm) && has(b, bit_AVX512F | bit_AVX512DQ | bit_AVX512CD | bit_AVX512BW | bit_AVX512VL);
+    const bool avx512 = has_bits(saved_registers(), zmm) &&
+                        has_bits(b, bit_AVX512F | bit_AVX512DQ | bit_AVX512CD | bit_AVX512BW | bit_AVX512VL);
     return avx512 ? InstructionSet::avx512 : InstructionSet::avx2;
 }
 #endif
@@ -46,7 +46,7 @@ namespace {
 InstructionSet choose_instruction_set(InstructionSet highest) noexcept {
     if (highest == InstructionSet::baseline) return highest;
 #if defined(__x86_64__) && defined(__GNUC__)
-    const InstructionSet found = best();
+    const InstructionSet found = best_instruction_set();
     return highest == InstructionSet::avx2 && found == InstructionSet::avx512 ? highest : found;
 #elif defined(__aarch64__)
     return InstructionSet::neon;

@@ -143,16 +143,16 @@ private:
 
 // One object from a Memory: the working memory of a task, which may be too large for the stack of a host's thread.
 template <class T>
-class Boxed {
+class OwnedObject {
 public:
     template <class... Arguments>
-    explicit Boxed(Memory& memory, Arguments&&... arguments)
+    explicit OwnedObject(Memory& memory, Arguments&&... arguments)
         : memory_(memory), object_(new (memory.allocate(sizeof(T))) T(std::forward<Arguments>(arguments)...)) {
         static_assert(std::is_nothrow_constructible_v<T, Arguments...> && alignof(T) <= Memory::alignment);
     }
-    Boxed(const Boxed&) = delete;
-    Boxed& operator=(const Boxed&) = delete;
-    ~Boxed() {
+    OwnedObject(const OwnedObject&) = delete;
+    OwnedObject& operator=(const OwnedObject&) = delete;
+    ~OwnedObject() {
         object_->~T();
         memory_.deallocate(object_, sizeof(T));
     }

@@ -27,7 +27,7 @@ void Operation::report(double progress) noexcept {
     if (callback_ != nullptr && std::this_thread::get_id() == entered_) call_back(std::max(before, progress));
 }
 
-void Operation::remind() noexcept {
+void Operation::call_back_after_silence() noexcept {
     if (callback_ == nullptr || std::this_thread::get_id() != entered_ || is_cancelled()) return;
     if (silence_.seconds() > longest_silence) call_back(progress());
 }
@@ -50,8 +50,8 @@ void Progress::update(double fraction) const {
     check();
 }
 
-void Progress::look() const {
-    operation_->remind();
+void Progress::throw_if_cancelled() const {
+    operation_->call_back_after_silence();
     if (operation_->is_cancelled()) fail(Status::cancelled, "the operation was cancelled");
 }
 

@@ -19,7 +19,7 @@ public:
     void begin();
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     [[nodiscard]] bool is_cancelled() const noexcept {
-        return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->is_cancelled());
+        return cancelled_.load(std::memory_order_relaxed) || (parent_ != nullptr && parent_->is_cancelled());
     }
     [[nodiscard]] double progress() const noexcept { return progress_.load(std::memory_order_relaxed); }
     void set_callback(ProgressFn callback, void* user) noexcept {
@@ -27,22 +27,22 @@ public:
         user_ = user;
     }
 
-    // Makes this a part of another operation: cancelling `whole` also cancels this operation.  Call it before begin().
-    // `whole` must outlive this.
-    void be_part_of(const Operation* whole) noexcept { whole_ = whole; }
+    // Makes this a part of another operation: a cancel of `parent` also cancels this one.  Call it before begin().
+    // `parent` must outlive this.
+    void set_parent(const Operation* parent) noexcept { parent_ = parent; }
 
     // Any thread may call this.  Progress never falls; the callback runs only on the thread of begin().
     void report(double progress) noexcept;
-    // Any thread may call this. On the thread of begin() it calls the callback if the last call of the callback is some
-    // time ago. So a host can cancel a call even while its progress does not change.
-    void remind() noexcept;
+    // Any thread may call this. On the thread of begin() it calls the callback if the last call is a while ago, so that
+    // a host hears from a call whose progress stands still, and may cancel it.
+    void call_back_after_silence() noexcept;
 
 private:
     void call_back(double progress) noexcept;
 
     std::atomic<bool> cancelled_{false};
     std::atomic<double> progress_{0.0};
-    const Operation* whole_ = nullptr;
+    const Operation* parent_ = nullptr;
     ProgressFn callback_ = nullptr;
     void* user_ = nullptr;
     std::thread::id entered_;
@@ -50,7 +50,7 @@ private:
 };
 
 template <class Number>
-class Watched;
+class CancellableRange;
 
 // A stage's share [from, to] of an operation's progress.  Copies are cheap. By default there is no operation to watch
 // it.
@@ -62,26 +62,26 @@ public:
     [[nodiscard]] bool is_watched() const noexcept { return operation_ != nullptr; }
     // Returns the part of this stage between the fractions `from` and `to`.
     [[nodiscard]] Progress part(double from, double to) const noexcept;
-    // For steps whose share is not known: they check for cancellation, and the progress does not change.
-    [[nodiscard]] Progress standing() const noexcept { return part(0.0, 0.0); }
-    // Reports that `fraction` of this stage is done. Throws Error{cancelled} if the operation was cancelled.
+    // For steps whose share is not known: they check for a cancel, and the progress stands still.
+    [[nodiscard]] Progress without_progress() const noexcept { return part(0.0, 0.0); }
+    // Reports that `fraction` of this stage is done, and throws Error{cancelled} after a cancel.
     void update(double fraction) const;
     // Throws Error{cancelled} if the operation was cancelled; reports no progress.
     void check() const {
-        if (operation_ != nullptr) look();
+        if (operation_ != nullptr) throw_if_cancelled();
     }
     // Returns the numbers from `begin` to end - 1, for a loop on one thread that repeatedly checks for cancellation.
     template <class Number>
-    [[nodiscard]] Watched<Number> over(Number begin, Number end) const noexcept {
+    [[nodiscard]] CancellableRange<Number> over(Number begin, Number end) const noexcept {
         return {*this, begin, end};
     }
     template <class Number>
-    [[nodiscard]] Watched<Number> over(Number end) const noexcept {
+    [[nodiscard]] CancellableRange<Number> over(Number end) const noexcept {
         return {*this, Number{0}, end};
     }
 
 private:
-    void look() const;
+    void throw_if_cancelled() const;
 
     Operation* operation_ = nullptr;
     double from_ = 0.0;
@@ -91,9 +91,9 @@ private:
 // A range of numbers that checks for cancellation after each `stride` of them. A loop whose body takes 10 us or less
 // ends within 10 ms of a cancellation. A longer body must check for cancellation itself.
 template <class Number>
-class Watched {
+class CancellableRange {
 public:
-    Watched(const Progress& progress, Number begin, Number end) noexcept
+    CancellableRange(const Progress& progress, Number begin, Number end) noexcept
         : progress_(progress), begin_(begin), end_(std::max(begin, end)) {}
 
     class Iterator {

@@ -15,16 +15,17 @@ namespace {
 
 // The tasks of one for_each. It keeps the exception of the lowest index, because an exception that leaves an OpenMP
 // region, a worker or a host's job would end the process.
-class Caught {
+class TaskGuard {
 public:
-    Caught(std::int64_t count, TaskFn task, void* context) noexcept : count_(count), task_(task), context_(context) {}
+    TaskGuard(std::int64_t count, TaskFn task, void* context) noexcept
+        : count_(count), task_(task), context_(context) {}
 
-    static void run_task(void* caught, std::int64_t index) noexcept { static_cast<Caught*>(caught)->run(index); }
-    // Runs a task for a host's job system as run_task() does, and counts the calls.
-    static void run_task_of_host(void* caught, std::int64_t index) noexcept {
-        auto& self = *static_cast<Caught*>(caught);
+    static void run_task(void* guarded, std::int64_t index) noexcept { static_cast<TaskGuard*>(guarded)->run(index); }
+    // Does the same for a host's job system, and counts the calls.
+    static void run_task_of_host(void* guarded, std::int64_t index) noexcept {
+        auto& self = *static_cast<TaskGuard*>(guarded);
         if (index < 0 || index >= self.count_) {
-            self.stray_.fetch_add(1, std::memory_order_relaxed);
+            self.bad_indices_.fetch_add(1, std::memory_order_relaxed);
             return;
         }
         self.run(index);
@@ -39,7 +40,7 @@ public:
     // Checks that the host ran each index exactly once, and all of them before run_tasks returned.
     void check_host() const {
         const std::int64_t calls = calls_.load(std::memory_order_acquire);
-        if (stray_.load(std::memory_order_relaxed) != 0)
+        if (bad_indices_.load(std::memory_order_relaxed) != 0)
             fail(Status::callback,
                  "run_tasks called a task with an index outside [0, %lld); call task(task_context, i) once for each i "
                  "in [0, task_count)",
@@ -86,7 +87,7 @@ private:
     std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
     std::exception_ptr error_;
-    std::atomic<std::int64_t> calls_{0}, stray_{0}; // calls by a host
+    std::atomic<std::int64_t> calls_{0}, bad_indices_{0}; // calls by a host
     std::atomic<std::uint64_t> sum_{0};
 };
 
@@ -126,16 +127,16 @@ void Parallel::run_unwatched(std::int64_t count, TaskFn task, void* context) con
         }
         return;
     }
-    Caught caught(count, task, context);
+    TaskGuard guarded(count, task, context);
     switch (backend_) {
-    case ThreadBackend::pool: pool_->run(count, Caught::run_task, &caught); break;
-    case ThreadBackend::openmp: run_openmp(threads_, count, Caught::run_task, &caught); break;
+    case ThreadBackend::pool: pool_->run(count, TaskGuard::run_task, &guarded); break;
+    case ThreadBackend::openmp: run_openmp(threads_, count, TaskGuard::run_task, &guarded); break;
     default:
-        run_tasks_(user_, Caught::run_task_of_host, &caught, count);
-        caught.rethrow();
-        caught.check_host();
+        run_tasks_(user_, TaskGuard::run_task_of_host, &guarded, count);
+        guarded.rethrow();
+        guarded.check_host();
     }
-    caught.rethrow();
+    guarded.rethrow();
 }
 
 } // namespace hrbfnpr::base

@@ -8,7 +8,7 @@
 namespace hrbfnpr::base {
 
 void Runtime::log(LogLevel level, const char* format, ...) const noexcept {
-    if (log_ == nullptr || level < least_) return;
+    if (log_ == nullptr || level < least_level_) return;
     char text[512];
     std::va_list arguments;
     va_start(arguments, format);

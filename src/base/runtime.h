@@ -15,18 +15,19 @@ enum class LogLevel : std::int32_t { debug = 0, info = 1, warning = 2 };
 using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 
 class Runtime {
-    Memory own_; // comes first, because `memory` may refer to it
+    Memory own_memory_; // comes first, because `memory` may refer to it
 
 public:
     Runtime() = default; // all threads, no log
     Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads,
             InstructionSet highest, LogFn log_function, void* log_user, LogLevel least = LogLevel::debug) noexcept
-        : own_(allocate, deallocate, allocator_user), parallel(std::move(threads)),
-          instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user), least_(least) {}
+        : own_memory_(allocate, deallocate, allocator_user), parallel(std::move(threads)),
+          instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user),
+          least_level_(least) {}
     // Uses the memory and log of `host`, which must outlive this, and threads that are watched separately.
     Runtime(const Runtime& host, Parallel threads) noexcept
         : memory(host.memory), parallel(std::move(threads)), instruction_set(host.instruction_set), log_(host.log_),
-          log_user_(host.log_user_), least_(host.least_) {}
+          log_user_(host.log_user_), least_level_(host.least_level_) {}
     Runtime(const Runtime&) = delete;
     Runtime& operator=(const Runtime&) = delete;
     ~Runtime() = default;
@@ -34,14 +35,14 @@ public:
     // Call this only from the thread that entered the library.  Messages below the least level are not even formatted.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
 
-    Memory& memory{own_};
+    Memory& memory{own_memory_};
     Parallel parallel{0, nullptr, nullptr};
     InstructionSet instruction_set = choose_instruction_set(InstructionSet::automatic);
 
 private:
     LogFn log_ = nullptr;
     void* log_user_ = nullptr;
-    LogLevel least_ = LogLevel::debug;
+    LogLevel least_level_ = LogLevel::debug;
 };
 
 } // namespace hrbfnpr::base

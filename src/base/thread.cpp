@@ -24,27 +24,27 @@ namespace {
 constexpr std::size_t stack_size = std::size_t{2} << 20U;
 
 // Blocks signals while it lives. New threads inherit the blocked signals.
-class SignalsBlocked {
+class SignalBlocker {
 public:
 #if defined(HRBFNPR_IS_POSIX)
-    SignalsBlocked() noexcept {
+    SignalBlocker() noexcept {
         sigset_t blocked;
         sigfillset(&blocked);
         for (const int own : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS, SIGPROF})
             sigdelset(&blocked, own);
-        pthread_sigmask(SIG_SETMASK, &blocked, &before_);
+        pthread_sigmask(SIG_SETMASK, &blocked, &old_mask_);
     }
-    ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    ~SignalBlocker() { pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr); }
 #else
-    SignalsBlocked() noexcept = default;
-    ~SignalsBlocked() = default;
+    SignalBlocker() noexcept = default;
+    ~SignalBlocker() = default;
 #endif
-    SignalsBlocked(const SignalsBlocked&) = delete;
-    SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+    SignalBlocker(const SignalBlocker&) = delete;
+    SignalBlocker& operator=(const SignalBlocker&) = delete;
 
 #if defined(HRBFNPR_IS_POSIX)
 private:
-    sigset_t before_{};
+    sigset_t old_mask_{};
 #endif
 };
 
@@ -66,7 +66,7 @@ bool Thread::start(const char* name, Work work, void* user) noexcept {
     work_ = work;
     user_ = user;
     std::strncpy(name_, name, sizeof name_ - 1);
-    const SignalsBlocked blocked;
+    const SignalBlocker blocked;
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return false;
     pthread_attr_setstacksize(&attributes, stack_size);

@@ -26,7 +26,7 @@ void relax() noexcept {
 
 // Returns true as soon as the condition holds, or false when the patience has run out.
 template <class Condition>
-bool comes_soon(const Condition& condition) noexcept {
+bool spin_until(const Condition& condition) noexcept {
     constexpr int looks = 16; // between two readings of the clock
     for (const Stopwatch watch; watch.nanoseconds() < patience_nanoseconds;)
         for (int look = 0; look < looks; ++look) {
@@ -70,7 +70,7 @@ bool Job::work() noexcept {
         next = next_.load(std::memory_order_acquire);
     }
     if (done == 0) return false;
-    // This is sequentially consistent, like await(): one of the two threads sees the other's change.
+    // This is sequentially consistent, like wait_for_claimed_tasks(): one of the two threads sees the other's change.
     if (left_.fetch_sub(done) == done && awaited_.load()) {
         const std::lock_guard lock(mutex_);
         ended_.notify_all();
@@ -78,7 +78,7 @@ bool Job::work() noexcept {
     return true;
 }
 
-bool Job::help() noexcept {
+bool Job::run_unclaimed_tasks() noexcept {
     const std::uint64_t index = next_.load(std::memory_order_acquire) & index_mask;
     if (index >= count_.load(std::memory_order_acquire)) return false;
     // A system whose other processors are busy wakes a worker on its caller's processor and leaves it there for long.
@@ -91,11 +91,11 @@ bool Job::help() noexcept {
 
 void Job::finish() noexcept {
     work();
-    if (!comes_soon([this] { return left_.load(std::memory_order_acquire) == 0; })) await();
+    if (!spin_until([this] { return left_.load(std::memory_order_acquire) == 0; })) wait_for_claimed_tasks();
     caller_.store({}, std::memory_order_relaxed);
 }
 
-void Job::await() noexcept {
+void Job::wait_for_claimed_tasks() noexcept {
     std::unique_lock lock(mutex_);
     awaited_.store(true);
     ended_.wait(lock, [this] { return left_.load() == 0; });
@@ -116,7 +116,7 @@ Team::Team(int workers) noexcept {
 
 Team::~Team() {
     ending_.store(true);
-    news_.fetch_add(1);
+    event_count_.fetch_add(1);
     {
         const std::lock_guard lock(mutex_);
         woken_.notify_all();
@@ -126,7 +126,7 @@ Team::~Team() {
 
 bool Team::run(std::int64_t count, TaskFn task, void* context) noexcept {
     const std::thread::id self = std::this_thread::get_id();
-    if (started_ == 0 || count > Job::most_tasks || within_a_task(self)) return false;
+    if (started_ == 0 || count > Job::most_tasks || is_running_task(self)) return false;
     const int mine = take_job();
     if (mine < 0) return false;
     Job& job = jobs_[static_cast<std::size_t>(mine)];
@@ -148,7 +148,7 @@ int Team::take_job() noexcept {
     }
 }
 
-bool Team::within_a_task(std::thread::id self) const noexcept {
+bool Team::is_running_task(std::thread::id self) const noexcept {
     for (std::uint32_t taken = taken_.load(std::memory_order_acquire); taken != 0; taken &= taken - 1)
         if (jobs_[static_cast<std::size_t>(std::countr_zero(taken))].called_by(self)) return true;
     return std::any_of(worker_.begin(), worker_.begin() + started_,
@@ -156,10 +156,12 @@ bool Team::within_a_task(std::thread::id self) const noexcept {
 }
 
 void Team::wake(std::int64_t tasks) noexcept {
-    news_.fetch_add(1); // sequentially consistent, like wait_for_news(): one of the two threads sees the other's change
+    // This is sequentially consistent, like wait_for_event(): one of the two threads sees the other's change.
+    event_count_.fetch_add(1);
     const int asleep = asleep_.load();
     if (asleep == 0) return;
-    { const std::lock_guard lock(mutex_); } // After this, no worker is between its last look at news_ and its sleep.
+    // After this lock, no worker is between its last look at event_count_ and its sleep.
+    { const std::lock_guard lock(mutex_); }
     if (tasks >= asleep) {
         woken_.notify_all();
     } else {
@@ -175,26 +177,26 @@ void Team::main(void* worker) noexcept {
 
 void Team::serve() noexcept {
     for (;;) {
-        // The destructor sets `ending_` before it bumps `news_`. Reading `news_` first means that this thread either
-        // sees `ending_` or wakes at once from its wait.
-        const std::uint32_t seen = news_.load();
+        // The destructor sets `ending_` before it bumps `event_count_`. Reading `event_count_` first means that this
+        // thread either sees `ending_` or wakes at once from its wait.
+        const std::uint32_t seen = event_count_.load();
         if (ending_.load()) return;
-        if (!work_on_any()) wait_for_news(seen);
+        if (!run_any_job()) wait_for_event(seen);
     }
 }
 
-bool Team::work_on_any() noexcept {
+bool Team::run_any_job() noexcept {
     bool worked = false;
     for (std::uint32_t taken = taken_.load(std::memory_order_acquire); taken != 0; taken &= taken - 1)
-        worked |= jobs_[static_cast<std::size_t>(std::countr_zero(taken))].help();
+        worked |= jobs_[static_cast<std::size_t>(std::countr_zero(taken))].run_unclaimed_tasks();
     return worked;
 }
 
-void Team::wait_for_news(std::uint32_t seen) noexcept {
-    if (comes_soon([&] { return news_.load(std::memory_order_acquire) != seen; })) return;
+void Team::wait_for_event(std::uint32_t seen) noexcept {
+    if (spin_until([&] { return event_count_.load(std::memory_order_acquire) != seen; })) return;
     std::unique_lock lock(mutex_);
     asleep_.fetch_add(1);
-    woken_.wait(lock, [&] { return news_.load() != seen; });
+    woken_.wait(lock, [&] { return event_count_.load() != seen; });
     asleep_.fetch_sub(1);
 }
 
@@ -205,7 +207,7 @@ ThreadPool::ThreadPool(int threads) noexcept
 
 ThreadPool::~ThreadPool() {
     const std::int64_t owner = owner_.load(std::memory_order_acquire);
-    if (owner == process_id()) room().~Team();
+    if (owner == process_id()) stored_team().~Team();
     if (owner == process_id() || owner == 0) release_shared_object(library_);
 }
 
@@ -215,7 +217,7 @@ void ThreadPool::run(std::int64_t count, TaskFn task, void* context) noexcept {
 }
 
 int ThreadPool::workers() const noexcept {
-    return owner_.load(std::memory_order_acquire) == process_id() ? room().workers() : 0;
+    return owner_.load(std::memory_order_acquire) == process_id() ? stored_team().workers() : 0;
 }
 
 Team& ThreadPool::team() noexcept {
@@ -225,12 +227,12 @@ Team& ThreadPool::team() noexcept {
             std::this_thread::yield();
             owner = owner_.load(std::memory_order_acquire);
         } else if (owner_.compare_exchange_weak(owner, -self, std::memory_order_acquire)) {
-            new (room_) Team(threads_ - 1);
+            new (team_storage_) Team(threads_ - 1);
             owner_.store(self, std::memory_order_release);
             owner = self;
         }
     }
-    return room();
+    return stored_team();
 }
 
 } // namespace hrbfnpr::base

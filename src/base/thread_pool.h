@@ -34,7 +34,7 @@ public:
     void finish() noexcept;
 
     // A worker calls this: it runs tasks until none is left to claim.  Returns false if it ran none.
-    bool help() noexcept;
+    bool run_unclaimed_tasks() noexcept;
 
     [[nodiscard]] bool called_by(std::thread::id thread) const noexcept {
         return caller_.load(std::memory_order_relaxed) == thread;
@@ -42,7 +42,7 @@ public:
 
 private:
     bool work() noexcept;
-    void await() noexcept;
+    void wait_for_claimed_tasks() noexcept;
 
     // The lower bits hold the next task to claim, the higher bits the number of the job, so that no thread claims a
     // task of one job with data that it has read from another.
@@ -92,15 +92,15 @@ private:
 
     static void main(void* worker) noexcept;
     void serve() noexcept;
-    [[nodiscard]] bool work_on_any() noexcept;
-    void wait_for_news(std::uint32_t seen) noexcept;
+    [[nodiscard]] bool run_any_job() noexcept;
+    void wait_for_event(std::uint32_t seen) noexcept;
     void wake(std::int64_t tasks) noexcept;
-    [[nodiscard]] bool within_a_task(std::thread::id self) const noexcept;
+    [[nodiscard]] bool is_running_task(std::thread::id self) const noexcept;
     [[nodiscard]] int take_job() noexcept;
 
     std::array<Job, most_jobs> jobs_;
-    std::atomic<std::uint32_t> taken_{0};            // one bit for each job that has a caller
-    alignas(64) std::atomic<std::uint32_t> news_{0}; // counts the jobs that were opened, plus one at the end
+    std::atomic<std::uint32_t> taken_{0};                   // one bit for each job that has a caller
+    alignas(64) std::atomic<std::uint32_t> event_count_{0}; // counts the jobs that were opened, plus one at the end
     std::atomic<bool> ending_{false};
     std::atomic<int> asleep_{0};
     std::mutex mutex_;
@@ -130,15 +130,17 @@ private:
     // Returns the team of this process.  A forked child has no threads of its parent, and its copy of the locks may be
     // held for ever, so it gets a new team in the place of the old one.
     [[nodiscard]] Team& team() noexcept;
-    [[nodiscard]] Team& room() noexcept { return *std::launder(reinterpret_cast<Team*>(room_)); }
-    [[nodiscard]] const Team& room() const noexcept { return *std::launder(reinterpret_cast<const Team*>(room_)); }
+    [[nodiscard]] Team& stored_team() noexcept { return *std::launder(reinterpret_cast<Team*>(team_storage_)); }
+    [[nodiscard]] const Team& stored_team() const noexcept {
+        return *std::launder(reinterpret_cast<const Team*>(team_storage_));
+    }
 
     int threads_;
     // Keeps this library loaded while workers may run its code. The team must not do this itself: in a child that was
     // forked while another thread made a team, the loader's locks may be held for ever.
     void* library_;
     std::atomic<std::int64_t> owner_{0}; // the process that owns the team; negative while the team starts
-    alignas(Team) std::byte room_[sizeof(Team)];
+    alignas(Team) std::byte team_storage_[sizeof(Team)];
 };
 
 } // namespace hrbfnpr::base

@@ -29,8 +29,8 @@ public:
         work.progress_ = progress_.part(from, to);
         return work;
     }
-    // Returns the same work without progress; it still checks for cancellation.
-    [[nodiscard]] Work standing() const noexcept { return part(0.0, 0.0); }
+    // Returns the same work, which checks for a cancel and reports no progress.
+    [[nodiscard]] Work without_progress() const noexcept { return part(0.0, 0.0); }
     [[nodiscard]] int threads() const noexcept { return one_thread_ ? 1 : runtime_->parallel.threads(); }
     void update(double fraction) const { progress_.update(fraction); }
     void check() const { progress_.check(); }

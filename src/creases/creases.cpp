@@ -670,7 +670,7 @@ private:
 
 SharpMesh split_at_creases(const base::Work& work, const implicit::Implicit& implicit, SurfaceMesh mesh) {
     HRBFNPR_ASSERT(implicit.sheets() != nullptr && mesh.side > 0.0);
-    const base::Work standing = work.standing();
+    const base::Work standing = work.without_progress();
     SheetMesh in(work.memory, implicit, std::move(mesh));
     find_sheets(standing, in);
     for (int round = 0;; ++round) {

@@ -277,7 +277,7 @@ struct Piece {
 struct Field {
     Field(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& point)
         : value(work.memory, point.size()), gradient(work.memory, point.size()) {
-        implicit::evaluate_all(work.standing(), implicit, point,
+        implicit::evaluate_all(work.without_progress(), implicit, point,
                                {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
     }
     [[nodiscard]] Place place(std::int64_t i, const Line& line, double at) const noexcept {

@@ -49,8 +49,8 @@ struct Lattice {
     }
     [[nodiscard]] Cell cell_of(const glm::dvec3& p) const noexcept {
         const glm::dvec3 at = (p - region.min) / side;
-        return {geometry::whole(at.x, cells[0] - 1), geometry::whole(at.y, cells[1] - 1),
-                geometry::whole(at.z, cells[2] - 1)};
+        return {geometry::truncate_to(at.x, cells[0] - 1), geometry::truncate_to(at.y, cells[1] - 1),
+                geometry::truncate_to(at.z, cells[2] - 1)};
     }
     [[nodiscard]] glm::dvec3 corner(const Cell& at) const noexcept {
         const glm::dvec3 p = region.min + side * glm::dvec3(static_cast<double>(at[0]), static_cast<double>(at[1]),
@@ -66,7 +66,7 @@ Lattice lattice_of(const MeshSettings& settings) {
     bool valid = true;
     for (int axis = 0; axis < 3; ++axis) {
         const std::int64_t count =
-            std::max<std::int64_t>(1, geometry::whole(std::ceil(size[axis] / settings.side), Grid::most));
+            std::max<std::int64_t>(1, geometry::truncate_to(std::ceil(size[axis] / settings.side), Grid::most));
         lattice.cells[static_cast<std::size_t>(axis)] = count;
         lattice.side[axis] = size[axis] / static_cast<double>(count);
         valid = valid && lattice.side[axis] > 0.0 && count < Grid::most - 1;
@@ -297,7 +297,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
             }
         }
         value.resize_for_overwrite(fresh.size());
-        implicit::evaluate_all(work.standing(), implicit, fresh, {value.data(), {}, {}});
+        implicit::evaluate_all(work.without_progress(), implicit, fresh, {value.data(), {}, {}});
         for (const std::int64_t i : work.over(fresh.size())) {
             geometry::push_back_long(cells.position, fresh[i], work);
             base::push_back_long(cells.value, value[i], work);
@@ -526,7 +526,7 @@ void find_vertices(const base::Work& work, const implicit::Implicit& implicit, c
     const base::Array<std::int32_t> order = implicit::order_by_cell(work, implicit, mesh.position);
     std::atomic<std::int64_t> unresolved{0}, done{0};
     implicit.threads(work).for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<RootLanes> lanes(work.memory);
+        base::OwnedObject<RootLanes> lanes(work.memory);
         unresolved +=
             find_some_vertices(implicit, cells, edges, order.data(), begin, end, tolerance, *lanes, mesh, work);
         work.update(static_cast<double>(done += end - begin) / static_cast<double>(count));

@@ -741,7 +741,7 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& bead
 // larger cells connect although the surface does not, for example where |grad f| nearly vanishes. Returns the number of
 // changes of sign that remain.
 std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
-    const base::Work work = tracing.work.standing();
+    const base::Work work = tracing.work.without_progress();
     const SurfaceMesh& mesh = tracing.mesh;
     base::Array<geometry::Bounds> boxes(work.memory); // boxes around places that are near each other
     geometry::VecArray seeds(work.memory);

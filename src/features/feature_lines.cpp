@@ -530,7 +530,7 @@ base::Array<FeaturePoint> refine_section(const base::Work& work, const FeatureSu
     for (std::int64_t i = 0; i < count; ++i) place.set(i, start(crossing[i]));
     bool left = count > 0;
     for (int step = 0; step < most_steps && left; ++step) {
-        implicit::evaluate_all(work.standing(), surface.implicit, place,
+        implicit::evaluate_all(work.without_progress(), surface.implicit, place,
                                {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
         left = false;
         for (std::int64_t i = 0; i < count; ++i) {
@@ -674,7 +674,7 @@ void measure_shape(const base::Work& work, const implicit::ShapeSource& source, 
     std::atomic<std::int64_t> done{0};
     const base::Work threads = source.concurrent() ? work : work.on_one_thread();
     threads.for_chunks(count, points_a_look, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<ShapeBatch> at(work.memory);
+        base::OwnedObject<ShapeBatch> at(work.memory);
         source.evaluate({position.x.data() + begin, position.y.data() + begin, position.z.data() + begin, end - begin},
                         at->out());
         for (std::int64_t i = begin; i < end; ++i) result[i] = at->at(static_cast<std::size_t>(i - begin), gradient[i]);

@@ -137,8 +137,8 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
 
 base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count, const base::Progress& progress) {
     HRBFNPR_ASSERT(count > 0 && !candidates.position.empty());
-    geometry::FarthestOrder found =
-        geometry::farthest_order(candidates.position, std::min(count, candidates.position.size()), progress.standing());
+    geometry::FarthestOrder found = geometry::farthest_order(
+        candidates.position, std::min(count, candidates.position.size()), progress.without_progress());
     std::sort(found.order.begin(), found.order.end());
     return std::move(found.order);
 }

@@ -100,7 +100,7 @@ struct Followed {
             found.part_of[i] = value[i] > settings.limit ? in_no_part_yet : borne_out;
         }
     });
-    const bool along_curves = !wary && settings.closest == 0.0 && support.along_curves();
+    const bool along_curves = !wary && settings.closest == 0.0 && support.samples_lie_along_curves();
     const double share = wary ? generate_tuning.wary : 1.0;
     const geometry::Bounds inner = region.grown(-side);
     std::int64_t left_out = 0;
@@ -147,7 +147,7 @@ struct Followed {
     if (from.size() == 0) return false;
     if (2 * from.size() > support.samples()) return true;
     const double evaluations = generate_tuning.evaluations_of_sample * static_cast<double>(from.size());
-    const implicit::Implicit& implicit = implicit_for(evaluations, work.standing());
+    const implicit::Implicit& implicit = implicit_for(evaluations, work.without_progress());
     const Doubtful doubtful(support, settings.limit);
     const implicit::Trimmed some(implicit, doubtful);
     for (const bool wary : {true, false}) {
@@ -197,7 +197,7 @@ geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit&
                                const geometry::VecArray& position) {
     geometry::Bounds bounds = implicit.bounds();
     if (position.size() > generate_tuning.most_samples_along_curves) return bounds;
-    if (!geometry::along_curves(geometry::PointTree(position, work.part(0.0, 0.1)))) return bounds;
+    if (!geometry::lie_along_curves(geometry::PointTree(position, work.part(0.0, 0.1)))) return bounds;
     const double diagonal = implicit.diagonal();
     const geometry::Bounds region = bounds.grown(generate_tuning.bulge * diagonal);
     const marks::Site site{work, implicit, unused, 1};

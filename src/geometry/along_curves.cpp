@@ -19,16 +19,16 @@ constexpr std::int64_t most_thinned = 200000;
 // Points lie along curves if it holds for more than `share` of them. More neighbours see over noise. For points all
 // over a surface the shares are at most 0.12, 0.00 and 0.00 (0.12 on a scan's layers, else at most 0.03). For wires and
 // sections with noise of 0.001 diagonals at least one share is exceeded.
-struct Look {
+struct LineTest {
     std::size_t neighbours;
     double across;
     double share;
 };
-constexpr std::array<Look, 3> looks{{{4, 0.2, 0.2}, {12, 0.25, 0.07}, {24, 0.25, 0.07}}};
-constexpr std::size_t most = looks.back().neighbours;
+constexpr std::array<LineTest, 3> line_tests{{{4, 0.2, 0.2}, {12, 0.25, 0.07}, {24, 0.25, 0.07}}};
+constexpr std::size_t most = line_tests.back().neighbours;
 
 // Tests the offsets of a point's neighbours. Power iterations find the line with the largest sum of squares.
-bool on_a_line(std::span<const glm::dvec3> offsets, double across) noexcept {
+bool lie_on_line(std::span<const glm::dvec3> offsets, double across) noexcept {
     double all = 0.0;
     for (const glm::dvec3& offset : offsets) all += glm::dot(offset, offset);
     glm::dvec3 line = offsets.back();
@@ -45,8 +45,9 @@ bool on_a_line(std::span<const glm::dvec3> offsets, double across) noexcept {
     return all - along < across * across * along;
 }
 
-// Applies each of the tests to one point, and counts the tests that hold. Points that coincide with it are ignored.
-void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, looks.size()>& on_lines) noexcept {
+// Applies each of the looks to one point, and counts those that hold. Points that coincide with it are ignored.
+void apply_line_tests(const PointTree& tree, std::int64_t at,
+                      std::array<std::int64_t, line_tests.size()>& on_lines) noexcept {
     constexpr std::size_t asked = most + 8;
     const glm::dvec3 p = tree.points()[at];
     std::array<std::int64_t, asked> found;
@@ -61,18 +62,19 @@ void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, lo
     if (count == 0) return;
     const double unit = glm::length(offsets[count - 1]);
     for (std::size_t k = 0; k < count; ++k) offsets[k] /= unit;
-    for (std::size_t k = 0; k < looks.size(); ++k)
-        if (count >= looks[k].neighbours && on_a_line({offsets.data(), looks[k].neighbours}, looks[k].across))
+    for (std::size_t k = 0; k < line_tests.size(); ++k)
+        if (count >= line_tests[k].neighbours &&
+            lie_on_line({offsets.data(), line_tests[k].neighbours}, line_tests[k].across))
             ++on_lines[k];
 }
 
-bool are_on_lines(const PointTree& tree) noexcept {
+bool lie_on_lines(const PointTree& tree) noexcept {
     if (tree.size() < fewest) return false;
     const std::int64_t asked = std::min(tree.size(), most_asked);
-    std::array<std::int64_t, looks.size()> on_lines{};
-    for (std::int64_t k = 0; k < asked; ++k) look_at(tree, k * tree.size() / asked, on_lines);
-    for (std::size_t k = 0; k < looks.size(); ++k)
-        if (static_cast<double>(on_lines[k]) > looks[k].share * static_cast<double>(asked)) return true;
+    std::array<std::int64_t, line_tests.size()> on_lines{};
+    for (std::int64_t k = 0; k < asked; ++k) apply_line_tests(tree, k * tree.size() / asked, on_lines);
+    for (std::size_t k = 0; k < line_tests.size(); ++k)
+        if (static_cast<double>(on_lines[k]) > line_tests[k].share * static_cast<double>(asked)) return true;
     return false;
 }
 
@@ -80,15 +82,15 @@ bool are_on_lines(const PointTree& tree) noexcept {
 
 // Thinned points are farther apart, so noise matters less. They are picked at random, since every fourth point of a
 // grid would lie along lines.
-bool along_curves(const PointTree& tree) {
-    if (are_on_lines(tree)) return true;
+bool lie_along_curves(const PointTree& tree) {
+    if (lie_on_lines(tree)) return true;
     if (tree.size() > most_thinned) return false;
     for (std::int64_t step = thinner; tree.size() / step >= fewest_thinned; step *= thinner) {
         VecArray some(tree.points().memory());
         for (std::int64_t at = 0; at < tree.size(); ++at)
             if (mixed_bits(static_cast<std::uint64_t>(at)) % static_cast<std::uint64_t>(step) == 0)
                 some.push_back(tree.points()[at]);
-        if (are_on_lines(PointTree(some, {}))) return true;
+        if (lie_on_lines(PointTree(some, {}))) return true;
     }
     return false;
 }

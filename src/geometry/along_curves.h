@@ -8,6 +8,6 @@
 namespace hrbfnpr::geometry {
 
 // Tells whether enough points have their nearest neighbours along a line.
-[[nodiscard]] bool along_curves(const PointTree& tree);
+[[nodiscard]] bool lie_along_curves(const PointTree& tree);
 
 } // namespace hrbfnpr::geometry

@@ -14,7 +14,7 @@
 namespace hrbfnpr::geometry {
 
 // Truncates a number to an integer in [0, last]. NaN becomes 0.
-[[nodiscard]] inline std::int64_t whole(double number, std::int64_t last) noexcept {
+[[nodiscard]] inline std::int64_t truncate_to(double number, std::int64_t last) noexcept {
     const auto most = static_cast<double>(last);
     return static_cast<std::int64_t>(number > 0.0 ? (number < most ? number : most) : 0.0);
 }
@@ -31,7 +31,7 @@ struct CellGrid {
 
     [[nodiscard]] Cell cell_of(const glm::dvec3& p) const noexcept {
         const glm::dvec3 at = (p - origin) / side;
-        return {whole(at.x, most - 1), whole(at.y, most - 1), whole(at.z, most - 1)};
+        return {truncate_to(at.x, most - 1), truncate_to(at.y, most - 1), truncate_to(at.z, most - 1)};
     }
     [[nodiscard]] glm::dvec3 corner(const Cell& cell) const noexcept {
         return origin + side * glm::dvec3(static_cast<double>(cell[0]), static_cast<double>(cell[1]),

@@ -34,13 +34,13 @@ private:
         double squared_distance = 0.0;
         std::int64_t farthest = 0; // index in the tree's order
     };
-    using Range = Halves<leaf_size>;
+    using Range = HeapNode<leaf_size>;
 
     [[nodiscard]] Range whole() const noexcept { return {0, 0, tree_.size()}; }
     Bounds build(const Range& range, const base::Progress& progress);
-    void come_nearer(const Range& range, const glm::dvec3& p) noexcept;
+    void lower_distances(const Range& range, const glm::dvec3& p) noexcept;
     void scan(const Range& leaf) noexcept;
-    void take_farther_child(Node& node, const Range& range) noexcept;
+    void update_from_children(Node& node, const Range& range) noexcept;
     // Tells whether point a, with its distance, is picked before point b.
     [[nodiscard]] bool before(double a_distance, std::int64_t a, double b_distance, std::int64_t b) const noexcept {
         return a_distance > b_distance || (a_distance == b_distance && index(a) < index(b));
@@ -89,19 +89,19 @@ std::int64_t FarthestTree::nearest_to_centre() const noexcept {
 
 void FarthestTree::pick(std::int64_t at) noexcept {
     squared_distance_[at] = picked;
-    come_nearer(whole(), tree_.points()[at]);
+    lower_distances(whole(), tree_.points()[at]);
 }
 
-void FarthestTree::come_nearer(const Range& range, const glm::dvec3& p) noexcept {
+void FarthestTree::lower_distances(const Range& range, const glm::dvec3& p) noexcept {
     Node& node = nodes_[range.node];
     const glm::dvec3 outside = glm::max(glm::max(node.low - p, p - node.high), glm::dvec3(0.0));
     // Nodes at equal distance could be skipped too, if only distances counted. But the node that holds p must learn
     // that p is picked.
     if (glm::dot(outside, outside) > node.squared_distance) return;
     if (!range.leaf()) {
-        come_nearer(range.low(), p);
-        come_nearer(range.high(), p);
-        take_farther_child(node, range);
+        lower_distances(range.low(), p);
+        lower_distances(range.high(), p);
+        update_from_children(node, range);
         return;
     }
     const VecArray& points = tree_.points();
@@ -122,7 +122,7 @@ void FarthestTree::scan(const Range& leaf) noexcept {
     nodes_[leaf.node].squared_distance = squared_distance_[best];
 }
 
-void FarthestTree::take_farther_child(Node& node, const Range& range) noexcept {
+void FarthestTree::update_from_children(Node& node, const Range& range) noexcept {
     const Node& low = nodes_[range.low().node];
     const Node& high = nodes_[range.high().node];
     const bool low_first = before(low.squared_distance, low.farthest, high.squared_distance, high.farthest);

@@ -12,21 +12,21 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-struct Keyed {
+struct KeyedPoint {
     std::uint64_t key;
     std::int64_t index;
 };
 
-[[nodiscard]] bool touching(const Octree::Node& a, const Octree::Node& b) noexcept {
+[[nodiscard]] bool are_adjacent(const Octree::Node& a, const Octree::Node& b) noexcept {
     for (std::size_t c = 0; c < 3; ++c)
         if (std::abs(a.cell[c] - b.cell[c]) > 1) return false;
     return true;
 }
 
 // Walks pairs of cubes of the same level from the root downwards.
-class Pairs {
+class InteractionFinder {
 public:
-    Pairs(const Octree& tree, OctreeInteractions& lists, const base::Progress& progress) noexcept
+    InteractionFinder(const Octree& tree, OctreeInteractions& lists, const base::Progress& progress) noexcept
         : tree_(tree), lists_(lists), progress_(progress) {}
 
     // count() counts the cubes in each node's lists, and fill() then writes them.
@@ -38,7 +38,7 @@ private:
         progress_.check();
         const Octree::Node& t = tree_.nodes()[target];
         const Octree::Node& s = tree_.nodes()[source];
-        if (!touching(t, s)) return add(lists_.far_begin, lists_.far, target, source, counting);
+        if (!are_adjacent(t, s)) return add(lists_.far_begin, lists_.far, target, source, counting);
         if (t.leaf() || s.leaf()) return add(lists_.near_begin, lists_.near, target, source, counting);
         for (std::int64_t i = t.first_child; i < t.first_child + t.children; ++i)
             for (std::int64_t j = s.first_child; j < s.first_child + s.children; ++j) walk(i, j, counting);
@@ -59,7 +59,7 @@ private:
     const base::Progress& progress_;
 };
 
-void add_up(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
+void make_prefix_sums(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
     for (std::int64_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
     list.resize(begin.back());
 }
@@ -90,17 +90,17 @@ void Octree::sort(const VecArray& points, const base::Progress& progress) {
     base::resize_long(key_, points.size(), progress);
     base::resize_long(index_, points.size(), progress);
     resize_long(points_, points.size(), progress);
-    base::Array<Keyed> keyed(points.memory());
+    base::Array<KeyedPoint> keyed(points.memory());
     base::resize_long(keyed, points.size(), progress);
     for (const std::int64_t i : progress.over(points.size())) {
         const glm::dvec3 place = (points[i] - corner_) * (cells / width_);
         std::array<std::int64_t, 3> cell;
-        for (std::size_t c = 0; c < 3; ++c) cell[c] = whole(place[static_cast<glm::length_t>(c)], last);
+        for (std::size_t c = 0; c < 3; ++c) cell[c] = truncate_to(place[static_cast<glm::length_t>(c)], last);
         keyed[i] = {morton_code(cell), i};
     }
     base::sort_long(
         keyed.begin(), keyed.end(),
-        [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); },
+        [](const KeyedPoint& a, const KeyedPoint& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); },
         progress);
     for (const std::int64_t at : progress.over(keyed.size())) {
         key_[at] = keyed[at].key;
@@ -152,11 +152,11 @@ OctreeInteractions octree_interactions(const Octree& tree, const base::Progress&
     OctreeInteractions lists(tree.points().memory());
     lists.far_begin.resize(tree.nodes().size() + 2);
     lists.near_begin.resize(tree.nodes().size() + 2);
-    Pairs pairs(tree, lists, progress);
-    pairs.count();
-    add_up(lists.far_begin, lists.far);
-    add_up(lists.near_begin, lists.near);
-    pairs.fill();
+    InteractionFinder finder(tree, lists, progress);
+    finder.count();
+    make_prefix_sums(lists.far_begin, lists.far);
+    make_prefix_sums(lists.near_begin, lists.near);
+    finder.fill();
     return lists;
 }
 

@@ -15,7 +15,7 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     const std::int64_t count = points.size();
     if (count == 0) return;
     base::resize_long(bounds_, Range::nodes(count), progress);
-    base::Array<Place> places(points.memory());
+    base::Array<IndexedPoint> places(points.memory());
     base::resize_long(places, count, progress);
     for (const std::int64_t i : progress.over(count)) {
         places[i] = {points[i], i};
@@ -29,7 +29,7 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     }
 }
 
-void PointTree::build(Place* places, const Range& range, const base::Progress& progress) {
+void PointTree::build(IndexedPoint* places, const Range& range, const base::Progress& progress) {
     Bounds box;
     for (const std::int64_t at : progress.over(range.begin, range.end)) box.extend(places[at].point);
     bounds_[range.node] = box;
@@ -38,7 +38,7 @@ void PointTree::build(Place* places, const Range& range, const base::Progress& p
         constexpr glm::length_t axis = decltype(of)::value;
         // Ties are broken by index, so that the halves are the same with any standard library.
         std::nth_element(places + range.begin, places + range.middle(), places + range.end,
-                         [](const Place& a, const Place& b) {
+                         [](const IndexedPoint& a, const IndexedPoint& b) {
                              const double x = a.point[axis];
                              const double y = b.point[axis];
                              return x < y || (x == y && a.index < b.index);

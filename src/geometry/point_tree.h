@@ -6,7 +6,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "base/operation.h"
-#include "geometry/halves.h"
+#include "geometry/heap_node.h"
 #include "geometry/vec_array.h"
 
 #include <algorithm>
@@ -58,28 +58,28 @@ public:
 
 private:
     static constexpr std::int64_t leaf_size = 8;
-    using Range = Halves<leaf_size>;
+    using Range = HeapNode<leaf_size>;
 
     // A point's position in the order, and its squared distance. Ties in distance go to the earlier position.
-    struct Near {
+    struct Neighbour {
         double squared;
         std::int64_t at;
 
-        [[nodiscard]] bool operator<(const Near& other) const noexcept {
+        [[nodiscard]] bool operator<(const Neighbour& other) const noexcept {
             return squared < other.squared || (squared == other.squared && at < other.at);
         }
     };
     // The nearest points so far, in ascending order.
-    class Best;
+    class NearestList;
 
     // A point while the tree is built. The points themselves are moved, and not only their numbers, so that points that
     // are near in space become near in memory.
-    struct Place {
+    struct IndexedPoint {
         glm::dvec3 point;
         std::int64_t index;
     };
 
-    void build(Place* places, const Range& range, const base::Progress& progress);
+    void build(IndexedPoint* places, const Range& range, const base::Progress& progress);
     template <class Value>
     std::int64_t fill_smallest(const Range& range, const Value& value, base::Array<std::int64_t>& smallest) const;
 
@@ -92,7 +92,7 @@ template <class Visit>
 void PointTree::within(const glm::dvec3& p, double radius, Visit&& visit) const {
     if (size() == 0) return;
     const double limit = radius * radius;
-    std::array<Range, most_levels_of_halves> stack;
+    std::array<Range, most_heap_levels> stack;
     std::size_t depth = 0;
     stack[depth++] = {0, 0, size()};
     while (depth > 0) {
@@ -111,28 +111,28 @@ void PointTree::within(const glm::dvec3& p, double radius, Visit&& visit) const 
     }
 }
 
-class PointTree::Best {
+class PointTree::NearestList {
 public:
     static constexpr std::int64_t most = 64;
 
-    Best(std::int64_t count, double farthest) noexcept : count_(count), farthest_squared_(farthest * farthest) {}
+    NearestList(std::int64_t count, double farthest) noexcept : count_(count), farthest_squared_(farthest * farthest) {}
     [[nodiscard]] double limit() const noexcept {
-        return size_ < count_ ? farthest_squared_ : near_[static_cast<std::size_t>(size_ - 1)].squared;
+        return size_ < count_ ? farthest_squared_ : neighbours_[static_cast<std::size_t>(size_ - 1)].squared;
     }
-    void add(const Near& near) noexcept {
+    void add(const Neighbour& near) noexcept {
         std::int64_t to = size_;
         if (size_ < count_)
             ++size_;
-        else if (near < near_[static_cast<std::size_t>(size_ - 1)])
+        else if (near < neighbours_[static_cast<std::size_t>(size_ - 1)])
             --to;
         else
             return;
-        for (; to > 0 && near < near_[static_cast<std::size_t>(to - 1)]; --to)
-            near_[static_cast<std::size_t>(to)] = near_[static_cast<std::size_t>(to - 1)];
-        near_[static_cast<std::size_t>(to)] = near;
+        for (; to > 0 && near < neighbours_[static_cast<std::size_t>(to - 1)]; --to)
+            neighbours_[static_cast<std::size_t>(to)] = neighbours_[static_cast<std::size_t>(to - 1)];
+        neighbours_[static_cast<std::size_t>(to)] = near;
     }
     std::int64_t write(std::int64_t* found) const noexcept {
-        for (std::int64_t i = 0; i < size_; ++i) found[i] = near_[static_cast<std::size_t>(i)].at;
+        for (std::int64_t i = 0; i < size_; ++i) found[i] = neighbours_[static_cast<std::size_t>(i)].at;
         return size_;
     }
 
@@ -140,14 +140,14 @@ private:
     std::int64_t count_;
     double farthest_squared_;
     std::int64_t size_ = 0;
-    std::array<Near, most> near_;
+    std::array<Neighbour, most> neighbours_;
 };
 
 template <class AcceptNode, class AcceptPoint>
 std::int64_t PointTree::nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node,
                                 AcceptPoint&& accept_point, std::int64_t* found, double farthest) const {
     if (size() == 0 || count <= 0) return 0;
-    Best best(std::min(count, Best::most), farthest);
+    NearestList best(std::min(count, NearestList::most), farthest);
     visit_nearest_first<leaf_size>(
         size(), [&](std::int64_t node) { return squared_distance_to(bounds_[node], p); },
         [&](std::int64_t node, double squared) { return !(squared > best.limit()) && accept_node(node); },

@@ -21,7 +21,7 @@ dvec2 unit_or_zero(const dvec2& a) noexcept {
 // Copies the points without repetitions, and inserts at least one on each segment so that the fit is measured there.
 void CurveFit::densify(std::span<const dvec2> points) {
     points_.clear();
-    const double spacing = curve_fit_tuning.spacing * std::sqrt(square_);
+    const double spacing = curve_fit_tuning.spacing * std::sqrt(squared_tolerance_);
     for (const dvec2& p : points) {
         if (!points_.empty()) {
             const dvec2 from = points_[points_.size() - 1];
@@ -66,11 +66,11 @@ dvec2 CurveFit::direction_at(std::int64_t i, std::int64_t first, std::int64_t la
 std::span<const Cubic> CurveFit::fit(std::span<const dvec2> points, double tolerance, bool closed) {
     HRBFNPR_ASSERT(tolerance > 0.0);
     cubics_.clear();
-    square_ = curve_fit_tuning.measured_share * curve_fit_tuning.measured_share * tolerance * tolerance;
+    squared_tolerance_ = curve_fit_tuning.measured_share * curve_fit_tuning.measured_share * tolerance * tolerance;
     densify(points);
     const std::int64_t count = points_.size();
     if (count < 2) return {};
-    places_.resize(count);
+    parameters_.resize(count);
     const std::int64_t last = count - 1;
     bool goes_round = closed && count > 3;
     if (goes_round) {
@@ -98,26 +98,26 @@ std::span<const Cubic> CurveFit::fit(std::span<const dvec2> points, double toler
     return {cubics_.data(), static_cast<std::size_t>(cubics_.size())};
 }
 
-void CurveFit::set_places(std::int64_t first, std::int64_t last) noexcept {
-    places_[first] = 0.0;
+void CurveFit::set_parameters(std::int64_t first, std::int64_t last) noexcept {
+    parameters_[first] = 0.0;
     for (std::int64_t i = first + 1; i <= last; ++i)
-        places_[i] = places_[i - 1] + std::sqrt(square(points_[i] - points_[i - 1]));
-    const double scale = 1.0 / places_[last];
-    for (std::int64_t i = first + 1; i < last; ++i) places_[i] *= scale;
-    places_[last] = 1.0;
+        parameters_[i] = parameters_[i - 1] + std::sqrt(square(points_[i] - points_[i - 1]));
+    const double scale = 1.0 / parameters_[last];
+    for (std::int64_t i = first + 1; i < last; ++i) parameters_[i] *= scale;
+    parameters_[last] = 1.0;
 }
 
 // Makes one step of Newton's method towards the nearest parameter of each point.
-void CurveFit::improve_places(std::int64_t first, std::int64_t last, const Cubic& c) noexcept {
+void CurveFit::improve_parameters(std::int64_t first, std::int64_t last, const Cubic& c) noexcept {
     const dvec2 start = points_[first];
     const dvec2 a = c.control_1 - start, b = c.control_2 - c.control_1, d = c.end - c.control_2;
     for (std::int64_t i = first + 1; i < last; ++i) {
-        const double t = places_[i], s = 1.0 - t;
-        const dvec2 off = point_of(start, c, t) - points_[i];
+        const double t = parameters_[i], s = 1.0 - t;
+        const dvec2 off = point_on_cubic(start, c, t) - points_[i];
         const dvec2 slope = 3.0 * (s * s * a + 2.0 * s * t * b + t * t * d);
         const dvec2 bend = 6.0 * (s * (b - a) + t * (d - b));
         const double denominator = glm::dot(slope, slope) + glm::dot(off, bend);
-        if (denominator > 0.0) places_[i] = std::clamp(t - glm::dot(off, slope) / denominator, 0.0, 1.0);
+        if (denominator > 0.0) parameters_[i] = std::clamp(t - glm::dot(off, slope) / denominator, 0.0, 1.0);
     }
 }
 
@@ -127,7 +127,7 @@ Cubic CurveFit::least_squares(std::int64_t first, std::int64_t last, const dvec2
     const dvec2 start = points_[first], end = points_[last];
     double c00 = 0.0, c01 = 0.0, c11 = 0.0, x0 = 0.0, x1 = 0.0;
     for (std::int64_t i = first; i <= last; ++i) {
-        const double t = places_[i], s = 1.0 - t;
+        const double t = parameters_[i], s = 1.0 - t;
         const double b1 = 3.0 * s * s * t, b2 = 3.0 * s * t * t;
         const dvec2 a0 = b1 * from, a1 = b2 * to;
         const dvec2 rest = points_[i] - ((s * s * s + b1) * start + (t * t * t + b2) * end);
@@ -157,7 +157,7 @@ double CurveFit::farthest(std::int64_t first, std::int64_t last, const Cubic& cu
     double most = 0.0;
     where = (first + last) / 2;
     for (std::int64_t i = first + 1; i < last; ++i) {
-        const double off = square(point_of(points_[first], cubic, places_[i]) - points_[i]);
+        const double off = square(point_on_cubic(points_[first], cubic, parameters_[i]) - points_[i]);
         if (off > most) {
             most = off;
             where = i;
@@ -173,17 +173,17 @@ void CurveFit::fit_run(std::int64_t first, std::int64_t last, const dvec2& from,
         cubics_.push_back({start + (1.0 / 3.0) * (end - start), start + (2.0 / 3.0) * (end - start), end});
         return;
     }
-    set_places(first, last);
+    set_parameters(first, last);
     std::int64_t where = 0;
     for (int i = 0; i <= curve_fit_tuning.improvements; ++i) {
         const Cubic cubic = least_squares(first, last, from, to);
         const double off = farthest(first, last, cubic, where);
-        if (off <= square_) {
+        if (off <= squared_tolerance_) {
             cubics_.push_back(cubic);
             return;
         }
-        if (off > curve_fit_tuning.near_enough_to_improve * square_) break;
-        improve_places(first, last, cubic);
+        if (off > curve_fit_tuning.near_enough_to_improve * squared_tolerance_) break;
+        improve_parameters(first, last, cubic);
     }
     if (depth >= curve_fit_tuning.deepest) where = (first + last) / 2;
     const dvec2 along = direction_at(where, first, last);

@@ -22,13 +22,13 @@ template <class Point, class Place>
 
 // Thinning takes time quadratic in the number of points where all are kept, so longer lines are thinned in parts of
 // this many points.
-inline constexpr std::int64_t thinned_together = 1024;
+inline constexpr std::int64_t simplified_together = 1024;
 
 // Sets keeps[i] to 1 for the points to keep, and to 0 for the others. The kept points are chosen so that no part of the
 // line is farther than the tolerance from the segment that replaces it. Both ends are kept. [Douglas and Peucker 1973,
 // "Algorithms for the reduction of the number of points required to represent a digitized line or its caricature"]
 template <class V>
-void thin(std::span<const V> points, typename V::value_type tolerance, base::Array<std::uint8_t>& keeps) {
+void simplify_polyline(std::span<const V> points, typename V::value_type tolerance, base::Array<std::uint8_t>& keeps) {
     const auto count = static_cast<std::int64_t>(points.size());
     HRBFNPR_ASSERT(tolerance >= 0 && count > 0);
     const V* const at = points.data();
@@ -41,7 +41,7 @@ void thin(std::span<const V> points, typename V::value_type tolerance, base::Arr
             auto most = tolerance * tolerance;
             std::int64_t farthest = -1;
             for (std::int64_t i = first + 1; i < last; ++i)
-                if (const auto square = square_from_segment(at[i], at[first], at[last]); square > most) {
+                if (const auto square = squared_distance_to_segment(at[i], at[first], at[last]); square > most) {
                     most = square;
                     farthest = i;
                 }
@@ -56,8 +56,8 @@ void thin(std::span<const V> points, typename V::value_type tolerance, base::Arr
             }
         }
     };
-    for (std::int64_t first = 0; first < count - 1; first += thinned_together) {
-        const std::int64_t last = first + thinned_together < count - 1 ? first + thinned_together : count - 1;
+    for (std::int64_t first = 0; first < count - 1; first += simplified_together) {
+        const std::int64_t last = first + simplified_together < count - 1 ? first + simplified_together : count - 1;
         keeps[last] = 1;
         split(split, first, last);
     }
@@ -91,7 +91,7 @@ struct Cubic {
     glm::dvec2 control_1, control_2, end;
 };
 
-[[nodiscard]] inline glm::dvec2 point_of(const glm::dvec2& start, const Cubic& c, double t) noexcept {
+[[nodiscard]] inline glm::dvec2 point_on_cubic(const glm::dvec2& start, const Cubic& c, double t) noexcept {
     const double s = 1.0 - t;
     return s * s * s * start + 3.0 * s * s * t * c.control_1 + 3.0 * s * t * t * c.control_2 + t * t * t * c.end;
 }
@@ -121,7 +121,7 @@ inline constexpr CurveFitTuning curve_fit_tuning;
 // algorithm for automatically fitting digitized curves", Graphics Gems]. The object keeps its working memory.
 class CurveFit {
 public:
-    explicit CurveFit(base::Memory& memory) noexcept : points_(memory), places_(memory), cubics_(memory) {}
+    explicit CurveFit(base::Memory& memory) noexcept : points_(memory), parameters_(memory), cubics_(memory) {}
 
     // Every point of the polyline is within the tolerance of the curves, and the curves' ends are points of it. The
     // last point of a closed line equals its first, and its curves are smooth there unless the line has a corner. The
@@ -135,15 +135,15 @@ private:
                                       const glm::dvec2& to) const noexcept;
     [[nodiscard]] double farthest(std::int64_t first, std::int64_t last, const Cubic& cubic,
                                   std::int64_t& where) const noexcept;
-    void set_places(std::int64_t first, std::int64_t last) noexcept;
-    void improve_places(std::int64_t first, std::int64_t last, const Cubic& cubic) noexcept;
+    void set_parameters(std::int64_t first, std::int64_t last) noexcept;
+    void improve_parameters(std::int64_t first, std::int64_t last, const Cubic& cubic) noexcept;
     [[nodiscard]] glm::dvec2 direction_from(std::int64_t end, std::int64_t other) const noexcept;
     [[nodiscard]] glm::dvec2 direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept;
     [[nodiscard]] bool is_corner(std::int64_t before, std::int64_t i, std::int64_t after) const noexcept;
 
-    double square_ = 0.0; // the squared tolerance at the measured points
+    double squared_tolerance_ = 0.0; // the squared tolerance at the measured points
     base::Array<glm::dvec2> points_;
-    base::Array<double> places_; // the curve parameter of each point, from 0 to 1
+    base::Array<double> parameters_; // the curve parameter of each point, from 0 to 1
     base::Array<Cubic> cubics_;
 };
 

@@ -10,7 +10,7 @@ namespace hrbfnpr::geometry {
 
 // Returns the nearest point's share of the way from one end to the other, 0 to 1. It is 0 if both ends coincide.
 template <class V>
-[[nodiscard]] typename V::value_type nearest_share(const V& place, const V& from, const V& to) noexcept {
+[[nodiscard]] typename V::value_type nearest_parameter(const V& place, const V& from, const V& to) noexcept {
     using T = typename V::value_type;
     const V way = to - from;
     const T square = glm::dot(way, way);
@@ -18,15 +18,15 @@ template <class V>
 }
 
 template <class V>
-[[nodiscard]] typename V::value_type square_from_segment(const V& place, const V& from, const V& to) noexcept {
+[[nodiscard]] typename V::value_type squared_distance_to_segment(const V& place, const V& from, const V& to) noexcept {
     // Taking the differences first keeps the numbers small.
-    const V off = (place - from) - nearest_share(place, from, to) * (to - from);
+    const V off = (place - from) - nearest_parameter(place, from, to) * (to - from);
     return glm::dot(off, off);
 }
 
 template <class V>
 [[nodiscard]] typename V::value_type distance_to_segment(const V& place, const V& from, const V& to) noexcept {
-    return std::sqrt(square_from_segment(place, from, to));
+    return std::sqrt(squared_distance_to_segment(place, from, to));
 }
 
 } // namespace hrbfnpr::geometry

@@ -516,7 +516,7 @@ void settle(const marks::Site& site, double separation, const geometry::Bounds& 
         settler.start.clear();
         const std::int64_t end = std::min(count, from + marks::chunk_size);
         for (std::int64_t i = from; i < end; ++i) settler.start.push_back(lines.position[i]);
-        settler.settle(separation, report, site.work.standing());
+        settler.settle(separation, report, site.work.without_progress());
         for (std::int64_t i = from; i < end; ++i) {
             if (settler.placed(i - from) && !region.contains(settler.position(i - from)))
                 settler.drop(i - from, report.dropped_strayed, report);

@@ -59,7 +59,7 @@ void evaluate_all(const base::Work& work, const Implicit& implicit, const geomet
             implicit.evaluate(slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
                               fields.from(begin));
         } else {
-            base::Boxed<Gathered> some(work.memory);
+            base::OwnedObject<Gathered> some(work.memory);
             for (std::int64_t i = begin; i < end; ++i) some->points.add(points[order[i]], order[i]);
             implicit.evaluate(
                 some->points.points(),

@@ -120,7 +120,7 @@ private:
         const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
         runtime_.parallel.for_chunks(
             begin_ - above_, cells_a_task, progress, [&](std::int64_t first, std::int64_t last) {
-                base::Boxed<CubeShift::Work> work(runtime_.memory);
+                base::OwnedObject<CubeShift::Work> work(runtime_.memory);
                 for (std::int64_t k = first; k < last; ++k) {
                     const Cell& parent = field_.cells_[above_ + k];
                     for (int octant = 0; octant < 8; ++octant)

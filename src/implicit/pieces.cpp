@@ -387,7 +387,7 @@ void PiecesBlock::active(std::int32_t* sheet) {
 // Calls work(block, first) for all points, as many at a time as a block takes.
 template <class F>
 void in_blocks(const PiecesOf& of, const PointBatch& points, F&& work) {
-    base::Boxed<PiecesBlock> block(of.data().child.memory(), of);
+    base::OwnedObject<PiecesBlock> block(of.data().child.memory(), of);
     for (std::int64_t begin = 0; begin < points.count;) {
         const std::int64_t count = block->take(slice(points, begin, points.count));
         work(*block, begin);

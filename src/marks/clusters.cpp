@@ -127,7 +127,7 @@ base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const bas
     for (const std::int64_t i : progress.over(order.size())) {
         const glm::dvec3 at = (place(i) - bounds.min) * scale;
         const std::uint64_t code = geometry::morton_code(
-            {geometry::whole(at.x, last), geometry::whole(at.y, last), geometry::whole(at.z, last)});
+            {geometry::truncate_to(at.x, last), geometry::truncate_to(at.y, last), geometry::truncate_to(at.z, last)});
         const std::uint64_t set = layer.has_strokes() ? layer.direction_of(i) : 0U;
         const glm::vec3 n = vector_at(layer.normal, i);
         const glm::vec3 a = glm::abs(n);

@@ -24,7 +24,7 @@ struct Site {
     [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
     // Return the same site with a part of the work's progress, or with another progress.
     [[nodiscard]] Site part(double from, double to) const noexcept { return with(work.progress().part(from, to)); }
-    [[nodiscard]] Site standing() const noexcept { return with(work.progress().standing()); }
+    [[nodiscard]] Site without_progress() const noexcept { return with(work.progress().without_progress()); }
     [[nodiscard]] Site with(const base::Progress& progress) const noexcept {
         return {{work.runtime(), progress}, implicit, projection_tolerance, random_seed, unit};
     }

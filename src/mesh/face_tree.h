@@ -2,7 +2,7 @@
 // A tree of boxes over faces. It finds the nearest face, and the faces that a ray meets.
 #pragma once
 
-#include "geometry/halves.h"
+#include "geometry/heap_node.h"
 #include "mesh/mesh.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ public:
 private:
     using Corners = std::array<glm::dvec3, 3>;
     static constexpr std::int64_t leaf_size = 4;
-    using Range = geometry::Halves<leaf_size>;
+    using Range = geometry::HeapNode<leaf_size>;
 
     // Returns t where a ray meets a face's plane within the face, else NaN.
     [[nodiscard]] static double meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept;
@@ -82,7 +82,7 @@ template <bool near_first, class Visit>
 void FaceTree::walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
                     Visit&& visit) const {
     const glm::dvec3 inverse = 1.0 / direction;
-    std::array<Range, geometry::most_levels_of_halves> stack;
+    std::array<Range, geometry::most_heap_levels> stack;
     std::size_t depth = 0;
     stack[depth++] = {0, 0, face_.size()};
     while (depth > 0) {

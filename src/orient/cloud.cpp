@@ -135,7 +135,7 @@ Cloud read_cloud(const base::Work& work, const base::InView& points) {
     cloud.rank.resize(cloud.size());
     for (std::int64_t k = 0; k < order.order.size(); ++k) cloud.rank[order.order[k]] = k;
     cloud.apart = std::move(order.distance);
-    if (cloud.size() >= 2 * tuning.fewest_all_over && geometry::along_curves(*cloud.tree)) {
+    if (cloud.size() >= 2 * tuning.fewest_all_over && geometry::lie_along_curves(*cloud.tree)) {
         cloud.all_over = cloud.size();
         while (cloud.all_over >= 2 * tuning.fewest_all_over) cloud.all_over /= 2;
     }

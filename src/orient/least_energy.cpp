@@ -328,7 +328,7 @@ LeastEnergy least_energy(const base::Work& work, const Places& places, const Nea
     HRBFNPR_ASSERT(given == nullptr || given->size() == places.size());
     HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && effort.starts >= 0);
     const std::int64_t size = places.size();
-    const base::Work standing = work.standing();
+    const base::Work standing = work.without_progress();
     // For few places, more neighbours cost little.
     const auto neighbours = static_cast<std::int32_t>(
         std::min<std::int64_t>(size < tuning.few_places ? tuning.neighbours_of_few : tuning.neighbours, size - 1));

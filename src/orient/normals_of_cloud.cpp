@@ -51,7 +51,7 @@ struct Noise {
 [[nodiscard]] Noise noise_of(const base::Work& work, const Places& places) {
     const Near near(work, *places.tree, tuning.most_neighbours);
     const auto fit = [&](double ridge, const Effort& effort) {
-        return least_energy(work.standing(), places, near, ridge, nullptr, effort);
+        return least_energy(work.without_progress(), places, near, ridge, nullptr, effort);
     };
     LeastEnergy clean = fit(0.0, {2, true, true});
     if (clean.energy < tuning.clean_below) return {};
@@ -117,8 +117,8 @@ void fit_even(const base::Work& work, const Cloud& cloud, const Near& near, cons
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
-    // A lower regularization should give the same signs. It does not where walls are as thin as the noise.
-    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.standing());
+    // A lower ridge should give the same signs. It does not where walls are as thin as the noise.
+    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.without_progress());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
 
@@ -173,7 +173,7 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
             effort = {2, false, false, &begin};
         }
         const Near near(work, *level.tree, tuning.most_neighbours);
-        const LeastEnergy found = least_energy(work.standing(), level, near, 0.0, nullptr, effort);
+        const LeastEnergy found = least_energy(work.without_progress(), level, near, 0.0, nullptr, effort);
         Begin& reached = levels.emplace_back(work.memory);
         reached.normal = blend(work, level, found.normal, *cloud.tree);
         reached.energy = found.energy;
@@ -258,12 +258,12 @@ RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& n
                        const Effort& effort) {
     HRBFNPR_ASSERT(most > 0.0);
     double ridge = 1.0;
-    RidgeFit best{least_energy(work.standing(), cloud, near, ridge, given, effort)};
+    RidgeFit best{least_energy(work.without_progress(), cloud, near, ridge, given, effort)};
     best.roughest = best.fitted.energy;
     const auto next_fit = [&](const LeastEnergy& last) {
         work.update(std::log(ridge) / std::log(ridge_factor * most));
         ridge *= ridge_factor;
-        return least_energy(work.standing(), cloud, near, ridge, &last.normal, {2, false, false});
+        return least_energy(work.without_progress(), cloud, near, ridge, &last.normal, {2, false, false});
     };
     const auto ends = [&](const LeastEnergy& last) {
         return last.energy < tuning.path_settled || ridge * ridge_factor > 1.01 * most;

@@ -349,7 +349,7 @@ Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
         welded.has_sharp_edges = said == mesh::SaidOfEdges::some_are_sharp;
         if (welded.has_sharp_edges) welded.sharp_edges = std::move(sharp);
     }
-    const base::Progress progress = base::Progress(&stage.operation()->operation).standing();
+    const base::Progress progress = base::Progress(&stage.operation()->operation).without_progress();
     const auto mean = [&] { return mean_edge(welded, pool); };
     const auto coarse = [&] { return coarseness(welded, subdivide_tuning.coarse_percentile, pool); };
     const auto creases = [&] { return has_creases(looked.mesh, progress); };

@@ -210,7 +210,7 @@ void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t c
 
 bool lie_along_curves(const Points& points, Pool& pool) {
     if (points.size() > normals_tuning.most_along_curves) return false;
-    return geometry::along_curves(geometry::PointTree(in_columns(points, pool), {}));
+    return geometry::lie_along_curves(geometry::PointTree(in_columns(points, pool), {}));
 }
 
 // ---- Samples at one place

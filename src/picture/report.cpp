@@ -298,7 +298,7 @@ Stage::Stage(Report& report, std::uint32_t stage)
     // Memory is reserved now, so that the end of the stage needs none.
     if (report.kept_before(stage) == nullptr) report.stages.reserve(report.stages.size() + 1);
     operation_.operation.set_callback(on_progress, this);
-    if (report.operation_ != nullptr) operation_.operation.be_part_of(&report.operation_->operation);
+    if (report.operation_ != nullptr) operation_.operation.set_parent(&report.operation_->operation);
     report.running_ = stage;
     tell(0.0);
 }

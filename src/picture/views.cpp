@@ -360,8 +360,9 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
     }
     SheetContent content(options.line_width, options.hidden == HiddenLines::shown, pool);
     Stage stage(call.report, HRBFNPR_STAGE_VIEWS);
-    hrbfnpr_operation part(call.context); // The stage cancels the calls of a view, which report no progress themselves.
-    part.operation.be_part_of(&stage.operation()->operation);
+    hrbfnpr_operation part(
+        call.context); // The stage cancels the calls of a view, which report no progress of their own.
+    part.operation.set_parent(&stage.operation()->operation);
     String names(&pool);
     const double scale = plan.layout.unit_scale;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {

@@ -504,7 +504,7 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
     base::Array<std::int64_t> slot(site.memory()); // where each cell's trials begin in the batch, and the end
     geometry::VecArray trial(site.memory());
     base::Array<std::uint32_t> ticket(site.memory());
-    const marks::Site standing = site.standing();
+    const marks::Site standing = site.without_progress();
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot.clear();
         slot.push_back(0);

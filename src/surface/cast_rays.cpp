@@ -292,7 +292,7 @@ void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const
     const base::Work casting = work.part(estimate ? 0.1 : 0.0, 1.0);
     std::atomic<std::int64_t> done{0};
     implicit.threads(work).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<Batch> batch(work.memory, implicit, settings, lipschitz, hits);
+        base::OwnedObject<Batch> batch(work.memory, implicit, settings, lipschitz, hits);
         batch->run(rays, begin, end, casting);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         casting.update(static_cast<double>(now) / static_cast<double>(count));

@@ -183,7 +183,7 @@ void project(const base::Work& work, const implicit::Implicit& implicit, const P
     const base::Array<std::int32_t> order = implicit::order_by_cell(work, implicit, points.position);
     std::atomic<std::int64_t> done{0};
     implicit.threads(work).for_chunks(count, projected_at_once, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<ProjectedBatch> batch(work.memory, implicit, settings, order.data());
+        base::OwnedObject<ProjectedBatch> batch(work.memory, implicit, settings, order.data());
         batch->run(points, begin, end, work);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         work.update(static_cast<double>(now) / static_cast<double>(count));

@@ -65,8 +65,8 @@ public:
     // Tells whether a cube surely holds no surface: s is above `limit` in all of it for any normal, and no cell is
     // kept. Returns false if that is not certain.
     [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
-    // Tells whether the samples are along curves, with nothing between the curves.
-    [[nodiscard]] bool along_curves() const { return geometry::along_curves(tree_); }
+    // Tells whether the samples are along curves, with nothing between these.
+    [[nodiscard]] bool samples_lie_along_curves() const { return geometry::lie_along_curves(tree_); }
     [[nodiscard]] geometry::VecArray not_surrounded() const;
 
     // The samples' positions and normals, in this object's own order.

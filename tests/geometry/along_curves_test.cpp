@@ -13,7 +13,7 @@ bool are(const test::Samples& samples, int times = 1) {
     for (int k = 0; k < times; ++k)
         for (std::size_t i = 0; i < samples.points.size(); i += 3)
             points.push_back({samples.points[i], samples.points[i + 1], samples.points[i + 2]});
-    return along_curves(PointTree(points, {}));
+    return lie_along_curves(PointTree(points, {}));
 }
 
 TEST(AlongCurves, WiresAndSectionsAreDetected) {

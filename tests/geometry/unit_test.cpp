@@ -31,11 +31,11 @@ TEST(Unit, IsAPowerOfTwoInWhichTheSizeIsTwoToFour) {
 }
 
 TEST(WholeNumber, IsAlwaysWithinItsRange) {
-    EXPECT_EQ(whole(2.9, 7), 2);
-    EXPECT_EQ(whole(7.0, 7), 7);
-    EXPECT_EQ(whole(-0.5, 7), 0);
-    for (const double large : {8.0, 1e300, infinity}) EXPECT_EQ(whole(large, 7), 7);
-    for (const double none : {-1e300, -infinity, nan}) EXPECT_EQ(whole(none, 7), 0);
+    EXPECT_EQ(truncate_to(2.9, 7), 2);
+    EXPECT_EQ(truncate_to(7.0, 7), 7);
+    EXPECT_EQ(truncate_to(-0.5, 7), 0);
+    for (const double large : {8.0, 1e300, infinity}) EXPECT_EQ(truncate_to(large, 7), 7);
+    for (const double none : {-1e300, -infinity, nan}) EXPECT_EQ(truncate_to(none, 7), 0);
 }
 
 TEST(CellGrid, HasACellForAnyPoint) {

@@ -40,7 +40,7 @@ double largest_error(int from, int to, int highest, int octant) {
     std::vector<double> moved(static_cast<std::size_t>(CubeBasis::terms(to)));
     moved[0] = 1.0;
     hrbfnpr::base::Memory memory;
-    hrbfnpr::base::Boxed<CubeShift::Work> work(memory);
+    hrbfnpr::base::OwnedObject<CubeShift::Work> work(memory);
     CubeShift(from, to).add(terms.data(), octant, moved.data(), *work);
     const glm::dvec3 centre(octant & 1 ? 0.5 : -0.5, octant & 2 ? 0.5 : -0.5, octant & 4 ? 0.5 : -0.5);
     double largest = 0.0;

@@ -64,7 +64,7 @@ constexpr float most_pieces = 4096.0F;
 // Returns how many pixels nearer to the eye than `depth` the edge is, at its point nearest to `at`.
 [[nodiscard]] float nearer_at(const NearerEdge& edge, const glm::vec2& at, float depth,
                               float pixels_per_unit) noexcept {
-    const float share = geometry::nearest_share(at, edge.a, edge.b);
+    const float share = geometry::nearest_parameter(at, edge.a, edge.b);
     return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
 }
 
@@ -158,7 +158,7 @@ bool NearerEdges::is_near(const Dot& dot, float reach, float halo) const noexcep
     const float most = std::max(reach, halo);
     bool found = false;
     for_near(at - most, at + most, [&](const NearerEdge& edge) {
-        const float square = geometry::square_from_segment(at, edge.a, edge.b);
+        const float square = geometry::squared_distance_to_segment(at, edge.a, edge.b);
         if (found || square > most * most) return;
         const float nearer = nearer_at(edge, at, dot.depth, dot.pixels_per_unit);
         const float limit = std::max(reach, halo_of(nearer, halo));
@@ -175,7 +175,7 @@ float NearerEdges::entry(const Dot& a, const Dot& b, float halo) const noexcept 
     const float reach = length + std::max(halo, hatch_tuning.at_edge);
     float first = nowhere;
     for_near(from - reach, from + reach, [&](const NearerEdge& edge) {
-        const float square = geometry::square_from_segment(from, edge.a, edge.b);
+        const float square = geometry::squared_distance_to_segment(from, edge.a, edge.b);
         if (square > reach * reach) return;
         const float nearer = nearer_on(edge, a, b);
         const float radius = halo_of(nearer, halo);

@@ -183,7 +183,7 @@ void trace_contours(const base::Work& work, const Source& source, ContourList& l
         const curves::ContourLevel& level =
             *out.levels.add(std::make_unique<curves::ContourLevel>(surface, source.view));
         const Contours& contours =
-            *out.contours.add(find_contours(work.standing(), lines, out.items[source.number], p, level, last));
+            *out.contours.add(find_contours(work.without_progress(), lines, out.items[source.number], p, level, last));
         out.broken += contours.broken;
         visibility::Subject& subject = add_subject(source, contours.with_cusps, out);
         subject.level = &level;
@@ -280,7 +280,7 @@ void add_features(const base::Work& work, const Source& source, const LineStyle&
     request.upper = by.upper;
     request.shortest = line_tuning.shortest_feature;
     request.rounds = style.kind == LineKind::apparent_ridge ? line_tuning.ridge_rounds : 0;
-    const curves::FeatureLines lines = find_feature_lines(work.standing(), source.lines().features(), request);
+    const curves::FeatureLines lines = find_feature_lines(work.without_progress(), source.lines().features(), request);
     add_lines(work, source, curves::as_lines(work.memory, lines), &style, layer, 0, out);
 }
 
@@ -492,7 +492,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
         return trace_lines({runtime_, progress.part(0.0, traced_end)}, scene, items, contours_, drawing);
     };
     const auto count_sheets = [&](const TracedLines& lines) {
-        return visibility::find_invisibility({runtime_, progress.part(traced_end, found_end).standing()},
+        return visibility::find_invisibility({runtime_, progress.part(traced_end, found_end).without_progress()},
                                              lines.subjects.span(), lines.occluders.span(), {});
     };
     TracedLines traced = trace();
@@ -505,7 +505,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
         traced = trace();
         found = count_sheets(traced);
     }
-    visibility::find_hidden_by({runtime_, progress.part(found_end, hidden_end).standing()},
+    visibility::find_hidden_by({runtime_, progress.part(found_end, hidden_end).without_progress()},
                                std::as_const(found.subjects).span(), traced.occluders.span(), found);
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);

@@ -145,7 +145,7 @@ void find_curvature_across(const base::Work& work, const implicit::Implicit& sur
     implicit::FieldBatch fields;
     for (std::size_t c = 0; c < 6; ++c)
         fields.hessian[c] = hessian.data() + static_cast<std::int64_t>(c) * points.size();
-    implicit::evaluate_all(work.standing(), surface, place, fields);
+    implicit::evaluate_all(work.without_progress(), surface, place, fields);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 b = glm::normalize(glm::cross(points[i].gradient, points[i].direction()));
         const auto h = [&](std::size_t c) { return fields.hessian[c][i]; };
@@ -226,7 +226,7 @@ visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& dra
     }
     if (std::none_of(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }))
         return visibility::Outline(in.runtime.memory);
-    return visibility::find_outline({in.runtime, progress.standing()}, in.found.subjects.span(),
+    return visibility::find_outline({in.runtime, progress.without_progress()}, in.found.subjects.span(),
                                     in.traced.occluders.span(), in.found, in.lengths, wanted.span());
 }
 

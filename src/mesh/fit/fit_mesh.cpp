@@ -170,7 +170,7 @@ Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshRep
     const FitData implicit(work.instruction_set, data);
     surface::ProjectionSettings steps;
     steps.tolerance = 1e-6;
-    surface::project(work.standing(), implicit, steps, on);
+    surface::project(work.without_progress(), implicit, steps, on);
     base::Array<double> distance(work.memory);
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
         const bool found = on.status[i] == surface::ProjectionStatus::converged;
@@ -285,7 +285,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::Growth& growth) {
         geometry::VecArray seeds(work.memory);
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);
-        curves::SurfaceMesh surface = find_surface(work.standing(), *field, seeds, search);
+        curves::SurfaceMesh surface = find_surface(work.without_progress(), *field, seeds, search);
         surface_places = fit_mesh_tuning.places_a_vertex * surface.position.size();
         // The places are the vertices, which lie on f = 0. Even a small part has some.
         SurfacePlaces places(work.memory);
@@ -318,7 +318,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         fit::Growth growth(work.memory, {options.regularization, options.regularization});
         FitField field(work.instruction_set, now.fit.result.data, search.precision);
         field.expect(work, candidates.position.size() + surface_places);
-        const fit::Distances distances = fit::measure_distances(work.standing(), *field, candidates);
+        const fit::Distances distances = fit::measure_distances(work.without_progress(), *field, candidates);
         input_distance_rms = root_mean_square(distances.distance, now.fit.result.data.scale);
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
         report.mesh = spread_of(distance, report.tolerance, report.far);

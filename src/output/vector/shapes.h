@@ -286,7 +286,7 @@ public:
     std::span<const glm::dvec2> line(const PagePath& path, double tolerance) {
         places_.clear();
         for (const PagePoint& p : path.points) places_.push_back(place_of(p));
-        geometry::thin(std::span<const glm::dvec2>(places_.span()), tolerance, keeps_);
+        geometry::simplify_polyline(std::span<const glm::dvec2>(places_.span()), tolerance, keeps_);
         line_.clear();
         for (std::int64_t i = 0; i < places_.size(); ++i)
             if (keeps_[i] != 0) line_.push_back(places_[i]);

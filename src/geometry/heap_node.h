@@ -13,15 +13,15 @@ namespace hrbfnpr::geometry {
 
 // A node and its range of items. A leaf has at most `leaf_size` items.
 template <std::int64_t leaf_size>
-struct Halves {
+struct HeapNode {
     std::int64_t node;
     std::int64_t begin;
     std::int64_t end;
 
     [[nodiscard]] bool leaf() const noexcept { return end - begin <= leaf_size; }
     [[nodiscard]] std::int64_t middle() const noexcept { return begin + (end - begin) / 2; }
-    [[nodiscard]] Halves low() const noexcept { return {2 * node + 1, begin, middle()}; }
-    [[nodiscard]] Halves high() const noexcept { return {2 * node + 2, middle(), end}; }
+    [[nodiscard]] HeapNode low() const noexcept { return {2 * node + 1, begin, middle()}; }
+    [[nodiscard]] HeapNode high() const noexcept { return {2 * node + 2, middle(), end}; }
 
     // Returns how many node numbers a tree of `count` items has. Some of these numbers are unused.
     [[nodiscard]] static std::int64_t nodes(std::int64_t count) noexcept {
@@ -32,7 +32,7 @@ struct Halves {
 };
 
 // Every level halves its ranges, so 2^63 items would have 60 levels.
-inline constexpr std::size_t most_levels_of_halves = 64;
+inline constexpr std::size_t most_heap_levels = 64;
 
 // Returns the axis along which a box is longest.
 [[nodiscard]] inline glm::length_t longest_axis(const Bounds& box) noexcept {
@@ -50,12 +50,12 @@ inline constexpr std::size_t most_levels_of_halves = 64;
 // box. passes(node, squared distance) tells whether a node may have items that matter.
 template <std::int64_t leaf_size, class Squared, class Passes, class Visit>
 void visit_nearest_first(std::int64_t count, Squared&& squared, Passes&& passes, Visit&& visit) {
-    using Range = Halves<leaf_size>;
+    using Range = HeapNode<leaf_size>;
     struct Waiting {
         Range range;
         double squared;
     };
-    std::array<Waiting, most_levels_of_halves> stack;
+    std::array<Waiting, most_heap_levels> stack;
     std::size_t depth = 0;
     stack[depth++] = {{0, 0, count}, squared(0)};
     while (depth > 0) {
