@@ -13,7 +13,7 @@ using implicit::CsgNode;
 constexpr double most_stretch = 1e4; // largest stretch of a transform, as a multiple of its least
 
 void check_transform(const char* name, const CsgNode& node) {
-    const implicit::Stretch stretch = implicit::stretch_of(node.linear);
+    const implicit::StretchFactors stretch = implicit::stretch_factors(node.linear);
     if (!(stretch.least > 0.0 && stretch.most <= most_stretch * stretch.least))
         fail(Status::invalid_argument,
              "%s.transform stretches lengths %g to %g times; the least must be above 0, and the most at most %g times "

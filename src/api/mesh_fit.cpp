@@ -187,10 +187,10 @@ hrbfnpr_mesh_fit_info described(const mesh::PlannedFit& made) noexcept {
     to.seconds_fit = report.seconds_fit;
     to.seconds_measure = report.seconds_measure;
     to.seconds_total = report.seconds_total;
-    to.touching_parts[0] = report.touching.one;
-    to.touching_parts[1] = report.touching.other;
-    for (int axis = 0; axis < 3; ++axis) to.touching_place[axis] = report.touching.place[axis];
-    to.parts_may_cross = report.touching.may_cross ? 1 : 0;
+    to.touching_parts[0] = report.contact.one;
+    to.touching_parts[1] = report.contact.other;
+    for (int axis = 0; axis < 3; ++axis) to.touching_place[axis] = report.contact.place[axis];
+    to.parts_may_cross = report.contact.may_cross ? 1 : 0;
     return to;
 }
 

@@ -7,7 +7,7 @@
 // 5. place_rest places the remaining nodes near the surface.
 // 6. find_chains makes chains of nodes of the creases.
 // 7. build cuts triangles at the nodes.
-// Afterwards sheet_parts splits the mesh into one for each sheet.
+// Afterwards sheet_surfaces splits the mesh into one for each sheet.
 //
 // trace_creases runs once for a model:
 // 1. add_chain makes points of the mesh's nodes, without crowded ones, and cuts chains where sheets do not meet.
@@ -44,7 +44,7 @@ struct EdgeNode {
     std::int64_t edge;                 // the edge that comes first among the two opposite edges
     std::array<std::int32_t, 2> ends;  // the start and end vertex of the edge
     std::array<std::int32_t, 2> sheet; // the sheets of both ends
-    CreaseNode at;
+    CreaseNode place;
     std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at the node
     // Equal[0]: the start may belong to the sheet of the end; equal[1]: the end may belong to the sheet of the start.
     std::array<bool, 2> equal;
@@ -56,7 +56,7 @@ struct EdgeNode {
 // A node of a triangle whose corners belong to three sheets.
 struct CornerNode {
     std::int64_t triangle;
-    CreaseNode at;
+    CreaseNode place;
     std::array<glm::dvec3, 3> gradient; // the gradients at the node of the three corners' sheets
 };
 
@@ -161,8 +161,8 @@ void settle_alone(const base::Work& work, SheetMesh& at) {
 
 // Whether f is the maximum or the minimum of both sheets around the node. Beyond a corner, f may be 0 at the node but
 // follow only one of them, because the edge passes a third sheet. Then f has opposite signs on both sides of the node,
-// in the direction in which the sheets differ most. `far` is the distance at which f is evaluated on either side.
-bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
+// in the direction in which the sheets differ most. far: the distance to either side at which f is evaluated.
+bool is_folded(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
     // The sine of half the angle: f at a distance aside is this share of the distance.
     const double sine = 0.5 * glm::length(across);
@@ -172,13 +172,13 @@ bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
         const surface::SheetValue f = in.value(place);
         return f.value / glm::length(f.gradient);
     };
-    const double a = off(node.at.position + way);
-    const double b = off(node.at.position - way);
+    const double a = off(node.place.position + way);
+    const double b = off(node.place.position - way);
     return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far);
 }
 
 // Searches for the meeting from the point of the edge where the difference of both sheets is 0 by linear interpolation.
-void look_at(const SheetMesh& in, EdgeNode& node) {
+void examine_edge(const SheetMesh& in, EdgeNode& node) {
     const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
     std::array<double, 2> off{}; // the signed distance of each end from the other end's sheet
     node.alike = true;
@@ -197,15 +197,15 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
     const glm::dvec3 from = glm::mix(place[0], place[1], share);
     const surface::MeetingPlace found =
         in.meeting(node.ends, from, std::min(in.mesh.side, 2.0 * glm::distance(place[0], place[1])));
-    node.at.position = found.found ? found.position : from;
+    node.place.position = found.found ? found.position : from;
     node.meet = found.found;
     node.gradient = {found.gradient[0], found.gradient[1]};
     const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
-    node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface * in.mesh.side);
+    node.place.exact = away <= crease_tuning.on_surface && is_folded(in, node, crease_tuning.on_surface * in.mesh.side);
     const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
-    // If the meeting is near the surface, it is tested at a larger distance, at which its exact place does not matter.
-    node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
-                folds(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
+    // A fold near the surface is tested from a distance at which its exact place does not matter.
+    node.near = !node.place.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
+                is_folded(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
 }
 
 // Nodes are kept for edges whose ends and sheets have not changed.
@@ -235,7 +235,7 @@ void find_edges(const base::Work& work, SheetMesh& in) {
         if (const std::int64_t other = opposite_of(in.mesh, in.edges[i].edge); other >= 0)
             in.node[other] = static_cast<std::int32_t>(i);
     in.implicit.threads(work).for_chunks(fresh.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) look_at(in, in.edges[fresh[i]]);
+        for (std::int64_t i = begin; i < end; ++i) examine_edge(in, in.edges[fresh[i]]);
     });
 }
 
@@ -266,12 +266,12 @@ void find_corners(const base::Work& work, SheetMesh& in) {
             CornerNode& node = in.corners[i];
             glm::dvec3 middle(0.0);
             for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
-                middle += in.edges[in.node[e]].at.position / 3.0;
+                middle += in.edges[in.node[e]].place.position / 3.0;
             const surface::MeetingPlace found =
                 in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle, in.mesh.side);
-            node.at.position = found.found ? found.position : middle;
+            node.place.position = found.found ? found.position : middle;
             node.gradient = found.gradient;
-            node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
+            node.place.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
         }
     });
 }
@@ -288,9 +288,9 @@ bool halve_unclear(const base::Work& work, SheetMesh& in) {
         edges.push_back(e);
     };
     for (const EdgeNode& node : in.edges)
-        if (!node.at.exact && !node.alike && node.meet) add(node.edge);
+        if (!node.place.exact && !node.alike && node.meet) add(node.edge);
     for (const CornerNode& node : in.corners) {
-        if (node.at.exact) continue;
+        if (node.place.exact) continue;
         std::int64_t longest = 3 * node.triangle;
         for (std::int64_t e = longest; e < 3 * node.triangle + 3; ++e)
             if (in.length_of(e) > in.length_of(longest)) longest = e;
@@ -307,24 +307,24 @@ bool halve_unclear(const base::Work& work, SheetMesh& in) {
 // to the seam on one of them and continues on the other, so the corner is where the third sheet meets one of them.
 void place_rest(SheetMesh& in) {
     for (EdgeNode& node : in.edges) {
-        if (node.at.exact) continue;
-        node.at.exact = node.near;
+        if (node.place.exact) continue;
+        node.place.exact = node.near;
         for (std::size_t k = 0; k < 2 && !node.near; ++k)
-            node.gradient[k] = surface::sheet_at(in.sheets, node.sheet[k], node.at.position).gradient;
+            node.gradient[k] = surface::sheet_at(in.sheets, node.sheet[k], node.place.position).gradient;
     }
     for (CornerNode& node : in.corners) {
-        if (node.at.exact) continue;
-        for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e) {
+        if (node.place.exact) continue;
+        for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.place.exact; ++e) {
             const EdgeNode& beside = in.edges[in.node[e]];
-            if (!beside.at.exact) continue;
-            const surface::MeetingPlace found = in.meeting(beside.ends, node.at.position, in.mesh.side);
-            node.at.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
-            if (node.at.exact) node.at.position = found.position;
+            if (!beside.place.exact) continue;
+            const surface::MeetingPlace found = in.meeting(beside.ends, node.place.position, in.mesh.side);
+            node.place.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
+            if (node.place.exact) node.place.position = found.position;
         }
         for (std::size_t k = 0; k < 3; ++k)
             node.gradient[k] =
                 surface::sheet_at(in.sheets, in.sheet_at(3 * node.triangle + static_cast<std::int64_t>(k)),
-                                  node.at.position)
+                                  node.place.position)
                     .gradient;
     }
 }
@@ -333,7 +333,7 @@ void place_rest(SheetMesh& in) {
 void find_chains(const SheetMesh& in, CreaseChains& chains) {
     const SurfaceMesh& mesh = in.mesh;
     base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that a chain has passed
-    const auto put = [&](std::int64_t edge) { chains.point.push_back(in.edges[in.node[edge]].at); };
+    const auto put = [&](std::int64_t edge) { chains.point.push_back(in.edges[in.node[edge]].place); };
     const auto end = [&](std::int32_t left, std::int32_t right, bool closed) {
         chains.end(closed);
         chains.left.push_back(left);
@@ -346,7 +346,7 @@ void find_chains(const SheetMesh& in, CreaseChains& chains) {
             put(e);
             taken[e] = 1;
             if (const CornerNode* const corner = in.corner_of(e / 3)) {
-                chains.point.push_back(corner->at);
+                chains.point.push_back(corner->place);
                 break;
             }
             std::int64_t exit = next_in_triangle(e);
@@ -362,7 +362,7 @@ void find_chains(const SheetMesh& in, CreaseChains& chains) {
         for (std::int64_t e = 3 * corner.triangle; e < 3 * corner.triangle + 3; ++e) {
             if (taken[e] != 0) continue;
             taken[e] = 1;
-            chains.point.push_back(corner.at);
+            chains.point.push_back(corner.place);
             if (const std::int64_t next = opposite_of(mesh, e); next >= 0) {
                 follow(next);
                 continue;
@@ -388,7 +388,7 @@ void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
         const auto first = static_cast<std::int32_t>(to.vertices());
         for (const auto& node : nodes)
             for (const glm::dvec3& gradient : node.gradient) {
-                to.position.push_back(node.at.position);
+                to.position.push_back(node.place.position);
                 to.gradient.push_back(gradient);
             }
         return first;
@@ -687,9 +687,9 @@ SharpMesh split_at_creases(const base::Work& work, const implicit::Implicit& imp
     return out;
 }
 
-base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole,
-                                                   const SharpMesh& mesh) {
-    base::List<std::unique_ptr<SheetPart>> parts(runtime.memory);
+base::List<std::unique_ptr<SheetSurface>> sheet_surfaces(const base::Runtime& runtime, const implicit::Implicit& whole,
+                                                         const SharpMesh& mesh) {
+    base::List<std::unique_ptr<SheetSurface>> parts(runtime.memory);
     const implicit::Sheets* const all = whole.sheets();
     if (all == nullptr) return parts;
     const std::int32_t sheets = all->count();
@@ -702,7 +702,7 @@ base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
     geometry::VecArray creases(runtime.memory);
     for (std::int32_t sheet = 0; sheet < sheets; ++sheet) {
         if (begin[sheet] == begin[sheet + 1]) continue;
-        SheetPart& part = *parts.add(std::make_unique<SheetPart>(runtime.memory, whole, *all, sheet));
+        SheetSurface& part = *parts.add(std::make_unique<SheetSurface>(runtime.memory, whole, *all, sheet));
         base::Array<std::int32_t> used(runtime.memory);
         for (std::int64_t k = begin[sheet]; k < begin[sheet + 1]; ++k)
             for (std::int64_t i = 3 * order[k]; i < 3 * order[k] + 3; ++i) {
@@ -723,7 +723,7 @@ base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
             if (part.mesh.neighbour[e] < 0) creases.push_back(part.mesh.position[part.mesh.corner[e]]);
     }
     const auto grid = std::make_shared<const geometry::PointGrid>(creases, curve_tuning.border_reach * mesh.mesh.side);
-    for (const std::unique_ptr<SheetPart>& part : parts) {
+    for (const std::unique_ptr<SheetSurface>& part : parts) {
         part->domain = std::make_unique<SheetDomain>(whole, part->sheet, grid, part->mesh, mesh.mesh.domain);
         part->mesh.domain = part->domain.get();
     }

@@ -45,8 +45,8 @@ struct SharpMesh {
 // since another sheet lies between. Gives the same bits for any thread count.
 [[nodiscard]] SharpMesh split_at_creases(const base::Work& work, const implicit::Implicit& implicit, SurfaceMesh mesh);
 
-struct SheetPart {
-    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t of)
+struct SheetSurface {
+    SheetSurface(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t of)
         : sheet(of), surface(whole, sheets, of), mesh(memory) {}
 
     std::int32_t sheet;
@@ -56,8 +56,8 @@ struct SheetPart {
 };
 
 // Makes a part of each sheet that has triangles, in the order of sheets.
-[[nodiscard]] base::List<std::unique_ptr<SheetPart>>
-sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole, const SharpMesh& mesh);
+[[nodiscard]] base::List<std::unique_ptr<SheetSurface>>
+sheet_surfaces(const base::Runtime& runtime, const implicit::Implicit& whole, const SharpMesh& mesh);
 
 // ---- Curves
 

@@ -22,15 +22,16 @@ struct Change {
 };
 
 // A place on the cubic between two points of a curve, to be brought onto the curve.
-struct OnPiece {
+struct CubicPlace {
     CurvePoint a, b;
     double share;
     CurvePoint found = {};
-    bool astray = false; // whether the place moved to another curve; then `found` stays on the cubic
+    bool left_curve = false; // whether it moved to another curve; then `found` stays on the cubic
 };
 
 // Brings places onto their curves by one or two Newton steps. Adds to `evaluations`.
-void bring_onto(const base::Work& work, const Level& level, base::Array<OnPiece>& places, std::int64_t& evaluations) {
+void bring_to_curves(const base::Work& work, const Level& level, base::Array<CubicPlace>& places,
+                     std::int64_t& evaluations) {
     base::Array<CurvePoint> points(work.memory, places.size());
     base::Array<double> enough(work.memory, places.size());
     geometry::VecArray begin(work.memory, places.size());
@@ -41,11 +42,11 @@ void bring_onto(const base::Work& work, const Level& level, base::Array<OnPiece>
     }
     bring_closer(work, level, enough, points, evaluations);
     for (std::int64_t i = 0; i < places.size(); ++i) {
-        OnPiece& place = places[i];
+        CubicPlace& place = places[i];
         const double most = curve_tuning.astray * glm::distance(place.a.position, place.b.position);
-        place.astray = !(glm::distance(points[i].position, begin[i]) <= most);
+        place.left_curve = !(glm::distance(points[i].position, begin[i]) <= most);
         place.found = points[i];
-        if (place.astray) place.found.position = begin[i];
+        if (place.left_curve) place.found.position = begin[i];
     }
 }
 
@@ -55,20 +56,20 @@ base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, c
                                    base::Array<Change>& changes, Value&& value, std::int64_t& evaluations) {
     base::Array<CurvePoint> found(work.memory, changes.size());
     // The piece between the ends of each search. Its ends are on the curve.
-    base::Array<OnPiece> ends(work.memory);
+    base::Array<CubicPlace> ends(work.memory);
     base::Array<std::int64_t> active(work.memory);
     for (std::int64_t i = 0; i < changes.size(); ++i) {
         ends.push_back({curves.point[changes[i].piece], curves.point[changes[i].next], 0.0});
         active.push_back(i);
     }
-    base::Array<OnPiece> places(work.memory);
+    base::Array<CubicPlace> places(work.memory);
     while (!active.empty()) {
         places.clear();
         for (const std::int64_t i : active) {
             const Illinois& root = changes[i].root;
             places.push_back({ends[i].a, ends[i].b, (root.trial - root.low) / (root.high - root.low)});
         }
-        bring_onto(work, level, places, evaluations);
+        bring_to_curves(work, level, places, evaluations);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < places.size(); ++k) {
             const std::int64_t i = active[k];
@@ -121,7 +122,7 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 
 Curves refined_at_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations) {
-    base::Array<OnPiece> places(work.memory);
+    base::Array<CubicPlace> places(work.memory);
     base::Array<std::int64_t> piece(work.memory); // the first point of each place's piece
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (!changes_between(curves.point[at], curves.point[next], view)) return;
@@ -130,7 +131,7 @@ Curves refined_at_cusps(const base::Work& work, const Level& contour, const View
             piece.push_back(at);
         }
     });
-    bring_onto(work, contour, places, evaluations);
+    bring_to_curves(work, contour, places, evaluations);
     Curves result(work.memory);
     std::int64_t k = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
@@ -210,7 +211,7 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
                     std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations) {
     HRBFNPR_ASSERT(static_cast<std::int64_t>(marked.size()) == curves.point.size());
     struct FinePoint {
-        CurvePoint at;
+        CurvePoint point;
         bool halved; // whether the piece that begins here is to be halved
     };
     Chains<FinePoint> fine(work.memory); // the curves with a mark
@@ -230,18 +231,18 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
     const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t, FinePoint&) { return fine.point[i].halved; };
     const auto bring = [&](base::Array<FinePoint>& added, const base::Array<std::int64_t>& of,
                            const base::Array<std::int64_t>& after) {
-        base::Array<OnPiece> middles(work.memory);
+        base::Array<CubicPlace> middles(work.memory);
         for (std::int64_t k = 0; k < added.size(); ++k)
-            middles.push_back({fine.point[after[k]].at, fine.point[fine.next(of[k], after[k])].at, 0.5});
-        bring_onto(work, contour, middles, evaluations);
+            middles.push_back({fine.point[after[k]].point, fine.point[fine.next(of[k], after[k])].point, 0.5});
+        bring_to_curves(work, contour, middles, evaluations);
         base::Array<std::uint8_t> found(work.memory, added.size());
         for (std::int64_t k = 0; k < added.size(); ++k) {
-            const OnPiece& middle = middles[k];
+            const CubicPlace& middle = middles[k];
             const glm::dvec2 guess = view.see(CubicPiece(middle.a, middle.b).at(0.5)).place;
             const bool off = glm::distance(view.see(middle.found.position).place, guess) > tolerance;
             added[k] = {middle.found, off};
-            fine.point[after[k]].halved = off && !middle.astray;
-            found[k] = middle.astray ? 0 : 1;
+            fine.point[after[k]].halved = off && !middle.left_curve;
+            found[k] = middle.left_curve ? 0 : 1;
         }
         return found;
     };
@@ -249,7 +250,7 @@ Curves finer_curves(const base::Work& work, const Level& contour, const View& vi
     for (int depth = 0; depth < curve_tuning.deepest_piece && fine.point.size() < most; ++depth)
         if (!halve_pieces(fine, wanted, bring)) break;
     Curves changed(work.memory);
-    for (const FinePoint& p : fine.point) changed.point.push_back(p.at);
+    for (const FinePoint& p : fine.point) changed.point.push_back(p.point);
     changed.first = std::move(fine.first);
     changed.closed = std::move(fine.closed);
     const Curves with = with_cusps(work, contour, view, changed, evaluations);

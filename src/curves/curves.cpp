@@ -126,8 +126,8 @@ void ContourLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, 
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {
     evaluate_blocks(surface_, points, out,
                     [&](const glm::dvec3& p, const glm::dvec3& gradient, const auto& times, glm::dvec3& slope) {
-                        const surface::Support::Answer s = support_.evaluate(p, gradient);
-                        slope = s.by_place + times(s.by_normal) / glm::length(gradient);
+                        const surface::Support::ValueAndDerivatives s = support_.evaluate(p, gradient);
+                        slope = s.place_gradient + times(s.normal_gradient) / glm::length(gradient);
                         return std::isfinite(s.value) ? s.value - limit_ : unsupported;
                     });
 }
@@ -221,9 +221,9 @@ std::int64_t bring_to_curve(const base::Work& work, const Level& level, const Ne
     return evaluations;
 }
 
-std::int64_t halve(const base::Work& work, const Level& level, const base::Array<Straddle>& places, int halvings,
-                   base::Array<CurvePoint>& points) {
-    base::Array<Straddle> between(work.memory, places.size());
+std::int64_t bisect(const base::Work& work, const Level& level, const base::Array<Bracket>& places, int halvings,
+                    base::Array<CurvePoint>& points) {
+    base::Array<Bracket> between(work.memory, places.size());
     std::copy(places.begin(), places.end(), between.begin());
     points.resize(places.size());
     for (int step = 0; step < halvings; ++step) {
@@ -259,8 +259,8 @@ base::Array<std::int32_t> curve_of_points(const Curves& curves) {
     return numbers;
 }
 
-void NearCurves::look_beside(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
-                             Foot& best) const noexcept {
+void NearCurves::examine_adjacent_pieces(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
+                                         Foot& best) const noexcept {
     const CurvePoint& p = curves_.point[point];
     if (glm::distance(p.position, place) >= best.distance + (1.0 + piece_bulge) * longest_ ||
         !(glm::dot(p.direction(), along) >= 0.0))
@@ -290,7 +290,8 @@ NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& 
     Foot best;
     best.distance = most;
     grid_.around(place, [&](std::int64_t at) {
-        if (const std::int64_t point = grid_.index(at); curve_[point] != but) look_beside(point, place, along, best);
+        if (const std::int64_t point = grid_.index(at); curve_[point] != but)
+            examine_adjacent_pieces(point, place, along, best);
     });
     return best;
 }
@@ -301,7 +302,7 @@ bool NearCurves::passes(const glm::dvec3& place, const glm::dvec3& along, double
     best.distance = std::nextafter(distance, HUGE_VAL);
     const auto look = [&](std::int64_t point) {
         if (best.curve >= 0) return;
-        look_beside(point, place, along, best);
+        examine_adjacent_pieces(point, place, along, best);
         if (best.curve >= 0) guess = point;
     };
     const std::int64_t from = std::max<std::int64_t>(guess - beside, 0);

@@ -139,14 +139,14 @@ std::int64_t bring_to_curve(const base::Work& work, const Level& level, const Ne
 
 // Two places of the surface near each other, with g < 0 at the first and g >= 0 at the second, so that g has a zero
 // between them.
-struct Straddle {
+struct Bracket {
     glm::dvec3 negative, positive;
 };
 
 // Finds a zero of g between each pair of places by bisection on the surface. Each point is within 2^-halvings of the
 // places' distance of a zero. Returns the number of evaluations.
-std::int64_t halve(const base::Work& work, const Level& level, const base::Array<Straddle>& places, int halvings,
-                   base::Array<CurvePoint>& points);
+std::int64_t bisect(const base::Work& work, const Level& level, const base::Array<Bracket>& places, int halvings,
+                    base::Array<CurvePoint>& points);
 
 // Makes a Newton step towards f = 0 along grad f.
 inline void step_to_surface(CurvePoint& p) noexcept {
@@ -264,7 +264,8 @@ public:
 
 private:
     // Examines the pieces on both sides of a point, and sets `best` to their nearest place if that is nearer.
-    void look_beside(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along, Foot& best) const noexcept;
+    void examine_adjacent_pieces(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
+                                 Foot& best) const noexcept;
 
     const Curves& curves_;
     double longest_;

@@ -82,7 +82,7 @@ base::Array<CurvePoint> find_cut_points(const base::Work& work, const Level& lev
     }
     base::Array<std::uint8_t> found(work.memory);
     bring_to_curve(work, level, {tolerance, curve_tuning.farthest_cut * mesh.side}, points, found);
-    base::Array<Straddle> places(work.memory);
+    base::Array<Bracket> places(work.memory);
     base::Array<std::int64_t> which(work.memory);
     for (std::int64_t i = 0; i < edges.size(); ++i) {
         if (found[i] != 0) continue;
@@ -90,7 +90,7 @@ base::Array<CurvePoint> find_cut_points(const base::Work& work, const Level& lev
         which.push_back(i);
     }
     base::Array<CurvePoint> halved(work.memory);
-    halve(work, level, places, curve_tuning.cut_halvings, halved);
+    bisect(work, level, places, curve_tuning.cut_halvings, halved);
     for (std::int64_t i = 0; i < which.size(); ++i) points[which[i]] = halved[i];
     return points;
 }
@@ -235,7 +235,8 @@ ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& 
     return clipped;
 }
 
-Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Array<double>& level) {
+Chains<EdgeCrossing> find_edge_crossings(const base::Runtime& runtime, const SurfaceMesh& mesh,
+                                         const base::Array<double>& level) {
     constexpr std::int64_t triangles_a_task = 8192;
     HRBFNPR_ASSERT(level.size() == mesh.vertices());
     base::Array<std::uint8_t> crossed(runtime.memory, mesh.triangles());
@@ -252,27 +253,27 @@ Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh, c
     // A walk enters over an edge whose start is negative, so that negative g stays to the left.
     const auto enters = [&](std::int64_t edge) { return level[start_of(mesh, edge)] < 0.0; };
     Chains<std::int64_t> edges = walk_chains(mesh, crossed, enters);
-    Chains<Bead> chains(runtime.memory);
+    Chains<EdgeCrossing> chains(runtime.memory);
     chains.point.resize(edges.point.size());
     runtime.parallel.for_chunks(edges.count(), 16, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
-            Bead* const bead = chains.point.data() + edges.first[c];
+            EdgeCrossing* const crossing = chains.point.data() + edges.first[c];
             const std::int64_t count = edges.size_of(c);
             for (std::int64_t i = 0; i < count; ++i) {
                 const std::int64_t edge = edges.point[edges.first[c] + i];
                 const auto [a, b] = enters(edge) ? std::pair(start_of(mesh, edge), end_of(mesh, edge))
                                                  : std::pair(end_of(mesh, edge), start_of(mesh, edge));
                 const double drop = level[b] - level[a];
-                const Straddle places{mesh.position[a], mesh.position[b]};
+                const Bracket places{mesh.position[a], mesh.position[b]};
                 const double share = drop > 0.0 ? -level[a] / drop : 0.5;
-                bead[i] = {a, b, places, places.negative + share * (places.positive - places.negative),
-                           glm::dvec3(0.0)};
+                crossing[i] = {a, b, places, places.negative + share * (places.positive - places.negative),
+                               glm::dvec3(0.0)};
             }
             const bool closed = edges.closed[c] != 0;
             for (std::int64_t i = 0; i < count; ++i) {
                 const std::int64_t before = i > 0 ? i - 1 : closed ? count - 1 : 0;
                 const std::int64_t after = i + 1 < count ? i + 1 : closed ? 0 : count - 1;
-                bead[i].way = bead[after].place - bead[before].place;
+                crossing[i].way = crossing[after].place - crossing[before].place;
             }
         }
     });

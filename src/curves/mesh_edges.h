@@ -100,17 +100,17 @@ template <class MayEnter>
 }
 
 // A place on an edge of the mesh where g changes its sign.
-struct Bead {
+struct EdgeCrossing {
     std::int32_t negative, positive; // vertices
-    Straddle edge;                   // the positions of the edge's ends
-    glm::dvec3 place;                // the zero of g by linear interpolation
+    Bracket edge;                    // their positions
+    glm::dvec3 place;                // by linear interpolation
     glm::dvec3 way;                  // the chain's direction, from the previous place to the next one
 };
 
-// Finds the beads along each chain of edges from the values of g at the vertices; 0 counts as positive. Negative g lies
-// to the left of a chain as seen from outside: chains run in the direction of grad f x grad g. The same bits for any
-// thread count.
-[[nodiscard]] Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh,
-                                      const base::Array<double>& level);
+// Finds the crossings along each chain of edges from the values of g at the vertices; 0 counts as positive. Negative g
+// lies to the left of a chain as seen from outside: chains run in the direction of grad f x grad g. The same bits for
+// any thread count.
+[[nodiscard]] Chains<EdgeCrossing> find_edge_crossings(const base::Runtime& runtime, const SurfaceMesh& mesh,
+                                                       const base::Array<double>& level);
 
 } // namespace hrbfnpr::curves

@@ -128,8 +128,8 @@ double bulge_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
 
 // Finds the line's range in a prism that contains the triangle and all places within its bulge, and the place where the
 // line crosses the triangle.
-void look_at_triangle(const std::array<glm::dvec3, 3>& corner, double bulge, const Line& line,
-                      base::Array<Range>& ranges, base::Array<TriangleCrossing>& crossings) {
+void add_triangle_range(const std::array<glm::dvec3, 3>& corner, double bulge, const Line& line,
+                        base::Array<Range>& ranges, base::Array<TriangleCrossing>& crossings) {
     const std::array<glm::dvec3, 3> p{corner[0] - line.origin, corner[1] - line.origin, corner[2] - line.origin};
     Range range{line.low, line.high};
     const auto keep = [&](const glm::dvec3& out, double most) { // out . (x - origin) <= most + bulge
@@ -217,7 +217,7 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
         return std::max({low.x, low.y, low.z, line.low}) <= std::min({high.x, high.y, high.z, line.high});
     };
     tree.visit(meets,
-               [&](std::int64_t t) { look_at_triangle(corners_of(mesh, t), bulge[t], line, ranges, crossings); });
+               [&](std::int64_t t) { add_triangle_range(corners_of(mesh, t), bulge[t], line, ranges, crossings); });
     merge_ranges(curve_tuning.span_gap * mesh.side, ranges);
     merge_crossings(curve_tuning.exact * mesh.side, crossings);
     for (const Range& range : ranges) {
@@ -465,7 +465,7 @@ SheetCounter::SheetCounter(const base::Work& work, const SurfaceMesh& mesh)
 
 void SheetCounter::count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
                          const geometry::VecArray& to, const base::Array<double>& clear,
-                         base::Array<Answer>& answer) const {
+                         base::Array<Result>& answer) const {
     const std::int64_t segments = from.size();
     HRBFNPR_ASSERT(to.size() == segments && clear.size() == segments);
     base::Array<Line> lines(work.memory, segments);
@@ -490,10 +490,10 @@ void SheetCounter::count(const base::Work& work, const implicit::Implicit& impli
     if (domain != nullptr) drop_roots(work, implicit, *domain, lines, spans, roots, counts);
 
     answer.resize(segments);
-    std::fill(answer.begin(), answer.end(), Answer{});
+    std::fill(answer.begin(), answer.end(), Result{});
     for (std::int64_t i = 0; i < spans.span.size(); ++i) {
         const Span& span = spans.span[i];
-        Answer& its = answer[span.line];
+        Result& its = answer[span.line];
         its.sheets += counts[i].roots;
         const bool beside_end = span.line_begins || span.line_ends;
         if (!counts[i].certain || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
@@ -501,7 +501,7 @@ void SheetCounter::count(const base::Work& work, const implicit::Implicit& impli
     base::Array<std::uint8_t> known(work.memory, segments);
     for (const Root& root : roots) {
         const std::int64_t line = spans.span[root.span].line;
-        Answer& its = answer[line];
+        Result& its = answer[line];
         its.nearest = known[line] != 0 ? std::min(its.nearest, root.at) : root.at;
         known[line] = 1;
     }

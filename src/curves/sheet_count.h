@@ -20,7 +20,7 @@ class SheetCounter {
 public:
     SheetCounter(const base::Work& work, const SurfaceMesh& mesh);
 
-    struct Answer {
+    struct Result {
         std::int32_t sheets = 0;
         double nearest = 0.0; // the approximate distance from `to` to the nearest crossing, if there is any
         bool certain = true;  // false: the segment grazes the surface, or the two ways of counting disagree
@@ -32,7 +32,7 @@ public:
     // segment and by triangles. Near an end of the segment only f is used, since the triangles are not near enough to
     // the surface.
     void count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
-               const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer) const;
+               const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Result>& answer) const;
 
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return mesh_; }
     [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes() + bulge_.bytes(); }

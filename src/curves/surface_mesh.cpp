@@ -260,7 +260,7 @@ CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit
             const glm::dvec3 first(static_cast<double>(block[0]), static_cast<double>(block[1]),
                                    static_cast<double>(block[2]));
             const glm::dvec3 middle = lattice.region.min + lattice.side * (2.0 * half * first + half);
-            if (settings.domain->is_nowhere_near(middle, (half + curve_tuning.beyond_end) * lattice.longest()))
+            if (settings.domain->has_no_surface_in(middle, (half + curve_tuning.beyond_end) * lattice.longest()))
                 beyond.insert(packed);
         }
         return beyond.contains(packed);
@@ -362,7 +362,7 @@ void clear_corners(const base::Work& work, const implicit::Implicit& implicit, C
         const double slope = glm::length(gradient[i]);
         const double value = cells.value[which[i]];
         const double missing = distance - std::abs(value) / slope;
-        if (!surface::is_slope(slope) || !(missing > 0.0)) continue;
+        if (!surface::is_usable_slope(slope) || !(missing > 0.0)) continue;
         glm::dvec3 way = gradient[i] * ((value < 0.0 ? -missing : missing) / slope);
         const Cell at = geometry::CellGrid::unpack(cells.place[which[i]]);
         for (int axis = 0; axis < 3; ++axis) {
@@ -479,11 +479,11 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
     const auto goes_on = [&](RootSearch& search, double value, const glm::dvec3& gradient) {
         const double slope = glm::length(gradient);
         const bool usable = std::isfinite(value) && std::isfinite(slope);
-        const bool there = usable && surface::is_slope(slope) && std::abs(value) <= tolerance * slope;
+        const bool there = usable && surface::is_usable_slope(slope) && std::abs(value) <= tolerance * slope;
         if (there || !usable || ++search.evaluations == curve_tuning.most_steps) {
             if (!there) ++unresolved;
             mesh.position.set(search.index, search.from + search.at * search.along);
-            mesh.gradient.set(search.index, surface::is_slope(slope) ? gradient : glm::dvec3(0.0));
+            mesh.gradient.set(search.index, surface::is_usable_slope(slope) ? gradient : glm::dvec3(0.0));
             return false;
         }
         const double next = root_of_cubic(search, value, glm::dot(gradient, search.along));

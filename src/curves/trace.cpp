@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The steps of tracing:
 //
-//   find_beads         (mesh_edges.h) finds the mesh's changes of sign, as places and directions
-//   runs_from          makes runs of points on curves, from beads or from the curves of the previous view: it brings
-//                      all starts onto curves at once, and halves gaps between them until a cubic links their ends or
-//                      they are parted
-//   follow             traces by predictor and corrector from the ends of runs to where the next run begins
-//   uncovered          finds beads without a curve near them; curves start from these by Newton's steps, or by
-//                      bisection
-//   find_small_loops   finds curves between the mesh's vertices, around extrema of g
-//   look_closer        makes a finer mesh around changes of sign for which no curve was found
-//   clip               (curve_changes.h) keeps the parts of curves that lie on the surface
+//   find_edge_crossings      (mesh_edges.h) finds the mesh's changes of sign, as places and directions
+//   runs_from                makes runs of points on curves, from crossings or from the curves of the previous view: it
+//                            brings all starts onto curves at once, and halves gaps between them until a cubic links
+//                            their ends or they are parted
+//   follow                   traces by predictor and corrector from the ends of runs to where the next run begins
+//   crossings_without_curve  finds crossings without a curve near them; curves start from these by Newton's steps, or
+//                            by bisection
+//   find_small_loops         finds curves between the mesh's vertices, around extrema of g
+//   trace_on_finer_mesh      makes a finer mesh around changes of sign for which no curve was found
+//   clip                     (curve_changes.h) keeps the parts of curves that lie on the surface
 #include "curves/trace.h"
 
 #include "base/list.h"
@@ -34,7 +34,7 @@ glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(
 enum class Link : std::uint8_t { unknown, linked, parted };
 
 struct RunPoint {
-    CurvePoint at;
+    CurvePoint point;
     Link link = Link::unknown;
 };
 
@@ -67,10 +67,10 @@ bool is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoint& b) n
            glm::dot(m.direction(), way) > 0.0;
 }
 
-// Drops points near which a longer run passes. This happens where the mesh crosses a curve back and forth.
-Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
+// Drops points near which a longer run passes, as where the mesh crosses a curve to and fro.
+Curves without_duplicates(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
     const NearCurves near(runs, longest, distance);
-    base::Array<std::uint8_t> doubled(runtime.memory, runs.point.size());
+    base::Array<std::uint8_t> is_duplicate(runtime.memory, runs.point.size());
     const auto is_longer = [&](std::int64_t s, std::int64_t r) {
         return runs.size_of(s) > runs.size_of(r) || (runs.size_of(s) == runs.size_of(r) && s < r);
     };
@@ -78,7 +78,7 @@ Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double 
         for (std::int64_t r = begin; r < end; ++r)
             for (std::int64_t i = runs.first[r]; i < runs.first[r + 1]; ++i) {
                 const std::int64_t s = near.passing(runs.point[i].position, runs.point[i].direction(), distance, r);
-                doubled[i] = s >= 0 && is_longer(s, r) ? 1 : 0;
+                is_duplicate[i] = s >= 0 && is_longer(s, r) ? 1 : 0;
             }
     });
     Curves kept(runtime.memory);
@@ -86,7 +86,7 @@ Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double 
         const std::int64_t first = runs.first[r];
         const std::int64_t count = runs.size_of(r);
         for_parts(
-            count, false, [&](std::int64_t i) { return doubled[first + i] == 0; },
+            count, false, [&](std::int64_t i) { return is_duplicate[first + i] == 0; },
             [&](std::int64_t begin, std::int64_t end, bool) {
                 for (std::int64_t i = begin; i < end; ++i) kept.point.push_back(runs.point[first + i]);
                 kept.end(end - begin == count && runs.closed[r] != 0);
@@ -95,25 +95,25 @@ Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double 
     return kept;
 }
 
-// Chooses places from each chain of beads at a fixed share of the longest step. Only positions are set.
-Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Chains<Bead>& beads,
+// Chooses places from each chain of crossings at a fixed share of the longest step. Only positions are set.
+Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Chains<EdgeCrossing>& crossings,
                  const TraceSettings& settings) {
     Curves starts(runtime.memory);
     const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
-    for (std::int64_t c = 0; c < beads.count(); ++c) {
+    for (std::int64_t c = 0; c < crossings.count(); ++c) {
         double way = apart;
-        for (std::int64_t i = beads.first[c]; i < beads.first[c + 1]; ++i) {
-            if (i > beads.first[c]) way += glm::distance(beads.point[i].place, beads.point[i - 1].place);
+        for (std::int64_t i = crossings.first[c]; i < crossings.first[c + 1]; ++i) {
+            if (i > crossings.first[c]) way += glm::distance(crossings.point[i].place, crossings.point[i - 1].place);
             if (way < apart) continue;
-            starts.point.push_back({beads.point[i].place});
+            starts.point.push_back({crossings.point[i].place});
             way = 0.0;
         }
-        starts.end(beads.closed[c] != 0);
+        starts.end(crossings.closed[c] != 0);
     }
     return starts;
 }
 
-// Thins starts with known directions to the distance of starts from beads; they stay closer where the curve turns.
+// Thins starts with known directions to the distance of starts from crossings; they stay closer where the curve turns.
 Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                const TraceSettings& settings) {
     const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
@@ -152,7 +152,7 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
     for (std::int64_t c = 0; c < starts.count(); ++c) {
         for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
             if (brought[i] != 0 && (chains.point.size() == chains.first.back() ||
-                                    in_order(chains.point.back().at, points[i], side, settings)))
+                                    in_order(chains.point.back().point, points[i], side, settings)))
                 chains.point.push_back({points[i]});
         chains.end(starts.closed[c] != 0);
     }
@@ -164,28 +164,28 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
         RunPoint& a = chains.point[i];
         const RunPoint& b = chains.point[j];
         if (!is_gap_between(c, i, j) || a.link != Link::unknown) return false;
-        if (is_linked(a.at, b.at, side, settings)) {
+        if (is_linked(a.point, b.point, side, settings)) {
             a.link = Link::linked;
             return false;
         }
-        const double width = glm::distance(a.at.position, b.at.position) / side;
+        const double width = glm::distance(a.point.position, b.point.position) / side;
         if (!(width <= curve_tuning.widest_gap * settings.longest && width >= curve_tuning.kink_length)) {
             a.link = Link::parted;
             return false;
         }
-        p.at.position = CubicPiece(a.at, b.at).at(0.5);
+        p.point.position = CubicPiece(a.point, b.point).at(0.5);
         return true;
     };
     const auto bring = [&](base::Array<RunPoint>& added, const base::Array<std::int64_t>& of,
                            const base::Array<std::int64_t>& after) {
         base::Array<CurvePoint> middle(work.memory);
-        for (const RunPoint& p : added) middle.push_back(p.at);
+        for (const RunPoint& p : added) middle.push_back(p.point);
         base::Array<std::uint8_t> found = bring_points(middle, 0.5 * settings.longest * side);
         for (std::int64_t k = 0; k < added.size(); ++k) {
-            added[k].at = middle[k];
+            added[k].point = middle[k];
             RunPoint& a = chains.point[after[k]];
             const RunPoint& b = chains.point[chains.next(of[k], after[k])];
-            if (found[k] != 0 && !is_between(middle[k], a.at, b.at)) found[k] = 0;
+            if (found[k] != 0 && !is_between(middle[k], a.point, b.point)) found[k] = 0;
             if (found[k] == 0) a.link = Link::parted;
         }
         return found;
@@ -200,15 +200,15 @@ Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& 
             const std::int64_t j = chains.next(c, first + k);
             return is_gap_between(c, first + k, j) &&
                    (a.link == Link::linked ||
-                    (a.link == Link::unknown && is_linked(a.at, chains.point[j].at, side, settings)));
+                    (a.link == Link::unknown && is_linked(a.point, chains.point[j].point, side, settings)));
         };
         for_joined(count, chains.closed[c] != 0, joined, [&](std::int64_t begin, std::int64_t end, bool whole) {
-            for (std::int64_t k = begin; k < end; ++k) runs.point.push_back(chains.point[first + k % count].at);
+            for (std::int64_t k = begin; k < end; ++k) runs.point.push_back(chains.point[first + k % count].point);
             if (begin == end) return;
             runs.end(whole);
         });
     }
-    return without_doubles(work, runs, curve_tuning.found_already * side, settings.longest * side);
+    return without_duplicates(work, runs, curve_tuning.found_already * side, settings.longest * side);
 }
 
 // ---- Following
@@ -235,7 +235,7 @@ struct Path {
 };
 
 // A point of a path, and the index of the point before it; -1: it is the first.
-struct Passed {
+struct PathPoint {
     CurvePoint point;
     std::int64_t before;
 };
@@ -255,7 +255,7 @@ struct Paths {
     const Curves& runs;
     const TraceSettings& settings;
     base::Array<Path> path;
-    base::Array<Passed> passed;
+    base::Array<PathPoint> passed;
     // The two paths of each run, and the run whose path leads to it; -1: none.
     base::Array<std::int64_t> forward, backward, before;
     base::Array<std::uint8_t> passed_by; // 1: another path passes this run, which is then left out
@@ -460,7 +460,7 @@ void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
         if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
     }
     // If two paths meet the same run, and no path leads to the run of one of them, the other path has passed that run
-    // at a kink, and the run is left out. If this loses a curve, its changes of sign remain uncovered.
+    // at a kink, and the run is left out. If this loses a curve, its changes of sign remain without a curve.
     for (std::int64_t r = 0; r < runs.count(); ++r) {
         const std::int64_t met = runs.closed[r] != 0 ? -1 : paths.path[paths.forward[r]].met;
         if (met < 0 || paths.before[met] == r) continue;
@@ -553,8 +553,8 @@ void evaluate_on_surface(const base::Work& work, const Level& level, double near
 // Finds loops of g = 0 that pass between the vertices of the mesh. Each goes round an extremum of g near a vertex where
 // |g| is least. Searches for these extrema by Newton's steps; where g changes its sign on the way, returns the places
 // on both sides. Adds to `evaluations`.
-base::Array<Straddle> find_small_loops(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
-                                       const base::Array<double>& at_vertices, std::int64_t& evaluations) {
+base::Array<Bracket> find_small_loops(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
+                                      const base::Array<double>& at_vertices, std::int64_t& evaluations) {
     // A search evaluates three points: its place and one next to it in each tangent direction.
     HRBFNPR_ASSERT(at_vertices.size() == mesh.vertices());
     const double side = mesh.side;
@@ -569,7 +569,7 @@ base::Array<Straddle> find_small_loops(const base::Work& work, const Level& leve
         const glm::dvec3 u = geometry::any_perpendicular(n);
         active.push_back({vertex, mesh.position[vertex], u, glm::cross(n, u)});
     }
-    base::Array<Straddle> found(work.memory);
+    base::Array<Bracket> found(work.memory);
     // Makes a Newton step to a zero of grad g in the tangent plane, with finite differences between the three points.
     // Returns whether the search continues.
     const auto go_on = [&](Search& search, const CurvePoint* three) {
@@ -578,7 +578,7 @@ base::Array<Straddle> find_small_loops(const base::Work& work, const Level& leve
         const bool negative = known < 0.0;
         for (int k = 0; k < 3; ++k) {
             if ((three[k].level < 0.0) == negative) continue;
-            found.push_back(negative ? Straddle{vertex, three[k].position} : Straddle{three[k].position, vertex});
+            found.push_back(negative ? Bracket{vertex, three[k].position} : Bracket{three[k].position, vertex});
             return false;
         }
         const auto slope = [&](const CurvePoint& p) { // the gradient of g along the surface, in the basis u, v
@@ -624,7 +624,7 @@ base::Array<Straddle> find_small_loops(const base::Work& work, const Level& leve
 // ---- Starts
 
 // The curves found until now, and the arguments of trace().
-struct Tracing {
+struct TraceState {
     const base::Work& work;
     const Level& level;
     const SurfaceMesh& mesh;
@@ -638,28 +638,29 @@ struct Tracing {
     void add(const Curves& runs) { follow(work, level, mesh, runs, settings, curves, report); }
 };
 
-// Returns the beads without a curve near them.
-base::Array<Bead> uncovered(const Tracing& tracing, const base::Array<Bead>& beads) {
-    const NearCurves near = tracing.near_curves();
-    base::Array<std::uint8_t> is_covered(tracing.work.memory, beads.size());
-    tracing.work.for_chunks(beads.size(), 512, [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t guess = 0; // consecutive beads lie along a curve
+// Returns the crossings without a curve near them.
+base::Array<EdgeCrossing> crossings_without_curve(const TraceState& state, const base::Array<EdgeCrossing>& crossings) {
+    const NearCurves near = state.near_curves();
+    base::Array<std::uint8_t> is_covered(state.work.memory, crossings.size());
+    state.work.for_chunks(crossings.size(), 512, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t guess = 0; // consecutive crossings lie along a curve
         for (std::int64_t i = begin; i < end; ++i)
             is_covered[i] =
-                near.passes(beads[i].place, beads[i].way, curve_tuning.covered * tracing.mesh.side, guess) ? 1 : 0;
+                near.passes(crossings[i].place, crossings[i].way, curve_tuning.covered * state.mesh.side, guess) ? 1
+                                                                                                                 : 0;
     });
-    base::Array<Bead> left(tracing.work.memory);
-    for (std::int64_t i = 0; i < beads.size(); ++i)
-        if (is_covered[i] == 0) left.push_back(beads[i]);
+    base::Array<EdgeCrossing> left(state.work.memory);
+    for (std::int64_t i = 0; i < crossings.size(); ++i)
+        if (is_covered[i] == 0) left.push_back(crossings[i]);
     return left;
 }
 
 // Tells which points lie on a known curve. Near samples a cubic may deviate from its curve by some percent of its
 // length. In that case the nearest place on the cubic is brought onto the curve, and the point must lie on the tangent
 // there.
-base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoint>& points) {
-    const double side = tracing.mesh.side;
-    const NearCurves near = tracing.near_curves();
+base::Array<std::uint8_t> on_curves(TraceState& state, const base::Array<CurvePoint>& points) {
+    const double side = state.mesh.side;
+    const NearCurves near = state.near_curves();
     base::Array<std::uint8_t> on(points.memory(), points.size());
     base::Array<CurvePoint> feet(points.memory());
     base::Array<std::int64_t> which(points.memory());
@@ -671,8 +672,8 @@ base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoi
         which.push_back(i);
     }
     base::Array<std::uint8_t> found(points.memory());
-    const NewtonSettings newton{tracing.settings.tolerance * side, curve_tuning.covered * side};
-    tracing.report.evaluations += bring_to_curve(tracing.work, tracing.level, newton, feet, found);
+    const NewtonSettings newton{state.settings.tolerance * side, curve_tuning.covered * side};
+    state.report.evaluations += bring_to_curve(state.work, state.level, newton, feet, found);
     for (std::int64_t i = 0; i < which.size(); ++i) {
         const glm::dvec3 way = points[which[i]].position - feet[i].position;
         const glm::dvec3 along = glm::normalize(feet[i].direction());
@@ -684,13 +685,13 @@ base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoi
 
 // Brings points onto curves, and follows the curves from those that are not on a known curve, once for each place.
 // Returns the indices of the points that could not be brought onto a curve.
-base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> points) {
-    base::Memory& memory = tracing.work.memory;
-    const double side = tracing.mesh.side;
+base::Array<std::int64_t> add_curves_from(TraceState& state, base::Array<CurvePoint> points) {
+    base::Memory& memory = state.work.memory;
+    const double side = state.mesh.side;
     base::Array<std::uint8_t> found(memory);
-    const NewtonSettings newton{tracing.settings.tolerance * side, curve_tuning.start_reach * side};
-    tracing.report.evaluations += bring_to_curve(tracing.work, tracing.level, newton, points, found);
-    const base::Array<std::uint8_t> known = on_curves(tracing, points);
+    const NewtonSettings newton{state.settings.tolerance * side, curve_tuning.start_reach * side};
+    state.report.evaluations += bring_to_curve(state.work, state.level, newton, points, found);
+    const base::Array<std::uint8_t> known = on_curves(state, points);
     base::Array<CurvePoint> fresh(memory);
     base::Array<std::int64_t> lost(memory);
     geometry::VecArray places(memory); // the positions of `fresh`
@@ -714,38 +715,37 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
         runs.point.push_back(fresh[i]);
         runs.end(false);
     }
-    tracing.add(runs);
+    state.add(runs);
     return lost;
 }
 
-// Follows curves from zeros of g that bisection finds between two places.
-base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& places) {
-    base::Array<CurvePoint> points(tracing.work.memory);
-    tracing.report.evaluations += halve(tracing.work, tracing.level, places, curve_tuning.halvings, points);
-    base::Array<Straddle> lost(tracing.work.memory);
-    for (const std::int64_t i : start_from(tracing, std::move(points))) lost.push_back(places[i]);
+// The same from zeros of g that bisection finds.
+base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<Bracket>& places) {
+    base::Array<CurvePoint> points(state.work.memory);
+    state.report.evaluations += bisect(state.work, state.level, places, curve_tuning.halvings, points);
+    base::Array<Bracket> lost(state.work.memory);
+    for (const std::int64_t i : add_curves_from(state, std::move(points))) lost.push_back(places[i]);
     return lost;
 }
 
-// Follows curves from uncovered beads: by Newton's steps, and by bisection where these fail.
-base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& beads) {
-    const base::Array<Bead> left = uncovered(tracing, beads);
-    base::Array<CurvePoint> points(tracing.work.memory, left.size());
+// The same from crossings without a curve: by Newton's steps, and by bisection where these fail.
+base::Array<Bracket> add_curves_from(TraceState& state, const base::Array<EdgeCrossing>& crossings) {
+    const base::Array<EdgeCrossing> left = crossings_without_curve(state, crossings);
+    base::Array<CurvePoint> points(state.work.memory, left.size());
     for (std::int64_t i = 0; i < left.size(); ++i) points[i].position = left[i].place;
-    base::Array<Straddle> edges(tracing.work.memory);
-    for (const std::int64_t i : start_from(tracing, std::move(points))) edges.push_back(left[i].edge);
-    return start_from(tracing, edges);
+    base::Array<Bracket> edges(state.work.memory);
+    for (const std::int64_t i : add_curves_from(state, std::move(points))) edges.push_back(left[i].edge);
+    return add_curves_from(state, edges);
 }
 
-// Meshes the places of changes of sign without a curve again with smaller cells. Smaller cells also separate parts that
-// larger cells connect although the surface does not, for example where |grad f| nearly vanishes. Returns the number of
-// changes of sign that remain.
-std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
-    const base::Work work = tracing.work.without_progress();
-    const SurfaceMesh& mesh = tracing.mesh;
+// Meshes the places of changes of sign without a curve again with smaller cells. These need not connect parts that the
+// surface does not connect, as where |grad f| nearly vanishes. Returns the number of changes of sign that remain.
+std::int64_t trace_on_finer_mesh(TraceState& state, const base::Array<Bracket>& lost) {
+    const base::Work work = state.work.without_progress();
+    const SurfaceMesh& mesh = state.mesh;
     base::Array<geometry::Bounds> boxes(work.memory); // boxes around places that are near each other
     geometry::VecArray seeds(work.memory);
-    for (const Straddle& edge : lost) {
+    for (const Bracket& edge : lost) {
         seeds.push_back(edge.negative);
         seeds.push_back(edge.positive);
         const geometry::Bounds own{glm::min(edge.negative, edge.positive) - mesh.side,
@@ -758,18 +758,19 @@ std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
         else
             *box = {glm::min(box->min, own.min), glm::max(box->max, own.max)};
     }
-    base::Array<Bead> beads(work.memory);
+    base::Array<EdgeCrossing> crossings(work.memory);
     for (const geometry::Bounds& box : boxes) {
         MeshSettings settings;
         settings.region = {glm::max(box.min, mesh.region.min), glm::min(box.max, mesh.region.max)};
         settings.side =
             std::max(mesh.side / curve_tuning.closer, glm::length(settings.region.size()) / curve_tuning.most_cells);
-        const SurfaceMesh part = triangulate(work, tracing.level.surface(), seeds, settings);
+        const SurfaceMesh part = triangulate(work, state.level.surface(), seeds, settings);
         base::Array<double> at_vertices(work.memory);
-        tracing.level.at_vertices(work, part, at_vertices);
-        for (const Bead& bead : find_beads(work, part, at_vertices).point) beads.push_back(bead);
+        state.level.at_vertices(work, part, at_vertices);
+        for (const EdgeCrossing& crossing : find_edge_crossings(work, part, at_vertices).point)
+            crossings.push_back(crossing);
     }
-    return start_from(tracing, beads).size();
+    return add_curves_from(state, crossings).size();
 }
 
 } // namespace
@@ -779,20 +780,20 @@ Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh
     report = TraceReport{};
     base::Array<double> at_vertices(work.memory);
     level.at_vertices(work, mesh, at_vertices);
-    const Chains<Bead> beads = find_beads(work, mesh, at_vertices);
-    Tracing tracing{work, level, mesh, settings, report, Curves(work.memory)};
+    const Chains<EdgeCrossing> crossings = find_edge_crossings(work, mesh, at_vertices);
+    TraceState state{work, level, mesh, settings, report, Curves(work.memory)};
     const Curves starts =
-        near != nullptr ? thinned(work, mesh, *near, settings) : starts_of(work, mesh, beads, settings);
-    tracing.add(runs_from(work, level, mesh, starts, settings, report));
+        near != nullptr ? thinned(work, mesh, *near, settings) : starts_of(work, mesh, crossings, settings);
+    state.add(runs_from(work, level, mesh, starts, settings, report));
     const std::int64_t first = report.starts;
-    base::Array<Straddle> lost = start_from(tracing, beads.point);
+    base::Array<Bracket> lost = add_curves_from(state, crossings.point);
     const std::int64_t before = report.starts;
-    const base::Array<Straddle> loops = find_small_loops(work, level, mesh, at_vertices, report.evaluations);
-    for (const Straddle& edge : start_from(tracing, loops)) lost.push_back(edge);
+    const base::Array<Bracket> loops = find_small_loops(work, level, mesh, at_vertices, report.evaluations);
+    for (const Bracket& edge : add_curves_from(state, loops)) lost.push_back(edge);
     report.loops = report.starts - before;
-    report.missed = lost.size() > curve_tuning.most_lost ? lost.size() : look_closer(tracing, lost);
+    report.missed = lost.size() > curve_tuning.most_lost ? lost.size() : trace_on_finer_mesh(state, lost);
     report.added = report.starts - first;
-    return mesh.domain != nullptr ? clip(work, level, *mesh.domain, tracing.curves) : std::move(tracing.curves);
+    return mesh.domain != nullptr ? clip(work, level, *mesh.domain, state.curves) : std::move(state.curves);
 }
 
 Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest) {

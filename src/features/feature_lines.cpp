@@ -159,12 +159,12 @@ void copy(const geometry::VecArray& from, geometry::VecArray& to, const base::Pr
 // ---- Feature values
 
 // The unit direction v to the eye, in the tangent basis and along the normal.
-struct LookedFrom {
+struct ViewAtPoint {
     glm::dvec2 w;
     double facing;   // n . v
     double nearness; // 1 / distance; 0: infinitely far
 
-    LookedFrom(const ShapePoint& shape, const glm::dvec3& position, const glm::dvec4& towards) noexcept {
+    ViewAtPoint(const ShapePoint& shape, const glm::dvec3& position, const glm::dvec4& towards) noexcept {
         const glm::dvec3 v = glm::dvec3(towards) - towards.w * position;
         const double length = glm::length(v);
         const double inverse = length > 0.0 ? 1.0 / length : 0.0;
@@ -184,7 +184,7 @@ struct LookedFrom {
 
 // Let B = -II, so that a ball has B > 0. The line is B(w, w) = 0 where D_w (B(w, w)) > 0, with
 //   D_w (B(w, w)) = -C(w, w, w) - 2 (n . v) |B w|^2   [DeCarlo 2003, appendix].
-FeatureValue suggestive(const ShapePoint& shape, const LookedFrom& view, double unit) noexcept {
+FeatureValue suggestive(const ShapePoint& shape, const ViewAtPoint& view, double unit) noexcept {
     const glm::dvec2 bent = shape.bend(view.w);
     const double sine2 = glm::dot(view.w, view.w);
     const double rise = -glm::dot(shape.change(view.w, view.w), view.w) - 2.0 * view.facing * glm::dot(bent, bent);
@@ -209,7 +209,7 @@ FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
 // plane through the point.  P shortens w by n . v, so that P^-1 P^-T = M = I + w w^T / (n . v)^2.  q1^2 is the larger
 // eigenvalue of Q Q^T = II M II, with eigenvector x; t1 = Q^T x / q1 corresponds to s = M II x / q1 on the surface.
 //   D_s q1^2 = 2 q1 C(x, s, s) + y^T (D_s M) y,     y = II x
-FeatureValue apparent_ridge(const ShapePoint& shape, const LookedFrom& view, double unit) noexcept {
+FeatureValue apparent_ridge(const ShapePoint& shape, const ViewAtPoint& view, double unit) noexcept {
     FeatureValue value;
     value.facing = view.facing;
     const double facing = std::copysign(std::max(std::abs(view.facing), 1e-6), view.facing);
@@ -615,7 +615,7 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
         }
         const bool weak = strongest < request.upper;
         if (weak || length < request.shortest * diagonal || end < begin + (closed ? 3 : 2)) {
-            ++(weak ? lines.weak : lines.small);
+            ++(weak ? lines.weak : lines.too_short);
             return lines.point.resize(begin);
         }
         lines.end(closed);
@@ -717,13 +717,13 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
                            const glm::dvec4& towards, double unit) noexcept {
     if (shape.normal == glm::dvec3(0.0)) return {};
     switch (kind) {
-    case FeatureKind::suggestive_contour: return suggestive(shape, LookedFrom(shape, position, towards), unit);
+    case FeatureKind::suggestive_contour: return suggestive(shape, ViewAtPoint(shape, position, towards), unit);
     case FeatureKind::ridge: return crest(shape, true, unit);
     case FeatureKind::valley: return crest(shape, false, unit);
-    case FeatureKind::apparent_ridge: return apparent_ridge(shape, LookedFrom(shape, position, towards), unit);
+    case FeatureKind::apparent_ridge: return apparent_ridge(shape, ViewAtPoint(shape, position, towards), unit);
     case FeatureKind::parabolic: return parabolic(shape, unit);
     case FeatureKind::isophote: {
-        const LookedFrom view(shape, position, towards);
+        const ViewAtPoint view(shape, position, towards);
         const glm::dvec2 gradient = view.gradient_of_facing(shape);
         return {view.facing, glm::length(gradient) * unit, view.facing, glm::dvec3(0.0), shape.in_space(gradient)};
     }

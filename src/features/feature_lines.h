@@ -150,8 +150,8 @@ struct FeatureLines : Chains<FeaturePoint> {
 
     base::Array<std::int32_t> level; // the index of each line's level in the request
     std::int64_t weak = 0;           // lines that stay below `upper`
-    std::int64_t small = 0;          // lines that are too short
-    std::int64_t unresolved = 0;     // crossings of the mesh without a root; lines end there
+    std::int64_t too_short = 0;
+    std::int64_t unresolved = 0; // crossings of the mesh without a root; lines end there
 };
 
 // Gives the same bits for any thread count. Throws Error{out_of_memory, cancelled, callback}.

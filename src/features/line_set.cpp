@@ -84,7 +84,7 @@ SurfaceLines own_lines(const base::Work& work, const implicit::Implicit& surface
 constexpr int most_rounds = 6; // each round halves pieces
 
 struct BorderPoint {
-    CurvePoint at;
+    CurvePoint point;
     bool exact = false; // the point is on f = g = 0; false: it is where the region ends
 };
 
@@ -123,13 +123,13 @@ Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const Cli
             BorderPoint p;
             p.exact = is_cut(i);
             if (p.exact) {
-                p.at = clipped.cut[vertex[i] - clipped.first_cut];
+                p.point = clipped.cut[vertex[i] - clipped.first_cut];
             } else {
-                p.at.position = clipped.mesh.position[vertex[i]];
-                p.at.gradient = clipped.mesh.gradient[vertex[i]];
+                p.point.position = clipped.mesh.position[vertex[i]];
+                p.point.gradient = clipped.mesh.gradient[vertex[i]];
             }
             const auto crowds = [&](std::int64_t other) {
-                return glm::distance(chains.point[other].at.position, p.at.position) <
+                return glm::distance(chains.point[other].point.position, p.point.position) <
                        feature_tuning.border_gap * clipped.mesh.side;
             };
             const std::int64_t size = chains.point.size();
@@ -166,19 +166,19 @@ SurfaceLines exact_border(const base::Work& work, const Level& level, const Clip
         const BorderPoint& a = chains.point[i];
         const BorderPoint& b = chains.point[j];
         if (!a.exact || !b.exact) return false;
-        const bool turns =
-            glm::dot(glm::normalize(a.at.direction()), glm::normalize(b.at.direction())) < feature_tuning.border_turn;
-        const double length = glm::distance(a.at.position, b.at.position) / side;
+        const bool turns = glm::dot(glm::normalize(a.point.direction()), glm::normalize(b.point.direction())) <
+                           feature_tuning.border_turn;
+        const double length = glm::distance(a.point.position, b.point.position) / side;
         p.exact = true;
-        p.at.position = CubicPiece(a.at, b.at).at(0.5);
+        p.point.position = CubicPiece(a.point, b.point).at(0.5);
         return length > feature_tuning.longest_border_piece || (turns && length > feature_tuning.shortest_border_piece);
     };
     const auto bring = [&](base::Array<BorderPoint>& added, const auto&, const auto&) {
         base::Array<CurvePoint> points(work.memory);
-        for (const BorderPoint& p : added) points.push_back(p.at);
+        for (const BorderPoint& p : added) points.push_back(p.point);
         base::Array<std::uint8_t> found(work.memory);
         bring_to_curve(work, level, {1e-9 * side, 0.2 * side}, points, found);
-        for (std::int64_t k = 0; k < added.size(); ++k) added[k].at = points[k];
+        for (std::int64_t k = 0; k < added.size(); ++k) added[k].point = points[k];
         return found;
     };
     for (int round = 0; round < most_rounds && halve_pieces(chains, wanted, bring); ++round) continue;
@@ -186,7 +186,7 @@ SurfaceLines exact_border(const base::Work& work, const Level& level, const Clip
     LineBuilder builder(lines);
     for (std::int64_t c = 0; c < chains.count(); ++c) {
         for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
-            const CurvePoint& p = chains.point[i].at;
+            const CurvePoint& p = chains.point[i].point;
             builder.add(p.position, p.gradient, 1.0, chains.point[i].exact ? p.direction() : glm::dvec3(0.0));
         }
         builder.end(chains.closed[c] != 0);
@@ -239,7 +239,7 @@ base::Array<SectionCorner> find_section_corners(base::Memory& memory, const impl
                 };
                 look();
                 for (int step = 0; step < corner_steps; ++step) {
-                    const glm::dvec3 way = surface::way_to_zero(values);
+                    const glm::dvec3 way = surface::step_to_zero(values);
                     const bool lost = !(glm::distance(at + way, start) <= feature_tuning.corner_reach * side);
                     at = lost ? start : at + way;
                     look();
@@ -444,7 +444,7 @@ void LineSet::split_mesh(const base::Work& work) {
     creases_ = trace_creases(work, surface_, sharp.creases, sharp.mesh.side);
     const Thresholds by = thresholds_of(LineKind::crease, {});
     if (creases_.count() > 0) near_creases_.emplace(work.memory, creases_, by.lower, sharp.mesh.side);
-    parts_ = sheet_parts(work, surface_, sharp);
+    parts_ = sheet_surfaces(work, surface_, sharp);
     mesh_ = std::move(sharp.mesh);
 }
 
@@ -509,7 +509,7 @@ std::int64_t LineSet::bytes() const noexcept {
     std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
     if (own_domain_) bytes += own_domain_->support().bytes();
     bytes += creases_.bytes() + (near_creases_ ? near_creases_->bytes() : 0);
-    for (const std::unique_ptr<SheetPart>& part : parts_) bytes += part->mesh.bytes();
+    for (const std::unique_ptr<SheetSurface>& part : parts_) bytes += part->mesh.bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();
     return bytes;
 }

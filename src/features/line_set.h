@@ -115,7 +115,7 @@ public:
         return near_creases_ && near_creases_->has(place, reach);
     }
     // The smooth parts of a surface with creases, on which contours are traced.
-    [[nodiscard]] const base::List<std::unique_ptr<SheetPart>>& parts() const noexcept { return parts_; }
+    [[nodiscard]] const base::List<std::unique_ptr<SheetSurface>>& parts() const noexcept { return parts_; }
     // The level whose zero line is the border; null if the border is the end of a region.
     [[nodiscard]] const Level* border_level() const noexcept { return border_exact_ ? &*border_level_ : nullptr; }
     // The share of the surface's area that is cut off because it has no samples.
@@ -143,7 +143,7 @@ private:
     SurfaceLines border_; // where an open surface ends
     Creases creases_;
     std::optional<NearCreases> near_creases_; // null: the surface has no creases
-    base::List<std::unique_ptr<SheetPart>> parts_;
+    base::List<std::unique_ptr<SheetSurface>> parts_;
     base::List<FoundLines> found_;
     double left_out_ = 0.0;
     double seconds_ = 0.0;

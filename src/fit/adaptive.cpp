@@ -78,10 +78,10 @@ bool is_unsolvable(const Error& error) noexcept {
     return error.status() == Status::not_converged || error.status() == Status::singular_system;
 }
 
-void resize_held(Samples& held, std::int64_t count) {
-    held.position.resize(count);
-    held.normal.resize(count);
-    held.value.resize(count);
+void resize_off_surface(Samples& off_surface, std::int64_t count) {
+    off_surface.position.resize(count);
+    off_surface.normal.resize(count);
+    off_surface.value.resize(count);
 }
 
 } // namespace
@@ -90,42 +90,42 @@ void resize_held(Samples& held, std::int64_t count) {
 
 AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                            base::Array<std::int64_t> first, const Smoothing& smoothing,
-                           const AdaptiveSettings& settings, const Oracle& oracle) {
+                           const AdaptiveSettings& settings, const CentreChooser& chooser) {
     HRBFNPR_ASSERT(!first.empty() && std::is_sorted(first.begin(), first.end()) && settings.most_rounds > 0);
     const base::Stopwatch watch;
-    const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& held,
+    const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& off_surface,
                                const Smoothing& smooth) {
         // The number of rounds is not known in advance, so each round gets a quarter of the remaining progress.
         const base::Work part = work.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
-        return fit_centres(part, input, centres_of(work, candidates, centres, held), smooth);
+        return fit_centres(part, input, centres_of(work, candidates, centres, off_surface), smooth);
     };
     Samples none(work.memory);
     CentreFit first_fit = fit_round(0, first, none, smoothing);
     AdaptiveFit now{std::move(first_fit), std::move(first), std::move(none), 1, watch.seconds(), 0.0};
     for (;;) {
-        const Growth growth = oracle(now);
-        if (!growth.goes_on || now.rounds >= settings.most_rounds) return now;
+        const NextCentres next = chooser(now);
+        if (!next.continues || now.rounds >= settings.most_rounds) return now;
         const double before = watch.seconds();
         base::Array<std::int64_t> centres(work.memory);
-        centres.reserve(now.centres.size() + growth.centres.size());
-        for (const base::Array<std::int64_t>* const some : {&std::as_const(now.centres), &growth.centres})
+        centres.reserve(now.centres.size() + next.centres.size());
+        for (const base::Array<std::int64_t>* const some : {&std::as_const(now.centres), &next.centres})
             for (const std::int64_t i : *some) centres.push_back(i);
         std::sort(centres.begin(), centres.end());
         centres.resize(std::unique(centres.begin(), centres.end()) - centres.begin());
-        const std::int64_t held = now.held.position.size();
-        for (std::int64_t i = 0; i < growth.held.position.size(); ++i) {
-            now.held.position.push_back(growth.held.position[i]);
-            now.held.normal.push_back(growth.held.normal[i]);
-            now.held.value.push_back(growth.held.value[i]);
+        const std::int64_t off_surface = now.off_surface.position.size();
+        for (std::int64_t i = 0; i < next.off_surface.position.size(); ++i) {
+            now.off_surface.position.push_back(next.off_surface.position[i]);
+            now.off_surface.normal.push_back(next.off_surface.normal[i]);
+            now.off_surface.value.push_back(next.off_surface.value[i]);
         }
         try {
-            now.fit = fit_round(now.rounds, centres, now.held, growth.smoothing);
+            now.fit = fit_round(now.rounds, centres, now.off_surface, next.smoothing);
         } catch (const Error& error) {
             if (!settings.keeps_last || !is_unsolvable(error)) throw;
-            work.runtime().log(base::LogLevel::debug, "fit: with %lld centres: %s; going back to %lld centres",
-                               static_cast<long long>(centres.size() + now.held.position.size()), error.what(),
-                               static_cast<long long>(now.centres.size() + held));
-            resize_held(now.held, held);
+            work.runtime().log(base::LogLevel::debug, "fit: with %lld centres: %s; with %lld it is solved",
+                               static_cast<long long>(centres.size() + now.off_surface.position.size()), error.what(),
+                               static_cast<long long>(now.centres.size() + off_surface));
+            resize_off_surface(now.off_surface, off_surface);
             return now;
         }
         now.centres = std::move(centres);
@@ -144,11 +144,11 @@ base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t co
 }
 
 Samples centres_of(const base::Work& work, const Samples& candidates, const base::Array<std::int64_t>& centres,
-                   const Samples& held) {
-    HRBFNPR_ASSERT(held.value.size() == held.position.size());
+                   const Samples& off_surface) {
+    HRBFNPR_ASSERT(off_surface.value.size() == off_surface.position.size());
     Samples chosen(work.memory);
-    chosen.position.reserve(centres.size() + held.position.size());
-    chosen.normal.reserve(centres.size() + held.position.size());
+    chosen.position.reserve(centres.size() + off_surface.position.size());
+    chosen.normal.reserve(centres.size() + off_surface.position.size());
     for (const std::int64_t i : centres) {
         chosen.position.push_back(candidates.position[i]);
         chosen.normal.push_back(candidates.normal[i]);
@@ -158,12 +158,12 @@ Samples centres_of(const base::Work& work, const Samples& candidates, const base
     else
         measure_extent(work, chosen);
     chosen.bounds = candidates.bounds;
-    if (held.position.empty()) return chosen;
+    if (off_surface.position.empty()) return chosen;
     chosen.value.resize(centres.size());
-    for (std::int64_t i = 0; i < held.position.size(); ++i) {
-        chosen.position.push_back(held.position[i]);
-        chosen.normal.push_back(held.normal[i]);
-        chosen.value.push_back(held.value[i]);
+    for (std::int64_t i = 0; i < off_surface.position.size(); ++i) {
+        chosen.position.push_back(off_surface.position[i]);
+        chosen.normal.push_back(off_surface.normal[i]);
+        chosen.value.push_back(off_surface.value[i]);
     }
     return chosen;
 }

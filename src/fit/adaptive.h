@@ -5,9 +5,9 @@
 //
 //   even_choice       returns the first centres, spread evenly over the candidates
 //   fit_centres       makes a fit with all given centres (fit_centres.h)
-//   oracle            is the caller's: it measures how far the fit is off, and chooses what the next round adds
-//   worst_candidates  helps the oracle: it finds the candidates with the largest errors that are apart from centres and
-//                     from each other
+//   chooser           is the caller's: it measures how far the fit is off, and chooses what the next round adds
+//   worst_candidates  helps the chooser: finds the candidates with the largest errors that are apart from centres
+//                     and from each other
 #pragma once
 
 #include "base/work.h"
@@ -23,22 +23,23 @@ namespace hrbfnpr::fit {
 struct AdaptiveFit {
     CentreFit fit;
     base::Array<std::int64_t> centres; // indices of candidates, ascending
-    Samples held;                      // centres off the surface, at which f has given values
+    Samples off_surface;               // centres off the surface, at which f has given values
     std::int32_t rounds = 0;           // the number of fits made
     double seconds_fit = 0.0;          // the time that the fits took
     double seconds_before = 0.0;       // the time from the start of the loop to the start of the last fit
 };
 
-// The centres that the next round adds to the centres of the last fit.
-struct Growth {
-    Growth(base::Memory& memory, const Smoothing& smooth) noexcept : centres(memory), held(memory), smoothing(smooth) {}
+// The centres that the next round adds to those of the last fit.
+struct NextCentres {
+    NextCentres(base::Memory& memory, const Smoothing& smooth) noexcept
+        : centres(memory), off_surface(memory), smoothing(smooth) {}
 
-    bool goes_on = false; // false: the loop ends, and the other members are ignored
+    bool continues = false; // false: the loop ends, and the other members are ignored
     base::Array<std::int64_t> centres;
-    Samples held;
+    Samples off_surface;
     Smoothing smoothing;
 };
-using Oracle = std::function<Growth(const AdaptiveFit&)>;
+using CentreChooser = std::function<NextCentres(const AdaptiveFit&)>;
 
 struct AdaptiveSettings {
     std::int32_t most_rounds = 0;
@@ -47,18 +48,18 @@ struct AdaptiveSettings {
     bool keeps_last = false;
 };
 
-// Fits in rounds until the oracle ends the loop, or until most_rounds.
+// Fits in rounds until the chooser ends the loop, or until most_rounds.
 [[nodiscard]] AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                                          base::Array<std::int64_t> first, const Smoothing& smoothing,
-                                         const AdaptiveSettings& settings, const Oracle& oracle);
+                                         const AdaptiveSettings& settings, const CentreChooser& chooser);
 
 // Returns the indices of at most `count` candidates in ascending order, chosen by farthest points.
 [[nodiscard]] base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count,
                                                     const base::Progress& progress);
 
-// Returns the samples that become centres: the chosen candidates, then the samples of `held`.
+// Returns the samples that become centres: the chosen candidates, then those off the surface.
 [[nodiscard]] Samples centres_of(const base::Work& work, const Samples& candidates,
-                                 const base::Array<std::int64_t>& centres, const Samples& held);
+                                 const base::Array<std::int64_t>& centres, const Samples& off_surface);
 
 // Returns how many centres a round may add: half as many as there are, or as many while more than a quarter of the
 // candidates is `outside`, since nearly all added ones are needed then.

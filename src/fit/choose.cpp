@@ -16,7 +16,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-base::Array<std::int64_t> all_of(base::Memory& memory, std::int64_t count) {
+base::Array<std::int64_t> all_indices(base::Memory& memory, std::int64_t count) {
     base::Array<std::int64_t> all(memory, count);
     std::iota(all.begin(), all.end(), 0);
     return all;
@@ -40,7 +40,7 @@ std::int64_t first_count(const FitInput& input, std::int64_t most) noexcept {
 
 } // namespace
 
-Choice choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples, const Noise& noise) {
+ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples, const Noise& noise) {
     const std::int64_t count = samples.position.size();
     HRBFNPR_ASSERT(count > 0 && samples.normal.size() == count);
     const std::int64_t most = input.maximum_centres > 0 ? input.maximum_centres : count;
@@ -55,7 +55,8 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
         typical = typical_samples(work, samples, *neighbours);
     }
     std::int64_t first = keeps_all ? (automatic ? choice_tuning.pilot_centres : count) : first_count(input, most);
-    base::Array<std::int64_t> centres = first < count ? even_choice(samples, first, work) : all_of(work.memory, count);
+    base::Array<std::int64_t> centres =
+        first < count ? even_choice(samples, first, work) : all_indices(work.memory, count);
     if (first < count && neighbours) {
         for (std::int64_t& i : centres) i = typical[i];
         std::sort(centres.begin(), centres.end()); // different samples may have the same typical sample
@@ -75,23 +76,23 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
         distances = known ? distances_of_misfit(now.fit.misfit, now.fit.result.data, samples)
                           : measure_distances(work, now.fit.result.data, samples);
     };
-    const auto look = [&](const AdaptiveFit& now) {
-        Growth growth(work.memory, smoothing);
+    const auto measure_and_choose = [&](const AdaptiveFit& now) {
+        NextCentres next(work.memory, smoothing);
         if (settling < choice_tuning.settling_fits) {
             const double before = smoothing.value;
             smooth(now);
-            growth.smoothing = smoothing;
-            growth.goes_on = !is_settled(before, smoothing.value);
-            settling = growth.goes_on ? settling + 1 : choice_tuning.settling_fits;
-            if (growth.goes_on) return growth;
+            next.smoothing = smoothing;
+            next.continues = !is_settled(before, smoothing.value);
+            settling = next.continues ? settling + 1 : choice_tuning.settling_fits;
+            if (next.continues) return next;
         }
         if (keeps_all && now.centres.size() < count) {
-            growth.centres = all_of(work.memory, count);
-            growth.goes_on = true;
-            return growth;
+            next.centres = all_indices(work.memory, count);
+            next.continues = true;
+            return next;
         }
         measure(now);
-        if (keeps_all || now.centres.size() >= most) return growth;
+        if (keeps_all || now.centres.size() >= most) return next;
         if (!tree) tree.emplace(samples.position, work);
         // The surface may miss the mean of neighbouring samples by less than it may miss a single one.
         const double tolerance = std::max(input.tolerance - choice_tuning.noise_allowed * noise.position,
@@ -108,14 +109,14 @@ Choice choose_and_fit(const base::Work& work, const FitInput& input, const Sampl
         worst.chosen.resize(std::min(worst.chosen.size(), batch_of(now.centres.size(), outside)));
         const std::int64_t fewest =
             neighbours ? std::max<std::int64_t>(now.centres.size() / choice_tuning.worthwhile, 1) : 1;
-        growth.goes_on = worst.chosen.size() >= fewest;
-        growth.centres = std::move(worst.chosen);
+        next.continues = worst.chosen.size() >= fewest;
+        next.centres = std::move(worst.chosen);
         smooth(now);
-        growth.smoothing = smoothing;
-        return growth;
+        next.smoothing = smoothing;
+        return next;
     };
     AdaptiveFit made = fit_adaptively(work, input, samples, std::move(centres), smoothing,
-                                      {choice_tuning.most_rounds, false}, std::ref(look));
+                                      {choice_tuning.most_rounds, false}, std::ref(measure_and_choose));
     return {std::move(made.fit), std::move(made.centres), std::move(distances), keeps_all ? 0 : made.rounds,
             made.seconds_before};
 }

@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::fit {
 
-struct Choice {
+struct ChosenFit {
     CentreFit fit;
     base::Array<std::int64_t> centres; // indices of samples, ascending
     Distances distances;               // from all samples to the surface
@@ -20,7 +20,7 @@ struct Choice {
 // Chooses the first centres by farthest-point sampling. Rounds then add the samples that the current fit misses most,
 // until all samples are within the tolerance or there are maximum_centres. The greedy choice is that of Carr et al.,
 // "Reconstruction and representation of 3D objects with radial basis functions", 2001, in batches.
-[[nodiscard]] Choice choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples,
-                                    const Noise& noise);
+[[nodiscard]] ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples,
+                                       const Noise& noise);
 
 } // namespace hrbfnpr::fit

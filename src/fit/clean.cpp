@@ -24,17 +24,17 @@ constexpr double agreement = 0.965925826289;
 }
 
 // Returns how well a normal fits its neighbours': the sum of the cosines.
-[[nodiscard]] double support(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
+[[nodiscard]] double sum_of_cosines(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
     double sum = 0.0;
     for (const std::int64_t j : neighbours.of(i)) sum += glm::dot(samples.normal[i], samples.normal[j]);
     return sum;
 }
 
 struct Duplicates {
-    explicit Duplicates(base::Memory& memory) noexcept : representative(memory), odd(memory) {}
+    explicit Duplicates(base::Memory& memory) noexcept : representative(memory), contradicts(memory) {}
 
     base::Array<std::int64_t> representative; // the sample that each is merged into, or itself
-    base::Array<std::uint8_t> odd;            // 1: the worse of two near samples with different normals
+    base::Array<std::uint8_t> contradicts;    // 1: the worse of two near samples with different normals
     std::int64_t merged = 0;
 };
 
@@ -42,7 +42,7 @@ struct Duplicates {
     const std::int64_t count = samples.position.size();
     Duplicates result(samples.position.memory());
     result.representative.resize(count);
-    result.odd.resize(count);
+    result.contradicts.resize(count);
     for (std::int64_t i = 0; i < count; ++i) result.representative[i] = i;
     for (std::int64_t i = 0; i < count; ++i) {
         if (result.representative[i] != i) continue;
@@ -54,8 +54,8 @@ struct Duplicates {
                 result.representative[j] = i;
                 ++result.merged;
             } else {
-                const bool first = support(samples, neighbours, i) < support(samples, neighbours, j);
-                result.odd[first ? i : j] = 1;
+                const bool first = sum_of_cosines(samples, neighbours, i) < sum_of_cosines(samples, neighbours, j);
+                result.contradicts[first ? i : j] = 1;
             }
         }
     }
@@ -79,10 +79,10 @@ void drop(Samples& samples, const base::Array<std::uint8_t>& marked) {
 
 // Returns the marks of the samples that remain after merging.
 [[nodiscard]] base::Array<std::uint8_t> without_merged(const Duplicates& duplicates) {
-    base::Array<std::uint8_t> odd(duplicates.odd.memory());
-    for (std::int64_t i = 0; i < duplicates.odd.size(); ++i)
-        if (duplicates.representative[i] == i) odd.push_back(duplicates.odd[i]);
-    return odd;
+    base::Array<std::uint8_t> contradicts(duplicates.contradicts.memory());
+    for (std::int64_t i = 0; i < duplicates.contradicts.size(); ++i)
+        if (duplicates.representative[i] == i) contradicts.push_back(duplicates.contradicts[i]);
+    return contradicts;
 }
 
 // Drops or turns the suspects. Returns true if samples were dropped.
@@ -118,9 +118,9 @@ Cleaning clean(const base::Work& work, Samples& samples, Repair outliers, Repair
     }
     work.update(0.5);
     Suspects suspects = find_suspects(work, samples, *neighbours);
-    const base::Array<std::uint8_t> odd = without_merged(duplicates);
-    for (std::int64_t i = 0; i < odd.size(); ++i) {
-        suspects.outlier[i] |= odd[i];
+    const base::Array<std::uint8_t> contradicts = without_merged(duplicates);
+    for (std::int64_t i = 0; i < contradicts.size(); ++i) {
+        suspects.outlier[i] |= contradicts[i];
         if (suspects.outlier[i] != 0) suspects.flipped[i] = 0;
     }
     report.outliers_found = count_of(suspects.outlier);

@@ -10,13 +10,13 @@ namespace hrbfnpr::fit {
 
 namespace detail {
 
-struct Peak {
+struct LargestElement {
     std::int64_t at = 0;
     double sum = 0.0; // sum of magnitudes
 };
 
-[[nodiscard]] inline Peak peak(const double* x, std::int64_t size) noexcept {
-    Peak result;
+[[nodiscard]] inline LargestElement largest_element(const double* x, std::int64_t size) noexcept {
+    LargestElement result;
     for (std::int64_t i = 0; i < size; ++i) {
         if (std::abs(x[i]) > std::abs(x[result.at])) result.at = i;
         result.sum += std::abs(x[i]);
@@ -36,12 +36,12 @@ template <class Solve>
     std::int64_t column = -1;
     for (int iteration = 0; iteration < 5; ++iteration) {
         solve(x);
-        const double norm = detail::peak(x, size).sum;
+        const double norm = detail::largest_element(x, size).sum;
         if (!(norm > estimate)) break;
         estimate = norm;
         for (std::int64_t i = 0; i < size; ++i) x[i] = x[i] < 0.0 ? -1.0 : 1.0;
         solve(x);
-        const std::int64_t best = detail::peak(x, size).at;
+        const std::int64_t best = detail::largest_element(x, size).at;
         if (column >= 0 && std::abs(x[best]) <= std::abs(x[column])) break;
         column = best;
         for (std::int64_t i = 0; i < size; ++i) x[i] = i == column ? 1.0 : 0.0;
@@ -51,7 +51,7 @@ template <class Solve>
     for (std::int64_t i = 0; i < size; ++i)
         x[i] = (i % 2 == 0 ? 1.0 : -1.0) * (1.0 + static_cast<double>(i) / std::fmax(1.0, n - 1.0));
     solve(x);
-    return std::fmax(estimate, 2.0 * detail::peak(x, size).sum / (3.0 * n));
+    return std::fmax(estimate, 2.0 * detail::largest_element(x, size).sum / (3.0 * n));
 }
 
 } // namespace hrbfnpr::fit

@@ -16,11 +16,11 @@ constexpr std::int64_t grain = 16384;
 // Collects the recursion's coefficients, which form Lanczos' tridiagonal matrix (Golub, Van Loan, section 10.2.5).
 class Lanczos {
 public:
-    explicit Lanczos(base::Memory& memory) noexcept : diagonal_(memory), beside_(memory) {}
+    explicit Lanczos(base::Memory& memory) noexcept : diagonal_(memory), off_diagonal_(memory) {}
 
     // alpha is the length of the step, and beta the share of the previous direction in the step's direction.
     void add(double alpha, double beta) {
-        if (!diagonal_.empty()) beside_.push_back(std::sqrt(beta) / alpha_);
+        if (!diagonal_.empty()) off_diagonal_.push_back(std::sqrt(beta) / alpha_);
         diagonal_.push_back(1.0 / alpha + (diagonal_.empty() ? 0.0 : beta / alpha_));
         alpha_ = alpha;
     }
@@ -30,14 +30,14 @@ public:
         if (size == 0) return 1.0;
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
         solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal_.data(), size),
-                                      Eigen::Map<const Eigen::VectorXd>(beside_.data(), size - 1),
+                                      Eigen::Map<const Eigen::VectorXd>(off_diagonal_.data(), size - 1),
                                       Eigen::EigenvaluesOnly);
         return solver.eigenvalues()[size - 1] / solver.eigenvalues()[0];
     }
 
 private:
     base::Array<double> diagonal_;
-    base::Array<double> beside_;
+    base::Array<double> off_diagonal_;
     double alpha_ = 0.0;
 };
 
@@ -72,7 +72,7 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
     double rho = 0.0;
     while (!(outcome.residual <= tolerance) && outcome.iterations < limit) {
         preconditioner_.apply(r, z_.data(), progress);
-        polynomials_.take_out(z_.data()); // the factor's floats leave a small polynomial part
+        polynomials_.make_orthogonal(z_.data()); // the factor's floats leave a small polynomial part
         progress.check();
         const double rho_next = dot(r, z_.data());
         const double beta = outcome.iterations > 0 ? rho_next / rho : 0.0;
@@ -84,7 +84,7 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
         product_.multiply(p_.data(), ap_.data(), progress);
         progress.check();
         std::array<double, PolynomialSpace::terms_max> q{};
-        polynomials_.explain(ap_.data(), q.data());
+        polynomials_.subtract_best_polynomial(ap_.data(), q.data());
         progress.check();
         const double curvature = dot(p_.data(), ap_.data());
         if (!(curvature > 0.0) || !std::isfinite(rho)) break; // the matrix is not definite; the caller falls back

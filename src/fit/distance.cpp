@@ -12,7 +12,7 @@ namespace {
 // would be meaningless there.
 constexpr double least_slope = 0.1;
 
-[[nodiscard]] Distances of_size(base::Memory& memory, std::int64_t count) {
+[[nodiscard]] Distances make_distances(base::Memory& memory, std::int64_t count) {
     Distances result(memory);
     result.value.resize(count);
     result.gradient.resize(count);
@@ -28,7 +28,7 @@ void set_distance(Distances& distances, std::int64_t i) noexcept {
 
 Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
                               const Samples& samples) {
-    Distances result = of_size(misfit.memory(), samples.position.size());
+    Distances result = make_distances(misfit.memory(), samples.position.size());
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
         const double* m = misfit.data() + 4 * i;
         result.value[i] = -data.scale * m[0];
@@ -40,7 +40,7 @@ Distances distances_of_misfit(const base::Array<double>& misfit, const implicit:
 
 Distances measure_distances(const base::Work& work, const implicit::HrbfData& data, const Samples& samples) {
     const std::int64_t count = samples.position.size();
-    Distances result = of_size(work.memory, count);
+    Distances result = make_distances(work.memory, count);
     const implicit::PointBatch points{samples.position.x.data(), samples.position.y.data(), samples.position.z.data(),
                                       count};
     const implicit::FieldBatch fields{
@@ -53,7 +53,7 @@ Distances measure_distances(const base::Work& work, const implicit::HrbfData& da
 }
 
 Distances measure_distances(const base::Work& work, const implicit::Implicit& implicit, const Samples& samples) {
-    Distances result = of_size(work.memory, samples.position.size());
+    Distances result = make_distances(work.memory, samples.position.size());
     implicit::evaluate_all(
         work, implicit, samples.position,
         {result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}});

@@ -36,7 +36,7 @@ void check(const FitInput& input) {
 }
 
 // Reports how far f(x_i) is from 0 and grad f(x_i) from n_i at the centres.
-void report_residuals(const Choice& choice, const Samples& samples, FitReport& report) {
+void report_residuals(const ChosenFit& choice, const Samples& samples, FitReport& report) {
     const double unit = choice.fit.result.data.scale; // avoids underflow in small units
     double value_sum = 0.0;
     double gradient_sum = 0.0;
@@ -54,7 +54,7 @@ void report_residuals(const Choice& choice, const Samples& samples, FitReport& r
 }
 
 // Reports how far all samples are from the surface. `given` is the number of samples before any were dropped.
-void report_distances(const Choice& choice, double tolerance, std::int64_t given, FitReport& report) {
+void report_distances(const ChosenFit& choice, double tolerance, std::int64_t given, FitReport& report) {
     const double unit = choice.fit.result.data.scale;
     double sum = 0.0;
     std::int64_t within = 0;
@@ -93,7 +93,7 @@ FitResult fit(const base::Work& work, const FitInput& input) {
     const Cleaning cleaning = clean(work.part(0.02, 0.03), samples, input.outliers, input.flipped_normals);
     const Noise noise = noise_of(work, input, samples);
     const double seconds_clean = watch.seconds() - seconds_read;
-    Choice choice = choose_and_fit(work.part(0.03, 1.0), input, samples, noise);
+    ChosenFit choice = choose_and_fit(work.part(0.03, 1.0), input, samples, noise);
 
     FitReport& report = choice.fit.result.report;
     report_cleaning(cleaning, report);

@@ -42,14 +42,14 @@ constexpr double radius_limit = 1e30;
 
 // Returns k, by which normalised coordinates are larger than those whose diagonal is 1, in which regularization is
 // defined. There phi scales as k^m, alpha's row and column by k^(m/2) each, and beta's by k^(m/2 - 1).
-[[nodiscard]] double growth(const implicit::HrbfData& data) {
+[[nodiscard]] double scale_to_unit_diagonal(const implicit::HrbfData& data) {
     const double diagonal = data.bounds.diagonal();
     return diagonal > 0.0 ? diagonal / data.scale : 1.0;
 }
 
 [[nodiscard]] HermiteSystem::Options system_options(const FitInput& input, const Smoothing& smoothing,
                                                     const implicit::HrbfData& data) {
-    const double k = growth(data);
+    const double k = scale_to_unit_diagonal(data);
     const int m = kernel::homogeneity(input.kernel);
     return {input.kernel, data.kernel_radius, input.polynomial_degree, smoothing.value * std::pow(k, m),
             smoothing.gradient * std::pow(k, m - 2)};
@@ -62,7 +62,8 @@ constexpr double radius_limit = 1e30;
     double energy = 0.0;
     for (std::int64_t i = 0; i < system.rows(); ++i) energy += rhs[i] * solution.x[i];
     const auto freedom = static_cast<double>(std::max<std::int64_t>(system.rows() - system.terms(), 1));
-    return std::max(0.0, energy / freedom * std::pow(growth(data), kernel::homogeneity(data.kernel) - 2));
+    return std::max(0.0,
+                    energy / freedom * std::pow(scale_to_unit_diagonal(data), kernel::homogeneity(data.kernel) - 2));
 }
 
 [[nodiscard]] implicit::HrbfData normalise(const base::Runtime& runtime, const FitInput& input,
@@ -166,7 +167,8 @@ CentreFit fit_centres(const base::Work& work, const FitInput& input, const Sampl
     fit.result.history = std::move(solution.history);
     fit.result.report.kernel_radius = data.kernel_radius * data.scale;
     fit.result.report.regularization =
-        smoothing.value + solution.value_diagonal / std::pow(growth(data), kernel::homogeneity(data.kernel));
+        smoothing.value +
+        solution.value_diagonal / std::pow(scale_to_unit_diagonal(data), kernel::homogeneity(data.kernel));
     fit.result.report.seconds_assemble = seconds_before + solution.seconds_assemble;
     return fit;
 }

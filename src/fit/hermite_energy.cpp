@@ -60,15 +60,15 @@ double HermiteEnergy::unload(const geometry::VecArray& normal, const double* z,
     return energy;
 }
 
-double HermiteEnergy::sparse(const geometry::VecArray& normal, geometry::VecArray& beta,
-                             const base::Progress& progress) {
+double HermiteEnergy::approximate_energy(const geometry::VecArray& normal, geometry::VecArray& beta,
+                                         const base::Progress& progress) {
     load(normal);
     preconditioner_.apply(r_.data(), z_.data(), progress);
     return unload(normal, z_.data(), beta);
 }
 
-double HermiteEnergy::solved(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
-                             const base::Progress& progress) {
+double HermiteEnergy::accurate_energy(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
+                                      const base::Progress& progress) {
     if (solver_ == nullptr)
         solver_ = std::make_unique<Solver>(base::Work(runtime_, progress), system_, preconditioner_);
     Solver& solver = *solver_;
@@ -77,7 +77,7 @@ double HermiteEnergy::solved(const geometry::VecArray& normal, geometry::VecArra
     std::fill(solver.w.begin(), solver.w.end(), 0.0);
     solver.history.clear();
     std::array<double, PolynomialSpace::terms_max> c{};
-    solver.polynomials.explain(solver.r.data(), c.data());
+    solver.polynomials.subtract_best_polynomial(solver.r.data(), c.data());
     const double scale = std::sqrt(static_cast<double>(size()));
     // The iterations do not count as progress, since there are many such solves.
     solver.cg.run({solver.w.data(), solver.r.data(), c.data()}, scale, tolerance, most_iterations, solver.history,

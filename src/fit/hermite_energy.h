@@ -34,10 +34,11 @@ public:
     [[nodiscard]] std::int64_t size() const noexcept { return system_.samples(); }
 
     // Returns the energy by the sparse factor, and writes beta (half the derivative).
-    double sparse(const geometry::VecArray& normal, geometry::VecArray& beta, const base::Progress& progress = {});
+    double approximate_energy(const geometry::VecArray& normal, geometry::VecArray& beta,
+                              const base::Progress& progress = {});
     // Returns the energy by conjugate gradients, to this relative residual.
-    double solved(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
-                  const base::Progress& progress);
+    double accurate_energy(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
+                           const base::Progress& progress);
 
     // The sparse energy is the sum of the squares of some vectors. These terms are what each normal adds to each
     // vector.

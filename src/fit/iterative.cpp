@@ -24,9 +24,9 @@ constexpr std::int64_t few_samples = 2048;
 constexpr std::int64_t some_samples = 512;
 
 // The system in the k-d tree's order, in which samples that are near in space are near in memory.
-class Arranged {
+class OrderedSystem {
 public:
-    Arranged(const base::Work& work, const HermiteSystem& system)
+    OrderedSystem(const base::Work& work, const HermiteSystem& system)
         : tree_(system.positions(), work), system_(tree_.points(), system.options()), rank_(work.memory, tree_.size()) {
         const geometry::FarthestOrder order = geometry::farthest_order(tree_.points(), 0, work);
         for (std::int64_t k = 0; k < order.order.size(); ++k) rank_[order.order[k]] = k;
@@ -36,11 +36,11 @@ public:
     [[nodiscard]] const HermiteSystem& system() const noexcept { return system_; }
     [[nodiscard]] const base::Array<std::int64_t>& rank() const noexcept { return rank_; }
 
-    void gather(const double* x, double* arranged) const noexcept {
-        for (std::int64_t at = 0; at < tree_.size(); ++at) std::copy_n(x + 4 * tree_.index(at), 4, arranged + 4 * at);
+    void gather(const double* x, double* ordered) const noexcept {
+        for (std::int64_t at = 0; at < tree_.size(); ++at) std::copy_n(x + 4 * tree_.index(at), 4, ordered + 4 * at);
     }
-    void scatter(const double* arranged, double* x) const noexcept {
-        for (std::int64_t at = 0; at < tree_.size(); ++at) std::copy_n(arranged + 4 * at, 4, x + 4 * tree_.index(at));
+    void scatter(const double* ordered, double* x) const noexcept {
+        for (std::int64_t at = 0; at < tree_.size(); ++at) std::copy_n(ordered + 4 * at, 4, x + 4 * tree_.index(at));
     }
 
 private:
@@ -57,22 +57,22 @@ private:
 
 class Iteration {
 public:
-    Iteration(const base::Work& work, const Arranged& arranged, Preconditioner& preconditioner, double tolerance)
-        : size_(arranged.system().rows()), polynomials_(work, arranged.system()),
-          product_(work, arranged.tree().points(), arranged.system().options(), tolerance),
+    Iteration(const base::Work& work, const OrderedSystem& ordered, Preconditioner& preconditioner, double tolerance)
+        : size_(ordered.system().rows()), polynomials_(work, ordered.system()),
+          product_(work, ordered.tree().points(), ordered.system().options(), tolerance),
           cg_(work, product_, preconditioner, polynomials_, size_), w_(work.memory), w_before_(work.memory),
           r_(work.memory), h_(work.memory) {
         for (base::Array<double>* of : {&w_, &r_, &h_}) base::resize_long(*of, size_, work);
         if (product_.approximate()) base::resize_long(w_before_, size_, work);
     }
 
-    void run(const Arranged& arranged, const double* rhs, const SolveOptions& options, Solution& solution,
+    void run(const OrderedSystem& ordered, const double* rhs, const SolveOptions& options, Solution& solution,
              const base::Progress& progress) {
         progress.check();
-        arranged.gather(rhs, h_.data());
+        ordered.gather(rhs, h_.data());
         std::copy_n(h_.data(), size_, r_.data());
         progress.check();
-        polynomials_.explain(r_.data(), c_.data());
+        polynomials_.subtract_best_polynomial(r_.data(), c_.data());
         progress.check();
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
@@ -81,10 +81,10 @@ public:
         if (!solution.converged && solution.residual <= hopeless_residual) confirm(options, solution, progress);
         solution.x.resize(size_ + polynomials_.terms());
         std::copy_n(c_.data(), polynomials_.terms(), solution.x.data() + size_);
-        arranged.scatter(w_.data(), solution.x.data());
+        ordered.scatter(w_.data(), solution.x.data());
         product_.add_diagonal(w_.data(), r_.data());
         solution.misfit.resize(size_);
-        arranged.scatter(r_.data(), solution.misfit.data());
+        ordered.scatter(r_.data(), solution.misfit.data());
     }
 
 private:
@@ -109,7 +109,7 @@ private:
             if (confirm(options, solution, progress)) return;
             const bool refined = product_.refine(progress);
             find_residual(progress);
-            if (product_.approximate() && !(solution.residual < before)) go_back(progress);
+            if (product_.approximate() && !(solution.residual < before)) restore_last_start(progress);
             solution.residual = norm(r_.data(), size_) / scale_;
             const bool gained = reached && solution.residual < 0.5 * before;
             if (!gained && !refined) return;
@@ -121,13 +121,13 @@ private:
     bool confirm(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const bool few = size_ <= 4 * few_samples;
         if (few) find_residual(progress);
-        solution.residual = norm(r_.data(), size_) / scale_ + (few ? 0.0 : unseen_residual(progress));
+        solution.residual = norm(r_.data(), size_) / scale_ + (few ? 0.0 : estimate_residual_drift(progress));
         solution.converged = solution.residual <= options.tolerance;
         return solution.converged;
     }
 
     // Returns to the start of the last iterations, since a product that is not definite leads away.
-    void go_back(const base::Progress& progress) {
+    void restore_last_start(const base::Progress& progress) {
         std::swap(w_, w_before_);
         find_residual(progress);
     }
@@ -138,12 +138,12 @@ private:
         progress.check();
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         c_.fill(0.0);
-        polynomials_.explain(r_.data(), c_.data());
-        polynomials_.explain(r_.data(), c_.data()); // removes the part that rounding has left
+        polynomials_.subtract_best_polynomial(r_.data(), c_.data());
+        polynomials_.subtract_best_polynomial(r_.data(), c_.data()); // removes the rest that rounding left
     }
 
     // Estimates how far r is from the true residual (relative, 2-norm) from some of the samples.
-    [[nodiscard]] double unseen_residual(const base::Progress& progress) {
+    [[nodiscard]] double estimate_residual_drift(const base::Progress& progress) {
         const std::int64_t stride = std::max<std::int64_t>(1, size_ / 4 / some_samples);
         const base::Array<double> product = product_.multiply_some(w_.data(), stride, progress);
         double sum = 0.0;
@@ -175,16 +175,15 @@ private:
 void solve_iteratively(const base::Work& work, const HermiteSystem& system, const double* rhs,
                        const SolveOptions& options, std::int32_t neighbours, Solution& solution) {
     base::Stopwatch watch;
-    const Arranged arranged(work.part(0.0, 0.05), system);
+    const OrderedSystem ordered(work.part(0.0, 0.05), system);
     solution.seconds_assemble += watch.seconds();
     watch.restart();
-    Preconditioner preconditioner(work.part(0.05, 0.25), arranged.system(), arranged.tree(), arranged.rank(),
-                                  neighbours);
+    Preconditioner preconditioner(work.part(0.05, 0.25), ordered.system(), ordered.tree(), ordered.rank(), neighbours);
     solution.seconds_precondition += watch.seconds();
     watch.restart();
     const double accuracy = options.product_tolerance > 0.0 ? options.product_tolerance : options.tolerance;
-    Iteration iteration(work, arranged, preconditioner, accuracy);
-    iteration.run(arranged, rhs, options, solution, work.part(0.25, 1.0));
+    Iteration iteration(work, ordered, preconditioner, accuracy);
+    iteration.run(ordered, rhs, options, solution, work.part(0.25, 1.0));
     solution.seconds_solve += watch.seconds();
 }
 

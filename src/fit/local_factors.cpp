@@ -122,7 +122,7 @@ HWY_INLINE void add_reference_diagonal(const LocalSystems& systems, const V* p, 
 // reference.
 HWY_INLINE void theta_block(const LocalSystems& systems, const Place& p, const Place& q, bool diagonal, Block& block) {
     pair_block(systems, p.x, q.x, block);
-    if (systems.beside_linear) {
+    if (systems.orthogonal_to_linear) {
         take_expansion(p, q, false, block);
         take_expansion(q, p, true, block);
         if (systems.value_diagonal > 0.0 || systems.gradient_diagonal > 0.0)
@@ -297,7 +297,7 @@ HWY_INLINE void store_factor(const LocalSystems& systems, const double* columns,
 
 void factor_systems(const LocalSystems& systems, const double* position, double* room, float* factor) {
     const std::int64_t lanes = element_stride();
-    const int skipped = systems.beside_linear ? 1 : 0;
+    const int skipped = systems.orthogonal_to_linear ? 1 : 0;
     const int blocks = systems.set_size - skipped;
     Place p[LocalSystems::largest_set];
     double* columns = room;
@@ -307,7 +307,7 @@ void factor_systems(const LocalSystems& systems, const double* position, double*
         load_positions(systems, position, first, count, p);
         factor_triangle(systems, p + skipped, blocks, triangle);
         last_columns(triangle, blocks, columns + block_stride() * skipped);
-        if (systems.beside_linear) reference_columns(p + 1, blocks, columns + block_stride(), columns);
+        if (systems.orthogonal_to_linear) reference_columns(p + 1, blocks, columns + block_stride(), columns);
         store_factor(systems, columns, first, count, factor);
     }
 }

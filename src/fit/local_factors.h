@@ -21,9 +21,9 @@ struct LocalSystems {
     double radius;
     double value_diagonal; // added by regularization
     double gradient_diagonal;
-    bool beside_linear;    // make the columns orthogonal to the linear polynomials
-    std::int32_t set_size; // samples in each set, 2 to largest_set
-    std::int64_t count;    // number of sets
+    bool orthogonal_to_linear; // make the columns orthogonal to the linear polynomials
+    std::int32_t set_size;     // samples in each set, 2 to largest_set
+    std::int64_t count;        // number of sets
 
     static constexpr std::int32_t largest_set = 49;
 };

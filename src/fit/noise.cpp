@@ -10,13 +10,13 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// A group of a sample's neighbours, by rank in distance. A group has several neighbours: if it had only the nearest
-// one, the noise would decide which neighbour that is, and would favour similar noise.
-struct Group {
+// A group of a sample's neighbours, by rank in distance. It has several: among nearly equally near ones the noise
+// decides which is nearest, and favours similar noise.
+struct RankRange {
     std::size_t begin;
     std::size_t end;
 };
-constexpr std::array<Group, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {24, 32}}};
+constexpr std::array<RankRange, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {24, 32}}};
 constexpr std::int64_t looked_at = 32768; // samples, evenly taken; enough for a median
 constexpr std::size_t terms = 3;          // a, b, c
 
@@ -32,7 +32,7 @@ constexpr double least_share = 0.5;
 constexpr double rounding = 1e-7;
 
 // The typical distance, variance and turn of the pairs of one group.
-struct Pairs {
+struct PairStatistics {
     double distance = 0.0;
     double variance = 0.0;
     double turn = 0.0; // |n_i - n_j|
@@ -44,7 +44,8 @@ struct Pairs {
     return *middle;
 }
 
-[[nodiscard]] Pairs measure(const Samples& samples, const geometry::Neighbours& neighbours, const Group& group) {
+[[nodiscard]] PairStatistics measure(const Samples& samples, const geometry::Neighbours& neighbours,
+                                     const RankRange& group) {
     base::Array<double> distance(samples.position.memory());
     base::Array<double> error(samples.position.memory());
     base::Array<double> turn(samples.position.memory());
@@ -91,7 +92,7 @@ using Rows = std::array<Coefficients, groups.size()>; // the product of each row
 Noise measure_noise(const base::Work& work, const Samples& samples) {
     if (samples.position.size() <= geometry::Neighbours::most) return {};
     const geometry::Neighbours neighbours(work.runtime().parallel, samples.position, geometry::Neighbours::most, work);
-    std::array<Pairs, groups.size()> pairs;
+    std::array<PairStatistics, groups.size()> pairs;
     for (std::size_t k = 0; k < groups.size(); ++k) {
         work.check();
         pairs[k] = measure(samples, neighbours, groups[k]);

@@ -84,11 +84,11 @@ void PolynomialSpace::subtract(const Vector& components, double* x) const {
     });
 }
 
-void PolynomialSpace::take_out(double* x) const {
+void PolynomialSpace::make_orthogonal(double* x) const {
     if (terms_ > 0) subtract(components(x), x);
 }
 
-void PolynomialSpace::explain(double* x, double* c) const {
+void PolynomialSpace::subtract_best_polynomial(double* x, double* c) const {
     if (terms_ == 0) return;
     Vector part = components(x);
     subtract(part, x);

@@ -24,9 +24,9 @@ public:
     [[nodiscard]] std::int64_t terms() const noexcept { return terms_; }
 
     // x -= Q Q^T x
-    void take_out(double* x) const;
+    void make_orthogonal(double* x) const;
     // Adds to c the coefficients for which their polynomial is nearest to x, and subtracts that polynomial from x.
-    void explain(double* x, double* c) const;
+    void subtract_best_polynomial(double* x, double* c) const;
     // Returns P c at one sample.
     [[nodiscard]] std::array<double, 4> at(std::int64_t sample, const double* c) const noexcept;
 

@@ -23,7 +23,8 @@ constexpr std::int64_t corrections_a_task = 256; // samples
 
 // Returns Z, whose transpose subtracts from the functionals of `at` their Taylor expansions about sample 0. Sample 0
 // has the first rows.
-[[nodiscard]] Eigen::MatrixXd beside_linear(const geometry::PointTree& tree, const base::Array<std::int64_t>& at) {
+[[nodiscard]] Eigen::MatrixXd orthogonal_to_linear(const geometry::PointTree& tree,
+                                                   const base::Array<std::int64_t>& at) {
     const auto count = static_cast<Eigen::Index>(at.size());
     Eigen::MatrixXd z = Eigen::MatrixXd::Zero(4 * count, 4 * (count - 1));
     const glm::dvec3 origin = tree.points()[at[0]];
@@ -41,8 +42,8 @@ constexpr std::int64_t corrections_a_task = 256; // samples
 Preconditioner::Preconditioner(const base::Work& work, const HermiteSystem& system, const geometry::PointTree& tree,
                                const base::Array<std::int64_t>& rank, std::int32_t neighbours)
     : runtime_(work), samples_(system.samples()), set_size_(neighbours + 1),
-      beside_linear_(kernel::order(system.options().kernel) > 1), coarse_(work.memory), coarse_factor_(work.memory),
-      set_(work.memory), factor_(work.memory), use_begin_(work.memory), use_(work.memory),
+      orthogonal_to_linear_(kernel::order(system.options().kernel) > 1), coarse_(work.memory),
+      coarse_factor_(work.memory), set_(work.memory), factor_(work.memory), use_begin_(work.memory), use_(work.memory),
       t_(work.memory, 4 * samples_) {
     base::resize_long(set_, samples_ * set_size_, work);
     coarse_.resize(coarse_count(samples_, neighbours));
@@ -95,7 +96,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
             for (glm::length_t c = 0; c < 3; ++c) position[3 * (k - begin * set_size_) + c] = p[c];
         }
         const LocalSystems local{
-            options.kernel, options.radius, options.value_diagonal, options.gradient_diagonal, beside_linear_,
+            options.kernel, options.radius, options.value_diagonal, options.gradient_diagonal, orthogonal_to_linear_,
             set_size_,      end - begin};
         factor(local, position.data(), room.data(), factor_.data() + begin * set_size_ * 16);
     });
@@ -111,8 +112,8 @@ void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::
     Eigen::MatrixXd a(4 * count, 4 * count);
     coarse.block(0, count, 0, count, a.data(), 4 * count);
     Eigen::MatrixXd z;
-    if (beside_linear_) {
-        z = beside_linear(tree, coarse_);
+    if (orthogonal_to_linear_) {
+        z = orthogonal_to_linear(tree, coarse_);
         a = (z.transpose() * a * z).eval();
     } else {
         z = Eigen::MatrixXd::Identity(4 * count, 4 * count);

@@ -56,7 +56,7 @@ private:
     const base::Runtime& runtime_;
     std::int64_t samples_;
     std::int32_t set_size_; // the neighbours, then the sample itself
-    bool beside_linear_;
+    bool orthogonal_to_linear_;
     base::Array<std::int64_t> coarse_; // the samples of the dense block
     std::int64_t coarse_columns_ = 0;
     base::Array<double> coarse_factor_; // 4 coarse_.size() x coarse_columns_, column-major

@@ -53,19 +53,21 @@ constexpr double rescaled_by = 1e-4;
 
 // A sample's position along a fixed direction. Samples that are close in this order are mostly close in space too. The
 // exception is samples on a plane across the direction, so it is neither an axis nor a diagonal.
-struct Along {
+struct SampleOnLine {
     double key;
     std::int64_t index;
 };
 
-[[nodiscard]] base::Array<Along> sorted_along(const geometry::VecArray& position, const geometry::Bounds& bounds,
-                                              const base::Progress& progress) {
+[[nodiscard]] base::Array<SampleOnLine> sorted_on_line(const geometry::VecArray& position,
+                                                       const geometry::Bounds& bounds, const base::Progress& progress) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5257, 0.7331, 0.4313));
-    base::Array<Along> order(position.memory(), position.size());
+    base::Array<SampleOnLine> order(position.memory(), position.size());
     for (std::int64_t i = 0; i < order.size(); ++i) order[i] = {glm::dot(direction, position[i] - bounds.min), i};
     base::sort_long(
         order.begin(), order.end(),
-        [](const Along& a, const Along& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); },
+        [](const SampleOnLine& a, const SampleOnLine& b) {
+            return a.key < b.key || (a.key == b.key && a.index < b.index);
+        },
         progress);
     return order;
 }
@@ -84,11 +86,11 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
 [[nodiscard]] base::Array<std::int64_t> representatives(const Samples& samples, const base::Progress& progress) {
     base::Memory& memory = samples.position.memory();
     const double tolerance = coincidence * samples.bounds.diagonal();
-    const base::Array<Along> order = sorted_along(samples.position, samples.bounds, progress);
+    const base::Array<SampleOnLine> order = sorted_on_line(samples.position, samples.bounds, progress);
     base::Array<std::int64_t> representative(memory, order.size());
-    base::Array<Along> kept(memory);
+    base::Array<SampleOnLine> kept(memory);
     for (const std::int64_t next : progress.over(order.size())) {
-        const Along& sample = order[next];
+        const SampleOnLine& sample = order[next];
         std::int64_t found = -1;
         for (std::int64_t k = kept.size() - 1; k >= 0 && found < 0; --k) {
             if (sample.key - kept[k].key > 1.001 * tolerance) break;
@@ -107,7 +109,8 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
 }
 
 // Returns the distance from order[at] to the nearest other sample.
-[[nodiscard]] double nearest(const geometry::VecArray& position, const base::Array<Along>& order, std::int64_t at) {
+[[nodiscard]] double nearest(const geometry::VecArray& position, const base::Array<SampleOnLine>& order,
+                             std::int64_t at) {
     double best = HUGE_VAL;
     const glm::dvec3 p = position[order[at].index];
     for (std::int64_t k = at + 1; k < order.size() && order[k].key - order[at].key < best; ++k)
@@ -120,7 +123,7 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
 [[nodiscard]] double mean_spacing(const base::Work& work, const Samples& samples) {
     const std::int64_t count = samples.position.size();
     if (count < 2) return 0.0;
-    const base::Array<Along> order = sorted_along(samples.position, samples.bounds, work);
+    const base::Array<SampleOnLine> order = sorted_on_line(samples.position, samples.bounds, work);
     base::Array<double> distance(work.memory, count);
     work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) distance[i] = nearest(samples.position, order, i);

@@ -28,9 +28,9 @@ constexpr std::int32_t second_neighbours = 48;
 
 // Tuned on the Stanford dragon's 435 545 vertices. Smaller: the iterations break down. Much larger: the preconditioner
 // does not match the system.
-constexpr double softening_of_values = 1.0;
-constexpr double softening_of_gradients = 1e-6;
-constexpr double softened_tolerance = 3e-4;
+constexpr double regularization_of_values = 1.0;
+constexpr double regularization_of_gradients = 1e-6;
+constexpr double regularized_tolerance = 3e-4;
 
 // More neighbours cost setup of k^3 per sample and save iterations, whose cost grows with N (measured: 7, 8 and 10
 // iterations for 4096, 16 384 and 65 536 even samples; for 5182 samples chosen for a mesh 19 with 16 neighbours, 14
@@ -46,8 +46,8 @@ constexpr double softened_tolerance = 3e-4;
 }
 
 // Tells whether the iterations stopped near the goal, and the result is good enough.
-[[nodiscard]] bool rounding_ends(const HermiteSystem& system, const SolveOptions& options,
-                                 const Solution& solution) noexcept {
+[[nodiscard]] bool is_limited_by_rounding(const HermiteSystem& system, const SolveOptions& options,
+                                          const Solution& solution) noexcept {
     if (solution.converged || solution.iterations >= options.iterations) return false;
     const bool direct_is_better = options.solver == SolverKind::automatic && system.samples() <= quickly_direct &&
                                   solution.residual > exact_enough;
@@ -56,21 +56,22 @@ constexpr double softened_tolerance = 3e-4;
 
 // Solves again with a little regularization, which bounds the weights of samples that contradict each other, and to a
 // tolerance that the product of these weights can reach.
-void soften(const base::Work& work, const HermiteSystem& system, const double* rhs, SolveOptions options,
-            std::int32_t neighbours, Solution& solution) {
-    HermiteSystem::Options soft = system.options();
-    if (soft.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return; // the caller's choice stays
-    soft.value_diagonal = solution.value_diagonal = softening_of_values;
-    soft.gradient_diagonal = softening_of_gradients;
+void solve_regularized(const base::Work& work, const HermiteSystem& system, const double* rhs, SolveOptions options,
+                       std::int32_t neighbours, Solution& solution) {
+    HermiteSystem::Options regularized = system.options();
+    // The caller's choice stays.
+    if (regularized.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return;
+    regularized.value_diagonal = solution.value_diagonal = regularization_of_values;
+    regularized.gradient_diagonal = regularization_of_gradients;
     options.product_tolerance = options.tolerance; // a looser product would not be definite
-    options.tolerance = std::max(options.tolerance, softened_tolerance);
+    options.tolerance = std::max(options.tolerance, regularized_tolerance);
     work.runtime().log(
         base::LogLevel::warning,
         "fit: some samples contradict each other; fitting with slight regularization and solver_tolerance %.0e",
         options.tolerance);
     solution.iterations = 0;
     solution.history.clear();
-    solve_iteratively(work, HermiteSystem(system.positions(), soft), rhs, options, neighbours, solution);
+    solve_iteratively(work, HermiteSystem(system.positions(), regularized), rhs, options, neighbours, solution);
 }
 
 // Iterates, and starts again with more neighbours if necessary.
@@ -80,15 +81,14 @@ void iterate(const base::Work& work, const HermiteSystem& system, const double* 
         options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples(), system.options().kernel);
     solution.solver = SolverKind::iterative;
     solve_iteratively(work, system, rhs, options, first, solution);
-    if (rounding_ends(system, options, solution)) {
-        work.runtime().log(
-            base::LogLevel::warning,
-            "fit: rounding stops the iterations at a relative residual of %.1e, above the solver_tolerance, %.1e",
-            solution.residual, options.tolerance);
+    if (is_limited_by_rounding(system, options, solution)) {
+        work.runtime().log(base::LogLevel::warning,
+                           "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
+                           solution.residual, options.tolerance);
         solution.converged = true;
     }
     if (!solution.converged && solution.residual > hopeless_residual && system.samples() > most_direct)
-        return soften(work, system, rhs, options, first, solution);
+        return solve_regularized(work, system, rhs, options, first, solution);
     if (solution.converged || options.neighbours > 0) return;
     work.runtime().log(base::LogLevel::info,
                        "fit: residual %.1e after %d iterations; trying again with %d neighbours instead of %d",

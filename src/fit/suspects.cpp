@@ -21,7 +21,7 @@ constexpr double stray = 1.0;
 constexpr double stray_of_neighbours = 4.0;
 // But a sample with `companions` companions is on another, sparser sheet. Companions are neighbours near its height
 // that agree in normal.
-constexpr double companion_height = 0.25; // in Local::height
+constexpr double companion_height = 0.25; // in LocalStatistics::height
 constexpr double companion_cosine = 0.5;
 constexpr int companions = 3;
 
@@ -44,7 +44,7 @@ constexpr int passes = 4;
 constexpr std::int64_t suspects_a_task = 512;
 
 // Statistics of a sample and its neighbours.
-struct Local {
+struct LocalStatistics {
     double distance;  // mean distance to the neighbours
     double height;    // median distance from their tangent planes
     double agreement; // mean absolute cosine with their normals
@@ -62,21 +62,21 @@ class SuspectFinder {
 public:
     SuspectFinder(const base::Work& work, const Samples& samples, const geometry::Neighbours& neighbours)
         : runtime_(work), samples_(samples), neighbours_(neighbours), progress_(work),
-          local_(work.memory, samples.position.size()), found_(work.memory) {
-        for_each([&](std::int64_t i) { local_[i] = measure(i); });
-        base::Array<double> distance(work.memory, local_.size());
-        for (std::int64_t i = 0; i < local_.size(); ++i) distance[i] = local_[i].distance;
+          statistics_(work.memory, samples.position.size()), found_(work.memory) {
+        for_each([&](std::int64_t i) { statistics_[i] = measure(i); });
+        base::Array<double> distance(work.memory, statistics_.size());
+        for (std::int64_t i = 0; i < statistics_.size(); ++i) distance[i] = statistics_[i].distance;
         double* middle = distance.data() + distance.size() / 2;
         std::nth_element(distance.begin(), middle, distance.end());
         typical_distance_ = *middle;
-        found_.outlier.resize(local_.size());
-        found_.flipped.resize(local_.size());
+        found_.outlier.resize(statistics_.size());
+        found_.flipped.resize(statistics_.size());
     }
 
     [[nodiscard]] Suspects run() {
         for_each([&](std::int64_t i) { found_.outlier[i] = is_outlier(i) ? 1 : 0; });
         for (int pass = 0; pass < passes; ++pass)
-            if (!turn()) break;
+            if (!flip_contrary()) break;
         return std::move(found_);
     }
 
@@ -95,10 +95,10 @@ private:
         return std::abs(glm::dot(samples_.position[i] - samples_.position[j], samples_.normal[j]));
     }
 
-    [[nodiscard]] Local measure(std::int64_t i) const {
+    [[nodiscard]] LocalStatistics measure(std::int64_t i) const {
         const auto near = neighbours_.of(i);
         Buffer heights{};
-        Local local{};
+        LocalStatistics local{};
         for (std::size_t k = 0; k < near.size(); ++k) {
             local.distance += glm::distance(samples_.position[i], samples_.position[near[k]]);
             heights[k] = height_above(i, near[k]);
@@ -108,37 +108,36 @@ private:
         return {local.distance / count, median(heights, near.size()), local.agreement / count};
     }
 
-    [[nodiscard]] double median_of_neighbours(std::int64_t i, double Local::*field) const {
+    [[nodiscard]] double median_of_neighbours(std::int64_t i, double LocalStatistics::*field) const {
         const auto near = neighbours_.of(i);
         Buffer values{};
-        for (std::size_t k = 0; k < near.size(); ++k) values[k] = local_[near[k]].*field;
+        for (std::size_t k = 0; k < near.size(); ++k) values[k] = statistics_[near[k]].*field;
         return median(values, near.size());
     }
 
-    // Returns the usual local distance between samples. Where samples are crowded, it is the usual distance of all
-    // samples.
-    [[nodiscard]] double usual_distance(std::int64_t i) const {
-        return std::max(typical_distance_, median_of_neighbours(i, &Local::distance));
+    // Returns the local usual distance. Where samples are heaped it is that of all samples.
+    [[nodiscard]] double typical_distance_near(std::int64_t i) const {
+        return std::max(typical_distance_, median_of_neighbours(i, &LocalStatistics::distance));
     }
 
     [[nodiscard]] bool is_outlier(std::int64_t i) const {
-        const double usual = usual_distance(i);
-        if (local_[i].distance > isolated * usual) return true;
-        return local_[i].height > stray * usual &&
-               local_[i].height > stray_of_neighbours * median_of_neighbours(i, &Local::height) &&
+        const double usual = typical_distance_near(i);
+        if (statistics_[i].distance > isolated * usual) return true;
+        return statistics_[i].height > stray * usual &&
+               statistics_[i].height > stray_of_neighbours * median_of_neighbours(i, &LocalStatistics::height) &&
                companions_of(i) < companions;
     }
 
     [[nodiscard]] std::int64_t companions_of(std::int64_t i) const {
         const auto near = neighbours_.of(i);
         return std::count_if(near.begin(), near.end(), [&](std::int64_t j) {
-            return height_above(i, j) < companion_height * local_[i].height &&
+            return height_above(i, j) < companion_height * statistics_[i].height &&
                    glm::dot(samples_.normal[i], samples_.normal[j]) > companion_cosine;
         });
     }
 
     // Tells whether a normal is flipped, given those that are turned already.
-    [[nodiscard]] bool is_against(std::int64_t i) const {
+    [[nodiscard]] bool is_flipped(std::int64_t i) const {
         const auto near = neighbours_.of(i);
         std::size_t count = 0;
         double sum = 0.0;
@@ -154,18 +153,19 @@ private:
         }
         const auto all = static_cast<double>(near.size());
         if (static_cast<double>(count) < share_against * all) return false;
-        if (-sum / all < std::max(opposite, opposite_of_neighbours * median_of_neighbours(i, &Local::agreement)))
+        if (-sum / all <
+            std::max(opposite, opposite_of_neighbours * median_of_neighbours(i, &LocalStatistics::agreement)))
             return false;
-        if (median(heights, count) >
-            height_of_neighbours * median_of_neighbours(i, &Local::height) + height * usual_distance(i))
+        if (median(heights, count) > height_of_neighbours * median_of_neighbours(i, &LocalStatistics::height) +
+                                         height * typical_distance_near(i))
             return false;
-        return glm::length(offset) < off_centre * local_[i].distance * static_cast<double>(count);
+        return glm::length(offset) < off_centre * statistics_[i].distance * static_cast<double>(count);
     }
 
     // Turns the normals that are against their neighbours'. Returns false if it finds none.
-    bool turn() {
-        base::Array<std::uint8_t> turned(runtime_.memory, local_.size());
-        for_each([&](std::int64_t i) { turned[i] = found_.outlier[i] == 0 && is_against(i) ? 1 : 0; });
+    bool flip_contrary() {
+        base::Array<std::uint8_t> turned(runtime_.memory, statistics_.size());
+        for_each([&](std::int64_t i) { turned[i] = found_.outlier[i] == 0 && is_flipped(i) ? 1 : 0; });
         bool any = false;
         for (std::int64_t i = 0; i < turned.size(); ++i) {
             any = any || turned[i] != 0;
@@ -178,7 +178,7 @@ private:
     const Samples& samples_;
     const geometry::Neighbours& neighbours_;
     const base::Progress& progress_;
-    base::Array<Local> local_;
+    base::Array<LocalStatistics> statistics_;
     double typical_distance_ = 0.0;
     Suspects found_;
 };

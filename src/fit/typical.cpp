@@ -12,7 +12,8 @@ constexpr std::int64_t spacings_a_task = 512;
 
 // Returns the sum of two mean angles between a sample and its neighbours: of its normal to theirs, and of its position
 // above their tangent planes.
-[[nodiscard]] double oddness(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
+[[nodiscard]] double deviation_from_neighbours(const Samples& samples, const geometry::Neighbours& neighbours,
+                                               std::int64_t i) {
     double height = 0.0;
     double distance = 0.0;
     double turn = 0.0;
@@ -30,19 +31,20 @@ constexpr std::int64_t spacings_a_task = 512;
 base::Array<std::int64_t> typical_samples(const base::Work& work, const Samples& samples,
                                           const geometry::Neighbours& neighbours) {
     const std::int64_t count = samples.position.size();
-    base::Array<double> odd(work.memory, count);
+    base::Array<double> deviation(work.memory, count);
     base::Array<std::int64_t> typical(work.memory, count);
     const auto for_each = [&](auto&& visit) {
         work.for_chunks(count, spacings_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) visit(i);
         });
     };
-    for_each([&](std::int64_t i) { odd[i] = oddness(samples, neighbours, i); });
+    for_each([&](std::int64_t i) { deviation[i] = deviation_from_neighbours(samples, neighbours, i); });
     for_each([&](std::int64_t i) {
         typical[i] = i;
         const auto near = neighbours.of(i);
         for (const std::int64_t j : near.first(std::min(most_neighbours, near.size())))
-            if (odd[j] < odd[typical[i]] || (odd[j] == odd[typical[i]] && j < typical[i])) typical[i] = j;
+            if (deviation[j] < deviation[typical[i]] || (deviation[j] == deviation[typical[i]] && j < typical[i]))
+                typical[i] = j;
     });
     return typical;
 }

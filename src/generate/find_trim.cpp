@@ -143,7 +143,7 @@ struct Followed {
 [[nodiscard]] bool may_end(const base::Work& work, const ImplicitFor& implicit_for, const surface::Support& support,
                            const TrimSettings& settings) {
     if (!(settings.off <= generate_tuning.on_surface * support.median_spacing())) return true;
-    const geometry::VecArray from = support.not_surrounded();
+    const geometry::VecArray from = support.samples_not_surrounded();
     if (from.size() == 0) return false;
     if (2 * from.size() > support.samples()) return true;
     const double evaluations = generate_tuning.evaluations_of_sample * static_cast<double>(from.size());

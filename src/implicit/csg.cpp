@@ -23,28 +23,28 @@ struct Register : FieldLanes<std::size_t{csg_block}> {
 };
 
 // The members of a group at the points of a block.
-struct Contest {
+struct GroupSearch {
     const CsgOp* op;
     PointBatch points;
     Register* to;
     double sign;            // -1 if the group takes the largest value
     double best[csg_block]; // the least value of sign * f so far
     double slack[csg_block];
-    std::int32_t winner[csg_block];           // the member with that value; -1: none yet
+    std::int32_t least_member[csg_block];     // the member with that value; -1: none yet
     std::int32_t nearest[csg_block];          // the member that was evaluated first
     std::int32_t lane[csg_block];             // lanes; those still in question come first
     PointLanes<std::size_t{csg_block}> asked; // the points at which a member is evaluated
 };
 
 // Returns scale M^T H M, the Hessian outside a place whose own Hessian is H; M is its to_local.
-std::array<double, 6> moved(const std::array<double, 6>& h, const CsgPlace& place) noexcept {
+std::array<double, 6> transform_hessian(const std::array<double, 6>& h, const CsgPlace& place) noexcept {
     const glm::dmat3 full(h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5]);
     const glm::dmat3 m = place.scale * (glm::transpose(place.to_local) * full * place.to_local);
     return {m[0][0], m[1][0], m[2][0], m[1][1], m[2][1], m[2][2]};
 }
 
 // Returns f(a, b) with its derivatives, by the chain rule.
-Jet chained(const BlendJet& f, const Jet& a, const Jet& b) noexcept {
+Jet apply_chain_rule(const BlendJet& f, const Jet& a, const Jet& b) noexcept {
     Jet jet{f.value, f.by_a * a.gradient + f.by_b * b.gradient, {}};
     std::size_t at = 0;
     for (int i = 0; i < 3; ++i)
@@ -60,10 +60,10 @@ Jet chained(const BlendJet& f, const Jet& a, const Jet& b) noexcept {
 
 struct CsgScratch {
     explicit CsgScratch(const base::Runtime& runtime) noexcept
-        : registers(runtime.memory), contests(runtime.memory), steps(runtime.memory), pending(runtime.memory) {}
+        : registers(runtime.memory), searches(runtime.memory), steps(runtime.memory), pending(runtime.memory) {}
 
-    base::Array<Register> registers; // the registers of the plan, then the registers of nested groups
-    base::Array<Contest> contests;
+    base::Array<Register> registers; // registers of the plan, then those of nested groups
+    base::Array<GroupSearch> searches;
     base::Array<CsgStep> steps;
     base::Array<CsgPlan::Pending> pending;
     PointLanes<std::size_t{csg_block}> asked; // points at which a model is evaluated, in its own coordinates
@@ -72,13 +72,14 @@ struct CsgScratch {
 
 namespace {
 
-class Run {
+class StepRunner {
 public:
     // columns: 1 for values, 4 with gradients, 10 with Hessians.
-    Run(const CsgPlan& plan, std::span<const Implicit* const> leaves, CsgScratch& scratch, int columns, bool sheet)
+    StepRunner(const CsgPlan& plan, std::span<const Implicit* const> leaves, CsgScratch& scratch, int columns,
+               bool sheet)
         : plan_(plan), leaves_(leaves), scratch_(scratch), columns_(columns), wants_sheet_(sheet) {
         scratch.registers.resize_for_overwrite((plan.nested + 1) * std::int64_t{plan.root().registers});
-        scratch.contests.resize_for_overwrite(plan.nested);
+        scratch.searches.resize_for_overwrite(plan.nested);
         registers_ = scratch.registers.data();
     }
 
@@ -90,10 +91,11 @@ private:
         for (int c = 0; c < columns_; ++c) to.field[c][lane] = from.field[c][k];
     }
     // Sets the jet of a leaf. `jet` is in the leaf's own coordinates.
-    void put(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place, const Jet& jet) const noexcept {
+    void set_leaf(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place,
+                  const Jet& jet) const noexcept {
         Jet here{place.scale * jet.value + op.add, glm::dvec3(0.0), {}};
         if (columns_ > 1) here.gradient = place.scale * (jet.gradient * place.to_local);
-        if (columns_ > 4) here.hessian = moved(jet.hessian, place);
+        if (columns_ > 4) here.hessian = transform_hessian(jet.hessian, place);
         to.set(lane, here, columns_);
     }
 
@@ -102,15 +104,16 @@ private:
     void evaluate_model(const CsgStep& step, const CsgPlace& place);
     [[nodiscard]] bool is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
                                  double beyond) const noexcept;
-    void pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
-    void mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
+    void take_extremum(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
+    void blend_operands(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
     void shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
 
-    void take_best(const CsgGroup& group, const PointBatch& points, Register& to);
-    [[nodiscard]] double bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept;
-    void evaluate_nearest(std::int32_t root, Contest& contest);
-    void evaluate_others(std::int32_t root, Contest& contest);
-    void evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest);
+    void evaluate_group(const CsgGroup& group, const PointBatch& points, Register& to);
+    [[nodiscard]] double lower_bound_of(const CsgBoxTree::Node& leaf, const GroupSearch& search,
+                                        std::int64_t lane) const noexcept;
+    void evaluate_nearest(std::int32_t root, GroupSearch& search);
+    void evaluate_others(std::int32_t root, GroupSearch& search);
+    void evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, GroupSearch& search);
 
     const CsgPlan& plan_;
     std::span<const Implicit* const> leaves_;
@@ -121,7 +124,7 @@ private:
     std::int64_t nested_ = 0;       // the number of groups in which the steps that are being run are nested
 };
 
-void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {
+void StepRunner::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {
     const CsgPlace& place = plan_.place(op);
     Register& to = registers_[step.to];
     for (std::int64_t i = 0; i < points.count; ++i) {
@@ -132,15 +135,15 @@ void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
         if (step.sheet < 0 && columns_ == 1)
             to.field[0][i] = place.scale * value + op.add;
         else
-            put(to, i, op, place, place.shape.jet(sheet, p));
+            set_leaf(to, i, op, place, place.shape.jet(sheet, p));
         if (wants_sheet_) to.sheet[i] = sheet;
     }
 }
 
-// Whether a model can matter at a point where its f is at least `beyond`, according to its box.
-bool Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
-                    double beyond) const noexcept {
-    const CsgOp& both = plan_.ops[step.than];
+// Whether a model can matter at a point where it is at least `beyond`, according to its box.
+bool StepRunner::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
+                           double beyond) const noexcept {
+    const CsgOp& both = plan_.ops[step.combined_by];
     if (both.takes_least() != (place.scale > 0.0)) return true;
     const double sign = place.scale > 0.0 ? 1.0 : -1.0;
     const double other = sign * registers_[step.to - 1].field[0][lane];
@@ -151,7 +154,7 @@ bool Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place,
 
 // Evaluates a model. Its value is the larger of its f and the distance from its box, beyond which its f may be
 // anything.
-void Run::evaluate_model(const CsgStep& step, const CsgPlace& place) {
+void StepRunner::evaluate_model(const CsgStep& step, const CsgPlace& place) {
     PointLanes<std::size_t{csg_block}>& asked = scratch_.asked;
     Register& answer = scratch_.answer;
     const FieldBatch fields = answer.fields(true, columns_ > 1, columns_ > 4);
@@ -173,7 +176,7 @@ void Run::evaluate_model(const CsgStep& step, const CsgPlace& place) {
     }
 }
 
-void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) {
+void StepRunner::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) {
     const CsgPlace& place = plan_.place(op);
     Register& to = registers_[step.to];
     PointLanes<std::size_t{csg_block}>& asked = scratch_.asked;
@@ -182,8 +185,8 @@ void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
         const glm::dvec3 p = place.local(point_at(points, i));
         std::int32_t side = 0;
         if (step.sheet >= place.model_sheets) {
-            put(to, i, op, place, place.shape.jet(step.sheet - place.model_sheets, p - place.centre));
-        } else if (step.than >= 0 && !is_needed(step, op, place, i, place.beyond(p, side))) {
+            set_leaf(to, i, op, place, place.shape.jet(step.sheet - place.model_sheets, p - place.centre));
+        } else if (step.combined_by >= 0 && !is_needed(step, op, place, i, place.beyond(p, side))) {
             to.set(i, {place.scale > 0.0 ? infinity : -infinity, glm::dvec3(0.0), {}}, columns_);
             to.sheet[i] = 0;
         } else {
@@ -193,12 +196,12 @@ void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
     if (asked.count == 0) return;
     evaluate_model(step, place);
     for (std::int64_t k = 0; k < asked.count; ++k) {
-        put(to, asked.index[k], op, place, scratch_.answer.take(k, columns_));
+        set_leaf(to, asked.index[k], op, place, scratch_.answer.take(k, columns_));
         to.sheet[asked.index[k]] = scratch_.answer.sheet[k];
     }
 }
 
-void Run::pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
+void StepRunner::take_extremum(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
     Register& first = registers_[step.to];
     if (step.sheet < 0) { // otherwise only one operand was evaluated
         const Register& second = registers_[step.to + 1];
@@ -217,7 +220,7 @@ void Run::pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcep
     for (std::int64_t i = 0; i < count; ++i) first.field[0][i] += op.add;
 }
 
-void Run::mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
+void StepRunner::blend_operands(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
     Register& first = registers_[step.to];
     const Register& second = registers_[step.to + 1];
     const Register& a = step.a_is_second ? second : first;
@@ -229,13 +232,13 @@ void Run::mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept
         const double v = b.field[0][i];
         const BlendJet blend = op.takes_least() ? op.blend.minimum(u, v) : op.blend.maximum(u, v);
         Jet jet{blend.value, glm::dvec3(0.0), {}};
-        if (columns_ > 1) jet = chained(blend, a.take(i, columns_), b.take(i, columns_));
+        if (columns_ > 1) jet = apply_chain_rule(blend, a.take(i, columns_), b.take(i, columns_));
         jet.value += op.add;
         first.set(i, jet, columns_);
     }
 }
 
-void Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
+void StepRunner::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
     Register& to = registers_[step.to];
     const std::int32_t sheets = plan_.ops[op.a].sheets;
     const double sign = op.takes_least() ? 1.0 : -1.0;
@@ -252,82 +255,83 @@ void Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexce
 
 // Returns a lower bound of a member at a point. For a model, the exact bound comes from its own box, which may be
 // rotated.
-double Run::bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept {
-    const glm::dvec3 p = point_at(contest.points, lane);
+double StepRunner::lower_bound_of(const CsgBoxTree::Node& leaf, const GroupSearch& search,
+                                  std::int64_t lane) const noexcept {
+    const glm::dvec3 p = point_at(search.points, lane);
     const CsgOp& op = plan_.ops[plan_.members[leaf.first].op];
-    if (op.kind != CsgOp::Kind::model) return leaf.least(p, contest.slack[lane]);
+    if (op.kind != CsgOp::Kind::model) return leaf.least(p, search.slack[lane]);
     const CsgPlace& place = plan_.place(op);
-    if (contest.sign * place.scale < 0.0) return -infinity;
+    if (search.sign * place.scale < 0.0) return -infinity;
     std::int32_t side = 0;
-    return contest.sign * (place.scale * place.beyond(place.local(p), side) + op.add);
+    return search.sign * (place.scale * place.beyond(place.local(p), side) + op.add);
 }
 
 // Evaluates a member at some lanes, and takes over the values that are less. As when pairs are combined one after the
 // other, the first of two equal values wins, and NaN stays.
-void Run::evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest) {
+void StepRunner::evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, GroupSearch& search) {
     const CsgMember& part = plan_.members[member];
-    contest.asked.count = 0;
-    for (const std::int32_t lane : lanes) contest.asked.add(point_at(contest.points, lane), lane);
+    search.asked.count = 0;
+    for (const std::int32_t lane : lanes) search.asked.add(point_at(search.points, lane), lane);
     Register* const own = std::exchange(registers_, registers_ + plan_.root().registers);
     ++nested_;
-    const Register& answer = (*this)(plan_.steps_of(part), contest.asked.points());
+    const Register& answer = (*this)(plan_.steps_of(part), search.asked.points());
     --nested_;
     registers_ = own;
-    for (std::int64_t k = 0; k < contest.asked.count; ++k) {
-        const std::int32_t lane = contest.asked.index[k];
-        const double value = contest.sign * answer.field[0][k];
-        double& best = contest.best[lane];
-        std::int32_t& winner = contest.winner[lane];
-        const bool wins = winner < 0 || value < best || (value == best && member < winner) ||
-                          (std::isnan(value) && (!std::isnan(best) || member > winner));
+    for (std::int64_t k = 0; k < search.asked.count; ++k) {
+        const std::int32_t lane = search.asked.index[k];
+        const double value = search.sign * answer.field[0][k];
+        double& best = search.best[lane];
+        std::int32_t& least_member = search.least_member[lane];
+        const bool wins = least_member < 0 || value < best || (value == best && member < least_member) ||
+                          (std::isnan(value) && (!std::isnan(best) || member > least_member));
         if (!wins) continue;
         best = value;
-        winner = member;
-        copy(answer, k, *contest.to, lane);
-        if (wants_sheet_) contest.to->sheet[lane] = contest.op->merged ? 0 : answer.sheet[k] + part.first_sheet;
+        least_member = member;
+        copy(answer, k, *search.to, lane);
+        if (wants_sheet_) search.to->sheet[lane] = search.op->merged ? 0 : answer.sheet[k] + part.first_sheet;
     }
 }
 
-void Run::evaluate_nearest(std::int32_t root, Contest& contest) {
-    std::int32_t* const begin = contest.lane;
-    std::int32_t* const end = begin + contest.points.count;
+void StepRunner::evaluate_nearest(std::int32_t root, GroupSearch& search) {
+    std::int32_t* const begin = search.lane;
+    std::int32_t* const end = begin + search.points.count;
     std::iota(begin, end, 0);
-    for (std::int64_t i = 0; i < contest.points.count; ++i)
-        contest.nearest[i] = plan_.boxes.nearest(root, point_at(contest.points, i), contest.slack[i], contest.best[i],
-                                                 [&](const CsgBoxTree::Node& leaf) { return bound(leaf, contest, i); });
-    const auto nearest = [&](std::int32_t lane) { return contest.nearest[lane]; };
+    for (std::int64_t i = 0; i < search.points.count; ++i)
+        search.nearest[i] =
+            plan_.boxes.nearest(root, point_at(search.points, i), search.slack[i], search.best[i],
+                                [&](const CsgBoxTree::Node& leaf) { return lower_bound_of(leaf, search, i); });
+    const auto nearest = [&](std::int32_t lane) { return search.nearest[lane]; };
     std::sort(begin, end,
               [&](std::int32_t a, std::int32_t b) { return std::pair(nearest(a), a) < std::pair(nearest(b), b); });
     for (std::int32_t* lane = begin; lane != end;) {
         const std::int32_t member = nearest(*lane);
         std::int32_t* const next = std::find_if(lane, end, [&](std::int32_t i) { return nearest(i) != member; });
-        if (member >= 0) evaluate_member(member, {lane, next}, contest);
+        if (member >= 0) evaluate_member(member, {lane, next}, search);
         lane = next;
     }
 }
 
-// Walks down the tree of boxes. At each box it keeps the points at which a member in the box may be no larger than the
-// best value found before.
-void Run::evaluate_others(std::int32_t root, Contest& contest) {
+// Walks down the tree of boxes. At each box it keeps the points at which the box allows a value that is less or equal.
+void StepRunner::evaluate_others(std::int32_t root, GroupSearch& search) {
     struct Part {
         std::int32_t node;
         std::int64_t count; // number of lanes at the front
     };
     std::array<Part, CsgBoxTree::deepest> waiting;
     std::size_t parts = 0;
-    waiting[parts++] = {root, contest.points.count};
+    waiting[parts++] = {root, search.points.count};
     while (parts > 0) {
         const Part part = waiting[--parts];
         const CsgBoxTree::Node& node = plan_.boxes[part.node];
         const auto may_be_least = [&](std::int32_t lane) {
             if (node.is_leaf())
-                return contest.nearest[lane] != node.first && !(bound(node, contest, lane) > contest.best[lane]);
-            return !(node.least(point_at(contest.points, lane), contest.slack[lane]) > contest.best[lane]);
+                return search.nearest[lane] != node.first && !(lower_bound_of(node, search, lane) > search.best[lane]);
+            return !(node.least(point_at(search.points, lane), search.slack[lane]) > search.best[lane]);
         };
-        const std::int64_t count = std::partition(contest.lane, contest.lane + part.count, may_be_least) - contest.lane;
+        const std::int64_t count = std::partition(search.lane, search.lane + part.count, may_be_least) - search.lane;
         if (count == 0) continue;
         if (node.is_leaf()) {
-            evaluate_member(node.first, {contest.lane, contest.lane + count}, contest);
+            evaluate_member(node.first, {search.lane, search.lane + count}, search);
             continue;
         }
         HRBFNPR_ASSERT(parts + 2 <= waiting.size());
@@ -336,33 +340,33 @@ void Run::evaluate_others(std::int32_t root, Contest& contest) {
     }
 }
 
-void Run::take_best(const CsgGroup& group, const PointBatch& points, Register& to) {
-    HRBFNPR_ASSERT(nested_ < scratch_.contests.size() && points.count <= csg_block);
-    Contest& contest = scratch_.contests[nested_];
-    contest.op = &plan_.ops[group.op];
-    contest.points = points;
-    contest.to = &to;
-    contest.sign = contest.op->takes_least() ? 1.0 : -1.0;
+void StepRunner::evaluate_group(const CsgGroup& group, const PointBatch& points, Register& to) {
+    HRBFNPR_ASSERT(nested_ < scratch_.searches.size() && points.count <= csg_block);
+    GroupSearch& search = scratch_.searches[nested_];
+    search.op = &plan_.ops[group.op];
+    search.points = points;
+    search.to = &to;
+    search.sign = search.op->takes_least() ? 1.0 : -1.0;
     for (std::int64_t i = 0; i < points.count; ++i) {
         const glm::dvec3 p = glm::abs(point_at(points, i));
-        contest.best[i] = infinity;
-        contest.winner[i] = -1;
-        contest.slack[i] = csg_tuning.rounding * (group.size + std::max({p.x, p.y, p.z}));
+        search.best[i] = infinity;
+        search.least_member[i] = -1;
+        search.slack[i] = csg_tuning.rounding * (group.size + std::max({p.x, p.y, p.z}));
     }
     for (const std::int32_t root : group.boxes) {
         if (root < 0) continue;
-        evaluate_nearest(root, contest);
-        evaluate_others(root, contest);
+        evaluate_nearest(root, search);
+        evaluate_others(root, search);
     }
-    for (std::int64_t i = 0; i < points.count; ++i) to.field[0][i] += contest.op->add;
+    for (std::int64_t i = 0; i < points.count; ++i) to.field[0][i] += search.op->add;
 }
 
-const Register& Run::operator()(std::span<const CsgStep> steps, const PointBatch& points) {
+const Register& StepRunner::operator()(std::span<const CsgStep> steps, const PointBatch& points) {
     HRBFNPR_ASSERT(points.count <= csg_block);
     for (const CsgStep& step : steps) {
         const CsgOp& op = plan_.ops[step.op];
         if (step.kind == CsgStep::Kind::group)
-            take_best(plan_.groups[op.group], points, registers_[step.to]);
+            evaluate_group(plan_.groups[op.group], points, registers_[step.to]);
         else if (step.kind == CsgStep::Kind::shell)
             shell(step, op, points.count);
         else if (op.kind == CsgOp::Kind::model)
@@ -370,9 +374,9 @@ const Register& Run::operator()(std::span<const CsgStep> steps, const PointBatch
         else if (op.kind == CsgOp::Kind::shape)
             shape(step, op, points);
         else if (op.blend.radius > 0.0)
-            mix(step, op, points.count);
+            blend_operands(step, op, points.count);
         else
-            pick(step, op, points.count);
+            take_extremum(step, op, points.count);
     }
     return registers_[0];
 }
@@ -384,14 +388,15 @@ int columns_of(const FieldBatch& fields) noexcept {
 
 // Calls take(result, first, count) for each block.
 template <class F>
-void for_blocks(Run run, std::span<const CsgStep> steps, const PointBatch& points, F&& take) {
+void for_blocks(StepRunner run, std::span<const CsgStep> steps, const PointBatch& points, F&& take) {
     for (std::int64_t begin = 0; begin < points.count; begin += csg_block) {
         const std::int64_t count = std::min(csg_block, points.count - begin);
         take(run(steps, slice(points, begin, begin + count)), begin, count);
     }
 }
 
-void copy_blocks(const Run& run, std::span<const CsgStep> steps, const PointBatch& points, const FieldBatch& fields) {
+void copy_blocks(const StepRunner& run, std::span<const CsgStep> steps, const PointBatch& points,
+                 const FieldBatch& fields) {
     for_blocks(run, steps, points, [&](const Register& from, std::int64_t begin, std::int64_t count) {
         for_columns(fields.from(begin),
                     [&](std::size_t c, double* column) { std::copy_n(from.field[c], count, column); });
@@ -402,7 +407,7 @@ void copy_blocks(const Run& run, std::span<const CsgStep> steps, const PointBatc
 
 Csg::Csg(const base::Runtime& runtime, const CsgPlan& plan, base::Array<const Implicit*>&& leaves,
          const geometry::Bounds& bounds)
-    : plan_(plan), leaves_(std::move(leaves)), bounds_(bounds), celled_(runtime.memory), boxes_(runtime.memory),
+    : plan_(plan), leaves_(std::move(leaves)), bounds_(bounds), model_cells_(runtime.memory), boxes_(runtime.memory),
       scratch_(runtime) {
     for (const Implicit* const leaf : leaves_) concurrent_ = concurrent_ && leaf->concurrent();
     place_cells(runtime.memory);
@@ -417,9 +422,9 @@ void Csg::place_cells(base::Memory& memory) {
         if (op.kind != CsgOp::Kind::model) continue;
         const CsgPlace& place = plan_.place(op);
         const std::int64_t own = leaves_[place.model]->cells();
-        several = several || own > 0 || !celled_.empty();
-        boxes.push_back({place.reach.inside, place.reach.slope, static_cast<std::int32_t>(celled_.size())});
-        celled_.push_back({&place, cells_});
+        several = several || own > 0 || !model_cells_.empty();
+        boxes.push_back({place.reach.inside, place.reach.slope, static_cast<std::int32_t>(model_cells_.size())});
+        model_cells_.push_back({&place, cells_});
         cells_ += std::max<std::int64_t>(1, own);
     }
     if (!several || cells_ > std::numeric_limits<std::int32_t>::max()) cells_ = 0;
@@ -431,23 +436,23 @@ void Csg::place_cells(base::Memory& memory) {
 std::int32_t Csg::cell_of(const glm::dvec3& point) const noexcept {
     if (cells_ == 0) return 0;
     const std::int32_t nearest = boxes_.nearest(boxes_root_, point, 0.0, infinity, [&](const CsgBoxTree::Node& leaf) {
-        const CsgPlace& place = *celled_[leaf.first].place;
+        const CsgPlace& place = *model_cells_[leaf.first].place;
         std::int32_t side = 0;
         return std::abs(place.scale) * place.beyond(place.local(point), side);
     });
-    const Celled& leaf = celled_[std::max(0, nearest)];
+    const ModelCells& leaf = model_cells_[std::max(0, nearest)];
     return static_cast<std::int32_t>(leaf.first + leaves_[leaf.place->model]->cell_of(leaf.place->local(point)));
 }
 
 void Csg::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     const base::ScratchPool<CsgScratch>::Lease scratch(scratch_);
-    const Run run(plan_, leaves_.span(), *scratch, columns_of(fields), false);
+    const StepRunner run(plan_, leaves_.span(), *scratch, columns_of(fields), false);
     copy_blocks(run, plan_.root_steps(), points, fields);
 }
 
 void Csg::active(const PointBatch& points, std::int32_t* sheet) const {
     const base::ScratchPool<CsgScratch>::Lease scratch(scratch_);
-    for_blocks(Run(plan_, leaves_.span(), *scratch, 1, true), plan_.root_steps(), points,
+    for_blocks(StepRunner(plan_, leaves_.span(), *scratch, 1, true), plan_.root_steps(), points,
                [&](const Register& from, std::int64_t begin, std::int64_t count) {
                    std::copy_n(from.sheet, count, sheet + begin);
                });
@@ -457,7 +462,7 @@ void Csg::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatc
     const base::ScratchPool<CsgScratch>::Lease scratch(scratch_);
     scratch->steps.clear();
     plan_.add_steps(plan_.root_op, sheet, scratch->steps, scratch->pending);
-    const Run run(plan_, leaves_.span(), *scratch, columns_of(fields), false);
+    const StepRunner run(plan_, leaves_.span(), *scratch, columns_of(fields), false);
     copy_blocks(run, scratch->steps.span(), points, fields);
 }
 

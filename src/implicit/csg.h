@@ -37,7 +37,7 @@ public:
     [[nodiscard]] std::span<const Implicit* const> leaves() const noexcept { return leaves_.span(); }
 
 private:
-    struct Celled {
+    struct ModelCells {
         const CsgPlace* place;
         std::int64_t first; // the first cell of the model
     };
@@ -46,8 +46,8 @@ private:
     const CsgPlan& plan_;
     base::Array<const Implicit*> leaves_;
     geometry::Bounds bounds_;
-    base::Array<Celled> celled_; // the models and their cells
-    CsgBoxTree boxes_;           // boxes of the models
+    base::Array<ModelCells> model_cells_; // the models and their cells
+    CsgBoxTree boxes_;                    // boxes of the models
     std::int32_t boxes_root_ = -1;
     std::int64_t cells_ = 0;
     bool concurrent_ = true;

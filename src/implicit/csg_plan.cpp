@@ -27,7 +27,7 @@ struct Frame {
 base::Array<Frame> frames_of(base::Memory& memory, const CsgTree& tree) {
     base::Array<Frame> frames(memory);
     for (const CsgNode& node : tree) {
-        Frame frame{node.linear, node.translation, stretch_of(node.linear).least};
+        Frame frame{node.linear, node.translation, stretch_factors(node.linear).least};
         if (node.parent >= 0) {
             HRBFNPR_ASSERT(node.parent < frames.size());
             const Frame& parent = frames[node.parent];
@@ -97,8 +97,8 @@ BoundedOp shell_of(const BoundedOp& part, std::int32_t op, bool least, double th
     shell.op.lipschitz = part.op.lipschitz;
     count_sheets(shell.op, 2 * std::int64_t{part.op.sheets});
     shell.set_reaches([&](const CsgReach& reach) {
-        return least ? reach_of_minimum(reach, reach.turned().shifted(thickness), {})
-                     : reach_of_maximum(reach, reach.turned().shifted(-thickness), {});
+        return least ? reach_of_minimum(reach, reach.complement().shifted(thickness), {})
+                     : reach_of_maximum(reach, reach.complement().shifted(-thickness), {});
     });
     return shell;
 }
@@ -130,7 +130,7 @@ BoundedOp leaf_of(const CsgNode& node, const Frame& frame, const base::Array<Csg
         part.op.sheets = place.shape.sheets();
         part.drawn = part.whole = place.shape.reach(frame.linear, frame.translation, frame.scale);
     }
-    if (frame.turned) part.set_reaches([](const CsgReach& reach) { return reach.turned(); });
+    if (frame.turned) part.set_reaches([](const CsgReach& reach) { return reach.complement(); });
     return part;
 }
 
@@ -202,7 +202,7 @@ CsgGroup group_of(CsgPlan& plan, const base::Array<BoundedOp>& parts, std::int32
     base::Array<CsgBoxTree::Item> items(found.memory());
     for (const std::int32_t part : found) {
         const CsgReach& whole = parts[part].whole;
-        const CsgReach reach = of.takes_least() ? whole : whole.turned();
+        const CsgReach reach = of.takes_least() ? whole : whole.complement();
         for (int axis = 0; axis < 3; ++axis)
             for (const double end : {reach.inside.low[axis], reach.inside.high[axis]})
                 if (std::isfinite(end)) group.size = std::max(group.size, std::abs(end));
@@ -298,7 +298,7 @@ void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>
                               : grouped       ? CsgStep::Kind::group
                               : of.is_shell() ? CsgStep::Kind::shell
                                               : CsgStep::Kind::combine;
-            to.push_back({kind, task.a_is_second, task.op, task.to, task.sheet, task.than});
+            to.push_back({kind, task.a_is_second, task.op, task.to, task.sheet, task.combined_by});
             continue;
         }
         task.done = true;
@@ -316,7 +316,7 @@ void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>
         Pending second{of.b, task.to, sheet >= 0 ? sheet % b.sheets : -1};
         if (task.a_is_second) std::swap(first, second);
         ++second.to;
-        second.than = sheet < 0 ? task.op : -1;
+        second.combined_by = sheet < 0 ? task.op : -1;
         pending.push_back(task);
         pending.push_back(second);
         pending.push_back(first);

@@ -68,9 +68,8 @@ struct CsgStep {
     std::int32_t op = 0;
     std::int32_t to = 0;     // register
     std::int32_t sheet = -1; // -1: all sheets
-    // For a step that may be skipped: the op that combines this operand with the other one, which is in the register
-    // before; -1: none.
-    std::int32_t than = -1;
+    // The op that combines this one with its other operand, which is in the register before; -1: none.
+    std::int32_t combined_by = -1;
 };
 
 // An operand of a group, with separate steps.
@@ -154,7 +153,7 @@ struct CsgPlan {
         std::int32_t op = 0;
         std::int32_t to = 0;
         std::int32_t sheet = -1;
-        std::int32_t than = -1;
+        std::int32_t combined_by = -1;
         bool done = false; // the steps of its operands were added
         bool a_is_second = false;
     };

@@ -135,7 +135,7 @@ CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, doubl
 } // namespace
 
 // Finds the singular values: columns are rotated until they are at right angles [Hestenes 1958].
-Stretch stretch_of(const glm::dmat3& linear) noexcept {
+StretchFactors stretch_factors(const glm::dmat3& linear) noexcept {
     const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
     if (!(size > 0.0 && std::isfinite(size))) return {0.0, size};
     glm::dmat3 m = linear / size;
@@ -178,7 +178,7 @@ CsgReach reach_of_minimum(const CsgReach& a, const CsgReach& b, const Blend& ble
 }
 
 CsgReach reach_of_maximum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept {
-    return reach_of_minimum(a.turned(), b.turned(), blend).turned();
+    return reach_of_minimum(a.complement(), b.complement(), blend).complement();
 }
 
 CsgShape::CsgShape(const CsgNode& node) noexcept

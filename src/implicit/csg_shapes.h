@@ -64,10 +64,10 @@ struct CsgNode {
 using CsgTree = base::Array<CsgNode>;
 
 // The least and the most that a linear map stretches a vector by.
-struct Stretch {
+struct StretchFactors {
     double least = 1.0, most = 1.0;
 };
-[[nodiscard]] Stretch stretch_of(const glm::dmat3& linear) noexcept;
+[[nodiscard]] StretchFactors stretch_factors(const glm::dmat3& linear) noexcept;
 
 // A function of two numbers a and b, with its derivatives.
 struct BlendJet {
@@ -112,7 +112,7 @@ struct CsgReach {
     // For levels above 0, `inside` grown by slope * level contains {f <= level}; `outside` does so for {f >= -level}.
     double slope = 1.0;
 
-    [[nodiscard]] CsgReach turned() const noexcept { return {outside, inside, slope}; }
+    [[nodiscard]] CsgReach complement() const noexcept { return {outside, inside, slope}; }
     // Returns the bounds of f + add.
     [[nodiscard]] CsgReach shifted(double add) const noexcept {
         CsgReach reach = *this;

@@ -147,7 +147,7 @@ public:
     RightSolve(base::Memory& memory, const CubeLoops& loops, const Factor& factor, double* x, std::int64_t stride,
                int rows)
         : loops_(loops), factor_(factor), x_(x), stride_(stride), rows_(rows), in_(memory, factor.size * cube_batch),
-          nobody_(memory, rows) {}
+          unused_column_(memory, rows) {}
 
     void run(const base::Progress& progress) {
         const std::int64_t n = factor_.size;
@@ -155,7 +155,7 @@ public:
         for (std::int64_t begin = 0; begin < n; begin += cube_batch) { // X U^-1, from the left
             progress.check();
             const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
-            take_in(0, begin, begin, end);
+            subtract_product(0, begin, begin, end);
             for (std::int64_t j = begin; j < end; ++j) {
                 for (std::int64_t k = begin; k < j; ++k) subtract(k, factor_.at(k, j), j);
                 const double scale = 1.0 / factor_.at(j, j);
@@ -165,7 +165,7 @@ public:
         for (std::int64_t begin = last; begin >= 0; begin -= cube_batch) { // times L^-1, from the right
             progress.check();
             const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
-            take_in(end, n, begin, end);
+            subtract_product(end, n, begin, end);
             for (std::int64_t j = end - 1; j >= begin; --j)
                 for (std::int64_t k = j + 1; k < end; ++k) subtract(k, factor_.at(k, j), j);
         }
@@ -181,11 +181,11 @@ private:
     }
 
     // X[begin, end) -= X[first, last) F[first, last; begin, end)
-    void take_in(std::int64_t first, std::int64_t last, std::int64_t begin, std::int64_t end) noexcept {
+    void subtract_product(std::int64_t first, std::int64_t last, std::int64_t begin, std::int64_t end) noexcept {
         if (first == last) return;
         double* out[cube_batch];
         for (std::int64_t v = 0; v < cube_batch; ++v) {
-            out[v] = begin + v < end ? column(begin + v) : nobody_.data();
+            out[v] = begin + v < end ? column(begin + v) : unused_column_.data();
             for (std::int64_t k = first; k < last; ++k)
                 in_[(k - first) * cube_batch + v] = begin + v < end ? -factor_.at(k, begin + v) : 0.0;
         }
@@ -198,7 +198,7 @@ private:
     std::int64_t stride_;
     int rows_;
     base::Array<double> in_;
-    base::Array<double> nobody_;
+    base::Array<double> unused_column_;
 };
 
 constexpr std::int64_t rows_at_a_time = 128;

@@ -221,7 +221,7 @@ void evaluate(int degree, const double* terms, const CubeSamples& samples, doubl
 }
 
 // The second derivatives of the T_k in a Chebyshev.
-struct Bends {
+struct SecondDerivatives {
     V d2t[highest_degree + 1];
 
     HWY_INLINE void set(int degree, V x, V slope, const Chebyshev& c) {
@@ -235,7 +235,8 @@ struct Bends {
     }
 };
 
-HWY_INLINE void add_bends(int degree, const double* terms, const Sample& s, const Bends* bends, V* field) {
+HWY_INLINE void add_hessian(int degree, const double* terms, const Sample& s, const SecondDerivatives* second,
+                            V* field) {
     const D d;
     for (int a = 0; a <= degree; ++a)
         for (int b = 0; a + b <= degree; ++b) {
@@ -246,12 +247,12 @@ HWY_INLINE void add_bends(int degree, const double* terms, const Sample& s, cons
                 const V term = hn::Set(d, *terms);
                 flat = hn::MulAdd(term, s.z.t[c], flat);
                 steep = hn::MulAdd(term, s.z.dt[c], steep);
-                bent = hn::MulAdd(term, bends[2].d2t[c], bent);
+                bent = hn::MulAdd(term, second[2].d2t[c], bent);
             }
-            field[0] = hn::MulAdd(hn::Mul(bends[0].d2t[a], s.y.t[b]), flat, field[0]);
+            field[0] = hn::MulAdd(hn::Mul(second[0].d2t[a], s.y.t[b]), flat, field[0]);
             field[1] = hn::MulAdd(hn::Mul(s.x.dt[a], s.y.dt[b]), flat, field[1]);
             field[2] = hn::MulAdd(hn::Mul(s.x.dt[a], s.y.t[b]), steep, field[2]);
-            field[3] = hn::MulAdd(hn::Mul(s.x.t[a], bends[1].d2t[b]), flat, field[3]);
+            field[3] = hn::MulAdd(hn::Mul(s.x.t[a], second[1].d2t[b]), flat, field[3]);
             field[4] = hn::MulAdd(hn::Mul(s.x.t[a], s.y.dt[b]), steep, field[4]);
             field[5] = hn::MulAdd(hn::Mul(s.x.t[a], s.y.t[b]), bent, field[5]);
         }
@@ -260,17 +261,17 @@ HWY_INLINE void add_bends(int degree, const double* terms, const Sample& s, cons
 void hessian(int degree, const double* terms, const CubeSamples& samples, double* const* result) {
     const D d;
     Sample sample;
-    Bends bends[3];
+    SecondDerivatives second[3];
     const V slope = hn::Set(d, 1.0 / samples.half_width);
     for (std::int64_t at = 0; at < samples.count; at += lanes()) {
         const auto mask = lanes_left(samples.count - at);
         sample.load(degree, samples, at, mask);
-        bends[0].set(degree, sample.x.t[1], slope, sample.x); // T_1(x) = x
-        bends[1].set(degree, sample.y.t[1], slope, sample.y);
-        bends[2].set(degree, sample.z.t[1], slope, sample.z);
+        second[0].set(degree, sample.x.t[1], slope, sample.x); // T_1(x) = x
+        second[1].set(degree, sample.y.t[1], slope, sample.y);
+        second[2].set(degree, sample.z.t[1], slope, sample.z);
         V field[6];
         for (int k = 0; k < 6; ++k) field[k] = hn::MaskedLoad(mask, d, result[k] + at);
-        add_bends(degree, terms, sample, bends, field);
+        add_hessian(degree, terms, sample, second, field);
         for (int k = 0; k < 6; ++k) hn::BlendedStore(field[k], mask, d, result[k] + at);
     }
 }

@@ -27,7 +27,7 @@ public:
           second_step_(custom.difference_step > 0.0 ? custom.difference_step : hessian_step * diagonal) {}
 
     void evaluate(const FieldBatch& fields) {
-        given(fields);
+        copy_given_fields(fields);
         if (fields.wants_gradient() && !custom_.has_gradient) difference_gradient(fields);
         if (!fields.wants_hessian() || custom_.has_hessian) return;
         if (custom_.has_gradient)
@@ -54,7 +54,7 @@ private:
     }
 
     // Writes the fields that the caller's function provides.
-    void given(const FieldBatch& fields) {
+    void copy_given_fields(const FieldBatch& fields) {
         const bool gradient = fields.wants_gradient() && custom_.has_gradient;
         const bool hessian = fields.wants_hessian() && custom_.has_hessian;
         if (fields.value == nullptr && !gradient && !hessian) return;
@@ -140,7 +140,7 @@ Custom::~Custom() {
 void Custom::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     for (std::int64_t begin = 0; begin < points.count; begin += batch_size) {
         const PointBatch part = slice(points, begin, std::min(points.count, begin + batch_size));
-        std::unique_lock lock(one_at_a_time_, std::defer_lock);
+        std::unique_lock lock(call_mutex_, std::defer_lock);
         if (!custom_.thread_safe) lock.lock();
         Batch(custom_, part, diagonal()).evaluate(fields.from(begin));
     }

@@ -34,9 +34,9 @@ public:
 
 private:
     CustomFunction custom_;
-    // Callers may share a model. The mutex is recursive because a caller's function may evaluate another model, whose
-    // function evaluates this one.
-    mutable std::recursive_mutex one_at_a_time_;
+    // Callers may share a model. The mutex is recursive because a function may evaluate another model, whose function
+    // evaluates this one.
+    mutable std::recursive_mutex call_mutex_;
 };
 
 } // namespace hrbfnpr::implicit

@@ -19,7 +19,7 @@ public:
     [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
     // Whether beyond() must be called. If not, the place is on the surface, far from every end.
     [[nodiscard]] virtual bool near_end(const glm::dvec3& /*place*/) const noexcept { return true; }
-    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
+    [[nodiscard]] bool contains(const glm::dvec3& place, const glm::dvec3& gradient) const {
         return !near_end(place) || beyond(place, gradient) <= 0.0;
     }
     // Whether the surface may end within a cube, given by its centre and half its side.
@@ -27,7 +27,7 @@ public:
         return true;
     }
     // Whether no part of the surface is in the cube; false where that is not certain.
-    [[nodiscard]] virtual bool is_nowhere_near(const glm::dvec3& /*centre*/, double /*half*/) const noexcept {
+    [[nodiscard]] virtual bool has_no_surface_in(const glm::dvec3& /*centre*/, double /*half*/) const noexcept {
         return false;
     }
 };

@@ -14,7 +14,7 @@ namespace {
 constexpr std::int64_t many_cells = 64; // cells for each point
 
 // Points of a batch gathered from anywhere, and their fields.
-struct Gathered {
+struct GatheredBatch {
     PointLanes<std::size_t{batch_size}> points;
     FieldLanes<std::size_t{batch_size}> fields;
 };
@@ -59,7 +59,7 @@ void evaluate_all(const base::Work& work, const Implicit& implicit, const geomet
             implicit.evaluate(slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
                               fields.from(begin));
         } else {
-            base::OwnedObject<Gathered> some(work.memory);
+            base::OwnedObject<GatheredBatch> some(work.memory);
             for (std::int64_t i = begin; i < end; ++i) some->points.add(points[order[i]], order[i]);
             implicit.evaluate(
                 some->points.points(),

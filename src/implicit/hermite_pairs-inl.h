@@ -57,15 +57,15 @@ struct Exponential {
 
 // The targets of `n` vectors.
 template <int n>
-struct Places {
+struct TargetVectors {
     const V* x;
     const V* y;
     const V* z;
 
-    struct Apart {
+    struct Offset {
         V x, y, z, r2;
     };
-    HWY_INLINE Apart from(const Sources& s, std::int64_t j, int u) const {
+    HWY_INLINE Offset from(const Sources& s, std::int64_t j, int u) const {
         const D d;
         const V dx = hn::Sub(x[u], hn::Set(d, s.x[j]));
         const V dy = hn::Sub(y[u], hn::Set(d, s.y[j]));
@@ -77,7 +77,7 @@ struct Places {
 // Adds the sources [first, first + count), after computing all their radial functions.
 template <int n, class Weights, class Kernel, class Sum>
 HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t first, std::int64_t count,
-                         const Places<n>& to, Sum* sum) {
+                         const TargetVectors<n>& to, Sum* sum) {
     V r2[static_cast<size_t>(ahead)][static_cast<size_t>(n)];
     V radial[static_cast<size_t>(ahead)][static_cast<size_t>(n)];
     for (std::int64_t k = 0; k < count; ++k)
@@ -101,7 +101,7 @@ HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t fi
 // of a source.
 template <int n, class Weights, class Kernel, class Sum>
 HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
-    const Places<n> to{x, y, z};
+    const TargetVectors<n> to{x, y, z};
     for (int u = 0; u < n; ++u) sum[u] = Sum::zero();
     if constexpr (ahead > 1) {
         for (std::int64_t first = 0; first < s.count; first += ahead)

@@ -62,9 +62,9 @@ public:
 
     // The part of the zero level within the bounds that is the surface; null: all of it.
     [[nodiscard]] virtual const Domain* domain() const noexcept { return nullptr; }
-    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
+    [[nodiscard]] bool contains(const glm::dvec3& place, const glm::dvec3& gradient) const {
         const Domain* const its = domain();
-        return its == nullptr || its->holds(place, gradient);
+        return its == nullptr || its->contains(place, gradient);
     }
 
     // The smooth functions that this is made of, if it has creases; null: it is smooth. On a crease the gradient is

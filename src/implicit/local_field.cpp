@@ -78,12 +78,12 @@ public:
                                   (end_ - begin_) * stride + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)),
                                   progress);
                 if (translates_) translate(level, progress);
-                act_directly(level, progress);
+                add_direct_nodes(level, progress);
                 make_terms(level, progress);
                 if (SourceTree::has_expansions(level - 1)) pass_down(level, progress);
             }
             divide(level, progress);
-            above_ = begin_;
+            above_begin_ = begin_;
             begin_ = end_;
         }
     }
@@ -119,10 +119,10 @@ private:
     void pass_down(std::int32_t level, const base::Progress& progress) {
         const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
         runtime_.parallel.for_chunks(
-            begin_ - above_, cells_a_task, progress, [&](std::int64_t first, std::int64_t last) {
+            begin_ - above_begin_, cells_a_task, progress, [&](std::int64_t first, std::int64_t last) {
                 base::OwnedObject<CubeShift::Work> work(runtime_.memory);
                 for (std::int64_t k = first; k < last; ++k) {
-                    const Cell& parent = field_.cells_[above_ + k];
+                    const Cell& parent = field_.cells_[above_begin_ + k];
                     for (int octant = 0; octant < 8; ++octant)
                         if (parent.has_child(octant))
                             shift.add(field_.terms_.data() + parent.terms, octant,
@@ -165,7 +165,7 @@ private:
     }
 
     // Adds the nodes that act directly, by their few centres, to the values at the nodes of cells.
-    void act_directly(std::int32_t level, const base::Progress& progress) {
+    void add_direct_nodes(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         const double half = tree_.half_width(level);
         const AddTriharmonicValues add = triharmonic_values_of(runtime_.instruction_set);
@@ -318,7 +318,7 @@ private:
     CubeLoops loops_;
     bool translates_;
     std::int64_t most_near_;
-    std::int64_t above_ = 0;                    // first cell of the level above
+    std::int64_t above_begin_ = 0;              // first cell of the level above
     std::int64_t begin_ = 0;                    // first cell of this level
     std::int64_t end_ = 0;                      // end of this level
     base::Array<std::int64_t> candidate_begin_; // for each cell of the level: its first candidate

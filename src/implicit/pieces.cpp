@@ -16,8 +16,8 @@ namespace {
 
 // Wendland's function (1 - t)^4 (4 t + 1) of one coordinate, with two derivatives (Wendland, "Piecewise polynomial,
 // positive definite and compactly supported radial functions of minimal degree", 1995).
-struct Bump {
-    Bump(double offset, double width) noexcept {
+struct WendlandFunction {
+    WendlandFunction(double offset, double width) noexcept {
         const double t = std::min(1.0, std::abs(offset) / width);
         const double s = 1.0 - t;
         w = s * s * s * s * (4.0 * t + 1.0);
@@ -49,9 +49,9 @@ void add_radial(const glm::dvec3& u, double d, double h, double distance, std::a
 Jet weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
     const glm::dvec3 off = place - cell.centre;
     const double width = PiecesData::cell_reach * cell.half;
-    const Bump x(off.x, width);
-    const Bump y(off.y, width);
-    const Bump z(off.z, width);
+    const WendlandFunction x(off.x, width);
+    const WendlandFunction y(off.y, width);
+    const WendlandFunction z(off.z, width);
     return {x.w * y.w * z.w,
             {x.d * y.w * z.w, x.w * y.d * z.w, x.w * y.w * z.d},
             {x.h * y.w * z.w, x.d * y.d * z.w, x.d * y.w * z.d, x.w * y.h * z.w, x.w * y.d * z.d, x.w * y.w * z.h}};
@@ -66,11 +66,11 @@ struct Term {
     Jet weight; // the sum of the weights of all cells in which f is this term
 };
 
-// A cell whose weight is above 0 at a point.
-struct Hit {
+// A cell that reaches a point.
+struct ReachingCell {
     PiecesNode cell;
     std::int32_t leaf;         // -1: the sphere far outside
-    std::int32_t ruler;        // the term that the program ends with, or -1
+    std::int32_t result_term;  // the term that the program ends with, or -1
     const std::int32_t* begin; // the program is [begin, end)
     const std::int32_t* end;
 
@@ -78,7 +78,7 @@ struct Hit {
 };
 
 // Returns the linear function of a cell without a program.
-Term plain_term(const PiecesData& data, const Hit& hit, const glm::dvec3& place) noexcept {
+Term plain_term(const PiecesData& data, const ReachingCell& hit, const glm::dvec3& place) noexcept {
     const double* const p = data.plain.data() + 4 * std::int64_t{hit.leaf};
     Term term{-1, 0, -1, {}, {}};
     term.jet.gradient = {p[1], p[2], p[3]};
@@ -110,7 +110,7 @@ Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
 
 class PiecesBlock {
 public:
-    explicit PiecesBlock(const PiecesOf& of) noexcept : of_(of), data_(of.data()) {}
+    explicit PiecesBlock(const PiecesBase& of) noexcept : pieces_(of), data_(of.data()) {}
 
     // Takes as many of the points as there is room for, at least one, and returns their number.
     std::int64_t take(const PointBatch& points) noexcept;
@@ -129,7 +129,7 @@ private:
         std::int32_t point, term; // first element of each chain, or -1
     };
 
-    [[nodiscard]] std::span<Hit> hits(std::int64_t point) noexcept {
+    [[nodiscard]] std::span<ReachingCell> hits(std::int64_t point) noexcept {
         return {hit_ + first_hit_[point], hit_ + first_hit_[point + 1]};
     }
     [[nodiscard]] std::span<const Term> terms(std::int64_t point) const noexcept {
@@ -141,15 +141,15 @@ private:
         hit_[hits_++] = {cell, leaf, -1, program.data(), program.data() + program.size()};
     }
     void find_hits(const PiecesNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept;
-    void look_up(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept;
+    void add_reaching_cells(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept;
     void add_terms(std::int64_t point, const glm::dvec3& place) noexcept;
-    void evaluate_alone(const FieldBatch& fields);
+    void evaluate_single_sheets(const FieldBatch& fields);
     void evaluate_terms(bool gradient, bool hessian);
-    void choose(std::int64_t point) noexcept;
-    [[nodiscard]] std::int32_t run(const Hit& hit, std::int64_t point) const noexcept;
+    void weigh_sheets(std::int64_t point) noexcept;
+    [[nodiscard]] std::int32_t run_program(const ReachingCell& hit, std::int64_t point) const noexcept;
     [[nodiscard]] Jet mean(std::int64_t point, const FieldBatch& wanted) const noexcept;
 
-    const PiecesOf& of_;
+    const PiecesBase& pieces_;
     const PiecesData& data_;
     PointBatch points_;
     std::int64_t hits_ = 0;
@@ -157,11 +157,10 @@ private:
     std::int64_t groups_ = 0;
     std::int64_t first_hit_[most_points + 1];
     std::int64_t first_term_[most_points + 1];
-    std::int32_t alone_[most_points];      // for each point: the sheet that is known to equal f there, or -1
-    std::int32_t next_alone_[most_points]; // next point of the same sheet, or -1
-    // For points without such a sheet: the term that is the result of all cells, or -1.
-    std::int32_t ruler_[most_points];
-    Hit hit_[most_hits];
+    std::int32_t only_sheet_[most_points];    // the sheet that is known to rule each point, or -1
+    std::int32_t next_of_sheet_[most_points]; // next point of the same sheet, or -1
+    std::int32_t only_term_[most_points];     // for the other points: the term that rules all cells, or -1
+    ReachingCell hit_[most_hits];
     Term term_[most_terms];
     Group group_[most_points + most_terms];
     PointLanes<std::size_t{most_points}> lanes_;
@@ -195,8 +194,8 @@ void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std
 }
 
 // Adds the cells that reach a place of which zones know no more than `parts`.
-void PiecesBlock::look_up(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept {
-    const PiecesZones* const zones = of_.zones();
+void PiecesBlock::add_reaching_cells(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept {
+    const PiecesZones* const zones = pieces_.zones();
     for (const PiecesZones::Part& part : parts)
         if (const PiecesNode& cell = zones->node(part.leaf); parts.size() == 1 || cell.reaches(place))
             add_hit(cell, part.leaf, zones->program_of(part));
@@ -212,7 +211,7 @@ void PiecesBlock::look_up(std::span<const PiecesZones::Part> parts, const glm::d
 void PiecesBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcept {
     const std::int64_t first = terms_;
     bool plain = false;
-    for (Hit& hit : std::span(hit_ + first_hit_[point], hit_ + hits_)) {
+    for (ReachingCell& hit : std::span(hit_ + first_hit_[point], hit_ + hits_)) {
         for (const std::int32_t sheet : hit.program()) {
             if (sheet < 0) continue;
             std::int64_t i = first;
@@ -231,25 +230,25 @@ void PiecesBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcep
         plain = plain || hit.begin == hit.end;
     }
     for (std::int64_t k = first_hit_[point]; plain && k < hits_; ++k)
-        if (const Hit& hit = hit_[k]; hit.begin == hit.end)
+        if (const ReachingCell& hit = hit_[k]; hit.begin == hit.end)
             term_[terms_++] = hit.leaf >= 0 ? plain_term(data_, hit, place) : sphere_term(data_, place);
 }
 
 std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
-    const PiecesZones* const zones = of_.zones();
+    const PiecesZones* const zones = pieces_.zones();
     hits_ = terms_ = groups_ = 0;
     first_hit_[0] = first_term_[0] = 0;
     std::int64_t count = 0;
     while (count < std::min(points.count, most_points) && hits_ + most_at_point <= most_hits &&
            terms_ + 2 * most_at_point <= most_terms) {
         const glm::dvec3 place = point_at(points, count);
-        PiecesZones::At at;
-        if (zones != nullptr) at = zones->at(place);
-        alone_[count] = at.sheet;
-        if (at.sheet >= 0) {
-            next_alone_[count] = std::exchange(group_of(at.sheet).point, static_cast<std::int32_t>(count));
+        PiecesZones::Candidates found;
+        if (zones != nullptr) found = zones->candidates_at(place);
+        only_sheet_[count] = found.sheet;
+        if (found.sheet >= 0) {
+            next_of_sheet_[count] = std::exchange(group_of(found.sheet).point, static_cast<std::int32_t>(count));
         } else {
-            look_up(at.parts, place);
+            add_reaching_cells(found.parts, place);
             add_terms(count, place);
         }
         first_hit_[++count] = hits_;
@@ -259,13 +258,13 @@ std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
     return count;
 }
 
-void PiecesBlock::evaluate_alone(const FieldBatch& fields) {
+void PiecesBlock::evaluate_single_sheets(const FieldBatch& fields) {
     for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
         lanes_.count = 0;
-        for (std::int32_t i = group.point; i >= 0; i = next_alone_[i]) lanes_.add(point_at(points_, i), i);
+        for (std::int32_t i = group.point; i >= 0; i = next_of_sheet_[i]) lanes_.add(point_at(points_, i), i);
         if (lanes_.count == 0) continue;
-        of_.evaluate(group.sheet, lanes_.points(),
-                     answer_.fields(fields.value != nullptr, fields.wants_gradient(), fields.wants_hessian()));
+        pieces_.evaluate(group.sheet, lanes_.points(),
+                         answer_.fields(fields.value != nullptr, fields.wants_gradient(), fields.wants_hessian()));
         answer_.scatter(lanes_.index, lanes_.count, fields);
     }
 }
@@ -277,7 +276,7 @@ void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
         for (std::int32_t i = group.term; i >= 0; i = term_[i].next)
             if (!hessian || term_[i].weight.value > 0.0) lanes_.add(point_at(points_, term_[i].point), i);
         if (lanes_.count == 0) continue;
-        of_.evaluate(group.sheet, lanes_.points(), answer_.fields(!hessian, gradient, hessian));
+        pieces_.evaluate(group.sheet, lanes_.points(), answer_.fields(!hessian, gradient, hessian));
         for (std::int64_t k = 0; k < lanes_.count; ++k) {
             Jet& jet = term_[lanes_.index[k]].jet;
             if (!hessian) jet.value = answer_.field[0][k];
@@ -288,7 +287,7 @@ void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
 }
 
 // Returns the term that a cell's program ends with.
-std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept {
+std::int32_t PiecesBlock::run_program(const ReachingCell& hit, std::int64_t point) const noexcept {
     std::int32_t stack[PiecesData::most_operands + 1];
     std::size_t depth = 0;
     for (const std::int32_t code : hit.program()) {
@@ -300,7 +299,7 @@ std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept
             continue;
         }
         HRBFNPR_ASSERT(depth >= 2);
-        const double sign = code == PiecesData::smaller ? 1.0 : -1.0;
+        const double sign = code == PiecesData::minimum ? 1.0 : -1.0;
         const std::int32_t b = stack[--depth];
         std::int32_t& a = stack[depth - 1];
         if (takes_lower(sign * term_[a].jet.value, sign * term_[b].jet.value)) a = b;
@@ -308,19 +307,19 @@ std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept
     return depth == 1 ? stack[0] : -1;
 }
 
-// Finds the sheet that equals f in each cell, and sums the weights of the cells of each sheet: the sum is 1 if all
-// cells have the same sheet.
-void PiecesBlock::choose(std::int64_t point) noexcept {
-    const std::span<Hit> hits = this->hits(point);
+// Finds the sheet that rules each cell, and sums the weights of the cells of each sheet: 1 if all cells have the same.
+void PiecesBlock::weigh_sheets(std::int64_t point) noexcept {
+    const std::span<ReachingCell> hits = this->hits(point);
     bool one = !hits.empty();
-    for (Hit& hit : hits) {
-        hit.ruler = run(hit, point);
-        one = one && hit.ruler >= 0 && hit.ruler == hits[0].ruler;
+    for (ReachingCell& hit : hits) {
+        hit.result_term = run_program(hit, point);
+        one = one && hit.result_term >= 0 && hit.result_term == hits[0].result_term;
     }
-    ruler_[point] = one ? hits[0].ruler : -1;
-    if (one) term_[ruler_[point]].weight.value = 1.0;
-    for (const Hit& hit : hits)
-        if (!one && hit.ruler >= 0) term_[hit.ruler].weight.add(weight_of(hit.cell, point_at(points_, point)));
+    only_term_[point] = one ? hits[0].result_term : -1;
+    if (one) term_[only_term_[point]].weight.value = 1.0;
+    for (const ReachingCell& hit : hits)
+        if (!one && hit.result_term >= 0)
+            term_[hit.result_term].weight.add(weight_of(hit.cell, point_at(points_, point)));
 }
 
 // Returns f = sum w_k f_k / sum w_k. The derivatives of the weights add 0 where the terms agree.
@@ -351,15 +350,15 @@ Jet PiecesBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexce
 }
 
 void PiecesBlock::evaluate(const FieldBatch& fields) {
-    evaluate_alone(fields);
+    evaluate_single_sheets(fields);
     evaluate_terms(fields.wants_gradient() || fields.wants_hessian(), false);
     for (std::int64_t point = 0; point < points_.count; ++point)
-        if (alone_[point] < 0) choose(point);
+        if (only_sheet_[point] < 0) weigh_sheets(point);
     if (fields.wants_hessian()) evaluate_terms(false, true);
     for (std::int64_t point = 0; point < points_.count; ++point) {
-        if (alone_[point] >= 0) continue;
+        if (only_sheet_[point] >= 0) continue;
         Jet mixed;
-        Jet& jet = ruler_[point] >= 0 ? term_[ruler_[point]].jet : (mixed = mean(point, fields));
+        Jet& jet = only_term_[point] >= 0 ? term_[only_term_[point]].jet : (mixed = mean(point, fields));
         for_columns(fields, [&](std::size_t c, double* column) { column[point] = jet[c]; });
     }
 }
@@ -369,13 +368,13 @@ void PiecesBlock::evaluate(const FieldBatch& fields) {
 void PiecesBlock::active(std::int32_t* sheet) {
     evaluate_terms(false, false);
     for (std::int64_t point = 0; point < points_.count; ++point) {
-        sheet[point] = alone_[point];
+        sheet[point] = only_sheet_[point];
         if (sheet[point] >= 0) continue;
-        choose(point);
+        weigh_sheets(point);
         double most = 0.0;
         for (const Term& term : terms(point))
             if (term.sheet < 0) most += term.weight.value;
-        sheet[point] = of_.count() - 1;
+        sheet[point] = pieces_.count() - 1;
         for (const Term& term : terms(point)) {
             if (term.sheet < 0 || !(term.weight.value > most)) continue;
             most = term.weight.value;
@@ -386,7 +385,7 @@ void PiecesBlock::active(std::int32_t* sheet) {
 
 // Calls work(block, first) for all points, as many at a time as a block takes.
 template <class F>
-void in_blocks(const PiecesOf& of, const PointBatch& points, F&& work) {
+void in_blocks(const PiecesBase& of, const PointBatch& points, F&& work) {
     base::OwnedObject<PiecesBlock> block(of.data().child.memory(), of);
     for (std::int64_t begin = 0; begin < points.count;) {
         const std::int64_t count = block->take(slice(points, begin, points.count));
@@ -397,15 +396,15 @@ void in_blocks(const PiecesOf& of, const PointBatch& points, F&& work) {
 
 } // namespace
 
-void PiecesOf::evaluate(const PointBatch& points, const FieldBatch& fields) const {
+void PiecesBase::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     in_blocks(*this, points, [&](PiecesBlock& block, std::int64_t begin) { block.evaluate(fields.from(begin)); });
 }
 
-void PiecesOf::active(const PointBatch& points, std::int32_t* sheet) const {
+void PiecesBase::active(const PointBatch& points, std::int32_t* sheet) const {
     in_blocks(*this, points, [&](PiecesBlock& block, std::int64_t begin) { block.active(sheet + begin); });
 }
 
-void PiecesOf::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
+void PiecesBase::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
     HRBFNPR_ASSERT(sheet >= 0 && sheet < count());
     if (sheet == data_.sheet.size())
         evaluate(points, fields);
@@ -415,7 +414,7 @@ void PiecesOf::evaluate(std::int32_t sheet, const PointBatch& points, const Fiel
         implicit::evaluate(set_, data_.sheet[sheet], points, fields);
 }
 
-std::int64_t PiecesOf::cells() const noexcept {
+std::int64_t PiecesBase::cells() const noexcept {
     if (zones_ == nullptr) return data_.leaves();
     bool order = data_.sheet.size() > pieces_tuning.few_sheets;
     for (std::int64_t i = 0; !order && i < data_.sheet.size(); ++i) order = prepared(i) != nullptr;
@@ -430,8 +429,8 @@ std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data
     return Scope::zones;
 }
 
-PreparedPieces::PreparedPieces(const base::Work& work, const PiecesOf& of, Scope scope)
-    : PiecesOf(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(work, of.data()),
+PreparedPieces::PreparedPieces(const base::Work& work, const PiecesBase& of, Scope scope)
+    : PiecesBase(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(work, of.data()),
       sheet_(work.memory) {
     work.runtime().log(base::LogLevel::info, "evaluation: cells of %lld sheets prepared in %.3f s, %.1f MB",
                        static_cast<long long>(data().sheet.size()), watch_.seconds(),

@@ -17,7 +17,7 @@ namespace hrbfnpr::implicit {
 
 class Prepared;
 
-class PiecesOf : public Implicit, public Sheets {
+class PiecesBase : public Implicit, public Sheets {
 public:
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
@@ -42,8 +42,8 @@ public:
 protected:
     // All arguments must outlive this. `zones` is null for data without zones. `prepared` has one entry for each sheet,
     // null if the sheet is not prepared; it is empty if no sheet is.
-    PiecesOf(base::InstructionSet set, const PiecesData& data, const PiecesZones* zones = nullptr,
-             const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
+    PiecesBase(base::InstructionSet set, const PiecesData& data, const PiecesZones* zones = nullptr,
+               const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
         : set_(set), data_(data), zones_(zones), prepared_(prepared) {}
 
 private:
@@ -57,9 +57,9 @@ private:
     const base::List<std::unique_ptr<Prepared>>* prepared_;
 };
 
-class Pieces final : public PiecesOf {
+class Pieces final : public PiecesBase {
 public:
-    Pieces(base::InstructionSet set, PiecesData made) noexcept : PiecesOf(set, own_), own_(std::move(made)) {}
+    Pieces(base::InstructionSet set, PiecesData made) noexcept : PiecesBase(set, own_), own_(std::move(made)) {}
 
     [[nodiscard]] PiecesData take() && noexcept { return std::move(own_); }
 
@@ -67,9 +67,8 @@ private:
     PiecesData own_;
 };
 
-// The function of an implicit of pieces, prepared for many points. It differs only by rounding and by the errors of
-// each Prepared sheet.
-class PreparedPieces final : public PiecesOf {
+// The same function for many points, up to rounding and the errors of each Prepared sheet.
+class PreparedPieces final : public PiecesBase {
 public:
     // The parts that are prepared: zones only, or zones and the sheets with many centres.
     enum class Scope : std::uint8_t { zones, sheets };
@@ -79,7 +78,7 @@ public:
     [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
 
     // `of` must outlive this.
-    PreparedPieces(const base::Work& work, const PiecesOf& of, Scope scope);
+    PreparedPieces(const base::Work& work, const PiecesBase& of, Scope scope);
     ~PreparedPieces() override;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;

@@ -18,7 +18,7 @@ namespace {
     std::int32_t operands = 0;
     for (const std::int32_t code : program) {
         const bool operand = code >= 0;
-        if (operand ? code >= sheets : code < PiecesData::smaller) return false;
+        if (operand ? code >= sheets : code < PiecesData::minimum) return false;
         operands += operand ? 1 : 0;
         depth += operand ? 1 : -1;
         if (depth < 1) return false;
@@ -46,22 +46,22 @@ namespace {
     return next_child == nodes && next_leaf == data.leaves() && level < PiecesData::most_levels;
 }
 
-constexpr std::size_t places = 9; // number of places in a zone where programs are evaluated: its corners and its middle
+constexpr std::size_t zone_places = 9; // places in a zone where programs are evaluated: its corners and its middle
 
-// A program without the operands that cannot matter in a zone, and its values at the places of the zone.
-struct Simple {
-    std::array<double, places> value{};
+// A program without the operands that cannot matter, and its values at these places.
+struct SimplifiedProgram {
+    std::array<double, zone_places> value{};
     std::array<std::int32_t, std::size_t{2 * PiecesData::most_operands}> code{};
     std::size_t size = 0;
 };
 
 // Joins two operands by an operation. An operand is left out if the other is beyond it at all places by more than
 // zone_tuning.margin times the range of their difference over these places.
-void join(Simple& a, const Simple& b, std::int32_t operation) noexcept {
+void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operation) noexcept {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
-    for (std::size_t i = 0; i < places; ++i) {
-        const double difference = operation == PiecesData::larger ? b.value[i] - a.value[i] : a.value[i] - b.value[i];
+    for (std::size_t i = 0; i < zone_places; ++i) {
+        const double difference = operation == PiecesData::maximum ? b.value[i] - a.value[i] : a.value[i] - b.value[i];
         least = std::min(least, difference);
         most = std::max(most, difference);
     }
@@ -71,9 +71,9 @@ void join(Simple& a, const Simple& b, std::int32_t operation) noexcept {
         a = b;
         return;
     }
-    for (std::size_t i = 0; i < places; ++i)
+    for (std::size_t i = 0; i < zone_places; ++i)
         a.value[i] =
-            operation == PiecesData::larger ? std::max(a.value[i], b.value[i]) : std::min(a.value[i], b.value[i]);
+            operation == PiecesData::maximum ? std::max(a.value[i], b.value[i]) : std::min(a.value[i], b.value[i]);
     HRBFNPR_ASSERT(a.size + b.size < a.code.size());
     std::copy_n(b.code.begin(), b.size, a.code.begin() + static_cast<std::ptrdiff_t>(a.size));
     a.size += b.size;
@@ -107,10 +107,10 @@ template <class T>
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
 }
 
-// The cells that reach a leaf, their sheets, and the values of the sheets at the places of the leaf's zones: corners,
-// then middles.
-struct Beside {
-    explicit Beside(base::Memory& memory) noexcept : leaf(memory), sheet(memory), value(memory) {}
+// The cells that reach a leaf, their sheets, and the values of these at the places of the leaf's zones: corners, then
+// middles.
+struct LeafSurroundings {
+    explicit LeafSurroundings(base::Memory& memory) noexcept : leaf(memory), sheet(memory), value(memory) {}
     base::Array<std::int32_t> leaf;
     base::Array<std::int32_t> sheet;
     base::Array<double> value; // sheet by sheet
@@ -122,28 +122,29 @@ struct Beside {
     }
 };
 
-[[nodiscard]] Beside look_beside(const PiecesData& data, const PiecesNode& at, base::Memory& memory) {
-    Beside beside(memory);
+[[nodiscard]] LeafSurroundings find_surroundings(const PiecesData& data, const PiecesNode& at, base::Memory& memory) {
+    LeafSurroundings surroundings(memory);
     for_leaves(
         data, root_of(data), 0, [&](const PiecesNode& other) { return reaches(other, at); },
         [&](const PiecesNode&, std::int8_t, std::int32_t leaf) {
             const std::span<const std::int32_t> program = data.program_of(leaf);
-            beside.leaf.push_back(leaf);
-            beside.trees = beside.trees || program.size() > 1;
+            surroundings.leaf.push_back(leaf);
+            surroundings.trees = surroundings.trees || program.size() > 1;
             for (const std::int32_t code : program)
-                if (code >= 0 && beside.number_of(code) == beside.sheet.size()) beside.sheet.push_back(code);
+                if (code >= 0 && surroundings.number_of(code) == surroundings.sheet.size())
+                    surroundings.sheet.push_back(code);
         });
-    return beside;
+    return surroundings;
 }
 
-// Appends a program without the operands that cannot matter in a zone, judged at the zone's corners and middle.
-void simplify(std::span<const std::int32_t> program, const std::array<std::int64_t, places>& at, const Beside& beside,
-              base::Array<std::int32_t>& to) {
+// Appends a program without the operands that cannot matter in the zone that has these places.
+void simplify(std::span<const std::int32_t> program, const std::array<std::int64_t, zone_places>& at,
+              const LeafSurroundings& surroundings, base::Array<std::int32_t>& to) {
     if (program.size() < 2) {
         for (const std::int32_t code : program) to.push_back(code);
         return;
     }
-    std::array<Simple, PiecesData::most_operands + 1> stack;
+    std::array<SimplifiedProgram, PiecesData::most_operands + 1> stack;
     std::size_t depth = 0;
     for (const std::int32_t code : program) {
         if (code < 0) {
@@ -152,10 +153,10 @@ void simplify(std::span<const std::int32_t> program, const std::array<std::int64
             join(stack[depth - 1], stack[depth], code);
             continue;
         }
-        Simple& top = stack[depth++];
-        const std::int64_t column = beside.places * beside.number_of(code);
-        HRBFNPR_ASSERT(column + beside.places <= beside.value.size());
-        for (std::size_t i = 0; i < places; ++i) top.value[i] = beside.value[column + at[i]];
+        SimplifiedProgram& top = stack[depth++];
+        const std::int64_t column = surroundings.places * surroundings.number_of(code);
+        HRBFNPR_ASSERT(column + surroundings.places <= surroundings.value.size());
+        for (std::size_t i = 0; i < zone_places; ++i) top.value[i] = surroundings.value[column + at[i]];
         top.code[0] = code;
         top.size = 1;
     }
@@ -174,14 +175,14 @@ struct LeafZones {
 
 // Adds a zone. Its equal programs are stored once.
 void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, const PiecesNode& at,
-              const std::array<std::int64_t, places>& its, const Beside& beside, LeafZones& made) {
+              const std::array<std::int64_t, zone_places>& its, const LeafSurroundings& surroundings, LeafZones& made) {
     using Part = PiecesZones::Part;
     const auto program = [&](const Part& part) { return range(made.program, part.begin, part.end); };
     const auto first = static_cast<std::int32_t>(made.part.size());
-    for (const std::int32_t leaf : beside.leaf) {
+    for (const std::int32_t leaf : surroundings.leaf) {
         if (!reaches(nodes[leaf], at)) continue;
         Part part{leaf, static_cast<std::int32_t>(made.program.size()), 0};
-        simplify(data.program_of(leaf), its, beside, made.program);
+        simplify(data.program_of(leaf), its, surroundings, made.program);
         part.end = static_cast<std::int32_t>(made.program.size());
         const Part* const known = std::find_if(made.part.begin() + first, made.part.end(),
                                                [&](const Part& other) { return equal(program(other), program(part)); });
@@ -208,8 +209,8 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
     const PiecesNode& at = nodes[leaf];
     const double farthest = glm::length(glm::abs(at.centre - data.bounds.centre()) + at.half);
     if (farthest > PiecesData::sphere_begins * 0.5 * data.bounds.diagonal()) return made;
-    Beside beside = look_beside(data, at, runtime.memory);
-    if (beside.sheet.empty() || beside.leaf.size() > zone_tuning.parts) return made;
+    LeafSurroundings surroundings = find_surroundings(data, at, runtime.memory);
+    if (surroundings.sheet.empty() || surroundings.leaf.size() > zone_tuning.parts) return made;
     made.cuts = static_cast<std::int8_t>(std::clamp(zone_tuning.level - level, 0, zone_tuning.cuts));
     const std::int64_t along = std::int64_t{1} << made.cuts;
     const double half = at.half / static_cast<double>(along);
@@ -220,22 +221,22 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
             for (std::int64_t y = 0; y <= along - middle; ++y)
                 for (std::int64_t x = 0; x <= along - middle; ++x)
                     place.push_back(low + half * static_cast<double>(middle) + 2.0 * half * glm::dvec3(x, y, z));
-    beside.places = place.size();
-    if (beside.trees) beside.value.resize_for_overwrite(beside.places * beside.sheet.size());
-    for (std::int64_t s = 0; s < beside.value.size() / beside.places; ++s)
-        implicit::evaluate(runtime.instruction_set, data.sheet[beside.sheet[s]],
+    surroundings.places = place.size();
+    if (surroundings.trees) surroundings.value.resize_for_overwrite(surroundings.places * surroundings.sheet.size());
+    for (std::int64_t s = 0; s < surroundings.value.size() / surroundings.places; ++s)
+        implicit::evaluate(runtime.instruction_set, data.sheet[surroundings.sheet[s]],
                            {place.x.data(), place.y.data(), place.z.data(), place.size()},
-                           {beside.value.data() + s * beside.places, {}, {}});
+                           {surroundings.value.data() + s * surroundings.places, {}, {}});
     const std::int64_t row = along + 1;
     for (std::int64_t i = 0; i < along * along * along; ++i) {
         const std::int64_t x = i % along;
         const std::int64_t y = i / along % along;
         const std::int64_t z = i / along / along;
-        std::array<std::int64_t, places> its{};
+        std::array<std::int64_t, zone_places> its{};
         for (std::int64_t k = 0; k < 8; ++k)
             its[static_cast<std::size_t>(k)] = x + k % 2 + row * (y + k / 2 % 2 + row * (z + k / 4));
         its[8] = row * row * row + i;
-        add_zone(data, nodes, {0, low + half * (2.0 * glm::dvec3(x, y, z) + 1.0), half}, its, beside, made);
+        add_zone(data, nodes, {0, low + half * (2.0 * glm::dvec3(x, y, z) + 1.0), half}, its, surroundings, made);
     }
     return made;
 }
@@ -346,7 +347,7 @@ std::int32_t PiecesZones::code_at(const glm::dvec3& place) const noexcept {
     return code_[first_[leaf] + static_cast<std::int32_t>(index)];
 }
 
-PiecesZones::At PiecesZones::at(const glm::dvec3& place) const noexcept {
+PiecesZones::Candidates PiecesZones::candidates_at(const glm::dvec3& place) const noexcept {
     const std::int32_t code = code_at(place);
     if (code == nowhere) return {};
     if (code < 0) return {-1 - code, {}};

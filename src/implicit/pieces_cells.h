@@ -21,8 +21,8 @@ namespace hrbfnpr::implicit {
 
 struct PiecesData {
     // Operations of a program: take two operands off the stack, and put the larger, or the smaller, onto it.
-    static constexpr std::int32_t larger = -1;
-    static constexpr std::int32_t smaller = -2;
+    static constexpr std::int32_t maximum = -1;
+    static constexpr std::int32_t minimum = -2;
     static constexpr std::int32_t most_operands = 8; // the most operands of one program
     static constexpr std::int32_t most_levels = 16;
     static constexpr std::int32_t most_nodes = 1 << 26;
@@ -46,7 +46,7 @@ struct PiecesData {
     double side = 1.0;
     base::Array<std::int32_t> child; // for each node: the first of its eight children (bits x, y, z), or `-1 - leaf`
     base::Array<std::int32_t> program_begin; // for each leaf: start of its program; then the end of the last
-    base::Array<std::int32_t> program;       // sheets, `larger` or `smaller`; operands come before their operation
+    base::Array<std::int32_t> program;       // sheets, `maximum` or `minimum`; operands come before their operation
     base::Array<double> plain;               // 4 for each leaf: value at its centre and gradient, if it has no program
     base::Array<double> sample_position;     // places all over the surface, packed, about `spacing` apart
     base::Array<double> sample_normal;       // unit
@@ -105,12 +105,11 @@ public:
         std::int32_t begin, end;
     };
     // The sheets that may matter at a place.
-    struct At {
-        std::int32_t sheet = -1; // the sheet that equals f there; -1: no single sheet is known to
-        // If no single sheet is known: cells, some of which reach the place; empty: nothing is known.
-        std::span<const Part> parts;
+    struct Candidates {
+        std::int32_t sheet = -1;     // the sheet that alone rules it; -1: none is known
+        std::span<const Part> parts; // otherwise: cells, some of which reach the place; empty: nothing is known
     };
-    [[nodiscard]] At at(const glm::dvec3& place) const noexcept;
+    [[nodiscard]] Candidates candidates_at(const glm::dvec3& place) const noexcept;
     [[nodiscard]] std::span<const std::int32_t> program_of(const Part& part) const noexcept {
         return {program_.data() + part.begin, program_.data() + part.end};
     }

@@ -35,20 +35,20 @@ void to_unit(const FieldBatch& fields, std::int64_t count, double unit) noexcept
 void Scaled::evaluate(const PointBatch& points, const FieldBatch& fields) const {
     in_own_unit(points, unit_, [&](const PointBatch& some, std::int64_t begin) {
         const FieldBatch here = fields.from(begin);
-        own_.evaluate(some, here);
+        unscaled_.evaluate(some, here);
         to_unit(here, some.count, unit_);
     });
 }
 
 void Scaled::ScaledSheets::active(const PointBatch& points, std::int32_t* sheet) const {
     in_own_unit(points, unit,
-                [&](const PointBatch& some, std::int64_t begin) { own.sheets()->active(some, sheet + begin); });
+                [&](const PointBatch& some, std::int64_t begin) { unscaled.sheets()->active(some, sheet + begin); });
 }
 
 void Scaled::ScaledSheets::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
     in_own_unit(points, unit, [&](const PointBatch& some, std::int64_t begin) {
         const FieldBatch here = fields.from(begin);
-        own.sheets()->evaluate(sheet, some, here);
+        unscaled.sheets()->evaluate(sheet, some, here);
         to_unit(here, some.count, unit);
     });
 }

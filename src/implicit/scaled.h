@@ -10,52 +10,54 @@ namespace hrbfnpr::implicit {
 // of two causes no rounding.
 class Scaled final : public Implicit {
 public:
-    // `own` must outlive this.
-    Scaled(const Implicit& own, double unit) noexcept
-        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, domain_(own, unit),
-          sheets_(own, unit) {}
+    // `unscaled` must outlive this.
+    Scaled(const Implicit& unscaled, double unit) noexcept
+        : unscaled_(unscaled), unit_(unit), bounds_{unscaled.bounds().min / unit, unscaled.bounds().max / unit},
+          domain_(unscaled, unit), sheets_(unscaled, unit) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
-    [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
-    [[nodiscard]] std::int64_t cells() const noexcept override { return own_.cells(); }
-    [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override { return own_.cell_of(unit_ * p); }
+    [[nodiscard]] bool concurrent() const noexcept override { return unscaled_.concurrent(); }
+    [[nodiscard]] std::int64_t cells() const noexcept override { return unscaled_.cells(); }
+    [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override {
+        return unscaled_.cell_of(unit_ * p);
+    }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
-    [[nodiscard]] double lipschitz() const noexcept override { return own_.lipschitz(); }
+    [[nodiscard]] double lipschitz() const noexcept override { return unscaled_.lipschitz(); }
     [[nodiscard]] const Domain* domain() const noexcept override {
-        return own_.domain() != nullptr ? &domain_ : nullptr;
+        return unscaled_.domain() != nullptr ? &domain_ : nullptr;
     }
     [[nodiscard]] const Sheets* sheets() const noexcept override {
-        return own_.sheets() != nullptr ? &sheets_ : nullptr;
+        return unscaled_.sheets() != nullptr ? &sheets_ : nullptr;
     }
 
 private:
     struct ScaledDomain final : Domain {
-        ScaledDomain(const Implicit& of, double by) noexcept : own(of), unit(by) {}
+        ScaledDomain(const Implicit& of, double by) noexcept : unscaled(of), unit(by) {}
         [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
-            return own.domain()->beyond(unit * place, gradient);
+            return unscaled.domain()->beyond(unit * place, gradient);
         }
         [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
-            return own.domain()->near_end(unit * place);
+            return unscaled.domain()->near_end(unit * place);
         }
         [[nodiscard]] bool may_end_near(const glm::dvec3& centre, double half) const noexcept override {
-            return own.domain()->may_end_near(unit * centre, unit * half);
+            return unscaled.domain()->may_end_near(unit * centre, unit * half);
         }
-        [[nodiscard]] bool is_nowhere_near(const glm::dvec3& centre, double half) const noexcept override {
-            return own.domain()->is_nowhere_near(unit * centre, unit * half);
+        [[nodiscard]] bool has_no_surface_in(const glm::dvec3& centre, double half) const noexcept override {
+            return unscaled.domain()->has_no_surface_in(unit * centre, unit * half);
         }
-        const Implicit& own;
+        const Implicit& unscaled;
         double unit;
     };
     struct ScaledSheets final : Sheets {
-        ScaledSheets(const Implicit& of, double by) noexcept : own(of), unit(by) {}
-        [[nodiscard]] std::int32_t count() const noexcept override { return own.sheets()->count(); }
+        ScaledSheets(const Implicit& of, double by) noexcept : unscaled(of), unit(by) {}
+        [[nodiscard]] std::int32_t count() const noexcept override { return unscaled.sheets()->count(); }
         void active(const PointBatch& points, std::int32_t* sheet) const override;
         void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const override;
-        const Implicit& own;
+        const Implicit& unscaled;
         double unit;
     };
 
-    const Implicit& own_;
+    const Implicit& unscaled_;
     double unit_;
     geometry::Bounds bounds_;
     ScaledDomain domain_;

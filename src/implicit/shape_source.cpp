@@ -63,10 +63,10 @@ void DifferencedShape::evaluate(const PointBatch& points, const ThirdBatch& out)
         for (double*& column : part.hessian) column += begin;
         for (double*& column : part.third) column += begin;
         const PointBatch block = slice(points, begin, std::min(points.count, begin + block_size));
-        if (own_.sheets() == nullptr)
-            evaluate_block(own_, block, part);
+        if (implicit_.sheets() == nullptr)
+            evaluate_block(implicit_, block, part);
         else
-            evaluate_by_sheet(*own_.sheets(), block, part);
+            evaluate_by_sheet(*implicit_.sheets(), block, part);
     }
 }
 
@@ -80,13 +80,13 @@ void DifferencedShape::evaluate_by_sheet(const Sheets& sheets, const PointBatch&
         ThirdBatch part = out;
         for (double*& column : part.hessian) column += begin;
         for (double*& column : part.third) column += begin;
-        evaluate_block(OneSheet(own_, sheets, sheet), slice(points, begin, end), part);
+        evaluate_block(OneSheet(implicit_, sheets, sheet), slice(points, begin, end), part);
     }
 }
 
 // T_ijk is the mean of the derivatives along i of H_jk, along j of H_ik and along k of H_ij. It takes at most
 // block_size points, because a caller's function runs on the same small stack.
-void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& points, const ThirdBatch& out) const {
+void DifferencedShape::evaluate_block(const Implicit& implicit, const PointBatch& points, const ThirdBatch& out) const {
     constexpr auto most = static_cast<std::size_t>(block_size);
     std::array<std::array<double, most>, 6> hessian;
     std::array<std::array<double, most>, 3> at;
@@ -94,7 +94,7 @@ void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& poi
     for (std::size_t c = 0; c < 6; ++c) moved.hessian[c] = hessian[c].data();
     FieldBatch here;
     here.hessian = out.hessian;
-    own.evaluate(points, here);
+    implicit.evaluate(points, here);
     for (double* component : out.third) std::fill_n(component, points.count, 0.0);
     const std::array<const double*, 3> from = {points.x, points.y, points.z};
     for (std::size_t c = 0; c < 3; ++c) std::copy_n(from[c], points.count, at[c].begin());
@@ -102,7 +102,7 @@ void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& poi
         for (const double sign : {1.0, -1.0}) {
             for (std::size_t i = 0; i < static_cast<std::size_t>(points.count); ++i)
                 at[axis][i] = from[axis][i] + sign * step_;
-            own.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, moved);
+            implicit.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, moved);
             const double weight = sign / (6.0 * step_);
             for (std::size_t c = 0; c < 10; ++c)
                 for (std::size_t k = 0; k < 3; ++k) {
@@ -122,7 +122,7 @@ void ScaledShape::evaluate(const PointBatch& points, const ThirdBatch& out) cons
     const std::array<const double*, 3> from = {points.x, points.y, points.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
         std::transform(from[axis], from[axis] + points.count, at[axis].begin(), [&](double x) { return unit_ * x; });
-    own_.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, out);
+    unscaled_.evaluate({at[0].data(), at[1].data(), at[2].data(), points.count}, out);
     for (double* h : out.hessian)
         for (std::int64_t i = 0; i < points.count; ++i) h[i] *= unit_;
     for (double* t : out.third)

@@ -55,32 +55,32 @@ private:
 // The source for any other implicit: its Hessian, and central differences of the Hessian.
 class DifferencedShape final : public ShapeSource {
 public:
-    // `step` is in diagonals. `own` must outlive this.
-    explicit DifferencedShape(const Implicit& own, double step = 1e-3) noexcept
-        : own_(own), step_(step * own.diagonal()) {}
+    // `step` is in diagonals. `implicit` must outlive this.
+    explicit DifferencedShape(const Implicit& implicit, double step = 1e-3) noexcept
+        : implicit_(implicit), step_(step * implicit.diagonal()) {}
 
     void evaluate(const PointBatch& points, const ThirdBatch& out) const override;
-    [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
+    [[nodiscard]] bool concurrent() const noexcept override { return implicit_.concurrent(); }
 
 private:
-    void evaluate_block(const Implicit& own, const PointBatch& points, const ThirdBatch& out) const;
+    void evaluate_block(const Implicit& implicit, const PointBatch& points, const ThirdBatch& out) const;
     void evaluate_by_sheet(const Sheets& sheets, const PointBatch& points, const ThirdBatch& out) const;
 
-    const Implicit& own_;
+    const Implicit& implicit_;
     double step_;
 };
 
 // The source for an implicit in another unit of length, as in implicit/scaled.h: g(y) = f(unit y) / unit.
 class ScaledShape final : public ShapeSource {
 public:
-    // `own` must outlive this.
-    ScaledShape(const ShapeSource& own, double unit) noexcept : own_(own), unit_(unit) {}
+    // `unscaled` must outlive this.
+    ScaledShape(const ShapeSource& unscaled, double unit) noexcept : unscaled_(unscaled), unit_(unit) {}
 
     void evaluate(const PointBatch& points, const ThirdBatch& out) const override;
-    [[nodiscard]] bool concurrent() const noexcept override { return own_.concurrent(); }
+    [[nodiscard]] bool concurrent() const noexcept override { return unscaled_.concurrent(); }
 
 private:
-    const ShapeSource& own_;
+    const ShapeSource& unscaled_;
     double unit_;
 };
 

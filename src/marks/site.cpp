@@ -46,7 +46,7 @@ void Settler::drop_beyond_end(LevelReport& report) {
     constexpr std::int64_t grain = 256;
     site_.work.for_chunks(placed_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
-            if (placed_[i] != 0 && !site_.implicit.holds(projection_.position[i], projection_.gradient[i]))
+            if (placed_[i] != 0 && !site_.implicit.contains(projection_.position[i], projection_.gradient[i]))
                 placed_[i] = beyond;
     });
     for (std::int64_t i = 0; i < placed_.size(); ++i)

@@ -73,7 +73,7 @@ struct FieldSamples {
     // for example where the square of the gradient overflows or vanishes.
     [[nodiscard]] double distance(std::int64_t i) const noexcept {
         const double slope = glm::length(gradient[i]);
-        return surface::is_slope(slope) ? value[i] / slope : std::numeric_limits<double>::quiet_NaN();
+        return surface::is_usable_slope(slope) ? value[i] / slope : std::numeric_limits<double>::quiet_NaN();
     }
 };
 void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields);

@@ -65,16 +65,16 @@ base::Array<std::int64_t> sides_beyond(const base::Array<Triangle>& triangle, co
 base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
                                         std::int64_t& count, const base::Progress& progress) {
     base::Memory& memory = triangle.memory();
-    Sets sets(memory, vertices);
+    UnionFind sets(memory, vertices);
     for (const std::int64_t face : progress.over(triangle.size())) {
         const Triangle& t = triangle[face];
         sets.join(t[0], t[1]);
         sets.join(t[0], t[2]);
     }
-    NumbersInOrder numbers(memory, vertices);
+    NumbersByFirstUse numbers(memory, vertices);
     base::Array<std::int32_t> component(memory, triangle.size());
     for (const std::int64_t face : progress.over(triangle.size())) {
-        component[face] = numbers.of(sets.of(triangle[face][0]));
+        component[face] = numbers.of(sets.find(triangle[face][0]));
     }
     count = numbers.count();
     return component;

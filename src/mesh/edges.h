@@ -13,31 +13,31 @@
 namespace hrbfnpr::mesh {
 
 // Disjoint sets of numbers. The name of a set is its least number, whatever the order of the joins.
-class Sets {
+class UnionFind {
 public:
-    Sets(base::Memory& memory, std::int64_t count) : above_(memory) {
-        above_.resize_for_overwrite(count);
-        std::iota(above_.begin(), above_.end(), 0);
+    UnionFind(base::Memory& memory, std::int64_t count) : parent_(memory) {
+        parent_.resize_for_overwrite(count);
+        std::iota(parent_.begin(), parent_.end(), 0);
     }
-    [[nodiscard]] std::int32_t of(std::int32_t i) noexcept {
-        while (above_[i] != i) i = above_[i] = above_[above_[i]];
+    [[nodiscard]] std::int32_t find(std::int32_t i) noexcept {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
     void join(std::int32_t a, std::int32_t b) noexcept {
-        a = of(a);
-        b = of(b);
-        above_[a < b ? b : a] = a < b ? a : b;
+        a = find(a);
+        b = find(b);
+        parent_[a < b ? b : a] = a < b ? a : b;
     }
 
 private:
-    base::Array<std::int32_t> above_;
+    base::Array<std::int32_t> parent_;
 };
 
-// Numbers names from 0, in the order in which they come.
-class NumbersInOrder {
+// Gives names numbers from 0, in the order in which they come.
+class NumbersByFirstUse {
 public:
     // All names are below `names`.
-    NumbersInOrder(base::Memory& memory, std::int64_t names) : number_(memory, names) {}
+    NumbersByFirstUse(base::Memory& memory, std::int64_t names) : number_(memory, names) {}
     [[nodiscard]] std::int32_t of(std::int64_t name) noexcept {
         std::int32_t& number = number_[name];
         if (number == 0) number = ++count_;

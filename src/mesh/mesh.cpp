@@ -77,7 +77,7 @@ void measure_edges(const base::Work& work, Mesh& mesh) {
     const auto mark = [&](std::int64_t face, std::int64_t bit) {
         mesh.border[face] = static_cast<std::uint8_t>(mesh.border[face] | 1U << static_cast<unsigned>(bit));
     };
-    Sets rims(work.memory, mesh.vertex.size());
+    UnionFind rims(work.memory, mesh.vertex.size());
     std::int64_t edges = 0;
     std::int64_t joined = 0; // the number of joins of border vertices to rims
     base::Array<std::uint8_t> at_border(work.memory, mesh.vertex.size());
@@ -91,7 +91,7 @@ void measure_edges(const base::Work& work, Mesh& mesh) {
         const std::int32_t a = low_end(*first);
         const std::int32_t b = high_end(*first);
         at_border[a] = at_border[b] = 1;
-        if (rims.of(a) == rims.of(b)) return;
+        if (rims.find(a) == rims.find(b)) return;
         rims.join(a, b);
         ++joined;
     });

@@ -31,7 +31,7 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
                  const base::Array<std::int32_t>& component, const base::Array<glm::dvec3>& middle,
                  base::Array<Component>& result) {
     const base::Array<Side> sides = sides_by_edge(work, triangle);
-    Sets rims(work.memory, vertex.size());
+    UnionFind rims(work.memory, vertex.size());
     bool open = false;
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
@@ -44,13 +44,13 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
         for (const std::int32_t end : {low_end(*first), high_end(*first)})
-            rim[rims.of(end)] += glm::dvec4(vertex[end], 1.0);
+            rim[rims.find(end)] += glm::dvec4(vertex[end], 1.0);
     });
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         const auto more = static_cast<double>(surplus(first, last));
         if (more == 0.0) return;
         const std::int32_t a = low_end(*first);
-        const glm::dvec4& sum = rim[rims.of(a)];
+        const glm::dvec4& sum = rim[rims.find(a)];
         const glm::dvec3 apex = glm::dvec3(sum) / sum.w;
         const glm::dvec3 area = more * doubled_area({apex, vertex[high_end(*first)], vertex[a]});
         Component& of = result[component[first->face]];

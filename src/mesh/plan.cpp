@@ -82,12 +82,12 @@ Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole
 
 // ---- Coarse faces
 
-SaidOfEdges plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept {
+EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept {
     // A few edges say nothing.
-    if (bends < plan_tuning.fewest_of_file) return SaidOfEdges::nothing;
+    if (bends < plan_tuning.fewest_of_file) return EdgesInFile::nothing;
     const double share = static_cast<double>(sharp) / static_cast<double>(bends);
-    if (share >= plan_tuning.nearly_all) return SaidOfEdges::all_are_sharp;
-    return share > 1.0 - plan_tuning.nearly_all ? SaidOfEdges::some_are_sharp : SaidOfEdges::nothing;
+    if (share >= plan_tuning.nearly_all) return EdgesInFile::all_are_sharp;
+    return share > 1.0 - plan_tuning.nearly_all ? EdgesInFile::some_are_sharp : EdgesInFile::nothing;
 }
 
 CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes) {
@@ -104,25 +104,25 @@ CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes)
     const double off = facts.coarseness();
     if (!(off > tolerance)) return {};
     // Edges stand out, unless the file says which ones are sharp.
-    if (facts.said != SaidOfEdges::some_are_sharp && facts.has_creases()) return {};
+    if (facts.said != EdgesInFile::some_are_sharp && facts.has_creases()) return {};
     // A round leaves a quarter of the bulge. At the end half of the tolerance may be left.
     const double rounds = std::ceil(std::log(2.0 * off / tolerance) / std::log(4.0));
     CoarsePlan plan;
     plan.rounds = rounds < plan_tuning.most_rounds ? static_cast<std::int32_t>(rounds) : plan_tuning.most_rounds;
     if (plan.rounds == 0) return plan;
     // By the normals of the file all faces are flat.
-    plan.choice = facts.said == SaidOfEdges::all_are_sharp ? CoarsePlan::Choice::all_flat : CoarsePlan::Choice::divided;
+    plan.choice = facts.said == EdgesInFile::all_are_sharp ? CoarsePlan::Choice::all_flat : CoarsePlan::Choice::divided;
     // If the file says which edges are sharp, parts without coarse faces stay undivided.
-    plan.parts_alone = facts.said == SaidOfEdges::some_are_sharp;
+    plan.parts_alone = facts.said == EdgesInFile::some_are_sharp;
     return plan;
 }
 
-CoarsePlan::Choice judge_division(const DivisionFacts& facts, SaidOfEdges said, const MeshWishes& wishes) {
+CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, const MeshWishes& wishes) {
     using Choice = CoarsePlan::Choice;
     // The caller wants the division.
     if (wishes.rounds >= 0) return Choice::divided;
     // If the file says which edges are sharp, a division that moves vertices too far is dropped.
-    if (said == SaidOfEdges::some_are_sharp)
+    if (said == EdgesInFile::some_are_sharp)
         return facts.moved > plan_tuning.most_moved * facts.most_coarse() ? Choice::nothing : Choice::divided;
     // The long and unequal faces of a convex hull fold: no round surface goes through their vertices. They are flat,
     // unless the caller wants something else.

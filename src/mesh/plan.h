@@ -76,14 +76,14 @@ struct Sharpness {
 // ---- Coarse faces
 
 // The statement of a file's normals about the edges that bend.
-enum class SaidOfEdges {
-    nothing, // The file says nothing, or says that all edges are smooth, as a file with computed normals also does.
+enum class EdgesInFile {
+    nothing, // The file says nothing, or that all edges are smooth, which is also what computed normals look like.
     some_are_sharp,
     all_are_sharp,
 };
-// Reads the statement from the number of edges that bend, and from the number of those edges at which each face has
-// separate normals.
-[[nodiscard]] SaidOfEdges plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
+// Reads the statement from the number of edges that bend, and the number of these at which faces have normals of their
+// own.
+[[nodiscard]] EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
 // The caller's wishes for a picture. Distances are in diagonals.
 struct MeshWishes {
@@ -98,7 +98,7 @@ struct MeshWishes {
 
 struct CoarseFacts {
     std::int64_t faces = 0;
-    SaidOfEdges said = SaidOfEdges::nothing;
+    EdgesInFile said = EdgesInFile::nothing;
     std::function<double()> mean_edge;  // in diagonals
     std::function<double()> coarseness; // how far the faces are from a round surface, in diagonals
     std::function<bool()> has_creases;  // A rough fit keeps some edges sharp.
@@ -127,7 +127,7 @@ struct DivisionFacts {
     std::function<double()> most_coarse; // how far the worst face was from a round surface before the division
 };
 // Decides whether the division stays.
-[[nodiscard]] CoarsePlan::Choice judge_division(const DivisionFacts& facts, SaidOfEdges said, const MeshWishes& wishes);
+[[nodiscard]] CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, const MeshWishes& wishes);
 
 struct FittedEdges {
     Edges edges;

@@ -33,18 +33,18 @@ void for_border_sides(const Mesh& mesh, Visit&& visit) {
 // shorter than `shortest` have no places.
 [[nodiscard]] MeshSamples border_places(const Mesh& mesh, double step, double shortest) {
     base::Memory& memory = mesh.vertex.memory();
-    Sets borders(memory, mesh.vertex.size());
+    UnionFind borders(memory, mesh.vertex.size());
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
         borders.join(mesh.triangle[face][k], mesh.triangle[face][(k + 1) % 3]);
     });
     base::Array<double> length_of(memory, mesh.vertex.size());
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
-        length_of[borders.of(mesh.triangle[face][k])] += side_length(mesh, face, k);
+        length_of[borders.find(mesh.triangle[face][k])] += side_length(mesh, face, k);
     });
     MeshSamples places(memory);
     double along = 0.5 * step; // the way to the next place
     for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
-        if (length_of[borders.of(mesh.triangle[face][k])] < shortest) return;
+        if (length_of[borders.find(mesh.triangle[face][k])] < shortest) return;
         const auto p = mesh.corners(face);
         const glm::dvec3 side = p[(k + 1) % 3] - p[k];
         const double length = glm::length(side);

@@ -65,16 +65,16 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
 
 // ---- Vertices at the same place
 
-[[nodiscard]] std::uint64_t mixed(std::uint64_t bits) noexcept { // the final mix of MurmurHash3
+[[nodiscard]] std::uint64_t hash_of(std::uint64_t bits) noexcept { // the final mix of MurmurHash3
     bits = (bits ^ bits >> 33U) * 0xff51afd7ed558ccdU;
     bits = (bits ^ bits >> 33U) * 0xc4ceb9fe1a85ec53U;
     return bits ^ bits >> 33U;
 }
 
 // Numbers different things in the order in which they come, by a hash table.
-class Numbers {
+class HashNumbering {
 public:
-    Numbers(base::Memory& memory, std::int64_t most)
+    HashNumbering(base::Memory& memory, std::int64_t most)
         : place_(memory, static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * most + 16)))) {}
 
     // Returns the number of the thing for which same(number) is true. A new thing gets the number `next`.
@@ -101,15 +101,15 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     for (const Triangle& t : welded.triangle)
         for (const std::int32_t corner : t) number[corner] = 1; // the vertex is used
     progress.check();
-    Numbers numbers(memory, given.count);
+    HashNumbering numbers(memory, given.count);
     std::int64_t used = 0;
     for (const std::int64_t i : progress.over(given.count)) {
         if (number[i] == 0) continue;
         ++used;
         const glm::dvec3 p = vertex_at(given, i);
-        std::uint64_t hash = mixed(base::bit_cast<std::uint64_t>(p.x));
-        hash = mixed(hash ^ base::bit_cast<std::uint64_t>(p.y));
-        hash = mixed(hash ^ base::bit_cast<std::uint64_t>(p.z));
+        std::uint64_t hash = hash_of(base::bit_cast<std::uint64_t>(p.x));
+        hash = hash_of(hash ^ base::bit_cast<std::uint64_t>(p.y));
+        hash = hash_of(hash ^ base::bit_cast<std::uint64_t>(p.z));
         const std::int64_t next = welded.vertex.size();
         const std::int64_t found =
             numbers.find_or_add(hash, next, [&](std::int64_t k) { return welded.vertex[k] == p; });
@@ -129,14 +129,14 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
         for (std::size_t k = 0; k < 3; ++k) {
             const auto from = static_cast<std::uint64_t>(t[k]);
             const auto to = static_cast<std::uint64_t>(t[(k + 1) % 3]);
-            sum += mixed(from << 32U | to) - mixed(to << 32U | from);
+            sum += hash_of(from << 32U | to) - hash_of(to << 32U | from);
         }
     return sum == 0;
 }
 
-void rename_corners(Sets& same, Welded& welded) noexcept {
+void rename_corners(UnionFind& same, Welded& welded) noexcept {
     for (Triangle& t : welded.triangle)
-        for (std::int32_t& corner : t) corner = same.of(corner);
+        for (std::int32_t& corner : t) corner = same.find(corner);
 }
 
 // Merges border vertices that are close to each other: rounding separates the corners of faces that were made
@@ -159,7 +159,7 @@ void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
     }
     if (border.empty() || !(near > 0.0)) return;
     const geometry::PointGrid grid(place, near, work);
-    Sets same(work.memory, welded.vertex.size());
+    UnionFind same(work.memory, welded.vertex.size());
     for (std::int64_t i = 0; i < border.size(); ++i)
         grid.around(place[i], [&](std::int64_t at) {
             const std::int64_t j = grid.index(at);
@@ -168,7 +168,7 @@ void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
         });
     rename_corners(same, welded);
     report.welded_vertices +=
-        std::count_if(border.begin(), border.end(), [&](std::int32_t v) { return same.of(v) != v; });
+        std::count_if(border.begin(), border.end(), [&](std::int32_t v) { return same.find(v) != v; });
 }
 
 // ---- Slivers: faces whose corners lie on a line, except for rounding
@@ -210,7 +210,7 @@ struct Sliver {
 
 // Merges the ends of those sides of slivers that are no longer than the rounding error.
 void join_ends(Welded& welded, double rounding) {
-    Sets places(welded.vertex.memory(), welded.vertex.size());
+    UnionFind places(welded.vertex.memory(), welded.vertex.size());
     for (const Triangle& t : welded.triangle)
         for (std::size_t k = 0; k < 3 && sliver_side(welded, t, rounding) >= 0; ++k)
             if (glm::distance(welded.vertex[t[k]], welded.vertex[t[(k + 1) % 3]]) <= rounding)
@@ -324,7 +324,7 @@ struct Repeated {
 [[nodiscard]] base::Array<Repeated> leave_out_faces(Welded& welded, MeshReport& report,
                                                     const base::Progress& progress) {
     base::Array<Repeated> repeated(welded.vertex.memory());
-    Numbers numbers(welded.vertex.memory(), welded.triangle.size());
+    HashNumbering numbers(welded.vertex.memory(), welded.triangle.size());
     std::int64_t kept = 0;
     for (const std::int64_t face : progress.over(welded.triangle.size())) {
         const Triangle t = welded.triangle[face];
@@ -336,8 +336,8 @@ struct Repeated {
         }
         const Triangle key = sorted(t);
         const std::uint64_t hash =
-            mixed(mixed(static_cast<std::uint64_t>(key[0]) << 32U | static_cast<std::uint64_t>(key[1])) ^
-                  static_cast<std::uint64_t>(key[2]));
+            hash_of(hash_of(static_cast<std::uint64_t>(key[0]) << 32U | static_cast<std::uint64_t>(key[1])) ^
+                    static_cast<std::uint64_t>(key[2]));
         const std::int64_t found =
             numbers.find_or_add(hash, kept, [&](std::int64_t k) { return sorted(welded.triangle[k]) == key; });
         if (found != kept) {
@@ -357,7 +357,7 @@ struct Repeated {
 
 // ---- The faces about an edge
 
-struct FaceAbout {
+struct FaceAtEdge {
     const Side* side;
     std::int64_t angle; // about the edge, from the first face, in 1 / parts_of_radian radians, above -pi and up to pi
     double rounding;    // the largest error of the angle
@@ -372,7 +372,7 @@ constexpr double parts_of_radian = 1e7;
 }
 
 void measure_about(const Welded& welded, double rounding, const Side* first, const Side* last,
-                   base::Array<FaceAbout>& about) {
+                   base::Array<FaceAtEdge>& about) {
     const glm::dvec3 from = welded.vertex[low_end(*first)];
     const glm::dvec3 axis = glm::normalize(welded.vertex[high_end(*first)] - from);
     about.clear();
@@ -391,21 +391,21 @@ void measure_about(const Welded& welded, double rounding, const Side* first, con
 }
 
 // Tells whether both faces have the same angle about the edge, except for rounding.
-[[nodiscard]] bool lie_on_each_other(const FaceAbout& a, const FaceAbout& b) noexcept {
+[[nodiscard]] bool lie_on_each_other(const FaceAtEdge& a, const FaceAtEdge& b) noexcept {
     const std::int64_t half = in_parts(std::numbers::pi);
     const std::int64_t apart = half - std::abs(half - std::abs(a.angle - b.angle));
     return static_cast<double>(apart) <= a.rounding + b.rounding;
 }
 
 // Returns the difference between the angle of two faces and a half turn.
-[[nodiscard]] std::int64_t bend(const FaceAbout& a, const FaceAbout& b) noexcept {
+[[nodiscard]] std::int64_t bend(const FaceAtEdge& a, const FaceAtEdge& b) noexcept {
     return std::abs(std::abs(a.angle - b.angle) - in_parts(std::numbers::pi));
 }
 
 // ---- Walls within solids: faces that two of them share, as boxes beside each other do
 
-enum class Twin : std::uint8_t {
-    none = 0, // the face was not given equally often in both orientations, or belongs to a leaf
+enum class OppositeFace : std::uint8_t {
+    none = 0, // not given equally often in both orientations, or a face of a leaf
     wall = 1,
     contact = 2 // solids touch here and in the faces beyond
 };
@@ -413,16 +413,16 @@ enum class Twin : std::uint8_t {
 // Returns the kind of each face. Only faces that were given equally often in both orientations, twins, may be walls or
 // contacts. A sheet of connected twins is a wall if it meets other faces at its ends, and nowhere ends without them: a
 // leaf of two sides and a solid given in both orientations meet no others. The sheet is part of a contact if those
-// other faces lie on each other as well, in separate triangles.
-[[nodiscard]] base::Array<Twin> find_walls(const base::Work& work, const Welded& welded,
-                                           const base::Array<Repeated>& repeated, double rounding) {
+// other faces lie on each other as well, in triangles of their own.
+[[nodiscard]] base::Array<OppositeFace> find_walls(const base::Work& work, const Welded& welded,
+                                                   const base::Array<Repeated>& repeated, double rounding) {
     constexpr unsigned ends = 1;    // the sheet ends at an edge with fewer than two other faces
     constexpr unsigned meets = 2;   // the sheet meets two or more other faces
     constexpr unsigned goes_on = 4; // two of these faces lie on each other and face each other
     const std::int64_t faces = welded.triangle.size();
     const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
-    Sets sheets(work.memory, faces);
-    base::Array<FaceAbout> about(work.memory);
+    UnionFind sheets(work.memory, faces);
+    base::Array<FaceAtEdge> about(work.memory);
     base::Array<std::uint8_t> at(work.memory, faces);
     const auto others_touch = [&](const Side* first, const Side* last) {
         measure_about(welded, rounding, first, last, about);
@@ -451,15 +451,15 @@ enum class Twin : std::uint8_t {
     });
     base::Array<std::uint8_t> of_sheet(work.memory, faces);
     for (std::int64_t face = 0; face < faces; ++face) {
-        std::uint8_t& all = of_sheet[sheets.of(static_cast<std::int32_t>(face))];
+        std::uint8_t& all = of_sheet[sheets.find(static_cast<std::int32_t>(face))];
         all = static_cast<std::uint8_t>(all | at[face]);
     }
-    base::Array<Twin> result(work.memory, faces);
+    base::Array<OppositeFace> result(work.memory, faces);
     for (std::int64_t face = 0; face < faces; ++face) {
         if (repeated[face].balance != 0) continue;
-        const unsigned found = of_sheet[sheets.of(static_cast<std::int32_t>(face))];
+        const unsigned found = of_sheet[sheets.find(static_cast<std::int32_t>(face))];
         if ((found & meets) == 0 || (found & ends) != 0) continue;
-        result[face] = (found & goes_on) != 0 ? Twin::contact : Twin::wall;
+        result[face] = (found & goes_on) != 0 ? OppositeFace::contact : OppositeFace::wall;
     }
     return result;
 }
@@ -469,16 +469,16 @@ enum class Twin : std::uint8_t {
 void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeated, double rounding, Welded& welded,
                      MeshReport& report) {
     if (report.repeated_faces == 0) return;
-    const base::Array<Twin> kind = find_walls(work, welded, repeated, rounding);
+    const base::Array<OppositeFace> kind = find_walls(work, welded, repeated, rounding);
     Welded other_sides(work.memory); // the second faces of contacts
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < kind.size(); ++face) {
-        if (kind[face] == Twin::wall) {
+        if (kind[face] == OppositeFace::wall) {
             ++report.repeated_faces;
             continue;
         }
         const Triangle t = welded.triangle[face];
-        if (kind[face] == Twin::contact) {
+        if (kind[face] == OppositeFace::contact) {
             --report.repeated_faces;
             other_sides.triangle.push_back({t[0], t[2], t[1]});
             other_sides.given_face.push_back(repeated[face].last);
@@ -496,12 +496,12 @@ void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeat
 
 // Sorts faces that have the same angle except for rounding: the face that ends a solid comes before the face that
 // begins the next one.
-void end_before_begin(base::Array<FaceAbout>& about) noexcept {
+void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
     for (std::int64_t turns = 0; turns < about.size(); ++turns) {
         bool moved = false;
         for (std::int64_t i = 0; i < about.size(); ++i) {
-            FaceAbout& one = about[i];
-            FaceAbout& next = about[(i + 1) % about.size()];
+            FaceAtEdge& one = about[i];
+            FaceAtEdge& next = about[(i + 1) % about.size()];
             const bool ends = next.side->forward != 0 && one.side->forward == 0;
             if (!ends || !lie_on_each_other(one, next)) continue;
             std::swap(one.side, next.side);
@@ -513,8 +513,8 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
 
 // Pairs four faces so that the edge bends least. Solids that cross each other at the edge then go straight on, as the
 // flat faces of round solids do that touch along a line. Returns false if the faces are not two of each orientation.
-[[nodiscard]] bool pair_flattest(base::Array<FaceAbout>& about) {
-    std::sort(about.begin(), about.end(), [](const FaceAbout& a, const FaceAbout& b) {
+[[nodiscard]] bool pair_flattest(base::Array<FaceAtEdge>& about) {
+    std::sort(about.begin(), about.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
         if (a.side->forward != b.side->forward) return a.side->forward < b.side->forward;
         return a.side->face < b.side->face;
     });
@@ -527,8 +527,8 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
 
 // Sorts the faces about an edge into pairs, from the first on: a solid lies between the faces of a pair. Returns false
 // if the pairs are not clear.
-[[nodiscard]] bool pair_about(base::Array<FaceAbout>& about) {
-    std::sort(about.begin(), about.end(), [](const FaceAbout& a, const FaceAbout& b) {
+[[nodiscard]] bool pair_about(base::Array<FaceAtEdge>& about) {
+    std::sort(about.begin(), about.end(), [](const FaceAtEdge& a, const FaceAtEdge& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.side->face < b.side->face;
     });
     end_before_begin(about);
@@ -540,8 +540,8 @@ void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     return true;
 }
 
-// Gives each set of corners at a vertex a separate vertex. The first set keeps the old one.
-void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
+// Gives each set of corners at a vertex a vertex of its own. The first set keeps the old one.
+void give_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
                    const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> owner(memory, welded.vertex.size()); // for each vertex: the set that keeps it, plus 1
@@ -549,7 +549,7 @@ void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welde
     for (const std::int64_t corner : progress.over(own.size())) {
         std::int32_t& at = welded.triangle[corner / 3][static_cast<std::size_t>(corner % 3)];
         if (parted[at] == 0) continue;
-        const std::int32_t set = corners.of(static_cast<std::int32_t>(corner));
+        const std::int32_t set = corners.find(static_cast<std::int32_t>(corner));
         if (owner[at] == 0) owner[at] = set + 1;
         if (owner[at] == set + 1) continue;
         if (own[set] == 0) {
@@ -565,7 +565,7 @@ void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welde
 // border passes there: they are then separate components, for which later steps test whether they touch.
 void part_edges(const base::Work& work, double rounding, Welded& welded) {
     const base::Array<Side> sides = sides_by_edge(work, welded.triangle);
-    Sets corners(work.memory, 3 * welded.triangle.size()); // sets of corners that share a vertex
+    UnionFind corners(work.memory, 3 * welded.triangle.size()); // sets of corners that share a vertex
     base::Array<std::uint8_t> parted(work.memory, welded.vertex.size());
     std::fill(parted.begin(), parted.end(), std::uint8_t{1});
     for_edges(sides, work, [&](const Side* first, const Side* last) {
@@ -576,7 +576,7 @@ void part_edges(const base::Work& work, double rounding, Welded& welded) {
             corners.join(static_cast<std::int32_t>(corner_at(welded.triangle, a.face, end)),
                          static_cast<std::int32_t>(corner_at(welded.triangle, b.face, end)));
     };
-    base::Array<FaceAbout> about(work.memory);
+    base::Array<FaceAtEdge> about(work.memory);
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (last - first >= 4) {
             measure_about(welded, rounding, first, last, about);

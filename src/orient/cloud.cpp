@@ -136,14 +136,14 @@ Cloud read_cloud(const base::Work& work, const base::InView& points) {
     for (std::int64_t k = 0; k < order.order.size(); ++k) cloud.rank[order.order[k]] = k;
     cloud.apart = std::move(order.distance);
     if (cloud.size() >= 2 * tuning.fewest_all_over && geometry::lie_along_curves(*cloud.tree)) {
-        cloud.all_over = cloud.size();
-        while (cloud.all_over >= 2 * tuning.fewest_all_over) cloud.all_over /= 2;
+        cloud.spread_count = cloud.size();
+        while (cloud.spread_count >= 2 * tuning.fewest_all_over) cloud.spread_count /= 2;
     }
     return cloud;
 }
 
-FirstPlaces::FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_t count)
-    : Places(work.memory), place(work.memory, count) {
+CoarsePoints::CoarsePoints(const base::Work& work, const Cloud& cloud, std::int64_t count)
+    : OrderedPoints(work.memory), place(work.memory, count) {
     HRBFNPR_ASSERT(count > 0 && count <= cloud.size());
     geometry::VecArray points(work.memory);
     base::Array<std::int64_t> places(work.memory);
@@ -160,13 +160,13 @@ FirstPlaces::FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_
     }
 }
 
-geometry::VecArray FirstPlaces::pick(const geometry::VecArray& normal) const {
+geometry::VecArray CoarsePoints::pick(const geometry::VecArray& normal) const {
     geometry::VecArray own(normal.memory(), place.size());
     for (std::int64_t at = 0; at < place.size(); ++at) own.set(at, normal[place[at]]);
     return own;
 }
 
-Near::Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t each)
+NeighbourLists::NeighbourLists(const base::Work& work, const geometry::PointTree& tree, std::int64_t each)
     : each_(std::clamp<std::int64_t>(each, 0, std::min(most, tree.size() - 1))), index_(work.memory) {
     index_.resize_for_overwrite(tree.size() * each_);
     for_places(work, tree.size(), [&](std::int64_t at) {
@@ -179,11 +179,12 @@ Near::Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t
     });
 }
 
-base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
+base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree,
+                                  const NeighbourLists& near) {
     HRBFNPR_ASSERT(near.each() > 0);
     base::Array<double> spacing(runtime.memory, tree.size());
     for_places(runtime, tree.size(), [&](std::int64_t at) {
-        const std::span<const std::int32_t> around = near.of(at, Near::of_spacing);
+        const std::span<const std::int32_t> around = near.of(at, NeighbourLists::of_spacing);
         double sum = 0.0;
         for (const std::int32_t other : around) sum += glm::distance(tree.points()[at], tree.points()[other]);
         spacing[at] = sum / static_cast<double>(around.size());
@@ -191,7 +192,8 @@ base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::
     return spacing;
 }
 
-std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
+std::int64_t count_components(const base::Runtime& runtime, const geometry::PointTree& tree,
+                              const NeighbourLists& near) {
     const base::Array<double> spacing = local_spacing(runtime, tree, near);
     base::Array<std::int32_t> parent(runtime.memory, tree.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -245,7 +247,7 @@ Plane plane_of(const Moments& moments) noexcept {
     return plane;
 }
 
-geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree, const Near& near,
+geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree, const NeighbourLists& near,
                                  std::int64_t count) {
     geometry::VecArray normal(work.memory, tree.size());
     for_places(work, tree.size(), [&](std::int64_t at) {

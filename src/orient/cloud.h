@@ -15,8 +15,8 @@ namespace hrbfnpr::orient {
 
 // Points in a tree's order, about 1 apart, with the rank of each in their farthest-first order. A place is an index
 // into the tree's order.
-struct Places {
-    explicit Places(base::Memory& memory) noexcept : rank(memory) {}
+struct OrderedPoints {
+    explicit OrderedPoints(base::Memory& memory) noexcept : rank(memory) {}
 
     [[nodiscard]] std::int64_t size() const noexcept { return tree->size(); }
     [[nodiscard]] glm::dvec3 point(std::int64_t at) const noexcept { return tree->points()[at]; }
@@ -26,10 +26,10 @@ struct Places {
 };
 
 // All points of a caller: centred, scaled to spacing 1, and merged where they coincide.
-struct Cloud : Places {
-    explicit Cloud(base::Memory& memory) noexcept : Places(memory), place(memory), apart(memory) {}
+struct Cloud : OrderedPoints {
+    explicit Cloud(base::Memory& memory) noexcept : OrderedPoints(memory), place(memory), apart(memory) {}
 
-    [[nodiscard]] bool is_of_curves() const noexcept { return all_over > 0; }
+    [[nodiscard]] bool is_of_curves() const noexcept { return spread_count > 0; }
 
     base::Array<std::int64_t> place; // the place of each given point
     base::Array<double> apart;       // for each rank, the distance to the nearest point of a lower rank
@@ -38,16 +38,16 @@ struct Cloud : Places {
     std::int64_t merged = 0;
     // 0 unless the points lie along curves, whose neighbours define no plane. Then it is the number of first places of
     // the farthest-first order that spread all over the surface that the curves lie on.
-    std::int64_t all_over = 0;
+    std::int64_t spread_count = 0;
 };
 
 // Throws Error{invalid_argument} naming "points" if a number is not finite, if fewer than 4 points differ, or if all
 // lie on one line.
 [[nodiscard]] Cloud read_cloud(const base::Work& work, const base::InView& points);
 
-// The first places of a cloud's farthest-first order, in a separate order.
-struct FirstPlaces : Places {
-    FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_t count);
+// The first places of a cloud's farthest-first order, in an order of their own.
+struct CoarsePoints : OrderedPoints {
+    CoarsePoints(const base::Work& work, const Cloud& cloud, std::int64_t count);
 
     // Returns the elements of the whole cloud's array that belong to the first places.
     [[nodiscard]] geometry::VecArray pick(const geometry::VecArray& normal) const;
@@ -64,12 +64,12 @@ void for_places(const base::Work& work, std::int64_t count, F&& f) {
 }
 
 // The nearest neighbours of every place, nearest first, without the place itself.
-class Near {
+class NeighbourLists {
 public:
     static constexpr std::int64_t most = 63;      // the largest number of neighbours that the tree finds
     static constexpr std::int64_t of_spacing = 6; // a local spacing is the mean distance to this many neighbours
 
-    Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t each);
+    NeighbourLists(const base::Work& work, const geometry::PointTree& tree, std::int64_t each);
 
     [[nodiscard]] std::int64_t each() const noexcept { return each_; }
     // Returns the `count` nearest neighbours, or all if there are fewer.
@@ -83,14 +83,14 @@ private:
     base::Array<std::int32_t> index_;
 };
 
-// Returns the mean distance from each place to its Near::of_spacing nearest neighbours. The area that a place
-// represents is proportional to the square of this distance.
+// Returns the mean distance from each place to its NeighbourLists::of_spacing nearest neighbours. The area that a place
+// stands for is proportional to the square of this distance.
 [[nodiscard]] base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree,
-                                                const Near& near);
+                                                const NeighbourLists& near);
 
-// Returns the number of connected components of the places, where near neighbours are connected.
-[[nodiscard]] std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree,
-                                        const Near& near);
+// Returns the number of components that places form when near neighbours are connected.
+[[nodiscard]] std::int64_t count_components(const base::Runtime& runtime, const geometry::PointTree& tree,
+                                            const NeighbourLists& near);
 
 struct Moments {
     double count = 0.0;
@@ -109,7 +109,7 @@ struct Plane {
 
 // Returns unit normals of the planes through each place and its nearest `count` neighbours. Their signs are arbitrary.
 [[nodiscard]] geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree,
-                                               const Near& near, std::int64_t count);
+                                               const NeighbourLists& near, std::int64_t count);
 
 // Returns the share of places whose normals point the same way in both arrays, or the share of all others if that is
 // larger.

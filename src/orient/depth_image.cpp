@@ -31,7 +31,7 @@ constexpr double small_square = 50.0;          // sum of (pixels to the right)^2
 constexpr double of_step = 0.2886751345948129; // standard deviation of rounding to steps of 1: 1 / sqrt(12)
 
 // The least squares line y = slope x + start, and how well it fits.
-class Line {
+class LineFit {
 public:
     void add(double x, double y) noexcept {
         ++count_;
@@ -70,7 +70,7 @@ struct Camera {
 
     InverseDepth depth;        // in a unit in which the median of z is 1
     base::Array<double> error; // error of the small plane around each pixel; infinite if there is no such plane
-    Line across, down;         // x / z as a function of the column, y / z of the row
+    LineFit across, down;      // x / z as a function of the column, y / z of the row
     std::int64_t seen = 0;
     double sign = 0.0; // sign of z
     double unit = 1.0; // median of z

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of a judgement are:
 //
-//   compare            measures how alike given normals and those of least energy are: colours are not alike
-//   are_inward         tells whether most normals point inward: then all are turned
-//   are_tossed         tells whether signs are random: then each normal gets the sign of least energy
-//   patches_against    finds patches of places that are against the least energy: otherwise these are turned
+//   compare              measures how alike given normals and those of least energy are: colours are not alike
+//   are_inward           tells whether most normals point inward: then all are turned
+//   have_random_signs    tells whether neighbours agree by chance only: then each gets the sign of least energy
+//   find_turned_patches  finds patches of places that are against the least energy: otherwise these are turned
 #include "orient/given_normals.h"
 
 #include "base/assert.h"
@@ -20,52 +20,52 @@ namespace {
 using geometry::VecArray;
 
 // The arguments of judge() that its steps share.
-struct Case {
+struct JudgementInput {
     const base::Runtime& runtime;
     const geometry::PointTree& tree;
-    const Near& near;
+    const NeighbourLists& near;
     const GivenNormals& given;
     const Evidence& evidence;
 
     [[nodiscard]] double cosine(std::int64_t at) const noexcept {
-        return glm::dot(evidence.least[at], given.normal[at]);
+        return glm::dot(evidence.least_energy_normals[at], given.normal[at]);
     }
     [[nodiscard]] bool known(std::int64_t at) const noexcept { return given.known[at] != 0; }
 };
 
-struct Likeness {
-    double same_sign = 0.0; // share of the given normals whose signs are those of least energy
-    double far = 0.0;       // share of the given lines more than 60 degrees off the lines of least energy
+struct Similarity {
+    double same_sign = 0.0; // share whose signs are those of least energy
+    double far = 0.0;       // share of lines more than 60 degrees off
     double median = 0.0;    // median |cosine| between given lines and those of least energy
 };
 
-[[nodiscard]] Likeness compare(const Case& c) {
+[[nodiscard]] Similarity compare(const JudgementInput& c) {
     base::Array<double> cosines(c.runtime.memory);
-    Likeness likeness;
+    Similarity similarity;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) {
         if (!c.known(at)) continue;
         const double cosine = c.cosine(at);
         cosines.push_back(std::abs(cosine));
-        likeness.same_sign += cosine > 0.0 ? 1.0 : 0.0;
-        likeness.far += std::abs(cosine) < 0.5 ? 1.0 : 0.0;
+        similarity.same_sign += cosine > 0.0 ? 1.0 : 0.0;
+        similarity.far += std::abs(cosine) < 0.5 ? 1.0 : 0.0;
     }
-    likeness.same_sign /= static_cast<double>(cosines.size());
-    likeness.far /= static_cast<double>(cosines.size());
+    similarity.same_sign /= static_cast<double>(cosines.size());
+    similarity.far /= static_cast<double>(cosines.size());
     double* const middle = cosines.data() + cosines.size() / 2;
     std::nth_element(cosines.begin(), middle, cosines.end());
-    likeness.median = *middle;
-    return likeness;
+    similarity.median = *middle;
+    return similarity;
 }
 
-// If the least energy is doubtful, only the winding numbers of the given normals decide.
-[[nodiscard]] bool are_inward(const Case& c, double alike, const base::Progress& progress) {
+// In doubt, only the winding numbers of the given normals decide.
+[[nodiscard]] bool are_inward(const JudgementInput& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
-    return measure_sides({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
+    return measure_winding({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
 }
 
-// Returns whether the given signs look random: neighbours agree with the signs of least energy as often as not. If the
-// least energy is doubtful, neighbours that point opposite ways must not be the two sides of walls, either.
-[[nodiscard]] bool are_tossed(const Case& c) {
+// Returns whether the given signs look random: neighbours agree with the signs of least energy as often as not. In
+// doubt, neighbours that point opposite ways must not be the two sides of walls, either.
+[[nodiscard]] bool have_random_signs(const JudgementInput& c) {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;
     std::int64_t opposite = 0;
@@ -105,10 +105,9 @@ struct Border {
     double size = 0.0;
 };
 
-// Returns the patches: connected places whose normals are against those of least energy, if their directions agree. If
-// the least energy is doubtful, it returns only patches that the given normals show to be turned, by how they continue
-// over the border.
-[[nodiscard]] base::Array<std::int32_t> patches_against(const Case& c, const Signs& signs) {
+// Returns the patches: connected places whose normals are against those of least energy, if their directions agree. In
+// doubt it returns only patches that the given normals show to be turned, by how they continue over the border.
+[[nodiscard]] base::Array<std::int32_t> find_turned_patches(const JudgementInput& c, const Signs& signs) {
     double side = 0.0;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;
     const auto against = [&](std::int64_t at) { return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * c.cosine(at) < 0.0; };
@@ -147,7 +146,8 @@ glm::dvec3 given_normal(const base::InView& normals, std::int64_t point) noexcep
     return {normals.get(point, 0), normals.get(point, 1), normals.get(point, 2)};
 }
 
-GivenNormals read_given(const base::Work& work, const base::InView& normals, const Cloud& cloud, const Near& near) {
+GivenNormals read_given(const base::Work& work, const base::InView& normals, const Cloud& cloud,
+                        const NeighbourLists& near) {
     HRBFNPR_ASSERT(normals.count == cloud.place.size());
     GivenNormals given(work.memory);
     given.known.resize(cloud.size());
@@ -168,18 +168,18 @@ GivenNormals read_given(const base::Work& work, const base::InView& normals, con
     return given;
 }
 
-Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, const GivenNormals& given,
+Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, const GivenNormals& given,
                 const Evidence& evidence, NormalMode mode) {
-    HRBFNPR_ASSERT(evidence.least.size() == cloud.size() && given.normal.size() == cloud.size());
+    HRBFNPR_ASSERT(evidence.least_energy_normals.size() == cloud.size() && given.normal.size() == cloud.size());
     Judgement judgement(work.memory);
     if (given.known_count == 0) return judgement;
-    const Case c{work, *cloud.tree, near, given, evidence};
-    const Likeness likeness = compare(c);
+    const JudgementInput c{work, *cloud.tree, near, given, evidence};
+    const Similarity similarity = compare(c);
     work.check();
-    const double alike = likeness.same_sign;
+    const double alike = similarity.same_sign;
     const bool looks = mode == NormalMode::automatic || mode == NormalMode::given;
-    const bool strange = !evidence.doubtful && likeness.far > tuning.senseless;
-    if (looks && (likeness.median < tuning.meaningful || strange)) return judgement;
+    const bool strange = !evidence.doubtful && similarity.far > tuning.senseless;
+    if (looks && (similarity.median < tuning.meaningful || strange)) return judgement;
 
     judgement.signs = all_positive(work.memory, cloud.size());
     const auto turn_everything = [&] {
@@ -194,7 +194,7 @@ Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, co
     // The majority of the given normals tells which side of an open surface is outward.
     judgement.follows_given = evidence.open && mode != NormalMode::unoriented;
     if (judgement.follows_given && alike < 0.5) judgement.made_sign = -1.0;
-    if (mode == NormalMode::unoriented || (looks && are_tossed(c))) {
+    if (mode == NormalMode::unoriented || (looks && have_random_signs(c))) {
         judgement.found = NormalMode::unoriented;
         judgement.by_place = true;
         for (std::int64_t at = 0; at < cloud.size(); ++at)
@@ -203,7 +203,7 @@ Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, co
         if (judgement.made_sign > 0.0 && are_inward(c, alike, work)) turn_everything();
         const bool may_differ = std::max(alike, 1.0 - alike) < tuning.all_alike || mode == NormalMode::mixed;
         if (may_differ)
-            for (const std::int32_t at : patches_against(c, judgement.signs)) {
+            for (const std::int32_t at : find_turned_patches(c, judgement.signs)) {
                 judgement.signs[at] = static_cast<std::int8_t>(-judgement.signs[at]);
                 judgement.found = NormalMode::mixed;
             }

@@ -22,13 +22,13 @@ struct GivenNormals {
 
 // Throws Error{invalid_argument} that names "normals" and the index of the first normal that is not finite.
 [[nodiscard]] GivenNormals read_given(const base::Work& work, const base::InView& normals, const Cloud& cloud,
-                                      const Near& near);
+                                      const NeighbourLists& near);
 
 // The evidence that given normals are judged by.
 struct Evidence {
-    const geometry::VecArray& least; // normals of least energy, outward
-    bool open = false;               // winding numbers do not show the outside, so a rule decides
-    bool doubtful = false;           // the confidence of `least` is low, so given normals stay in doubt
+    const geometry::VecArray& least_energy_normals; // normals of least energy, outward
+    bool open = false;                              // winding numbers do not tell the outside, a rule does
+    bool doubtful = false; // the confidence of these normals is low, so given normals stay in doubt
 };
 
 struct Judgement {
@@ -41,7 +41,7 @@ struct Judgement {
     bool by_place = false;      // all normals of a place are turned to agree with its first
 };
 
-[[nodiscard]] Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, const GivenNormals& given,
-                              const Evidence& evidence, NormalMode mode);
+[[nodiscard]] Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
+                              const GivenNormals& given, const Evidence& evidence, NormalMode mode);
 
 } // namespace hrbfnpr::orient

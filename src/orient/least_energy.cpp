@@ -101,7 +101,7 @@ private:
 
     // Returns the energy, and writes its derivative along the spheres.
     double evaluate(const VecArray& normal, VecArray& gradient) const {
-        const double value = energy_.sparse(normal, gradient, progress_);
+        const double value = energy_.approximate_energy(normal, gradient, progress_);
         for_all([&](std::int64_t i) { gradient.set(i, tangent(2.0 * gradient[i], normal[i])); });
         return value;
     }
@@ -222,7 +222,7 @@ private:
 
 // Turns directions so that neighbours agree, along the minimum spanning forest of the pairs, where pairs with more
 // alike directions come first (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
-void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbours, VecArray& normal) {
+void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64_t neighbours, VecArray& normal) {
     const std::int64_t each = std::min(neighbours, near.each());
     base::Array<Edge> edges(work.memory);
     edges.resize_for_overwrite(normal.size() * each);
@@ -259,9 +259,9 @@ void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbo
     return to;
 }
 
-// Returns normals of planes through the nearest `count` of the first places in the farthest-first order. One place in
-// `share` is a first place. So neighbours are on all sides even where places lie along lines.
-[[nodiscard]] VecArray coarse_normals(const base::Work& work, const Places& places, std::int64_t share,
+// Returns normals of planes through the nearest `count` of the first places in the farthest-first order, where 1 place
+// in `share` is a first one. So neighbours are on all sides even where places stand along lines.
+[[nodiscard]] VecArray coarse_normals(const base::Work& work, const OrderedPoints& places, std::int64_t share,
                                       std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;
     const std::int64_t first = std::max<std::int64_t>(tree.size() / share, std::min<std::int64_t>(tree.size(), 12));
@@ -299,7 +299,8 @@ struct Result {
 
 // Returns how well other results agree with the chosen one. A result counts more the nearer its energy is to the chosen
 // one's; the coarser cloud that was begun from counts, too. Writes LeastEnergy's rival.
-double agreement(const std::vector<Result>& results, const Result& chosen, const Begin* begin, double& rival) noexcept {
+double agreement(const std::vector<Result>& results, const Result& chosen, const CoarseStart* begin,
+                 double& rival) noexcept {
     // Rounding may bring a sum of squares below 0.
     const auto over_chosen = [&](const Result& r) {
         return std::max(r.energy, 1e-300) / std::max(chosen.energy, 1e-300);
@@ -323,10 +324,10 @@ double agreement(const std::vector<Result>& results, const Result& chosen, const
 
 } // namespace
 
-LeastEnergy least_energy(const base::Work& work, const Places& places, const Near& near, double ridge,
-                         const VecArray* given, const Effort& effort) {
+LeastEnergy least_energy(const base::Work& work, const OrderedPoints& places, const NeighbourLists& near, double ridge,
+                         const VecArray* given, const StartOptions& options) {
     HRBFNPR_ASSERT(given == nullptr || given->size() == places.size());
-    HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && effort.starts >= 0);
+    HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && options.starts >= 0);
     const std::int64_t size = places.size();
     const base::Work standing = work.without_progress();
     // For few places, more neighbours cost little.
@@ -351,8 +352,8 @@ LeastEnergy least_energy(const base::Work& work, const Places& places, const Nea
         settle(copy(*given), true);
         settle(copy(*given), false);
     }
-    if (effort.begin != nullptr) settle(copy(effort.begin->normal), true);
-    if (effort.tree) {
+    if (options.begin != nullptr) settle(copy(options.begin->normal), true);
+    if (options.tree) {
         constexpr std::int64_t of_tree = 16;
         VecArray normal = planes(of_tree);
         spread_signs(work, near, of_tree, normal);
@@ -362,10 +363,10 @@ LeastEnergy least_energy(const base::Work& work, const Places& places, const Nea
         return std::min_element(results.begin(), results.end(),
                                 [](const Result& a, const Result& b) { return a.energy < b.energy; });
     };
-    for (std::size_t k = 0; k < starts.size() && static_cast<int>(k) < effort.starts; ++k) {
+    for (std::size_t k = 0; k < starts.size() && static_cast<int>(k) < options.starts; ++k) {
         work.update(0.1 + 0.9 * static_cast<double>(k) / static_cast<double>(starts.size()));
         settle(starts[k](), false);
-        if (effort.all || results.size() < 2) continue;
+        if (options.run_all || results.size() < 2) continue;
         const Result& last = results.back();
         const bool found = std::any_of(results.begin(), results.end() - 1, [&](const Result& r) {
             return std::abs(r.energy - last.energy) < 1e-3 * last.energy && share_alike(r.normal, last.normal) > 0.999;
@@ -374,7 +375,7 @@ LeastEnergy least_energy(const base::Work& work, const Places& places, const Nea
     }
     const auto chosen = best();
     LeastEnergy result(work.memory);
-    result.agreement = agreement(results, *chosen, effort.begin, result.rival);
+    result.agreement = agreement(results, *chosen, options.begin, result.rival);
     result.energy = std::max(chosen->energy, 0.0) / (4.0 * static_cast<double>(size) - 4.0);
     result.normal = std::move(chosen->normal);
     work.update(1.0);

@@ -9,9 +9,9 @@
 namespace hrbfnpr::orient {
 
 // The result for a coarser cloud: its normals of least energy, blended at every place, its energy, and the agreement of
-// its starts.
-struct Begin {
-    explicit Begin(base::Memory& memory) noexcept : normal(memory) {}
+// its own starts.
+struct CoarseStart {
+    explicit CoarseStart(base::Memory& memory) noexcept : normal(memory) {}
 
     // Returns the energy that points at a distance of 1 would have.
     [[nodiscard]] double own_energy() const noexcept { return energy * apart; }
@@ -22,11 +22,11 @@ struct Begin {
     double agreement = 0.0;
 };
 
-struct Effort {
-    int starts = 6;               // the most starts; the search ends when two reach the same result
-    bool all = false;             // runs all starts, even if two reach the same result
-    bool tree = false;            // adds a start whose signs spread along a spanning tree
-    const Begin* begin = nullptr; // if not null: adds a start from the normals of a coarser cloud
+struct StartOptions {
+    int starts = 6;                     // the most starts; the search ends when two reach the same result
+    bool run_all = false;               // runs all starts, even if two reach the same result
+    bool tree = false;                  // adds a start whose signs spread along a spanning tree
+    const CoarseStart* begin = nullptr; // adds a start from these normals
 };
 
 struct LeastEnergy {
@@ -39,8 +39,8 @@ struct LeastEnergy {
     double rival = std::numeric_limits<double>::infinity();
 };
 
-// `ridge` is the regularization, as in fit::HermiteEnergy. `given` has signed normals to start from, or is null.
-[[nodiscard]] LeastEnergy least_energy(const base::Work& work, const Places& places, const Near& near, double ridge,
-                                       const geometry::VecArray* given, const Effort& effort);
+// ridge: see fit::HermiteEnergy. given: signed normals to start from, or null.
+[[nodiscard]] LeastEnergy least_energy(const base::Work& work, const OrderedPoints& places, const NeighbourLists& near,
+                                       double ridge, const geometry::VecArray* given, const StartOptions& options);
 
 } // namespace hrbfnpr::orient

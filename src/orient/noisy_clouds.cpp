@@ -18,12 +18,12 @@ using geometry::VecArray;
 
 [[nodiscard]] bool any_place(std::int64_t /*at*/) noexcept { return true; }
 
-[[nodiscard]] double falling(double square, double over) noexcept { return std::exp(-square / (over * over)); }
+[[nodiscard]] double gaussian_weight(double square, double over) noexcept { return std::exp(-square / (over * over)); }
 
 // ---- Means of normals
 
 // A cloud, and the normals to refine.
-struct Refined {
+struct Refinement {
     const base::Work& work;
     const geometry::PointTree& tree;
     const VecArray& normal;
@@ -32,7 +32,7 @@ struct Refined {
 };
 
 // Returns the median spacing. Even samples of a plane have their sixth neighbour at 1.38 spacings.
-[[nodiscard]] double median_spacing(const geometry::PointTree& tree, const Near& near) {
+[[nodiscard]] double median_spacing(const geometry::PointTree& tree, const NeighbourLists& near) {
     constexpr double distance_to_sixth = 1.38;
     base::Array<double> all(tree.points().memory());
     for (std::int64_t at = 0; at < tree.size(); ++at)
@@ -41,8 +41,8 @@ struct Refined {
     return all[all.size() / 2] / distance_to_sixth;
 }
 
-// Returns, for each place, the mean of those places around it whose normals point the same way.
-[[nodiscard]] VecArray mean_places(const Refined& r, const Near& near) {
+// Returns, for each place, the mean of the places around it whose normals point the same way.
+[[nodiscard]] VecArray mean_places(const Refinement& r, const NeighbourLists& near) {
     VecArray mean(r.work.memory, r.tree.size());
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
         glm::dvec3 sum = r.tree.points()[at];
@@ -51,7 +51,8 @@ struct Refined {
             const double alike = glm::dot(r.normal[at], r.normal[other]);
             if (!(alike > 0.0)) continue;
             const glm::dvec3 between = r.tree.points()[other] - r.tree.points()[at];
-            const double share = alike * falling(glm::dot(between, between), tuning.mean_place_over * r.spacing);
+            const double share =
+                alike * gaussian_weight(glm::dot(between, between), tuning.mean_place_over * r.spacing);
             sum += share * r.tree.points()[other];
             all += share;
         }
@@ -60,9 +61,9 @@ struct Refined {
     return mean;
 }
 
-// Returns the sum of (2 sin)^2 over pairs of places on one face. The angle is that between the pair's chord and the
-// tangent plane of their mean normal.
-[[nodiscard]] double misfit(Refined& r, const VecArray& place, const VecArray& normal) {
+// Returns the sum over pairs of places on one face of (2 sin)^2, where the angle is between their chord and the tangent
+// plane of their mean normal.
+[[nodiscard]] double misfit(Refinement& r, const VecArray& place, const VecArray& normal) {
     const double from = tuning.chords_from * r.spacing;
     for_places(r.work, r.tree.size(), [&](std::int64_t at) {
         double sum = 0.0;
@@ -80,13 +81,13 @@ struct Refined {
 
 // Returns whether a place lies nearer to the other face of a wall than to its own. The distance to a face is the mean
 // distance to its places along the mean of both normals, so that the face may be curved.
-[[nodiscard]] bool is_of_other_face(const Refined& r, const VecArray& normal, std::int64_t at) noexcept {
+[[nodiscard]] bool is_of_other_face(const Refinement& r, const VecArray& normal, std::int64_t at) noexcept {
     const glm::dvec3 own = normal[at];
     double here = 0.0, here_all = 0.0, there = 0.0, there_all = 0.0;
     r.tree.within(r.tree.points()[at], tuning.faces_within * r.spacing, [&](std::int64_t other, double square) {
         const double alike = glm::dot(own, normal[other]);
         if (other == at || !(std::abs(alike) > tuning.along_face)) return;
-        const double share = std::abs(alike) * falling(square, tuning.faces_over * r.spacing);
+        const double share = std::abs(alike) * gaussian_weight(square, tuning.faces_over * r.spacing);
         const glm::dvec3 across = 0.5 * (own + (alike > 0.0 ? 1.0 : -1.0) * normal[other]);
         const double off = share * glm::dot(across, r.tree.points()[other] - r.tree.points()[at]);
         (alike > 0.0 ? here : there) += off;
@@ -155,7 +156,7 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
 
 } // namespace
 
-VecArray smooth_directions(const base::Work& work, const geometry::PointTree& tree, const Near& near,
+VecArray smooth_directions(const base::Work& work, const geometry::PointTree& tree, const NeighbourLists& near,
                            const VecArray& normal, double deviation) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && deviation > 0.0);
     VecArray smooth(work.memory, tree.size());
@@ -175,8 +176,8 @@ VecArray smooth_directions(const base::Work& work, const geometry::PointTree& tr
 
 void refine_noisy(const base::Work& work, const geometry::PointTree& tree, VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 6);
-    const Near near(work, tree, tuning.mean_direction_neighbours);
-    Refined r{work, tree, normal, median_spacing(tree, near), base::Array<double>(work.memory, tree.size())};
+    const NeighbourLists near(work, tree, tuning.mean_direction_neighbours);
+    Refinement r{work, tree, normal, median_spacing(tree, near), base::Array<double>(work.memory, tree.size())};
     const VecArray place = mean_places(r, near);
     VecArray best(work.memory);
     double best_over = 0.0;

@@ -9,7 +9,7 @@ namespace hrbfnpr::orient {
 // Returns for each place a mean of the normals around it. Only normals that point to the same side as the place's own
 // are averaged, weighted by a Gaussian of the standard deviation `deviation`.
 [[nodiscard]] geometry::VecArray smooth_directions(const base::Work& work, const geometry::PointTree& tree,
-                                                   const Near& near, const geometry::VecArray& normal,
+                                                   const NeighbourLists& near, const geometry::VecArray& normal,
                                                    double deviation);
 
 // Averages directions over a width of 1 to 3 spacings. It chooses the width whose means fit the chords between places

@@ -37,10 +37,10 @@ struct Noise {
 };
 
 // Returns consecutive places of the tree's order, which are close to each other in space.
-[[nodiscard]] Places patch_at(const base::Work& work, const Cloud& cloud, std::int64_t begin, std::int64_t end) {
+[[nodiscard]] OrderedPoints patch_at(const base::Work& work, const Cloud& cloud, std::int64_t begin, std::int64_t end) {
     VecArray position(work.memory);
     for (std::int64_t at = begin; at < end; ++at) position.push_back(cloud.point(at));
-    Places patch(work.memory);
+    OrderedPoints patch(work.memory);
     patch.tree = std::make_unique<geometry::PointTree>(position, work);
     const geometry::FarthestOrder order = geometry::farthest_order(patch.tree->points(), 0, base::Progress());
     patch.rank.resize(patch.size());
@@ -48,10 +48,10 @@ struct Noise {
     return patch;
 }
 
-[[nodiscard]] Noise noise_of(const base::Work& work, const Places& places) {
-    const Near near(work, *places.tree, tuning.most_neighbours);
-    const auto fit = [&](double ridge, const Effort& effort) {
-        return least_energy(work.without_progress(), places, near, ridge, nullptr, effort);
+[[nodiscard]] Noise noise_of(const base::Work& work, const OrderedPoints& places) {
+    const NeighbourLists near(work, *places.tree, tuning.most_neighbours);
+    const auto fit = [&](double ridge, const StartOptions& options) {
+        return least_energy(work.without_progress(), places, near, ridge, nullptr, options);
     };
     LeastEnergy clean = fit(0.0, {2, true, true});
     if (clean.energy < tuning.clean_below) return {};
@@ -103,17 +103,17 @@ struct Noise {
 // ---- Points all over a surface
 
 // Returns fewer starts for more places.
-[[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
+[[nodiscard]] StartOptions start_options_for(std::int64_t count) noexcept {
     if (count <= tuning.few_points) return {6, true, true};
     return {count <= tuning.many_points ? 3 : 1, false, count <= tuning.many_points};
 }
 
-void fit_even(const base::Work& work, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
-              CloudNormals& result) {
-    const auto fit = [&](double ridge, const VecArray* begin, const Effort& effort, const base::Progress& part) {
-        return least_energy({work, part}, cloud, near, ridge, begin, effort);
+void fit_even(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, const Noise& noise,
+              const VecArray* given, CloudNormals& result) {
+    const auto fit = [&](double ridge, const VecArray* begin, const StartOptions& options, const base::Progress& part) {
+        return least_energy({work, part}, cloud, near, ridge, begin, options);
     };
-    result.fitted = fit(noise.ridge, given, effort_for(cloud.size()), work);
+    result.fitted = fit(noise.ridge, given, start_options_for(cloud.size()), work);
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
@@ -122,8 +122,8 @@ void fit_even(const base::Work& work, const Cloud& cloud, const Near& near, cons
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
 
-void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
-               CloudNormals& result) {
+void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, const Noise& noise,
+               const VecArray* given, CloudNormals& result) {
     RidgeFit found = follow_ridges(work, cloud, near, noise.ridge, given, {3, false, true});
     result.confidence = confidence_of(found, noise.deviation);
     work.runtime().log(base::LogLevel::debug,
@@ -137,7 +137,7 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
 
 // Returns normals at the points of a finer tree: the mean of the normals at the three nearest first places, weighted by
 // the inverse squares of their distances.
-[[nodiscard]] VecArray blend(const base::Work& work, const FirstPlaces& first, const VecArray& normal,
+[[nodiscard]] VecArray blend(const base::Work& work, const CoarsePoints& first, const VecArray& normal,
                              const geometry::PointTree& finer) {
     constexpr std::size_t blended = 3;
     VecArray all(work.memory, finer.size());
@@ -157,24 +157,24 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return all;
 }
 
-// Returns the normals of least energy for the first places, which spread all over the surface, then for twice as many
-// places, and so on. Each level starts from the normals of the level before. As points get nearer to each other, the
-// energy falls if there is no noise, and rises if noise is interpolated.
-[[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
-    std::vector<Begin> levels;
+// Returns the normals of least energy for the first places that spread all over the surface, then for twice as many,
+// and so on, each level started from the one before. As points get nearer to each other, the energy falls without
+// noise, and rises if noise is interpolated.
+[[nodiscard]] std::vector<CoarseStart> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
+    std::vector<CoarseStart> levels;
     const std::int64_t most = std::min(cloud.size(), tuning.few_points);
-    for (std::int64_t count = cloud.all_over; 3 * count < 2 * most; count *= 2) {
-        const FirstPlaces level(work, cloud, count);
-        Begin begin(work.memory);
-        Effort effort{6, true, true};
+    for (std::int64_t count = cloud.spread_count; 3 * count < 2 * most; count *= 2) {
+        const CoarsePoints level(work, cloud, count);
+        CoarseStart begin(work.memory);
+        StartOptions options{6, true, true};
         if (!levels.empty()) {
             begin.normal = level.pick(levels.back().normal);
             begin.agreement = levels.back().agreement;
-            effort = {2, false, false, &begin};
+            options = {2, false, false, &begin};
         }
-        const Near near(work, *level.tree, tuning.most_neighbours);
-        const LeastEnergy found = least_energy(work.without_progress(), level, near, 0.0, nullptr, effort);
-        Begin& reached = levels.emplace_back(work.memory);
+        const NeighbourLists near(work, *level.tree, tuning.most_neighbours);
+        const LeastEnergy found = least_energy(work.without_progress(), level, near, 0.0, nullptr, options);
+        CoarseStart& reached = levels.emplace_back(work.memory);
         reached.normal = blend(work, level, found.normal, *cloud.tree);
         reached.energy = found.energy;
         reached.apart = cloud.apart[count / 2];
@@ -184,33 +184,34 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, con
     return levels;
 }
 
-// Returns the coarser cloud whose normals stay, or null if the energy of all points is lower. The nearer noisy points
-// are to each other, the more energy they have, and the more they change directions. So the result is, among the
-// coarser clouds with the same signs as the cloud of least energy for its spacing, the one of least energy.
-[[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy) noexcept {
-    const auto least = std::min_element(coarser.begin(), coarser.end(),
-                                        [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
+// Returns the coarser cloud whose normals stay, or null. Noise has more energy, and changes directions more, the nearer
+// points are to each other. If the energy of all points is no less than that of fewer points, the result is the cloud
+// of least energy among those with the same signs as these.
+[[nodiscard]] CoarseStart* start_to_keep(std::vector<CoarseStart>& coarser, double energy) noexcept {
+    const auto least = std::min_element(coarser.begin(), coarser.end(), [](const CoarseStart& a, const CoarseStart& b) {
+        return a.own_energy() < b.own_energy();
+    });
     if (least->own_energy() >= tuning.falling * energy) return nullptr;
-    Begin* best = &*least;
-    for (Begin& level : coarser)
+    CoarseStart* best = &*least;
+    for (CoarseStart& level : coarser)
         if (level.energy < best->energy && share_alike(level.normal, least->normal) > tuning.signs_of_level)
             best = &level;
     return best;
 }
 
 // Large clouds are fitted through their coarser clouds only.
-void fit_curves(const base::Work& work, const Cloud& cloud, const Near& near, const VecArray* given,
+void fit_curves(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, const VecArray* given,
                 CloudNormals& result) {
-    std::vector<Begin> coarser = begin_from_coarser(work.part(0.0, 0.5), cloud);
+    std::vector<CoarseStart> coarser = begin_from_coarser(work.part(0.0, 0.5), cloud);
     double energy = std::numeric_limits<double>::infinity();
     if (cloud.size() <= tuning.few_points) {
-        Effort effort = effort_for(cloud.size());
-        effort.begin = &coarser.back();
-        result.fitted = least_energy(work.part(0.5, 1.0), cloud, near, 0.0, given, effort);
+        StartOptions options = start_options_for(cloud.size());
+        options.begin = &coarser.back();
+        result.fitted = least_energy(work.part(0.5, 1.0), cloud, near, 0.0, given, options);
         result.confidence = confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, 0.0);
         energy = result.fitted.energy * cloud.apart[cloud.size() / 2];
     }
-    Begin* const level = to_stay(coarser, energy);
+    CoarseStart* const level = start_to_keep(coarser, energy);
     if (level == nullptr) return;
     result.fitted.normal = std::move(level->normal);
     result.fitted.energy = level->energy;
@@ -218,8 +219,8 @@ void fit_curves(const base::Work& work, const Cloud& cloud, const Near& near, co
     result.confidence = level->agreement * level->agreement;
 }
 
-void fit(const base::Work& work, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
-         CloudNormals& result) {
+void fit(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, const Noise& noise,
+         const VecArray* given, CloudNormals& result) {
     if (cloud.is_of_curves())
         fit_curves(work, cloud, near, given, result);
     else if (noise.ridge > 0.0 && cloud.size() <= tuning.few_for_path)
@@ -254,11 +255,11 @@ void fit(const base::Work& work, const Cloud& cloud, const Near& near, const Noi
 
 } // namespace
 
-RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& near, double most, const VecArray* given,
-                       const Effort& effort) {
+RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const NeighbourLists& near, double most,
+                       const VecArray* given, const StartOptions& options) {
     HRBFNPR_ASSERT(most > 0.0);
     double ridge = 1.0;
-    RidgeFit best{least_energy(work.without_progress(), cloud, near, ridge, given, effort)};
+    RidgeFit best{least_energy(work.without_progress(), cloud, near, ridge, given, options)};
     best.roughest = best.fitted.energy;
     const auto next_fit = [&](const LeastEnergy& last) {
         work.update(std::log(ridge) / std::log(ridge_factor * most));
@@ -283,7 +284,8 @@ RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& n
     return best;
 }
 
-CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const Near& near, const VecArray* given) {
+CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
+                              const VecArray* given) {
     HRBFNPR_ASSERT(given == nullptr || given->size() == cloud.size());
     CloudNormals result(work.memory);
     Noise noise = measure_noise(work.part(0.0, 0.1), cloud);
@@ -291,7 +293,7 @@ CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const 
     result.noise = noise.deviation;
     if (noise.deviation > tuning.noisiest && cloud.size() > tuning.few_points && !cloud.is_of_curves()) {
         const Cloud means = reduced(work.part(0.1, 0.2), cloud, noise);
-        const Near near_means(work, *means.tree, tuning.most_neighbours);
+        const NeighbourLists near_means(work, *means.tree, tuning.most_neighbours);
         fit(work.part(0.2, 0.95), means, near_means, noise, nullptr, result);
         result.fitted.normal = normals_by_means(work.part(0.95, 1.0), cloud, means, result.fitted.normal);
     } else {

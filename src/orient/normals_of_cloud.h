@@ -15,7 +15,7 @@ struct CloudNormals {
 };
 
 // given: signed normals to start from, or null.
-[[nodiscard]] CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const Near& near,
+[[nodiscard]] CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
                                             const geometry::VecArray* given);
 
 // ---- Its parts, for tests
@@ -29,7 +29,7 @@ struct RidgeFit {
 // Fits a noisy cloud with rising regularization: from a value that hardly affects the noise, up to `most`, the value
 // that suits the noise. It stops before the signs change, because too much regularization makes one sheet of two, and
 // merges tips.
-[[nodiscard]] RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& near, double most,
-                                     const geometry::VecArray* given, const Effort& effort);
+[[nodiscard]] RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
+                                     double most, const geometry::VecArray* given, const StartOptions& effort);
 
 } // namespace hrbfnpr::orient

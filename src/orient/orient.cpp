@@ -69,13 +69,13 @@ void log_report(const base::Runtime& runtime, const OrientReport& report, std::i
 Orientation orient(const base::Work& work, const OrientInput& input) {
     const base::Stopwatch watch;
     const Cloud cloud = read_cloud(work.part(0.0, 0.1), input.points);
-    const Near near(work, *cloud.tree, tuning.most_neighbours);
+    const NeighbourLists near(work, *cloud.tree, tuning.most_neighbours);
     const bool use_given = !input.normals.empty() && input.mode != NormalMode::none;
     const GivenNormals given = use_given ? read_given(work, input.normals, cloud, near) : GivenNormals(work.memory);
     CloudNormals found = normals_of_cloud(work.part(0.1, 0.9), cloud, near, use_given ? &given.normal : nullptr);
     VecArray& least = found.fitted.normal;
     const OutwardRule rule{input.up, (input.viewpoint - cloud.centre) / cloud.spacing, input.has_viewpoint};
-    const Whole whole = turn_outward(work.part(0.9, 0.95), cloud, near, rule, least);
+    const OutwardResult outward = turn_outward(work.part(0.9, 0.95), cloud, near, rule, least);
     Orientation result(work.memory);
     result.normal.resize(input.points.count);
     OrientReport& report = result.report;
@@ -84,12 +84,12 @@ Orientation orient(const base::Work& work, const OrientInput& input) {
     report.spacing = cloud.spacing;
     report.energy = found.fitted.energy;
     report.confidence = found.confidence;
-    report.closed = whole.closed;
-    report.outward_by = whole.by;
-    report.components = count_pieces(work, *cloud.tree, near);
+    report.closed = outward.closed;
+    report.outward_by = outward.decided_by;
+    report.components = count_components(work, *cloud.tree, near);
     report.found = NormalMode::none;
     if (use_given) {
-        const Evidence evidence{least, whole.by != OutwardBy::inside, found.confidence < tuning.doubtful};
+        const Evidence evidence{least, outward.decided_by != OutwardBy::inside, found.confidence < tuning.doubtful};
         const Judgement judgement = judge(work, cloud, near, given, evidence, input.mode);
         if (judgement.follows_given) report.outward_by = OutwardBy::as_given;
         report.found = judgement.found;
@@ -120,8 +120,8 @@ bool plainly_inward(const base::Work& work, const base::InView& points, const ba
     const geometry::PointTree tree(position, work);
     VecArray normal(work.memory, tree.size());
     for (std::int64_t at = 0; at < tree.size(); ++at) normal.set(at, given[tree.index(at)]);
-    const Near near(work, tree, Near::of_spacing);
-    const Sides sides = measure_sides(work, tree, near, normal);
+    const NeighbourLists near(work, tree, NeighbourLists::of_spacing);
+    const MeanWinding sides = measure_winding(work, tree, near, normal);
     return sides.closed() && sides.against < 0.5 * sides.along && sides.outward() < 0;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the outside of a cloud. measure_sides() compares winding numbers on both sides of its places. If both sides
-// look the same, side_by_rule() decides.
+// Finds the outside of a cloud. measure_winding() compares winding numbers on both sides of its places; where these are
+// alike, side_by_rule() decides.
 #include "orient/outward.h"
 
 #include "base/assert.h"
@@ -40,15 +40,16 @@ constexpr double sphere = 12.566370614359172;     // solid angle of a sphere
 
 } // namespace
 
-bool Sides::closed() const noexcept { return std::min(along, against) < tuning.closed_below; }
+bool MeanWinding::closed() const noexcept { return std::min(along, against) < tuning.closed_below; }
 
-bool Sides::nearly_closed() const noexcept { return std::min(along, against) < tuning.nearly_closed_below; }
+bool MeanWinding::nearly_closed() const noexcept { return std::min(along, against) < tuning.nearly_closed_below; }
 
-int Sides::outward() const noexcept {
+int MeanWinding::outward() const noexcept {
     return std::abs(along - against) > tuning.told_apart ? (along < against ? 1 : -1) : 0;
 }
 
-Sides measure_sides(const base::Work& work, const geometry::PointTree& tree, const Near& near, const VecArray& normal) {
+MeanWinding measure_winding(const base::Work& work, const geometry::PointTree& tree, const NeighbourLists& near,
+                            const VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 0);
     const base::Array<double> spacing = local_spacing(work, tree, near);
     VecArray moment(work.memory, tree.size()); // dipole moments: normals times areas
@@ -70,38 +71,37 @@ Sides measure_sides(const base::Work& work, const geometry::PointTree& tree, con
         const double way = (i % 2 == 0 ? 1.0 : -1.0) * tuning.probe_step * spacing[at];
         number[i] = std::min(1.5, std::abs(winding_number(tree.points()[at] + way * normal[at])));
     });
-    Sides sides{0.0, 0.0};
+    MeanWinding sides{0.0, 0.0};
     for (std::int64_t i = 0; i < 2 * probes; ++i)
         (i % 2 == 0 ? sides.along : sides.against) += number[i] / static_cast<double>(probes);
     return sides;
 }
 
-Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near, const OutwardRule& rule,
-                   VecArray& normal) {
+OutwardResult turn_outward(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
+                           const OutwardRule& rule, VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == cloud.size());
-    Whole whole;
+    OutwardResult outward;
     int side = 0;
     if (cloud.is_of_curves()) {
-        // Places along curves have no area around them. Only the first places of the cloud, which spread over the
-        // surface, have one.
-        const FirstPlaces first(work, cloud, cloud.all_over);
-        const Near around(work, *first.tree, Near::of_spacing);
-        const Sides sides = measure_sides(work, *first.tree, around, first.pick(normal));
-        whole.closed = sides.nearly_closed();
+        // Places along curves stand for no area, but the first of them do.
+        const CoarsePoints first(work, cloud, cloud.spread_count);
+        const NeighbourLists around(work, *first.tree, NeighbourLists::of_spacing);
+        const MeanWinding sides = measure_winding(work, *first.tree, around, first.pick(normal));
+        outward.closed = sides.nearly_closed();
         side = sides.outward();
     } else {
-        const Sides sides = measure_sides(work, *cloud.tree, near, normal);
-        whole.closed = sides.closed();
+        const MeanWinding sides = measure_winding(work, *cloud.tree, near, normal);
+        outward.closed = sides.closed();
         side = sides.outward();
     }
     // The outside of an open surface with a viewpoint is the side that the viewpoint sees.
-    if (side == 0 || (!whole.closed && rule.has_viewpoint)) {
-        whole.by = rule.has_viewpoint ? OutwardBy::viewpoint : OutwardBy::up;
+    if (side == 0 || (!outward.closed && rule.has_viewpoint)) {
+        outward.decided_by = rule.has_viewpoint ? OutwardBy::viewpoint : OutwardBy::up;
         side = side_by_rule(cloud, local_spacing(work, *cloud.tree, near), rule, normal);
     }
     if (side < 0)
         for (std::int64_t at = 0; at < normal.size(); ++at) normal.set(at, -normal[at]);
-    return whole;
+    return outward;
 }
 
 } // namespace hrbfnpr::orient

@@ -6,7 +6,7 @@
 
 namespace hrbfnpr::orient {
 
-struct Sides {
+struct MeanWinding {
     // Mean |winding number| at places a little way along the normals: 0 if the normals point out of a closed surface.
     double along = 0.5;
     double against = 0.5; // mean |winding number| at places a little way against the normals
@@ -20,8 +20,8 @@ struct Sides {
 
 // Each place counts as a dipole whose strength is its area (Barill and others, "Fast winding numbers for soups and
 // clouds", 2018).
-[[nodiscard]] Sides measure_sides(const base::Work& work, const geometry::PointTree& tree, const Near& near,
-                                  const geometry::VecArray& normal);
+[[nodiscard]] MeanWinding measure_winding(const base::Work& work, const geometry::PointTree& tree,
+                                          const NeighbourLists& near, const geometry::VecArray& normal);
 
 // The values are those of the HRBFNPR_OUTWARD_ constants in hrbfnpr.h.
 enum class OutwardBy : std::uint32_t { inside = 0, up = 1, viewpoint = 2, as_given = 3 };
@@ -32,13 +32,13 @@ struct OutwardRule {
     bool has_viewpoint = false;
 };
 
-struct Whole {
+struct OutwardResult {
     bool closed = false;
-    OutwardBy by = OutwardBy::inside;
+    OutwardBy decided_by = OutwardBy::inside;
 };
 
-// Turns all normals outward by winding numbers. If winding numbers do not show the outside, `rule` decides.
-[[nodiscard]] Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near, const OutwardRule& rule,
-                                 geometry::VecArray& normal);
+// Turns all normals outward by winding numbers. Where these do not tell the outside, the rule decides.
+[[nodiscard]] OutwardResult turn_outward(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
+                                         const OutwardRule& rule, geometry::VecArray& normal);
 
 } // namespace hrbfnpr::orient

@@ -27,9 +27,9 @@ namespace {
 constexpr std::int64_t clusters_a_task = 256;
 constexpr std::int64_t places_a_look = 512;
 
-// Adds up numbers for each cluster, by the cluster's name.
-struct SumsByName {
-    explicit SumsByName(const base::Runtime& runtime) noexcept
+// Adds up a sum for each cluster, by its name.
+struct ClusterSums {
+    explicit ClusterSums(const base::Runtime& runtime) noexcept
         : sum(runtime.memory), is_there(runtime.memory), names(runtime.memory) {}
 
     void clear(std::int64_t size) {
@@ -52,7 +52,7 @@ struct SumsByName {
     base::Array<std::int32_t> names; // in the order of their first add()
 };
 
-using Four = std::array<double, 4>;
+using Vec4 = std::array<double, 4>;
 
 // For each level, from fine to coarse: the name of each place's cluster, which is the first place in it.
 using Levels = std::vector<base::Array<std::int32_t>>;
@@ -65,8 +65,8 @@ struct SignTerms {
         for (std::int64_t k = 0; k < blocks.coarse_count; ++k) dense[blocks.coarse[k]] = k + 1;
     }
 
-    // Returns the part that an element adds to its term.
-    [[nodiscard]] Four part(std::int64_t element, const Signs& signs) const noexcept {
+    // Returns the part of its term that an element adds.
+    [[nodiscard]] Vec4 part(std::int64_t element, const Signs& signs) const noexcept {
         const float* const a = terms.add.data() + 4 * element;
         const auto s = static_cast<float>(signs[blocks.set[element]]);
         return {double{s * a[0]}, double{s * a[1]}, double{s * a[2]}, double{s * a[3]}};
@@ -99,7 +99,7 @@ public:
         : energy_(energy), memory_(energy.runtime.memory), blocks_(energy.blocks), size_(energy.size), levels_(levels),
           signs_(signs), progress_(progress), cluster_(memory_, size_), next_(memory_, size_), last_(memory_, size_),
           self_(memory_, size_), partner_(memory_, size_), count_(memory_, size_), joined_(memory_, size_),
-          over_(memory_, size_), names_(memory_), sums_(energy.runtime) {
+          finished_(memory_, size_), names_(memory_), sums_(energy.runtime) {
         for (std::int64_t at = 0; at < size_; ++at) {
             const std::int32_t name = levels.empty() ? static_cast<std::int32_t>(at) : levels.back()[at];
             HRBFNPR_ASSERT(name <= at);
@@ -119,7 +119,7 @@ public:
         std::int64_t kept = names_.size();
         while (names_.size() > 1) {
             const std::int64_t before = names_.size();
-            mark_over();
+            mark_finished_terms();
             for_names([&](std::int32_t name) { partner_[name] = find_partner(name); });
             join_partners();
             if (names_.size() == before) break; // no two clusters are coupled
@@ -136,7 +136,7 @@ private:
         double coupling = 0.0;
         double strength = -1.0; // |coupling| divided by the root of the product of both self energies
     };
-    struct Joined {
+    struct ClusterLink {
         std::int32_t to; // the cluster that it joined in this round; a root is joined to itself
         bool turned;     // the cluster's sign differs from that of `to`
     };
@@ -163,7 +163,7 @@ private:
             for (std::int64_t u = blocks_.use_begin[at]; u < blocks_.use_begin[at + 1]; ++u) {
                 const std::int64_t element = blocks_.use[u];
                 const std::int64_t term = element / blocks_.set_size;
-                if (over_[term] != 0) continue;
+                if (finished_[term] != 0) continue;
                 std::int64_t first = term * blocks_.set_size;
                 while (cluster_[blocks_.set[first]] != name) ++first;
                 if (first == element) visit(term);
@@ -182,11 +182,11 @@ private:
             }
     }
 
-    [[nodiscard]] Four part_of(std::int32_t name, std::int64_t term) const noexcept {
-        Four sum{};
+    [[nodiscard]] Vec4 part_of(std::int32_t name, std::int64_t term) const noexcept {
+        Vec4 sum{};
         energy_.for_elements(term, [&](std::int64_t e) {
             if (cluster_[blocks_.set[e]] != name) return;
-            const Four part = energy_.part(e, signs_);
+            const Vec4 part = energy_.part(e, signs_);
             for (std::size_t c = 0; c < 4; ++c) sum[c] += part[c];
         });
         return sum;
@@ -201,29 +201,29 @@ private:
         return sum;
     }
 
-    void mark_over() {
+    void mark_finished_terms() {
         energy_.runtime.parallel.for_chunks(
             size_, 8 * clusters_a_task, progress_, [&](std::int64_t begin, std::int64_t end) {
                 for (std::int64_t term = begin; term < end; ++term) {
                     const std::int32_t* const set = blocks_.set + term * blocks_.set_size;
-                    if (over_[term] == 0 && set[0] >= 0 &&
+                    if (finished_[term] == 0 && set[0] >= 0 &&
                         std::all_of(set, set + blocks_.set_size,
                                     [&](std::int32_t at) { return cluster_[at] == cluster_[set[0]]; }))
-                        over_[term] = 1;
+                        finished_[term] = 1;
                 }
             });
     }
 
     [[nodiscard]] Partner find_partner(std::int32_t name) {
-        const base::ScratchPool<SumsByName>::Lease sums(sums_);
+        const base::ScratchPool<ClusterSums>::Lease sums(sums_);
         sums->clear(size_);
         for_terms(name, [&](std::int64_t term) {
-            progress_.check(); // this may take long, because a large cluster has many terms
-            const Four own = part_of(name, term);
+            progress_.check(); // A large cluster has many terms.
+            const Vec4 own = part_of(name, term);
             energy_.for_elements(term, [&](std::int64_t e) {
                 const std::int32_t other = cluster_[blocks_.set[e]];
                 if (other == name) return;
-                const Four part = energy_.part(e, signs_);
+                const Vec4 part = energy_.part(e, signs_);
                 sums->add(other, own[0] * part[0] + own[1] * part[1] + own[2] * part[2] + own[3] * part[3]);
             });
         });
@@ -258,8 +258,8 @@ private:
         names_.resize(end - names_.begin());
     }
 
-    [[nodiscard]] Joined root_of(std::int32_t name) const noexcept {
-        Joined result{name, false};
+    [[nodiscard]] ClusterLink root_of(std::int32_t name) const noexcept {
+        ClusterLink result{name, false};
         while (joined_[result.to].to != result.to) {
             result.turned ^= joined_[result.to].turned;
             result.to = joined_[result.to].to;
@@ -269,8 +269,8 @@ private:
 
     // partner.coupling belongs to the signs at the beginning of the round.
     void join(std::int32_t one, const Partner& partner) noexcept {
-        Joined a = root_of(one);
-        Joined b = root_of(partner.name);
+        ClusterLink a = root_of(one);
+        ClusterLink b = root_of(partner.name);
         if (a.to == b.to) return;
         if (a.to > b.to) std::swap(a, b);
         const bool turn = (partner.coupling > 0.0) != (a.turned != b.turned);
@@ -297,16 +297,16 @@ private:
     base::Array<double> self_;          // energy of the cluster's members alone
     base::Array<Partner> partner_;
     base::Array<std::int64_t> count_; // number of members
-    base::Array<Joined> joined_;
-    base::Array<std::uint8_t> over_; // 1 for each term that is over
+    base::Array<ClusterLink> joined_;
+    base::Array<std::uint8_t> finished_; // for each term
     base::Array<std::int32_t> names_;
-    base::ScratchPool<SumsByName> sums_;
+    base::ScratchPool<ClusterSums> sums_;
 };
 
 // The totals of all terms. They give the change of the energy if a set of places is turned.
-class Turning {
+class SignFlipper {
 public:
-    Turning(const SignTerms& energy, Signs& signs, const base::Progress& progress)
+    SignFlipper(const SignTerms& energy, Signs& signs, const base::Progress& progress)
         : energy_(energy), blocks_(energy.blocks), signs_(signs), total_(energy.runtime.memory, 4 * energy.size),
           dense_total_(energy.runtime.memory, blocks_.coarse_columns),
           dense_part_(energy.runtime.memory, blocks_.coarse_columns), seen_(energy.runtime.memory, energy.size),
@@ -315,7 +315,7 @@ public:
         for_places(base::Work(energy.runtime, progress), energy.size, [&](std::int64_t term) {
             if (blocks_.set[term * blocks_.set_size] < 0) return;
             energy_.for_elements(term, [&](std::int64_t e) {
-                const Four part = energy_.part(e, signs_);
+                const Vec4 part = energy_.part(e, signs_);
                 for (std::size_t c = 0; c < 4; ++c) total_[4 * term + static_cast<std::int64_t>(c)] += part[c];
             });
         });
@@ -367,7 +367,7 @@ private:
             terms_.push_back(term);
             std::fill_n(sum, 4, 0.0);
         }
-        const Four part = energy_.part(element, signs_);
+        const Vec4 part = energy_.part(element, signs_);
         for (std::size_t c = 0; c < 4; ++c) sum[c] += part[c];
     }
 
@@ -390,7 +390,7 @@ private:
 
 // Turns clusters, from coarse to fine, and then single places, wherever that lowers the energy. Returns the energy.
 double improve(const SignTerms& energy, const Levels& levels, Signs& signs, const base::Progress& progress) {
-    Turning turning(energy, signs, progress);
+    SignFlipper turning(energy, signs, progress);
     base::Array<std::int32_t> order(energy.runtime.memory, energy.size);
     for (int sweep = 0; sweep < tuning.most_sweeps; ++sweep) {
         bool turned = false;
@@ -421,9 +421,9 @@ double improve(const SignTerms& energy, const Levels& levels, Signs& signs, cons
     return turning.energy();
 }
 
-// Returns patches as clusters. A patch is a place and those neighbours on its sheet whose normals agree with the
-// place's. Writes the signs of these neighbours.
-[[nodiscard]] base::Array<std::int32_t> find_patches(const Places& places, const Near& near,
+// Returns patches as clusters: a place and the neighbours on its sheet whose normals agree with its own. Writes the
+// signs of these neighbours.
+[[nodiscard]] base::Array<std::int32_t> find_patches(const OrderedPoints& places, const NeighbourLists& near,
                                                      const geometry::VecArray& normal, Signs& signs) {
     base::Array<std::int32_t> patch(signs.memory(), places.size());
     std::fill(patch.begin(), patch.end(), -1);
@@ -452,12 +452,12 @@ Signs all_positive(base::Memory& memory, std::int64_t size) {
     return signs;
 }
 
-void find_signs(const base::Work& work, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
-                geometry::VecArray& normal) {
+void find_signs(const base::Work& work, const OrderedPoints& places, const NeighbourLists& near,
+                const fit::HermiteEnergy& energy, geometry::VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == places.size() && energy.size() == places.size());
     const SignTerms terms(work, energy, normal);
     Signs signs = all_positive(work.memory, places.size());
-    const double given = Turning(terms, signs, work).energy();
+    const double given = SignFlipper(terms, signs, work).energy();
     Levels levels;
     if (places.size() > tuning.many_places) levels.push_back(find_patches(places, near, normal, signs));
     Agglomeration(terms, levels, signs, work).run();

@@ -35,12 +35,12 @@ struct Labels {
 };
 
 Labels labels_of(const Vector<Pair>& joined, std::int64_t count, Pool& pool) {
-    mesh::Sets sets(pool.memory(), count);
+    mesh::UnionFind sets(pool.memory(), count);
     for (const Pair& pair : joined) sets.join(static_cast<std::int32_t>(pair[0]), static_cast<std::int32_t>(pair[1]));
     Labels labels{Vector<std::int64_t>(&pool), 0};
     labels.of.reserve(static_cast<std::size_t>(count));
     for (std::int64_t i = 0; i < count; ++i) {
-        const std::int64_t least = sets.of(static_cast<std::int32_t>(i));
+        const std::int64_t least = sets.find(static_cast<std::int32_t>(i));
         labels.of.push_back(least == i ? labels.count++ : labels.of[static_cast<std::size_t>(least)]);
     }
     return labels;

@@ -110,18 +110,18 @@ Vector<Edge> look_at_edges(const JoinedMesh& mesh, MeshFacts& facts, Pool& pool)
 std::int32_t as_vertex(std::int64_t i) noexcept { return static_cast<std::int32_t>(i); }
 
 std::int64_t count_loops(const Vector<Edge>& border, std::size_t vertices, Pool& pool) {
-    mesh::Sets joined(pool.memory(), static_cast<std::int64_t>(vertices));
+    mesh::UnionFind joined(pool.memory(), static_cast<std::int64_t>(vertices));
     for (const Edge& edge : border) joined.join(as_vertex(edge[0]), as_vertex(edge[1]));
     // Each loop is named after one of its vertices.
     Vector<std::int64_t> names(&pool);
-    for (const Edge& edge : border) names.push_back(joined.of(as_vertex(edge[0])));
+    for (const Edge& edge : border) names.push_back(joined.find(as_vertex(edge[0])));
     std::sort(names.begin(), names.end());
     return std::unique(names.begin(), names.end()) - names.begin();
 }
 
 // Sums, for each part, the volumes of the tetrahedra between its faces and a middle point, times six.
 void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts& facts, Pool& pool) {
-    mesh::Sets joined(pool.memory(), static_cast<std::int64_t>(mesh.places.size()));
+    mesh::UnionFind joined(pool.memory(), static_cast<std::int64_t>(mesh.places.size()));
     for (const Triangle& face : mesh.faces) {
         joined.join(as_vertex(face[0]), as_vertex(face[1]));
         joined.join(as_vertex(face[1]), as_vertex(face[2]));
@@ -129,7 +129,7 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
     constexpr std::int64_t none = -1;
     Vector<std::int64_t> part_of(mesh.places.size(), none, &pool); // the part, by the vertex that names its set
     const auto part_at = [&](std::int64_t vertex) -> std::int64_t& {
-        return part_of[static_cast<std::size_t>(joined.of(as_vertex(vertex)))];
+        return part_of[static_cast<std::size_t>(joined.find(as_vertex(vertex)))];
     };
     for (const Triangle& face : mesh.faces) part_at(face[0]) = 0;
     for (std::int64_t& part : part_of)

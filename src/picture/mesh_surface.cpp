@@ -272,7 +272,7 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
 }
 
 // Divides the faces of a welded mesh as planned, and judges the result.
-Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::SaidOfEdges said,
+Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::EdgesInFile said,
                const mesh::MeshWishes& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
     const double crease = std::isnan(call.options.desc.crease_angle) ? 180.0 : call.options.desc.crease_angle;
@@ -341,12 +341,12 @@ Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     Shape welded(pool);
     welded.points = vertices_of(looked.mesh, pool);
     welded.triangles = triangles_of(looked.mesh, pool);
-    mesh::SaidOfEdges said = mesh::SaidOfEdges::nothing;
+    mesh::EdgesInFile said = mesh::EdgesInFile::nothing;
     const mesh::MeshWishes wishes = wishes_of(options, box_diagonal_of(welded.points));
     if (wishes.edges_as_given && wishes.chooses_samples && looked.shape.has_sharp_edges) {
         Vector<Edge> sharp = edges_among(welded.points, looked.shape.sharp_edges, looked.shape.points, pool);
         said = said_of_edges(welded.points, welded.triangles, sharp, pool);
-        welded.has_sharp_edges = said == mesh::SaidOfEdges::some_are_sharp;
+        welded.has_sharp_edges = said == mesh::EdgesInFile::some_are_sharp;
         if (welded.has_sharp_edges) welded.sharp_edges = std::move(sharp);
     }
     const base::Progress progress = base::Progress(&stage.operation()->operation).without_progress();

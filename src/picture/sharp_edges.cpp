@@ -61,7 +61,7 @@ Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const 
     return moved;
 }
 
-mesh::SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles, const Vector<Edge>& sharp,
+mesh::EdgesInFile said_of_edges(const Points& points, const Vector<Triangle>& triangles, const Vector<Edge>& sharp,
                                 Pool& pool) {
     const Vector<std::int64_t> place = places_of_points(points, pool);
     const auto place_of = [&](std::int64_t i) {

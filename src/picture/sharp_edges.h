@@ -15,7 +15,7 @@ namespace hrbfnpr::picture {
 [[nodiscard]] Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const Points& of, Pool& pool);
 
 // Interprets the sharp edges of a file. `sharp` has numbers of the points.
-[[nodiscard]] mesh::SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles,
+[[nodiscard]] mesh::EdgesInFile said_of_edges(const Points& points, const Vector<Triangle>& triangles,
                                               const Vector<Edge>& sharp, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -56,14 +56,14 @@ Bends bends_of(const Shape& shape, const FaceEdges& edges, Pool& pool) {
 // its set.
 template <class Joins>
 Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) {
-    mesh::Sets sets(pool.memory(), static_cast<std::int64_t>(bends.area.size()));
+    mesh::UnionFind sets(pool.memory(), static_cast<std::int64_t>(bends.area.size()));
     for (std::size_t i = 0; i < bends.plain.size(); ++i)
         if (joins(i))
             sets.join(static_cast<std::int32_t>(bends.plain[i].one), static_cast<std::int32_t>(bends.plain[i].other));
     Vector<std::size_t> name(&pool);
     name.reserve(bends.area.size());
     for (std::size_t f = 0; f < bends.area.size(); ++f)
-        name.push_back(static_cast<std::size_t>(sets.of(static_cast<std::int32_t>(f))));
+        name.push_back(static_cast<std::size_t>(sets.find(static_cast<std::int32_t>(f))));
     return name;
 }
 

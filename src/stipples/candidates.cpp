@@ -277,7 +277,7 @@ struct Landed {
     std::uint32_t ticket = first_ticket;
     for (std::uint32_t k = 0; k < count; ++k) {
         const std::int32_t cell = cell_of(judged, at);
-        if (cell < 0 || !site.implicit.holds(at, normal))
+        if (cell < 0 || !site.implicit.contains(at, normal))
             ++landed.strayed;
         else if (judged.kind(cell) != CellKind::flat)
             to[landed.kept++] = {cell, ticket, glm::vec3(at - cells.grid.origin), bits,
@@ -360,7 +360,7 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
         }
     }
     const glm::dvec3 at = near ? place - distance * normal : place;
-    const std::int32_t cell = near && site.implicit.holds(at, normal) ? cell_of(judged, at) : -1;
+    const std::int32_t cell = near && site.implicit.contains(at, normal) ? cell_of(judged, at) : -1;
     if (cell < 0 || judged.kind(cell) == CellKind::flat) {
         strayed += cell < 0 ? 1 : 0;
         projection.cell = -1;

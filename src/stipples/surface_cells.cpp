@@ -74,7 +74,7 @@ struct Judged {
     if (near) {
         judged.cell.distance = distance;
         judged.cell.normal = glm::normalize(gradient);
-        if (!site.implicit.holds(cells.grid.centre(place) - distance * judged.cell.normal, judged.cell.normal))
+        if (!site.implicit.contains(cells.grid.centre(place) - distance * judged.cell.normal, judged.cell.normal))
             return judged;
     }
     if (seeded || std::abs(distance) <= cells.half_diagonal())

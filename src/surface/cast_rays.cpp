@@ -42,8 +42,8 @@ struct Ray {
     double low = 0.0;   // the bracket of a root [low, high], and the last change of s in it
     double high = 0.0;
     double change = 0.0;
-    double behind = 0.0; // s and f of the bracket's far end as found; the march continues from there
-    double behind_value = 0.0;
+    double far_end = 0.0; // s and f of the bracket's far end as found, from which the march goes on
+    double far_end_value = 0.0;
     std::int32_t evaluations = 0;
     std::int32_t hits = 0;
     bool inside = false; // f < 0 at `at`
@@ -68,9 +68,9 @@ bool clip(const geometry::Bounds& region, const glm::dvec3& origin, const glm::d
     return from <= to && std::isfinite(from);
 }
 
-class Batch {
+class RayBatch {
 public:
-    Batch(const implicit::Implicit& implicit, const RaySettings& settings, double lipschitz, RayHits& hits) noexcept
+    RayBatch(const implicit::Implicit& implicit, const RaySettings& settings, double lipschitz, RayHits& hits) noexcept
         : implicit_(implicit), settings_(settings), hits_(hits), region_(search_region(implicit)),
           lipschitz_(lipschitz), smallest_step_(settings.smallest_step * implicit.diagonal()),
           tolerance_(settings.tolerance * implicit.diagonal()) {}
@@ -82,12 +82,12 @@ private:
     void pack(Ray::Phase phase) noexcept;
     void advance(Ray::Phase phase, const base::Progress& progress);
     void take_step(std::size_t i, double f) noexcept;
-    void go_on(std::size_t i, double at, double f) noexcept;
+    void march_on(std::size_t i, double at, double f) noexcept;
     void bracket(std::size_t i, double f) noexcept;
     void take_root(std::size_t i, double f, const glm::dvec3& g);
     void hit(std::size_t i, double s, const glm::dvec3& g);
     void end_with(std::size_t i, RayStatus status) noexcept;
-    [[nodiscard]] bool counted(std::size_t i, bool finite) noexcept;
+    [[nodiscard]] bool count_evaluation(std::size_t i, bool finite) noexcept;
 
     const implicit::Implicit& implicit_;
     const RaySettings& settings_;
@@ -105,7 +105,7 @@ private:
     Column x_, y_, z_, f_, gx_, gy_, gz_;
 };
 
-Ray Batch::start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept {
+Ray RayBatch::start(const glm::dvec3& origin, const glm::dvec3& direction) const noexcept {
     Ray ray;
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     const glm::dvec3 scaled = direction / largest; // its square neither overflows nor underflows
@@ -125,38 +125,38 @@ Ray Batch::start(const glm::dvec3& origin, const glm::dvec3& direction) const no
     return ray;
 }
 
-void Batch::end_with(std::size_t i, RayStatus status) noexcept {
+void RayBatch::end_with(std::size_t i, RayStatus status) noexcept {
     rays_[i].phase = Ray::Phase::done;
     hits_.count[begin_ + static_cast<std::int64_t>(i)] = rays_[i].hits;
     hits_.status[begin_ + static_cast<std::int64_t>(i)] = status;
 }
 
 // Counts an evaluation.  Returns whether its result can be used.
-bool Batch::counted(std::size_t i, bool finite) noexcept {
+bool RayBatch::count_evaluation(std::size_t i, bool finite) noexcept {
     ++rays_[i].evaluations;
     if (!finite) end_with(i, RayStatus::not_finite);
     return finite;
 }
 
-void Batch::take_step(std::size_t i, double f) noexcept {
+void RayBatch::take_step(std::size_t i, double f) noexcept {
     Ray& ray = rays_[i];
-    if (!counted(i, std::isfinite(f))) return;
+    if (!count_evaluation(i, std::isfinite(f))) return;
     if (ray.evaluations == 1) {
         ray.inside = f < 0.0;
-        return go_on(i, 0.0, f);
+        return march_on(i, 0.0, f);
     }
     const double step = ray.trial - ray.at;
     const double slope = std::abs(f - ray.value) / step;
     if (step > smallest_step_ * slack && slope > ray.lipschitz * slack) {
         ray.lipschitz = std::max(2.0 * ray.lipschitz, 1.5 * slope);
-        return go_on(i, ray.at, ray.value);
+        return march_on(i, ray.at, ray.value);
     }
     if ((f < 0.0) != ray.inside) return bracket(i, f);
-    go_on(i, ray.trial, f);
+    march_on(i, ray.trial, f);
 }
 
 // Ends the ray, or chooses the next step. The search is complete up to `at`, where f is known.
-void Batch::go_on(std::size_t i, double at, double f) noexcept {
+void RayBatch::march_on(std::size_t i, double at, double f) noexcept {
     Ray& ray = rays_[i];
     ray.at = at;
     ray.value = f;
@@ -168,22 +168,22 @@ void Batch::go_on(std::size_t i, double at, double f) noexcept {
 }
 
 // Starts to refine a root: f changes its sign between `at` and the trial.
-void Batch::bracket(std::size_t i, double f) noexcept {
+void RayBatch::bracket(std::size_t i, double f) noexcept {
     Ray& ray = rays_[i];
     if (ray.hits == settings_.maximum_hits) return end_with(i, RayStatus::truncated);
     if (ray.evaluations >= settings_.evaluation_limit) return end_with(i, RayStatus::evaluation_limit);
     ray.low = ray.at;
-    ray.high = ray.behind = ray.trial;
-    ray.behind_value = f;
+    ray.high = ray.far_end = ray.trial;
+    ray.far_end_value = f;
     ray.change = ray.high - ray.low;
     ray.trial = ray.low + ray.change * (ray.value / (ray.value - f));
     ray.phase = Ray::Phase::refine;
 }
 
-void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) {
+void RayBatch::take_root(std::size_t i, double f, const glm::dvec3& g) {
     Ray& ray = rays_[i];
     const double slope = glm::dot(g, ray.direction);
-    if (!counted(i, std::isfinite(f) && std::isfinite(glm::length(g)))) return;
+    if (!count_evaluation(i, std::isfinite(f) && std::isfinite(glm::length(g)))) return;
     ((f < 0.0) == ray.inside ? ray.low : ray.high) = ray.trial;
     const double newton = ray.trial - f / slope; // NaN or infinite if the slope is 0
     const bool within = newton >= ray.low && newton <= ray.high;
@@ -197,11 +197,11 @@ void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) {
     ray.trial = next;
 }
 
-void Batch::hit(std::size_t i, double s, const glm::dvec3& g) {
+void RayBatch::hit(std::size_t i, double s, const glm::dvec3& g) {
     Ray& ray = rays_[i];
-    if (!implicit_.holds(ray.start + s * ray.direction, g)) { // f changes its sign, but the surface is trimmed here
+    if (!implicit_.contains(ray.start + s * ray.direction, g)) { // f changes its sign, but the surface is trimmed here
         ray.inside = !ray.inside;
-        return go_on(i, ray.behind, ray.behind_value);
+        return march_on(i, ray.far_end, ray.far_end_value);
     }
     const std::int64_t at = (begin_ + static_cast<std::int64_t>(i)) * settings_.maximum_hits + ray.hits++;
     const double slope = glm::length(g);
@@ -211,11 +211,11 @@ void Batch::hit(std::size_t i, double s, const glm::dvec3& g) {
     hits_.entering[at] = ray.inside ? 0 : 1;
     ray.inside = !ray.inside;
     if (settings_.maximum_hits == 1) return end_with(i, RayStatus::hit);
-    go_on(i, ray.behind, ray.behind_value);
+    march_on(i, ray.far_end, ray.far_end_value);
 }
 
 // Collects the active rays of a phase, and the points of their trials.
-void Batch::pack(Ray::Phase phase) noexcept {
+void RayBatch::pack(Ray::Phase phase) noexcept {
     packed_count_ = 0;
     for (std::size_t k = 0; k < active_count_; ++k) {
         const std::size_t i = active_[k];
@@ -230,7 +230,7 @@ void Batch::pack(Ray::Phase phase) noexcept {
 }
 
 // Evaluates f, or f and its gradient, for all rays of a phase.
-void Batch::advance(Ray::Phase phase, const base::Progress& progress) {
+void RayBatch::advance(Ray::Phase phase, const base::Progress& progress) {
     pack(phase);
     if (packed_count_ == 0) return;
     progress.check();
@@ -247,7 +247,7 @@ void Batch::advance(Ray::Phase phase, const base::Progress& progress) {
     }
 }
 
-void Batch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
+void RayBatch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
     begin_ = begin;
     active_count_ = 0;
     const std::int64_t hits = settings_.maximum_hits;
@@ -292,7 +292,7 @@ void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const
     const base::Work casting = work.part(estimate ? 0.1 : 0.0, 1.0);
     std::atomic<std::int64_t> done{0};
     implicit.threads(work).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        base::OwnedObject<Batch> batch(work.memory, implicit, settings, lipschitz, hits);
+        base::OwnedObject<RayBatch> batch(work.memory, implicit, settings, lipschitz, hits);
         batch->run(rays, begin, end, casting);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         casting.update(static_cast<double>(now) / static_cast<double>(count));

@@ -52,10 +52,10 @@ private:
     // A gradient that is too long counts as infinite.
     [[nodiscard]] static bool finite(double f, const glm::dvec3& g) noexcept {
         const double slope = glm::length(g);
-        return std::isfinite(f) && (is_slope(slope) || slope < 1.0);
+        return std::isfinite(f) && (is_usable_slope(slope) || slope < 1.0);
     }
     // Tests Armijo's rule, f^2 <= v^2 part. It tests the ratio where a square would overflow or underflow.
-    [[nodiscard]] static bool lowers(double f, double v, double part) noexcept {
+    [[nodiscard]] static bool satisfies_armijo(double f, double v, double part) noexcept {
         const double square = v * v;
         if (square >= 1e-280 && square <= 1e280) return f * f <= square * part;
         return (f / v) * (f / v) <= part;
@@ -92,7 +92,7 @@ void ProjectedBatch::end_with(Projection& points, std::size_t i, ProjectionStatu
 // Ends the search at a new iterate, or picks the first trial from it. Returns whether it ended.
 bool ProjectedBatch::finished(Projection& points, std::size_t i) noexcept {
     const double slope = glm::length(gradient_[i]);
-    if (!is_slope(slope)) {
+    if (!is_usable_slope(slope)) {
         end_with(points, i, ProjectionStatus::zero_gradient);
         return true;
     }
@@ -134,7 +134,8 @@ bool ProjectedBatch::take_trial(Projection& points, std::size_t lane) noexcept {
     const glm::dvec3 g(gx_[lane], gy_[lane], gz_[lane]);
     const bool first = evaluations_[i]++ == 0;
     const bool ok = finite(f, g);
-    const bool accepted = first || (ok && lowers(f, value_[i], 1.0 - 2.0 * settings_.armijo_slope * share_[i]));
+    const bool accepted =
+        first || (ok && satisfies_armijo(f, value_[i], 1.0 - 2.0 * settings_.armijo_slope * share_[i]));
     if (accepted) {
         position_[i] = trial_[i];
         gradient_[i] = g;

@@ -25,7 +25,7 @@ struct ProjectionSettings {
 };
 
 // Tells whether a gradient of this length can be used: the squares of others underflow or overflow.
-[[nodiscard]] inline bool is_slope(double length) noexcept { return length >= 1e-150 && length <= 1e150; }
+[[nodiscard]] inline bool is_usable_slope(double length) noexcept { return length >= 1e-150 && length <= 1e150; }
 
 // `position` is the start on input, and the last iterate on output. `gradient` and `status` are resized. `gradient` is
 // that of f (not unit) at the last iterate.

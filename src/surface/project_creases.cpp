@@ -11,9 +11,9 @@ namespace {
 constexpr int most_steps = 30;
 constexpr std::int64_t grain = 64;
 
-class Walker {
+class CreaseProjector {
 public:
-    Walker(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
+    CreaseProjector(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
         : implicit_(implicit), sheets_(*implicit.sheets()), tolerance_(settings.tolerance * implicit.diagonal()) {}
 
     // Returns whether the surface was reached. It first tries where sheets meet, then goes from one sheet to the next,
@@ -31,13 +31,14 @@ private:
         for (int step = 0; step < most_steps; ++step) {
             std::array<SheetValue, 3> at;
             for (std::size_t k = 0; k < meeting.count; ++k) at[k] = sheet_at(sheets_, meeting.sheet[k], place);
-            const glm::dvec3 way = way_to_zero(std::span<const SheetValue>(at).first(meeting.count));
+            const glm::dvec3 way = step_to_zero(std::span<const SheetValue>(at).first(meeting.count));
             if (!(glm::distance(place + way, from) <= longest)) return false;
             place += way;
             const SheetValue now = value();
             const double slope = glm::length(now.gradient);
             gradient = now.gradient;
-            if (std::isfinite(now.value) && is_slope(slope) && std::abs(now.value) <= tolerance_ * slope) return true;
+            if (std::isfinite(now.value) && is_usable_slope(slope) && std::abs(now.value) <= tolerance_ * slope)
+                return true;
             if (const std::int32_t sheet = active_at(sheets_, place); !meeting.has(sheet)) {
                 if (!together) meeting.count = 0;
                 meeting.add(sheet);
@@ -65,12 +66,12 @@ void project_onto_creases(const base::Work& work, const implicit::Implicit& impl
     for (std::int64_t i = 0; i < points.status.size(); ++i)
         if (points.status[i] == ProjectionStatus::not_converged) left.push_back(i);
     implicit.threads(work).for_chunks(left.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        Walker walker(implicit, settings);
+        CreaseProjector projector(implicit, settings);
         for (std::int64_t k = begin; k < end; ++k) {
             const std::int64_t i = left[k];
-            if (!walker.run(points.position[i])) continue;
-            points.position.set(i, walker.place);
-            points.gradient.set(i, walker.gradient);
+            if (!projector.run(points.position[i])) continue;
+            points.position.set(i, projector.place);
+            points.gradient.set(i, projector.gradient);
             points.status[i] = ProjectionStatus::converged;
         }
     });

@@ -25,11 +25,11 @@ glm::dvec3 direction(std::size_t i) noexcept {
     return {across * std::cos(turn), across * std::sin(turn), z};
 }
 
-class Searcher {
+class SearchProjector {
 public:
-    Searcher(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
+    SearchProjector(const implicit::Implicit& implicit, const ProjectionSettings& settings) noexcept
         : implicit_(implicit), region_(search_region(implicit)), tolerance_(settings.tolerance * implicit.diagonal()) {
-        for (std::size_t i = 0; i < directions; ++i) way_[i] = direction(i);
+        for (std::size_t i = 0; i < directions; ++i) directions_[i] = direction(i);
     }
 
     [[nodiscard]] bool run(const glm::dvec3& from, const base::Progress& progress) {
@@ -43,7 +43,7 @@ public:
         for (; radius < growth * farthest; radius *= growth) {
             progress.check();
             glm::dvec3 other;
-            if (find(from, here.value < 0.0, radius, other)) return halve(from, other, here.value < 0.0);
+            if (find(from, here.value < 0.0, radius, other)) return bisect(from, other, here.value < 0.0);
         }
         return false;
     }
@@ -55,7 +55,7 @@ private:
     [[nodiscard]] bool find(const glm::dvec3& from, bool inside, double radius, glm::dvec3& other) {
         std::array<double, directions> x, y, z, f;
         std::size_t count = 0;
-        for (const glm::dvec3& way : way_) {
+        for (const glm::dvec3& way : directions_) {
             const glm::dvec3 p = from + radius * way;
             if (!region_.contains(p)) continue;
             x[count] = p.x;
@@ -73,14 +73,14 @@ private:
             }
         return false;
     }
-    [[nodiscard]] bool halve(glm::dvec3 same, glm::dvec3 other, bool inside) {
+    [[nodiscard]] bool bisect(glm::dvec3 same, glm::dvec3 other, bool inside) {
         for (int k = 0; k < most_halvings; ++k) {
             place = 0.5 * (same + other);
             const SheetValue at = value(place);
             const double slope = glm::length(at.gradient);
             gradient = at.gradient;
             if (!std::isfinite(at.value)) return false;
-            if (is_slope(slope) && std::abs(at.value) <= tolerance_ * slope) return true;
+            if (is_usable_slope(slope) && std::abs(at.value) <= tolerance_ * slope) return true;
             ((at.value < 0.0) == inside ? same : other) = place;
         }
         return false;
@@ -94,7 +94,7 @@ private:
     const implicit::Implicit& implicit_;
     geometry::Bounds region_;
     double tolerance_;
-    std::array<glm::dvec3, directions> way_;
+    std::array<glm::dvec3, directions> directions_;
 };
 
 } // namespace
@@ -106,12 +106,12 @@ void project_by_search(const base::Work& work, const implicit::Implicit& implici
         if (points.status[i] == ProjectionStatus::not_converged || points.status[i] == ProjectionStatus::zero_gradient)
             left.push_back(i);
     implicit.threads(work).for_chunks(left.size(), searches_a_task, [&](std::int64_t begin, std::int64_t end) {
-        Searcher searcher(implicit, settings);
+        SearchProjector projector(implicit, settings);
         for (std::int64_t k = begin; k < end; ++k) {
             const std::int64_t i = left[k];
-            if (!searcher.run(points.position[i], work)) continue;
-            points.position.set(i, searcher.place);
-            points.gradient.set(i, searcher.gradient);
+            if (!projector.run(points.position[i], work)) continue;
+            points.position.set(i, projector.place);
+            points.gradient.set(i, projector.gradient);
             points.status[i] = ProjectionStatus::converged;
         }
     });

@@ -28,8 +28,8 @@ glm::dvec3 grid_node(const geometry::Bounds& region, std::int64_t i) noexcept {
 }
 
 // Returns the largest finite |grad f| of the nodes [begin, end), at most a batch.
-double steepest(const implicit::Implicit& implicit, const geometry::Bounds& region, std::int64_t begin,
-                std::int64_t end) {
+double largest_gradient(const implicit::Implicit& implicit, const geometry::Bounds& region, std::int64_t begin,
+                        std::int64_t end) {
     RegionColumn x, y, z, gx, gy, gz;
     for (std::int64_t i = begin; i < end; ++i) {
         const auto lane = static_cast<std::size_t>(i - begin);
@@ -85,7 +85,7 @@ double lipschitz_estimate(const base::Work& work, const implicit::Implicit& impl
     std::array<double, static_cast<std::size_t>(chunks)> most{};
     std::atomic<std::int64_t> done{0};
     implicit.threads(work).for_chunks(grid_size, region_batch, [&](std::int64_t begin, std::int64_t end) {
-        most[static_cast<std::size_t>(begin / region_batch)] = steepest(implicit, region, begin, end);
+        most[static_cast<std::size_t>(begin / region_batch)] = largest_gradient(implicit, region, begin, end);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         work.update(static_cast<double>(now) / static_cast<double>(grid_size));
     });

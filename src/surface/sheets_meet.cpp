@@ -15,25 +15,25 @@ constexpr int steps_to_meet = 20;
 // large weights, rounding exceeds 1e-9 of a cell.
 constexpr double rounded = 1e3;
 
-implicit::PointBatch one(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
+implicit::PointBatch single_point(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
 
 } // namespace
 
 SheetValue sheet_at(const implicit::Sheets& sheets, std::int32_t sheet, const glm::dvec3& place) {
     SheetValue at;
-    sheets.evaluate(sheet, one(place), {&at.value, {&at.gradient.x, &at.gradient.y, &at.gradient.z}, {}});
+    sheets.evaluate(sheet, single_point(place), {&at.value, {&at.gradient.x, &at.gradient.y, &at.gradient.z}, {}});
     return at;
 }
 
 std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& place) {
     std::int32_t sheet = 0;
-    sheets.active(one(place), &sheet);
+    sheets.active(single_point(place), &sheet);
     return sheet;
 }
 
-// By Gram and Schmidt's method, the step that each sheet adds is perpendicular to the gradients of the sheets before
-// it, so their values stay the same.
-glm::dvec3 way_to_zero(std::span<const SheetValue> values) noexcept {
+// By Gram and Schmidt's method, what each sheet adds is perpendicular to the sheets before it, so these keep their
+// values.
+glm::dvec3 step_to_zero(std::span<const SheetValue> values) noexcept {
     std::array<glm::dvec3, 3> across{};
     std::size_t count = 0;
     glm::dvec3 way(0.0);
@@ -75,7 +75,7 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
             at[k] = sheet_at(sheets, meeting.sheet[k], place.position);
             place.gradient[k] = at[k].gradient;
         }
-        const glm::dvec3 way = way_to_zero(std::span<const SheetValue>(at).first(meeting.count));
+        const glm::dvec3 way = step_to_zero(std::span<const SheetValue>(at).first(meeting.count));
         const double length = glm::length(way);
         if (!(glm::distance(place.position + way, from) <= farthest)) return place;
         const bool rounding = length <= rounded * tolerance && length > 0.5 * last;

@@ -20,7 +20,7 @@ struct SheetValue {
 
 // Returns the shortest step to where all values are 0, by their linear approximations. Gradients parallel to others are
 // ignored.
-[[nodiscard]] glm::dvec3 way_to_zero(std::span<const SheetValue> values) noexcept;
+[[nodiscard]] glm::dvec3 step_to_zero(std::span<const SheetValue> values) noexcept;
 
 // A set of up to three sheets.
 struct Meeting {

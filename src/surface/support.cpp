@@ -43,9 +43,9 @@ double own_and_median(const base::Array<double>& distance, std::span<const std::
 
 } // namespace
 
-// The nearest samples of a point, and -ln of their weights. The least -ln is factored out of the sums, so that they do
-// not vanish far away.
-struct Support::Near {
+// The nearest samples of a point, and -ln of their weights. The least of these is factored out of the sums, so that
+// they do not vanish far away.
+struct Support::NearSamples {
     std::array<std::int64_t, nearest> at;
     std::array<double, nearest> facing; // (1 + n_j . m) / 2
     std::array<double, nearest> loss;
@@ -121,12 +121,12 @@ void Support::measure_spacing(const base::Work& work, double closest) {
     least_sharpness_ = *std::min_element(sharpness_.begin(), sharpness_.end());
 }
 
-glm::dvec3 Support::away(std::int64_t j, const glm::dvec3& place) const noexcept {
+glm::dvec3 Support::scaled_offset(std::int64_t j, const glm::dvec3& place) const noexcept {
     return std::sqrt(sharpness_[j]) * (place - tree_.points()[j]);
 }
 
-Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept {
-    Near near;
+Support::NearSamples Support::find_near_samples(const glm::dvec3& place, const glm::dvec3& normal) const noexcept {
+    NearSamples near;
     near.count = static_cast<std::size_t>(tree_.nearest(
         place, nearest, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, near.at.data()));
     for (std::size_t k = 0; k < near.count; ++k) {
@@ -140,14 +140,14 @@ Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) c
     for (std::size_t k = 0; k < near.count; ++k) {
         const double weight = near.weight(k);
         near.sum += weight;
-        near.middle += weight * away(near.at[k], place);
+        near.middle += weight * scaled_offset(near.at[k], place);
     }
     near.middle /= near.sum;
     return near;
 }
 
 double Support::value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
-    const Near near = look(place, glm::normalize(gradient));
+    const NearSamples near = find_near_samples(place, glm::normalize(gradient));
     const double s = near.sum > 0.0 ? near.s() : std::numeric_limits<double>::infinity();
     return s < limit_ || may_end_at(place) ? s : borne_out * limit_;
 }
@@ -166,17 +166,17 @@ double Support::median_spacing() const {
     return all[all.size() / 2];
 }
 
-geometry::VecArray Support::not_surrounded() const {
+geometry::VecArray Support::samples_not_surrounded() const {
     geometry::VecArray some(spacing_.memory());
     for (std::int64_t i = 0; i < samples(); ++i)
         if (surrounded_[i] == 0) some.push_back(tree_.points()[i]);
     return some;
 }
 
-Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
+Support::ValueAndDerivatives Support::evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
     const glm::dvec3 normal = glm::normalize(gradient);
-    const Near near = look(place, normal);
-    Answer answer{std::numeric_limits<double>::infinity(), glm::dvec3(0.0), glm::dvec3(0.0)};
+    const NearSamples near = find_near_samples(place, normal);
+    ValueAndDerivatives answer{std::numeric_limits<double>::infinity(), glm::dvec3(0.0), glm::dvec3(0.0)};
     if (!(near.sum > 0.0)) {
         if (!may_end_at(place)) answer.value = borne_out * limit_;
         return answer;
@@ -190,14 +190,14 @@ Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gra
     for (std::size_t k = 0; k < near.count; ++k) {
         if (!(near.facing[k] > 0.0)) continue;
         const std::int64_t j = near.at[k];
-        const glm::dvec3 q = away(j, place);
+        const glm::dvec3 q = scaled_offset(j, place);
         const double weight = scale * near.weight(k) / near.sum;
         // The relative change of -s by this sample's weight.
         const double change = 1.0 + 2.0 * (middle - glm::dot(near.middle, q));
-        answer.by_place += 2.0 * weight * std::sqrt(sharpness_[j]) * (near.middle + change * q);
-        answer.by_normal -= weight * change / near.facing[k] * normal_[j];
+        answer.place_gradient += 2.0 * weight * std::sqrt(sharpness_[j]) * (near.middle + change * q);
+        answer.normal_gradient -= weight * change / near.facing[k] * normal_[j];
     }
-    answer.by_normal -= glm::dot(answer.by_normal, normal) * normal;
+    answer.normal_gradient -= glm::dot(answer.normal_gradient, normal) * normal;
     return answer;
 }
 

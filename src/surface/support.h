@@ -25,11 +25,11 @@ class Support {
 public:
     static constexpr std::int64_t nearest = 24;
 
-    // The value of s at a point with a normal, and the derivatives of s by place and by normal.
-    struct Answer {
-        double value;         // infinite if no sample is near or faces the same way
-        glm::dvec3 by_place;  // the gradient of s for a fixed normal
-        glm::dvec3 by_normal; // the derivative of s by the normal, perpendicular to the normal
+    // The value of s at a point with a normal, and its derivatives by both.
+    struct ValueAndDerivatives {
+        double value;               // infinite if no sample is near or faces the same way
+        glm::dvec3 place_gradient;  // its gradient for a fixed normal
+        glm::dvec3 normal_gradient; // its derivative by the normal, perpendicular to the normal
     };
 
     // `position` and `normal` (unit) belong to the same samples, one or more. Spacings below `closest` are raised to
@@ -49,7 +49,7 @@ public:
 
     // These run on the calling thread, and may be called from any number of threads at once.
     [[nodiscard]] double value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
-    [[nodiscard]] Answer evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
+    [[nodiscard]] ValueAndDerivatives evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
     // Computes s at many points from grad f there, which need not be unit, and resizes `value`. The result has the same
     // bits for any number of threads.
     void evaluate_all(const base::Work& work, const geometry::VecArray& place, const geometry::VecArray& gradient,
@@ -67,7 +67,7 @@ public:
     [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
     // Tells whether the samples are along curves, with nothing between these.
     [[nodiscard]] bool samples_lie_along_curves() const { return geometry::lie_along_curves(tree_); }
-    [[nodiscard]] geometry::VecArray not_surrounded() const;
+    [[nodiscard]] geometry::VecArray samples_not_surrounded() const;
 
     // The samples' positions and normals, in this object's own order.
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return tree_.points(); }
@@ -81,7 +81,7 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    struct Near;
+    struct NearSamples;
 
     // Calls visit(packed cell) for the cells of the grid in a cube, until it returns false. Returns false then, and if
     // there are too many cells.
@@ -89,8 +89,8 @@ private:
     [[nodiscard]] bool for_cells(const glm::dvec3& place, double half, Visit&& visit) const;
     void measure_spacing(const base::Work& work, double closest);
     // Returns the vector from a sample to a point, in widths of the sample's kernel.
-    [[nodiscard]] glm::dvec3 away(std::int64_t j, const glm::dvec3& place) const noexcept;
-    [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
+    [[nodiscard]] glm::dvec3 scaled_offset(std::int64_t j, const glm::dvec3& place) const noexcept;
+    [[nodiscard]] NearSamples find_near_samples(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
 
     geometry::PointTree tree_;
     geometry::VecArray normal_;     // in the tree's order, as the arrays below

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] bool may_end_near(const glm::dvec3& centre, double half) const noexcept override {
         return support_.may_end_near(centre, half);
     }
-    [[nodiscard]] bool is_nowhere_near(const glm::dvec3& centre, double half) const noexcept override {
+    [[nodiscard]] bool has_no_surface_in(const glm::dvec3& centre, double half) const noexcept override {
         return support_.has_nothing_near(centre, half, limit_);
     }
 

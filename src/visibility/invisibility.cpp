@@ -115,7 +115,7 @@ void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
     geometry::VecArray from(in.memory(), rays.size());
     geometry::VecArray to(in.memory(), rays.size());
     base::Array<double> clear(in.memory(), rays.size());
-    base::Array<curves::SheetCounter::Answer> answers(in.memory());
+    base::Array<curves::SheetCounter::Result> answers(in.memory());
     for (std::size_t o = 0; o < in.occluders.size(); ++o) {
         const Occluder& occluder = in.occluders[o];
         const glm::dmat4 from_world = glm::inverse(occluder.to_world);

@@ -79,7 +79,7 @@ TEST_F(FittedSurface, SheetCountsMatchTheReference) {
         clear[i] = i % 2 == 0 ? 2e-3 * hrbf.diagonal() : 0.0;
     }
     const SheetCounter counter(runtime, mesh);
-    base::Array<SheetCounter::Answer> answer(runtime.memory);
+    base::Array<SheetCounter::Result> answer(runtime.memory);
     counter.count(runtime, hrbf, from, to, clear, answer);
     std::int64_t certain = 0;
     std::int64_t sheets = 0;

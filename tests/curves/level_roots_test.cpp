@@ -43,10 +43,10 @@ private:
 CurvePoint halved(double slope) {
     const base::Runtime runtime = test::with_threads(1);
     const test::AnyField surface = strip(slope);
-    base::Array<Straddle> places(runtime.memory);
+    base::Array<Bracket> places(runtime.memory);
     places.push_back({{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
     base::Array<CurvePoint> points(runtime.memory);
-    halve(runtime, Across(surface), places, 10, points);
+    bisect(runtime, Across(surface), places, 10, points);
     return points[0];
 }
 

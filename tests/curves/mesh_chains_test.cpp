@@ -35,15 +35,16 @@ std::set<std::pair<std::int32_t, std::int32_t>> crossed_edges(const SurfaceMesh&
     return edges;
 }
 
-bool is_on_edge(const Bead& bead) {
-    const double length = glm::distance(bead.edge.negative, bead.edge.positive);
-    return glm::distance(bead.place, bead.edge.negative) <= length * (1.0 + 1e-12) &&
-           glm::distance(bead.place, bead.edge.positive) <= length * (1.0 + 1e-12);
+bool is_on_edge(const EdgeCrossing& crossing) {
+    const double length = glm::distance(crossing.edge.negative, crossing.edge.positive);
+    return glm::distance(crossing.place, crossing.edge.negative) <= length * (1.0 + 1e-12) &&
+           glm::distance(crossing.place, crossing.edge.positive) <= length * (1.0 + 1e-12);
 }
 
-void expect_each_edge_once(const SurfaceMesh& mesh, const base::Array<double>& level, const Chains<Bead>& chains) {
+void expect_each_edge_once(const SurfaceMesh& mesh, const base::Array<double>& level,
+                           const Chains<EdgeCrossing>& chains) {
     std::set<std::pair<std::int32_t, std::int32_t>> found;
-    for (const Bead& c : chains.point) {
+    for (const EdgeCrossing& c : chains.point) {
         EXPECT_LT(level[c.negative], 0.0);
         EXPECT_GE(level[c.positive], 0.0);
         EXPECT_TRUE(is_on_edge(c));
@@ -58,7 +59,7 @@ TEST(MeshChains, ParallelsOfASphereAreClosedWithNegativeOnTheLeft) {
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const auto bands = [](const glm::dvec3& p) { return std::sin(6.0 * p.z + 0.1); };
     const base::Array<double> level = values(meshed.mesh, bands);
-    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
+    const Chains<EdgeCrossing> chains = find_edge_crossings(runtime(), meshed.mesh, level);
     expect_each_edge_once(meshed.mesh, level, chains);
     ASSERT_EQ(chains.count(), 3); // 6 z + 0.1 = -pi, 0, pi
     for (std::int64_t c = 0; c < chains.count(); ++c) {
@@ -79,7 +80,7 @@ TEST(MeshChains, OpenChainsRunFromBorderToBorder) {
     const Meshed meshed(runtime(), plane, {{0.1, 0.1, 0.0}}, 0.1);
     const base::Array<double> level =
         values(meshed.mesh, [](const glm::dvec3& p) { return (p.x - 0.31) * (p.x + 0.27) + 0.01 * p.y; });
-    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
+    const Chains<EdgeCrossing> chains = find_edge_crossings(runtime(), meshed.mesh, level);
     expect_each_edge_once(meshed.mesh, level, chains);
     ASSERT_EQ(chains.count(), 2);
     for (std::int64_t c = 0; c < 2; ++c) {
@@ -96,13 +97,14 @@ TEST(MeshChains, OpenChainsRunFromBorderToBorder) {
 TEST(MeshChains, ZeroCountsAsPositive) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, -0.3}, {1.0, 1.0, 0.3}});
     const Meshed meshed(runtime(), plane, {{0.1, 0.1, 0.0}}, 0.25);
-    EXPECT_EQ(find_beads(runtime(), meshed.mesh, values(meshed.mesh, [](const glm::dvec3&) { return 0.0; })).count(),
-              0);
+    EXPECT_EQ(
+        find_edge_crossings(runtime(), meshed.mesh, values(meshed.mesh, [](const glm::dvec3&) { return 0.0; })).count(),
+        0);
     const base::Array<double> level = values(meshed.mesh, [](const glm::dvec3& p) { return std::min(0.0, p.x - 0.1); });
-    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
+    const Chains<EdgeCrossing> chains = find_edge_crossings(runtime(), meshed.mesh, level);
     expect_each_edge_once(meshed.mesh, level, chains);
     EXPECT_EQ(chains.count(), 1);
-    for (const Bead& c : chains.point) EXPECT_EQ(c.place, c.edge.positive);
+    for (const EdgeCrossing& c : chains.point) EXPECT_EQ(c.place, c.edge.positive);
 }
 
 TEST(MeshChains, BearNaNAndEmptyMeshes) {
@@ -110,10 +112,10 @@ TEST(MeshChains, BearNaNAndEmptyMeshes) {
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const base::Array<double> level =
         values(meshed.mesh, [](const glm::dvec3& p) { return p.x > 0.3 ? HUGE_VAL - HUGE_VAL : p.y; });
-    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
-    for (const Bead& c : chains.point) EXPECT_TRUE(is_on_edge(c));
+    const Chains<EdgeCrossing> chains = find_edge_crossings(runtime(), meshed.mesh, level);
+    for (const EdgeCrossing& c : chains.point) EXPECT_TRUE(is_on_edge(c));
     const Meshed empty(runtime(), sphere, {}, 0.1);
-    EXPECT_EQ(find_beads(runtime(), empty.mesh, base::Array<double>(runtime().memory)).count(), 0);
+    EXPECT_EQ(find_edge_crossings(runtime(), empty.mesh, base::Array<double>(runtime().memory)).count(), 0);
 }
 
 } // namespace

@@ -42,7 +42,7 @@ struct Counted {
 Counted compare(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceMesh& mesh,
                 const Segments& segments, int samples) {
     const SheetCounter counter(runtime, mesh);
-    base::Array<SheetCounter::Answer> answer(runtime.memory);
+    base::Array<SheetCounter::Result> answer(runtime.memory);
     counter.count(runtime, implicit, segments.from, segments.to, segments.clear, answer);
     Counted counted;
     for (std::int64_t i = 0; i < segments.size(); ++i) {
@@ -128,8 +128,8 @@ TEST_P(Sheets, AreNotCountedAtTheEndItself) {
         clear.add(from, mesh.position[vertex], 1e-6 * implicit->diagonal());
     }
     const SheetCounter counter(runtime, mesh);
-    base::Array<SheetCounter::Answer> a(runtime.memory);
-    base::Array<SheetCounter::Answer> b(runtime.memory);
+    base::Array<SheetCounter::Result> a(runtime.memory);
+    base::Array<SheetCounter::Result> b(runtime.memory);
     counter.count(runtime, *implicit, open.from, open.to, open.clear, a);
     counter.count(runtime, *implicit, clear.from, clear.to, clear.clear, b);
     for (std::int64_t i = 0; i < a.size(); ++i) {
@@ -162,7 +162,7 @@ protected:
     void make(const implicit::Implicit& implicit, const glm::dvec3& seed, double side) {
         mesh = triangulate(runtime, implicit, seeds(runtime, {seed}), settings(implicit, side));
     }
-    [[nodiscard]] SheetCounter::Answer count(const implicit::Implicit& implicit, const glm::dvec3& from,
+    [[nodiscard]] SheetCounter::Result count(const implicit::Implicit& implicit, const glm::dvec3& from,
                                              const glm::dvec3& to, double clear = 0.0) {
         Segments one(runtime.memory);
         one.add(from, to, clear);
@@ -172,7 +172,7 @@ protected:
 
     base::Runtime runtime = with_threads(2);
     SurfaceMesh mesh{runtime.memory};
-    base::Array<SheetCounter::Answer> answer{runtime.memory};
+    base::Array<SheetCounter::Result> answer{runtime.memory};
 };
 
 TEST_F(SheetCount, IsRightForSimpleSegments) {
@@ -185,7 +185,7 @@ TEST_F(SheetCount, IsRightForSimpleSegments) {
     EXPECT_EQ(count(sphere, {3, 3, 3}, {3, 3, -3}).sheets, 0);
     EXPECT_EQ(count(sphere, {3, 0.1, 0.2}, {-3, 0.2, 0.1}, 2.5).sheets, 1); // the farther one is left out
     EXPECT_EQ(count(sphere, {3, 0.1, 0.2}, {-3, 0.2, 0.1}, 9.0).sheets, 0);
-    for (const SheetCounter::Answer& each : answer) EXPECT_TRUE(each.certain);
+    for (const SheetCounter::Result& each : answer) EXPECT_TRUE(each.certain);
 }
 
 // The segments go through corners of triangles.
@@ -196,7 +196,7 @@ TEST_F(SheetCount, IsRightThroughCornersOfTriangles) {
     for (std::int64_t i = 0; i < mesh.vertices(); ++i)
         segments.add(3.0 * mesh.position[i], -3.0 * mesh.position[i] + glm::dvec3(1e-13 * static_cast<double>(i % 3)));
     SheetCounter(runtime, mesh).count(runtime, sphere, segments.from, segments.to, segments.clear, answer);
-    for (const SheetCounter::Answer& each : answer) {
+    for (const SheetCounter::Result& each : answer) {
         ASSERT_EQ(each.sheets, 2);
         ASSERT_TRUE(each.certain);
     }
@@ -295,9 +295,9 @@ TEST_F(SheetCount, NeedsFewEvaluations) {
     const std::int64_t before = sphere.evaluations;
     counter.count(runtime, sphere, segments.from, segments.to, segments.clear, answer);
     std::int64_t sheets = 0;
-    for (const SheetCounter::Answer& each : answer) sheets += each.sheets;
+    for (const SheetCounter::Result& each : answer) sheets += each.sheets;
     EXPECT_LT(sphere.evaluations - before, 3 * sheets);
-    const SheetCounter::Answer some = answer[123];
+    const SheetCounter::Result some = answer[123];
     EXPECT_EQ(count(sphere, segments.from[123], segments.to[123]).sheets, some.sheets);
 }
 

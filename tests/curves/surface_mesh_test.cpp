@@ -147,7 +147,7 @@ TEST(SurfaceMesh, EndsJustBeyondItsSamples) {
     std::int64_t supported = 0;
     for (std::int64_t i = 0; i < whole.vertices(); ++i) {
         const glm::dvec3 p = whole.position[i];
-        if (!domain.holds(p, whole.gradient[i])) continue;
+        if (!domain.contains(p, whole.gradient[i])) continue;
         ++supported;
         ASSERT_TRUE(kept.contains({p.x, p.y, p.z}));
     }

@@ -115,7 +115,7 @@ TEST_F(OpenSphere, RaysPassThroughTheMissingPart) {
         runtime, {{0.3, 0.2, -3.0}, {0.3, 0.2, 0.0}, {-3.0, 0.1, 0.5}, {-3.0, 0.1, -0.5}, {0.9, 0.1, 3.0}});
     const std::array<std::int32_t, 5> sheets{1, 1, 2, 0, 1};
     const base::Array<double> clear(runtime.memory, from.size());
-    base::Array<SheetCounter::Answer> answer(runtime.memory);
+    base::Array<SheetCounter::Result> answer(runtime.memory);
     open.lines.sheets().count(runtime, sphere, from, to, clear, answer);
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         EXPECT_EQ(answer[static_cast<std::int64_t>(i)].sheets, sheets[i]) << i;
@@ -137,7 +137,7 @@ TEST_F(OpenSphere, RaysNextToTheBorderCountTheRightSheets) {
         }
     }
     const base::Array<double> clear(runtime.memory, from.size());
-    base::Array<SheetCounter::Answer> answer(runtime.memory);
+    base::Array<SheetCounter::Result> answer(runtime.memory);
     open.lines.sheets().count(runtime, sphere, from, to, clear, answer);
     int told = 0;
     for (std::int64_t i = 0; i < answer.size(); ++i) {

@@ -77,7 +77,7 @@ TEST(FeatureLines, HysteresisAndLengthDropLinesAndCountThem) {
     request.shortest = 7.0 / torus.diagonal();
     lines = subject.find(runtime(), request);
     EXPECT_EQ(lines.count(), 0);
-    EXPECT_EQ(lines.small, 2);
+    EXPECT_EQ(lines.too_short, 2);
     request.shortest = 6.0 / torus.diagonal();
     EXPECT_EQ(subject.find(runtime(), request).count(), 2);
 }

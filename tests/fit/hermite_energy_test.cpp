@@ -45,8 +45,8 @@ TEST(HermiteEnergy, MatchesTheFitAndItsSparseEstimateIsNear) {
     fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {});
     const geometry::VecArray normal = made.normals(cloud);
     geometry::VecArray beta(made.runtime.memory, made.tree.size());
-    const double solved = energy.solved(normal, beta, 1e-8, base::Progress());
-    const double sparse = energy.sparse(normal, beta);
+    const double solved = energy.accurate_energy(normal, beta, 1e-8, base::Progress());
+    const double sparse = energy.approximate_energy(normal, beta);
 
     const auto fitted = fit::fit(made.runtime, fit_test::input(cloud));
     double exact = 0.0;
@@ -62,7 +62,7 @@ TEST(HermiteEnergy, DerivativesMatchDifferences) {
     geometry::VecArray normal = made.normals(cloud);
     geometry::VecArray beta(made.runtime.memory, made.tree.size());
     geometry::VecArray rest(made.runtime.memory, made.tree.size());
-    (void)energy.sparse(normal, beta);
+    (void)energy.approximate_energy(normal, beta);
     const base::Array<double> stiffness = energy.stiffness();
     for (const std::int64_t i : {3, 77, 299}) {
         double trace = 0.0;
@@ -71,12 +71,12 @@ TEST(HermiteEnergy, DerivativesMatchDifferences) {
             step[c] = 0.01;
             const glm::dvec3 kept = normal[i];
             normal.set(i, kept + step);
-            const double after = energy.sparse(normal, rest);
+            const double after = energy.approximate_energy(normal, rest);
             normal.set(i, kept - step);
-            const double before = energy.sparse(normal, rest);
+            const double before = energy.approximate_energy(normal, rest);
             normal.set(i, kept);
             EXPECT_NEAR((after - before) / 0.02, 2.0 * beta[i][c], 1e-6 + 1e-4 * std::abs(beta[i][c])) << i;
-            trace += (after + before - 2.0 * energy.sparse(normal, rest)) / 1e-4 / 2.0;
+            trace += (after + before - 2.0 * energy.approximate_energy(normal, rest)) / 1e-4 / 2.0;
         }
         EXPECT_NEAR(stiffness[i], trace, 1e-3 * trace) << i;
     }

@@ -52,7 +52,7 @@ TEST(PolynomialSpace, TakeOutRemovesTheOrthogonalProjection) {
         EXPECT_EQ(space.terms(), p.cols());
         const Eigen::VectorXd before = wave(system.rows());
         Eigen::VectorXd after = before;
-        space.take_out(after.data());
+        space.make_orthogonal(after.data());
         // The result is orthogonal to the polynomials, and the difference is a polynomial.
         for (Eigen::Index k = 0; k < p.cols(); ++k)
             EXPECT_LT(std::abs(p.col(k).dot(after)), 1e-12 * p.col(k).norm() * before.norm()) << degree;
@@ -64,7 +64,7 @@ TEST(PolynomialSpace, TakeOutRemovesTheOrthogonalProjection) {
             EXPECT_EQ(taken.norm(), 0.0);
         }
         Eigen::VectorXd again = after;
-        space.take_out(again.data());
+        space.make_orthogonal(again.data());
         EXPECT_LT((again - after).norm(), 1e-13 * before.norm()) << degree;
     }
 }
@@ -79,8 +79,8 @@ TEST(PolynomialSpace, ExplainFindsThePolynomialAndLeavesNothing) {
         const Eigen::VectorXd c = wave(p.cols());
         Eigen::VectorXd values = fit_test::applied(p, c);
         const double size = values.norm();
-        Eigen::VectorXd found = Eigen::VectorXd::Constant(p.cols(), 0.25); // explain() adds to this
-        space.explain(values.data(), found.data());
+        Eigen::VectorXd found = Eigen::VectorXd::Constant(p.cols(), 0.25); // subtract_best_polynomial() adds to this
+        space.subtract_best_polynomial(values.data(), found.data());
         EXPECT_LT(values.norm(), 1e-12 * size) << degree;
         // The tolerance of a coefficient depends on the norm of its column.
         for (Eigen::Index k = 0; k < p.cols(); ++k)
@@ -96,8 +96,8 @@ TEST(PolynomialSpace, ExplainRemovesThePolynomialThatItFinds) {
     Eigen::VectorXd rest = wave(system.rows());
     Eigen::VectorXd projected = rest;
     Eigen::VectorXd c = Eigen::VectorXd::Zero(system.terms());
-    space.explain(rest.data(), c.data());
-    space.take_out(projected.data());
+    space.subtract_best_polynomial(rest.data(), c.data());
+    space.make_orthogonal(projected.data());
     EXPECT_LT((rest - projected).norm(), 1e-13);
     EXPECT_LT((rest + fit_test::applied(plain(system), c) - wave(system.rows())).norm(), 1e-10);
 }

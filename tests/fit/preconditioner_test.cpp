@@ -44,7 +44,7 @@ Eigen::MatrixXd plain(const fit::HermiteSystem& system) {
 }
 
 // A basis of functionals: the four of each sample minus their Taylor expansions about the first sample.
-Eigen::MatrixXd beside_linear(const VecArray& x) {
+Eigen::MatrixXd orthogonal_to_linear(const VecArray& x) {
     Eigen::MatrixXd z = Eigen::MatrixXd::Zero(4 * x.size(), 4 * (x.size() - 1));
     for (Eigen::Index k = 1; k < x.size(); ++k) {
         const glm::dvec3 d = x[k] - x[0];
@@ -59,7 +59,7 @@ Eigen::MatrixXd beside_linear(const VecArray& x) {
 Eigen::MatrixXd plain_factor(const VecArray& x, const fit::HermiteSystem::Options& o) {
     const Eigen::MatrixXd a = plain(fit::HermiteSystem(x, o));
     const Eigen::MatrixXd z =
-        o.kernel == Kind::triharmonic ? beside_linear(x) : Eigen::MatrixXd::Identity(a.rows(), a.rows());
+        o.kernel == Kind::triharmonic ? orthogonal_to_linear(x) : Eigen::MatrixXd::Identity(a.rows(), a.rows());
     const Eigen::MatrixXd beside = fit_test::product(z.transpose(), fit_test::product(a, z));
     return fit_test::product(z, fit_test::inverse_of_upper_cholesky(beside)).rightCols(4);
 }

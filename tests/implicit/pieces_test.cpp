@@ -19,8 +19,8 @@ using implicit::PiecesData;
 
 namespace {
 
-constexpr std::int32_t larger = PiecesData::larger;
-constexpr std::int32_t smaller = PiecesData::smaller;
+constexpr std::int32_t larger = PiecesData::maximum;
+constexpr std::int32_t smaller = PiecesData::minimum;
 
 // A fit without centres: d + n . p + a x^2 + b y z.
 implicit::HrbfData sheet(hrbfnpr::base::Memory& memory, double d, const glm::dvec3& n, double a = 0.0, double b = 0.0) {
@@ -202,7 +202,7 @@ TEST(Pieces, ZonesAcceptASheetThatIsNamedTwice) {
     const implicit::Pieces f(InstructionSet::automatic, std::move(data));
     ASSERT_TRUE(implicit::is_sound(f.data()));
     const implicit::PreparedPieces prepared(runtime, f, implicit::PreparedPieces::Scope::zones);
-    EXPECT_FALSE(prepared.zones()->at(glm::dvec3(0.1)).parts.empty());
+    EXPECT_FALSE(prepared.zones()->candidates_at(glm::dvec3(0.1)).parts.empty());
     for (std::uint64_t i = 0; i < 100; ++i) {
         const glm::dvec3 p = place(i, 1.0);
         EXPECT_EQ(at(prepared, p).value, value_of(f.data().sheet[0], p));

@@ -9,7 +9,7 @@ namespace plan_test {
 
 namespace mesh = hrbfnpr::mesh;
 using mesh::Edges;
-using mesh::SaidOfEdges;
+using mesh::EdgesInFile;
 using Choice = mesh::CoarsePlan::Choice;
 
 namespace {
@@ -102,18 +102,18 @@ TEST(Plan, EachPartHasItsOwnSharpness) {
 // ---- Coarse faces
 
 TEST(Plan, AFileSaysWhichEdgesAreSharp) {
-    EXPECT_EQ(mesh::plan_edges_of_file(7, 7), SaidOfEdges::nothing);
-    EXPECT_EQ(mesh::plan_edges_of_file(100, 98), SaidOfEdges::all_are_sharp);
-    EXPECT_EQ(mesh::plan_edges_of_file(100, 97), SaidOfEdges::some_are_sharp);
-    EXPECT_EQ(mesh::plan_edges_of_file(100, 3), SaidOfEdges::some_are_sharp);
-    EXPECT_EQ(mesh::plan_edges_of_file(100, 2), SaidOfEdges::nothing);
+    EXPECT_EQ(mesh::plan_edges_of_file(7, 7), EdgesInFile::nothing);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 98), EdgesInFile::all_are_sharp);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 97), EdgesInFile::some_are_sharp);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 3), EdgesInFile::some_are_sharp);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 2), EdgesInFile::nothing);
 }
 
 struct Coarse {
     mesh::CoarseFacts facts;
     mesh::MeshWishes wishes;
 
-    explicit Coarse(double off, SaidOfEdges said = SaidOfEdges::nothing) {
+    explicit Coarse(double off, EdgesInFile said = EdgesInFile::nothing) {
         facts.faces = 100;
         facts.said = said;
         facts.mean_edge = [] { return 0.1; };
@@ -140,7 +140,7 @@ TEST(Plan, KeepsFacesThatShouldNotBeDivided) {
     Coarse coarse(0.01);
     coarse.facts.has_creases = [] { return true; };
     EXPECT_EQ(coarse.plan().choice, Choice::nothing);
-    coarse.facts.said = SaidOfEdges::some_are_sharp; // now edges that stand out do not matter
+    coarse.facts.said = EdgesInFile::some_are_sharp; // now edges that stand out do not matter
     EXPECT_EQ(coarse.plan().choice, Choice::divided);
     EXPECT_TRUE(coarse.plan().parts_alone);
     coarse = Coarse(0.01);
@@ -165,7 +165,7 @@ TEST(Plan, KeepsFacesThatShouldNotBeDivided) {
 }
 
 TEST(Plan, AllFacesAreFlatIfTheFileSaysSo) {
-    Coarse coarse(0.01, SaidOfEdges::all_are_sharp);
+    Coarse coarse(0.01, EdgesInFile::all_are_sharp);
     EXPECT_EQ(coarse.plan().choice, Choice::all_flat);
     EXPECT_TRUE(coarse.plan().is_flat());
     coarse.wishes.rounds = 1;
@@ -174,18 +174,18 @@ TEST(Plan, AllFacesAreFlatIfTheFileSaysSo) {
 
 TEST(Plan, ADivisionThatFoldsIsRejected) {
     mesh::MeshWishes wishes;
-    const auto judge = [&](double moved, double raised, SaidOfEdges said) {
+    const auto judge = [&](double moved, double raised, EdgesInFile said) {
         return mesh::judge_division({moved, raised, 0.01, [] { return 0.02; }}, said, wishes);
     };
-    EXPECT_EQ(judge(0.015, 0.03, SaidOfEdges::nothing), Choice::divided);
-    EXPECT_EQ(judge(0.016, 0.0, SaidOfEdges::nothing), Choice::coarse_flat);
-    EXPECT_EQ(judge(0.0, 0.031, SaidOfEdges::nothing), Choice::coarse_flat);
-    EXPECT_EQ(judge(0.029, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
-    EXPECT_EQ(judge(0.031, 0.0, SaidOfEdges::some_are_sharp), Choice::nothing);
+    EXPECT_EQ(judge(0.015, 0.03, EdgesInFile::nothing), Choice::divided);
+    EXPECT_EQ(judge(0.016, 0.0, EdgesInFile::nothing), Choice::coarse_flat);
+    EXPECT_EQ(judge(0.0, 0.031, EdgesInFile::nothing), Choice::coarse_flat);
+    EXPECT_EQ(judge(0.029, 1.0, EdgesInFile::some_are_sharp), Choice::divided);
+    EXPECT_EQ(judge(0.031, 0.0, EdgesInFile::some_are_sharp), Choice::nothing);
     wishes.edges_as_given = false; // for example AUTO or SMOOTH
-    EXPECT_EQ(judge(0.016, 0.0, SaidOfEdges::nothing), Choice::divided);
+    EXPECT_EQ(judge(0.016, 0.0, EdgesInFile::nothing), Choice::divided);
     wishes.rounds = 1;
-    EXPECT_EQ(judge(1.0, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
+    EXPECT_EQ(judge(1.0, 1.0, EdgesInFile::some_are_sharp), Choice::divided);
 }
 
 TEST(Plan, TheFitKeepsTheWishedEdges) {

@@ -33,11 +33,11 @@ struct NoisyCloud {
     }
 
     orient::Cloud cloud;
-    orient::Near near;
+    orient::NeighbourLists near;
 };
 
 constexpr double high = 3162.0;
-constexpr orient::Effort effort{3, false, true};
+constexpr orient::StartOptions effort{3, false, true};
 
 TEST(RidgePath, SeparatesSheetsThatAHighRidgeMerges) {
     const base::Runtime runtime;

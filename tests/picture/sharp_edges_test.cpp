@@ -14,7 +14,7 @@ namespace {
 
 using namespace hrbfnpr;
 using namespace hrbfnpr::picture;
-using hrbfnpr::mesh::SaidOfEdges;
+using hrbfnpr::mesh::EdgesInFile;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -49,21 +49,21 @@ TEST_F(SharpEdges, WithNonFinitePointsAreLeftOut) {
 TEST_F(SharpEdges, OnABallCountIfThereAreEnough) {
     const Shape ball = shape_of(test::icosphere(1), pool);
     const Vector<Edge> all = all_edges(ball);
-    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, all, pool), SaidOfEdges::all_are_sharp);
-    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, edges({}), pool), SaidOfEdges::nothing);
+    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, all, pool), EdgesInFile::all_are_sharp);
+    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, edges({}), pool), EdgesInFile::nothing);
     Vector<Edge> some(all.begin(), all.begin() + 2, &pool); // Only 2 of 120 edges are sharp.
-    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), SaidOfEdges::nothing);
+    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), EdgesInFile::nothing);
     some.assign(all.begin(), all.begin() + 3);
-    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), SaidOfEdges::some_are_sharp);
+    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), EdgesInFile::some_are_sharp);
     some.assign(all.begin(), all.end() - 3);
-    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), SaidOfEdges::some_are_sharp);
+    EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), EdgesInFile::some_are_sharp);
 }
 
 TEST_F(SharpEdges, InsideFlatPolygonsDoNotCount) {
     // Only the edges of the box bend. Diagonals of its sides and edges between its cells do not.
     const Shape box = shape_of(test::box(1, 1, 1, 2), pool); // Each side has separate vertices.
     const Vector<Edge> all = all_edges(box);
-    EXPECT_EQ(said_of_edges(box.points, box.triangles, all, pool), SaidOfEdges::all_are_sharp);
+    EXPECT_EQ(said_of_edges(box.points, box.triangles, all, pool), EdgesInFile::all_are_sharp);
     Vector<Edge> bent(&pool);
     for (const Edge& edge : all) {
         const glm::dvec3 middle =
@@ -73,16 +73,16 @@ TEST_F(SharpEdges, InsideFlatPolygonsDoNotCount) {
         if (on_sides == 2) bent.push_back(edge);
     }
     EXPECT_EQ(bent.size(), 48U); // Each of twelve edges has two, repeated for two sides.
-    EXPECT_EQ(said_of_edges(box.points, box.triangles, bent, pool), SaidOfEdges::all_are_sharp);
+    EXPECT_EQ(said_of_edges(box.points, box.triangles, bent, pool), EdgesInFile::all_are_sharp);
 }
 
 TEST_F(SharpEdges, AreIgnoredIfThereAreFewFaces) {
     const Shape four = shape_of(test::tetrahedron(), pool); // It has six edges.
-    EXPECT_EQ(said_of_edges(four.points, four.triangles, all_edges(four), pool), SaidOfEdges::nothing);
+    EXPECT_EQ(said_of_edges(four.points, four.triangles, all_edges(four), pool), EdgesInFile::nothing);
     Shape flat(pool); // Its face has no area and so no normal.
     flat.points = points({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
     flat.triangles.assign(20, Triangle{0, 1, 2});
-    EXPECT_EQ(said_of_edges(flat.points, flat.triangles, edges({{0, 1}}), pool), SaidOfEdges::nothing);
+    EXPECT_EQ(said_of_edges(flat.points, flat.triangles, edges({{0, 1}}), pool), EdgesInFile::nothing);
 }
 
 } // namespace

@@ -63,15 +63,16 @@ TEST(Support, SlopesMatchDifferences) {
     for (int i = 0; i < 100; ++i) {
         const glm::dvec3 p = 1.01 * on_sphere(-0.1 + i / 100.0, 2.1 * i);
         const glm::dvec3 n = glm::normalize(p + 0.3 * glm::dvec3(std::sin(i), std::cos(i), 0.2));
-        const Support::Answer s = support.evaluate(p, n);
+        const Support::ValueAndDerivatives s = support.evaluate(p, n);
         EXPECT_EQ(s.value, support.value(p, n));
-        EXPECT_NEAR(glm::dot(s.by_normal, n), 0.0, 1e-12);
+        EXPECT_NEAR(glm::dot(s.normal_gradient, n), 0.0, 1e-12);
         for (int c = 0; c < 3; ++c) {
             glm::dvec3 way(0.0);
             way[c] = step;
-            EXPECT_NEAR((support.value(p + way, n) - support.value(p - way, n)) / (2.0 * step), s.by_place[c],
-                        1e-4 * glm::length(s.by_place) + 1e-3);
-            EXPECT_NEAR((support.value(p, n + way) - support.value(p, n - way)) / (2.0 * step), s.by_normal[c], 1e-5);
+            EXPECT_NEAR((support.value(p + way, n) - support.value(p - way, n)) / (2.0 * step), s.place_gradient[c],
+                        1e-4 * glm::length(s.place_gradient) + 1e-3);
+            EXPECT_NEAR((support.value(p, n + way) - support.value(p, n - way)) / (2.0 * step), s.normal_gradient[c],
+                        1e-5);
         }
     }
 }

@@ -55,7 +55,7 @@ private:
         if (level == nullptr) subject.clear = visibility_tuning.clear_of_creases;
         picture.add(subject);
     }
-    void add_contours(const curves::SheetPart& part) {
+    void add_contours(const curves::SheetSurface& part) {
         levels_.push_back(std::make_unique<curves::ContourLevel>(part.surface, view_));
         curves::TraceReport report;
         const curves::Curves traced = curves::trace(runtime(), *levels_.back(), part.mesh, {}, report);

@@ -90,7 +90,7 @@ struct SurfaceParts {
 
 [[nodiscard]] SurfaceParts parts_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface) {
     SurfaceParts parts;
-    Sets sets(runtime.memory, surface.vertices());
+    UnionFind sets(runtime.memory, surface.vertices());
     for (std::int64_t t = 0; t < surface.triangles(); ++t) {
         const std::int32_t* const corner = surface.corner.data() + 3 * t;
         sets.join(corner[0], corner[1]);
@@ -101,7 +101,7 @@ struct SurfaceParts {
     std::int64_t vertices = 0;
     for (std::int64_t v = 0; v < surface.vertices(); ++v) {
         vertices += used[v];
-        parts.components += used[v] != 0 && sets.of(static_cast<std::int32_t>(v)) == v ? 1 : 0;
+        parts.components += used[v] != 0 && sets.find(static_cast<std::int32_t>(v)) == v ? 1 : 0;
     }
     const bool border =
         std::any_of(surface.neighbour.begin(), surface.neighbour.end(), [](std::int32_t beyond) { return beyond < 0; });
@@ -174,7 +174,7 @@ void from_surface(const CompareTask& task, const Mesh& mesh, const curves::Surfa
                     distance.begin());
     result.left_out =
         static_cast<double>(found - distance.size()) / static_cast<double>(std::max<std::int64_t>(found, 1));
-    result.surface = spread_of(distance, result.tolerance, far);
+    result.surface = statistics_of(distance, result.tolerance, far);
 }
 
 // ---- From the mesh
@@ -201,8 +201,8 @@ void from_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, cons
         const double cosine = glm::dot(on.gradient[i], samples.normal[i]) / slope;
         angle.push_back(glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
     }
-    result.mesh = spread_of(distance, result.tolerance, far);
-    const Spread normals = spread_of(angle, 180.0, 180.0);
+    result.mesh = statistics_of(distance, result.tolerance, far);
+    const DistanceStatistics normals = statistics_of(angle, 180.0, 180.0);
     result.normal_mean = normals.mean;
     result.normal_p99 = normals.p99;
 }
@@ -213,8 +213,8 @@ geometry::Bounds search_region(const Mesh& mesh) noexcept {
     return mesh.bounds.grown(surface::region_margin * mesh.bounds.diagonal());
 }
 
-Spread spread_of(base::Array<double>& distance, double tolerance, double far) {
-    Spread spread;
+DistanceStatistics statistics_of(base::Array<double>& distance, double tolerance, double far) {
+    DistanceStatistics spread;
     spread.points = distance.size();
     if (distance.empty()) return spread;
     const auto count = static_cast<double>(distance.size());

@@ -22,7 +22,7 @@ struct CompareSettings {
 };
 
 // A summary of distances. Without distances all members but `points` are NaN.
-struct Spread {
+struct DistanceStatistics {
     std::int64_t points = 0;
     double mean = std::numeric_limits<double>::quiet_NaN();
     double p99 = std::numeric_limits<double>::quiet_NaN();
@@ -37,8 +37,8 @@ struct Spread {
 };
 
 struct Comparison {
-    Spread surface; // distances of places on the surface from the mesh
-    Spread mesh;    // distances of places on the mesh from the surface
+    DistanceStatistics surface; // distances of places on the surface from the mesh
+    DistanceStatistics mesh;    // distances of places on the mesh from the surface
     double left_out = 0.0;
     double normal_mean = std::numeric_limits<double>::quiet_NaN(); // degrees
     double normal_p99 = std::numeric_limits<double>::quiet_NaN();
@@ -55,7 +55,8 @@ inline constexpr double cells_a_diagonal = 128.0;
 
 // Returns the box in which the surface beside a mesh is searched for.
 [[nodiscard]] geometry::Bounds search_region(const Mesh& mesh) noexcept;
-[[nodiscard]] Spread spread_of(base::Array<double>& distance, double tolerance, double far); // reorders `distance`
+// Reorders `distance`.
+[[nodiscard]] DistanceStatistics statistics_of(base::Array<double>& distance, double tolerance, double far);
 
 struct SurfaceSearch {
     geometry::Bounds region; // The surface is searched for in this box.

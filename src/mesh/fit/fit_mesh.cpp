@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a smooth fit to a mesh, by fit_adaptively() with the mesh as its oracle.
+// Makes a smooth fit to a mesh, by fit_adaptively() with the mesh as its centre chooser.
 //
 //   gather_candidates         takes places on the mesh, even over its area and in the middles of faces
 //   distances_of_candidates   measures how far the candidates are from the fit
@@ -129,7 +129,7 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
                                     ? settings.candidates
                                     : std::clamp(faces, fit_mesh_tuning.fewest_candidates, most_of_faces);
     MeshSamples even = random_samples(work, mesh, wanted, settings.seed, 1);
-    report.touching = warn_of_touching(work, mesh, tree, even, report.tolerance, false);
+    report.contact = warn_of_part_contact(work, mesh, tree, even, report.tolerance, false);
     fit::Samples candidates(work.memory);
     candidates.position = std::move(even.position);
     candidates.normal = std::move(even.normal);
@@ -161,7 +161,7 @@ base::Array<double> distances_of_candidates(const Task& task, const fit::Samples
 
 // Measures the distances of other places of the mesh from the surface itself. The distances of candidates are
 // first-order estimates only.
-Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshReport& report) {
+DistanceStatistics verify(const Task& task, const implicit::HrbfData& data, const FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     MeshSamples samples = random_samples(work, mesh, fit_mesh_tuning.verified_places, settings.seed, 2);
     keep_outer(work, mesh, tree, samples.position, samples.normal);
@@ -177,7 +177,7 @@ Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshRep
         distance.push_back(found ? glm::distance(on.position[i], samples.position[i])
                                  : std::numeric_limits<double>::infinity());
     }
-    return spread_of(distance, report.tolerance, report.far);
+    return statistics_of(distance, report.tolerance, report.far);
 }
 
 // ---- The surface from the mesh
@@ -216,10 +216,10 @@ void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base
             return false;
         };
         if (covers(held.position) || covers(added.position)) continue;
-        const Where side = where(task.outer.all(), place[i]);
-        if (side == Where::unsure) continue;
+        const MeshSide side = side_of_mesh(task.outer.all(), place[i]);
+        if (side == MeshSide::unsure) continue;
         const FaceTree::Nearest nearest = task.outer.tree().nearest(place[i]);
-        const double sign = side == Where::inside ? -1.0 : 1.0;
+        const double sign = side == MeshSide::inside ? -1.0 : 1.0;
         const double length = std::sqrt(nearest.squared);
         added.position.push_back(place[i]);
         added.normal.push_back(sign / length * (place[i] - nearest.place));
@@ -282,7 +282,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     double input_distance_rms = 0.0;
 
     // Measures the whole surface, and adds to `growth` centres that hold f off the mesh. Returns whether it added any.
-    const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::Growth& growth) {
+    const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::NextCentres& next) {
         geometry::VecArray seeds(work.memory);
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);
         curves::SurfaceMesh surface = find_surface(work.without_progress(), *field, seeds, search);
@@ -292,15 +292,16 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         places.position = std::move(surface.position);
         places.gradient = std::move(surface.gradient);
         base::Array<double> distance = distances_to_mesh(task, places.position);
-        const std::int64_t before = growth.held.position.size();
-        const std::int64_t room = settings.maximum_centres - now.centres.size() - now.held.position.size() - before;
-        hold_off_mesh(task, places.position, distance, report.tolerance, room, now.held, growth.held);
+        const std::int64_t before = next.off_surface.position.size();
+        const std::int64_t room =
+            settings.maximum_centres - now.centres.size() - now.off_surface.position.size() - before;
+        hold_off_mesh(task, places.position, distance, report.tolerance, room, now.off_surface, next.off_surface);
         if (report.supported) {
             leave_out(work, search, places);
             distance = distances_to_mesh(task, places.position);
         }
-        report.surface = spread_of(distance, report.tolerance, report.far);
-        return growth.held.position.size() > before;
+        report.surface = statistics_of(distance, report.tolerance, report.far);
+        return next.off_surface.position.size() > before;
     };
     // Tells whether the last rounds reduced the share outside or the farthest distance.
     const auto gains = [&] {
@@ -315,31 +316,31 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     };
     const auto look = [&](const fit::AdaptiveFit& now) {
         const base::Stopwatch of_look;
-        fit::Growth growth(work.memory, {options.regularization, options.regularization});
+        fit::NextCentres next(work.memory, {options.regularization, options.regularization});
         FitField field(work.instruction_set, now.fit.result.data, search.precision);
         field.expect(work, candidates.position.size() + surface_places);
         const fit::Distances distances = fit::measure_distances(work.without_progress(), *field, candidates);
         input_distance_rms = root_mean_square(distances.distance, now.fit.result.data.scale);
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
-        report.mesh = spread_of(distance, report.tolerance, report.far);
+        report.mesh = statistics_of(distance, report.tolerance, report.far);
         const bool mesh_good = report.mesh.is_within(share, report.far);
         // The rest of the surface is examined only when most of the mesh is within the tolerance, because most spurious
         // surface has disappeared by then. It is examined again while it is far off, and at the end.
         const bool far = !(report.surface.most <= report.far);
         const bool looked = mesh_good || (report.mesh.share > fit_mesh_tuning.first_look && far);
-        bool grown = looked && look_at_surface(field, now, growth);
-        const std::int64_t room =
-            settings.maximum_centres - now.centres.size() - now.held.position.size() - growth.held.position.size();
+        bool grown = looked && look_at_surface(field, now, next);
+        const std::int64_t room = settings.maximum_centres - now.centres.size() - now.off_surface.position.size() -
+                                  next.off_surface.position.size();
         if (room > 0 && !mesh_good) {
             const std::int64_t batch = fit::batch_of(now.centres.size(), 1.0 - report.mesh.share);
             const fit::CandidateOptions wanted{fit_mesh_tuning.inner * report.tolerance,
                                                fit_mesh_tuning.apart * report.tolerance, std::min(batch, room)};
             if (!candidate_tree) candidate_tree.emplace(candidates.position, work);
-            growth.centres =
+            next.centres =
                 fit::worst_candidates(work, candidates, *candidate_tree, now.centres, distances, wanted).chosen;
-            grown = !growth.centres.empty() || grown;
+            grown = !next.centres.empty() || grown;
         }
-        if (!looked && !grown) grown = look_at_surface(field, now, growth);
+        if (!looked && !grown) grown = look_at_surface(field, now, next);
         const auto all_good = [&] { return mesh_good && report.surface.is_within(share, report.far); };
         if (all_good()) {
             // Looks once in smaller cells for surface that needs more centres.
@@ -348,20 +349,20 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
             if (ratio > 1.0) {
                 search.side = side;
                 field.expect(work, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places)));
-                growth.goes_on = look_at_surface(field, now, growth) && !all_good();
+                next.continues = look_at_surface(field, now, next) && !all_good();
             }
         } else {
-            growth.goes_on = grown && (!looked || gains());
+            next.continues = grown && (!looked || gains());
         }
-        work.runtime().log(base::LogLevel::debug,
-                           "mesh fit: round %d, %lld centres: share within: mesh %.4f (farthest %.3g), surface %.4f "
-                           "(%.3g); %lld to add, %lld off it",
-                           static_cast<int>(now.rounds), static_cast<long long>(now.fit.result.data.count()),
-                           report.mesh.share, report.mesh.most, report.surface.share, report.surface.most,
-                           static_cast<long long>(growth.centres.size()),
-                           static_cast<long long>(growth.held.position.size()));
+        work.runtime().log(
+            base::LogLevel::debug,
+            "mesh fit: round %d, %lld centres: of the mesh %.4f within, the farthest %.3g; of the surface %.4f "
+            "and %.3g; %lld more, and %lld off the surface",
+            static_cast<int>(now.rounds), static_cast<long long>(now.fit.result.data.count()), report.mesh.share,
+            report.mesh.most, report.surface.share, report.surface.most, static_cast<long long>(next.centres.size()),
+            static_cast<long long>(next.off_surface.position.size()));
         report.seconds_measure += of_look.seconds();
-        return growth;
+        return next;
     };
 
     fit::AdaptiveFit made = fit::fit_adaptively(
@@ -370,11 +371,11 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         {options.regularization, options.regularization}, {fit_mesh_tuning.most_rounds, true}, std::ref(look));
     report.rounds = made.rounds;
     report.seconds_fit = made.seconds_fit;
-    report.off_surface = made.held.position.size();
+    report.off_surface = made.off_surface.position.size();
     report.mesh = verify(task, made.fit.result.data, report);
     report.reached =
         report.mesh.is_within(settings.share, report.far) && report.surface.is_within(settings.share, report.far);
-    describe(work, fit::centres_of(work, candidates, made.centres, made.held), report, made.fit);
+    describe(work, fit::centres_of(work, candidates, made.centres, made.off_surface), report, made.fit);
     report.seconds_total = watch.seconds();
     fit::FitResult result = std::move(made.fit.result);
     result.report.input_distance_rms = input_distance_rms;

@@ -29,9 +29,9 @@ struct FitMeshReport {
     std::int64_t candidates = 0;
     std::int64_t off_surface = 0; // the number of centres off the surface
     std::int32_t rounds = 0;
-    Spread surface;
-    Spread mesh;
-    Touching touching; // parts closer to each other than the tolerance, which the fitted surface may join
+    DistanceStatistics surface;
+    DistanceStatistics mesh;
+    PartContact contact; // parts closer to each other than the tolerance, which the surface may join
     double seconds_sample = 0.0;
     double seconds_fit = 0.0;
     double seconds_measure = 0.0;

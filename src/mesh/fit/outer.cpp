@@ -65,14 +65,15 @@ namespace {
 // Finds the first i below `count` for which find(i, place) returns a component. component_of(i) returns the component
 // of i itself.
 template <class Find, class ComponentOf>
-[[nodiscard]] Touching first_of(const base::Work& work, std::int64_t count, Find&& find, ComponentOf&& component_of) {
+[[nodiscard]] PartContact first_of(const base::Work& work, std::int64_t count, Find&& find,
+                                   ComponentOf&& component_of) {
     base::Array<std::int32_t> other(work.memory, count);
     work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         glm::dvec3 place;
         for (std::int64_t i = begin; i < end; ++i) other[i] = find(i, place);
     });
     const auto at = std::find_if(other.begin(), other.end(), [](std::int32_t one) { return one >= 0; });
-    Touching found;
+    PartContact found;
     if (at == other.end()) return found;
     found.other = find(at - other.begin(), found.place);
     found.one = component_of(at - other.begin());
@@ -87,7 +88,7 @@ bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
     return votes >= 2;
 }
 
-Where where(const FaceTree& tree, const glm::dvec3& place) noexcept {
+MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept {
     constexpr int rays = 16;
     int votes = 0;
     for (int k = 0; k < rays; ++k) {
@@ -101,8 +102,8 @@ Where where(const FaceTree& tree, const glm::dvec3& place) noexcept {
                      ? 1
                      : 0;
     }
-    if (votes >= rays - mesh_fit_tuning.dissenters) return Where::inside;
-    return votes <= mesh_fit_tuning.dissenters ? Where::outside : Where::unsure;
+    if (votes >= rays - mesh_fit_tuning.dissenters) return MeshSide::inside;
+    return votes <= mesh_fit_tuning.dissenters ? MeshSide::outside : MeshSide::unsure;
 }
 
 void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
@@ -140,18 +141,18 @@ OuterFaces::OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree&
 
 bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh.report.left_out_components >= 2; }
 
-Touching find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree) {
+PartContact find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree) {
     if (!has_parts(mesh)) return {};
     return first_of(
         work, mesh.faces(), [&](std::int64_t face, glm::dvec3& place) { return pierced_by(mesh, tree, face, place); },
         [&](std::int64_t face) { return mesh.component[face]; });
 }
 
-Touching find_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                       double near, bool solids_apart) {
+PartContact find_part_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                              double near, bool solids_apart) {
     HRBFNPR_ASSERT(places.face.size() == places.position.size());
     if (!has_parts(mesh)) return {};
-    Touching found;
+    PartContact found;
     if (!solids_apart) found = find_crossing(work, mesh, tree);
     if (found.one < 0) {
         const double alike = solids_apart ? mesh_fit_tuning.least_alike : 0.0;
@@ -167,9 +168,9 @@ Touching find_touching(const base::Work& work, const Mesh& mesh, const FaceTree&
     return found;
 }
 
-Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                          double near, bool solids_apart) {
-    const Touching found = find_touching(work, mesh, tree, places, near, solids_apart);
+PartContact warn_of_part_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                 const MeshSamples& places, double near, bool solids_apart) {
+    const PartContact found = find_part_contact(work, mesh, tree, places, near, solids_apart);
     if (found.one >= 0)
         work.runtime().log(
             base::LogLevel::warning,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The steps of make_cells(), in order:
 //
-//   Sides              finds signed distances from the mesh
-//   look_at            decides what a cell is: without surface, with a tree over its sheets, or to be split
-//     gather_tests     chooses places in the cell, and what f should be there
-//     choose_tree      chooses the tree over the cell's sheets that fails the fewest tests
-//   add_level          stores the cells of one level; those that are split make the next level
-//   continue_surface   gives cells beyond the borders of an open mesh the trees of the nearest cells with surface
+//   SignedDistances   finds signed distances from the mesh
+//   decide_cell       decides what a cell is: without surface, with a tree over its sheets, or to be split
+//     gather_tests    chooses places in the cell, and what f should be there
+//     choose_tree     chooses the tree over the cell's sheets that fails the fewest tests
+//   add_level         stores the cells of one level; those that are split make the next level
+//   continue_surface  gives cells beyond the borders of an open mesh the trees of the nearest cells with surface
 #include "mesh/pieces/cells.h"
 
 #include "base/list.h"
@@ -55,7 +55,7 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
     const auto join = [&](const Program& a, const Program& b) {
         Program joined = a;
         joined.add(b);
-        joined.code[joined.size++] = top == 0 ? PiecesData::larger : PiecesData::smaller;
+        joined.code[joined.size++] = top == 0 ? PiecesData::maximum : PiecesData::minimum;
         to.push_back(joined);
     };
     for (std::uint32_t with = (others - 1) & others;; with = (with - 1) & others) {
@@ -69,11 +69,11 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
     }
 }
 
-// ---- Sides of the mesh
+// ---- Signed distances from the mesh
 
-// The place on the mesh nearest to a given place.
-struct Beside {
-    double distance = 0.0; // the signed distance; negative inside
+// The place of the mesh nearest to a given place.
+struct NearestPlace {
+    double distance = 0.0; // signed distance; below 0 is inside
     std::int64_t face = -1;
     glm::dvec3 place{0.0};
     bool inner = false; // The place is inside its face, not on an edge.
@@ -83,13 +83,13 @@ struct Beside {
 // closed, and where faces of a solid are folded upon each other, because their normals do not tell. Elsewhere the
 // normal at the nearest place tells it (Baerentzen and Aanaes, "Signed distance computation using the angle weighted
 // pseudonormal", 2005).
-class Sides {
+class SignedDistances {
 public:
-    Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
+    SignedDistances(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
-    [[nodiscard]] Beside beside(const glm::dvec3& place) const noexcept {
+    [[nodiscard]] NearestPlace nearest_place(const glm::dvec3& place) const noexcept {
         const FaceTree::Nearest nearest = tree_.nearest(place);
-        Beside result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
+        NearestPlace result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
         const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
         const Triangle& t = mesh_.triangle[nearest.face];
         const bool is_folded = folded_[t[0]] != 0 || folded_[t[1]] != 0 || folded_[t[2]] != 0;
@@ -98,23 +98,23 @@ public:
         if (inside) result.distance = -result.distance;
         return result;
     }
-    // Returns how far one can go from a place inside a face along a direction, but at most `most`. On that way, the
-    // mesh ahead is never nearer than the face that was left.
-    [[nodiscard]] double room(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
+    // Returns a distance, at most `most`, by which one can go from a place inside a face along a direction so that the
+    // mesh ahead is no nearer than the place.
+    [[nodiscard]] double free_distance(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
         const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
         return hit.face < 0 ? most : 0.9 * hit.t * most;
     }
     // Tells whether a place is on the outer surface of the mesh, and not on a face inside another part.
-    [[nodiscard]] bool is_outer(const Beside& beside) const noexcept {
-        return !by_rays_ || !is_inside(tree_, beside.place + off_ * normal_[beside.face]) ||
-               !is_inside(tree_, beside.place - off_ * normal_[beside.face]);
+    [[nodiscard]] bool is_outer(const NearestPlace& nearest) const noexcept {
+        return !by_rays_ || !is_inside(tree_, nearest.place + off_ * normal_[nearest.face]) ||
+               !is_inside(tree_, nearest.place - off_ * normal_[nearest.face]);
     }
     // Tells whether every place is either inside or outside.
     [[nodiscard]] bool solid() const noexcept { return solid_; }
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
 private:
-    [[nodiscard]] bool look_solid(const base::Work& work, const base::Array<std::int64_t>& face) const;
+    [[nodiscard]] bool is_solid_by_rays(const base::Work& work, const base::Array<std::int64_t>& face) const;
     [[nodiscard]] glm::dvec3 pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept;
 
     const Mesh& mesh_;
@@ -144,7 +144,7 @@ private:
     return faces;
 }
 
-Sides::Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree)
+SignedDistances::SignedDistances(const base::Work& work, const Mesh& mesh, const FaceTree& tree)
     : mesh_(mesh), tree_(tree), normal_(unit_normals(mesh, work)), edge_(work.memory, 3 * mesh.faces()),
       vertex_(work.memory, mesh.vertex.size()), folded_(work.memory, mesh.vertex.size()),
       off_(cell_tuning.off_face * mesh.bounds.diagonal()) {
@@ -161,27 +161,27 @@ Sides::Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree)
                 if (folded) folded_[vertex] = 1;
         }
     });
-    solid_ = mesh.report.closed || look_solid(work, faces_to_probe(mesh));
+    solid_ = mesh.report.closed || is_solid_by_rays(work, faces_to_probe(mesh));
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
 }
 
-// Tells whether rays agree with the orientation of the faces at nearly all of the given faces.
-bool Sides::look_solid(const base::Work& work, const base::Array<std::int64_t>& face) const {
+// Tells whether at nearly all of these faces rays agree with the orientation of the face.
+bool SignedDistances::is_solid_by_rays(const base::Work& work, const base::Array<std::int64_t>& face) const {
     base::Array<std::uint8_t> right(work.memory, face.size());
     work.for_chunks(face.size(), 16, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const glm::dvec3 middle = middle_of(mesh_, face[i]);
             const glm::dvec3 off = off_ * normal_[face[i]];
-            right[i] = where(tree_, middle + off) == Where::outside && where(tree_, middle - off) == Where::inside;
+            right[i] = side_of_mesh(tree_, middle + off) == MeshSide::outside &&
+                       side_of_mesh(tree_, middle - off) == MeshSide::inside;
         }
     });
     const auto sum = static_cast<double>(std::count(right.begin(), right.end(), std::uint8_t{1}));
     return sum >= cell_tuning.solid_share * static_cast<double>(face.size());
 }
 
-glm::dvec3 Sides::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
-    // A place whose coordinate in a face is below this share is on the edge opposite that corner.
-    constexpr double on_edge = 1e-6;
+glm::dvec3 SignedDistances::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
+    constexpr double on_edge = 1e-6; // the share of a corner at which a place is on an edge
     const glm::dvec3 shares = shares_of(mesh_.corners(face), place);
     inner = shares.x > on_edge && shares.y > on_edge && shares.z > on_edge;
     if (inner) return normal_[face];
@@ -245,7 +245,7 @@ struct CellTask {
     const base::Runtime& runtime;
     const Mesh& mesh;
     const Creases& creases;
-    const Sides& sides;
+    const SignedDistances& distances;
     const base::Array<double>& chord;
     const ReadOnceTrees& trees;
     const PiecesData& data;
@@ -260,8 +260,8 @@ struct CellTask {
     }
 };
 
-struct Tests {
-    explicit Tests(base::Memory& memory) noexcept : place(memory), distance(memory), slack(memory), own(memory) {}
+struct TreeTests {
+    explicit TreeTests(base::Memory& memory) noexcept : place(memory), distance(memory), slack(memory), own(memory) {}
 
     void add(const glm::dvec3& p, double d, double may_be_off, std::int32_t sheet) {
         place.push_back(p);
@@ -287,26 +287,26 @@ struct Tests {
 // Adds tests on the mesh, where f should equal the sheet of the patch there, and beside it, where f should have the
 // sign of the mesh's side.
 void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
-                     const Beside& beside, double step, Tests& tests) {
-    if (!box.contains(beside.place) || !task.sides.is_outer(beside)) return;
-    const auto own = std::find(sheets.begin(), sheets.end(), task.creases.patch[beside.face]);
+                     const NearestPlace& nearest, double step, TreeTests& tests) {
+    if (!box.contains(nearest.place) || !task.distances.is_outer(nearest)) return;
+    const auto own = std::find(sheets.begin(), sheets.end(), task.creases.patch[nearest.face]);
     if (own == sheets.end()) return;
-    const double slack = task.slack(beside.face);
-    tests.add(beside.place, 0.0, slack - 0.5 * task.near, static_cast<std::int32_t>(own - sheets.begin()));
-    if (!beside.inner) return;
-    const glm::dvec3& normal = task.sides.normal(beside.face);
+    const double slack = task.slack(nearest.face);
+    tests.add(nearest.place, 0.0, slack - 0.5 * task.near, static_cast<std::int32_t>(own - sheets.begin()));
+    if (!nearest.inner) return;
+    const glm::dvec3& normal = task.distances.normal(nearest.face);
     for (const double side : {1.0, -1.0}) {
-        const double room = task.sides.room(beside.place, side * normal, step * box.half);
-        if (room > slack) tests.add(beside.place + side * room * normal, side * room, 0.0, -1);
+        const double room = task.distances.free_distance(nearest.place, side * normal, step * box.half);
+        if (room > slack) tests.add(nearest.place + side * room * normal, side * room, 0.0, -1);
     }
 }
 
 // Returns tests at random places in the cell, at the places of the mesh nearest to them, and in the middles of faces
 // and near their sides, because small faces and creases lie between random places.
-[[nodiscard]] Tests gather_tests(const CellTask& task, const CellBox& box, std::span<const std::int32_t> faces,
-                                 std::span<const std::int32_t> sheets, std::uint64_t cell) {
+[[nodiscard]] TreeTests gather_tests(const CellTask& task, const CellBox& box, std::span<const std::int32_t> faces,
+                                     std::span<const std::int32_t> sheets, std::uint64_t cell) {
     constexpr std::uint32_t stream = 78;
-    Tests tests(task.runtime.memory);
+    TreeTests tests(task.runtime.memory);
     const std::int64_t n = cell_tuning.along;
     const double spacing = 2.0 * box.half / static_cast<double>(n);
     for (std::int64_t i = 0; i < n * n * n; ++i) {
@@ -314,10 +314,10 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
             base::uniform4(task.seed, cell * 1024U + static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);
         const glm::dvec3 in = glm::dvec3(i % n, i / n % n, i / (n * n)) + glm::dvec3(random[0], random[1], random[2]);
         const glm::dvec3 place = box.centre - box.half + spacing * in;
-        const Beside beside = task.sides.beside(place);
-        if (std::abs(beside.distance) > task.slack(beside.face)) tests.add(place, beside.distance, 0.0, -1);
+        const NearestPlace nearest = task.distances.nearest_place(place);
+        if (std::abs(nearest.distance) > task.slack(nearest.face)) tests.add(place, nearest.distance, 0.0, -1);
         if (i % 2 == 0)
-            test_on_surface(task, box, sheets, beside, i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step,
+            test_on_surface(task, box, sheets, nearest, i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step,
                             tests);
     }
     const std::size_t step =
@@ -325,28 +325,28 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
     for (std::size_t i = 0; i < faces.size(); i += step) {
         const auto p = task.mesh.corners(faces[i]);
         const glm::dvec3 middle = middle_of(task.mesh, faces[i]);
-        Beside beside{0.0, faces[i], middle, true};
-        test_on_surface(task, box, sheets, beside, cell_tuning.finer_step, tests);
+        NearestPlace nearest{0.0, faces[i], middle, true};
+        test_on_surface(task, box, sheets, nearest, cell_tuning.finer_step, tests);
         for (std::size_t k = 0; k < 3; ++k) {
             const glm::dvec3 side = 0.5 * (p[k] + p[(k + 1) % 3]);
-            beside.place = side + std::min(1.0, 0.1 * box.half / glm::distance(side, middle)) * 0.5 * (middle - side);
-            test_on_surface(task, box, sheets, beside, cell_tuning.finer_step, tests);
+            nearest.place = side + std::min(1.0, 0.1 * box.half / glm::distance(side, middle)) * 0.5 * (middle - side);
+            test_on_surface(task, box, sheets, nearest, cell_tuning.finer_step, tests);
         }
     }
     return tests;
 }
 
-struct Choice {
+struct TreeChoice {
     std::int64_t tree = -1;
     std::int64_t wrong = 0; // the number of tests that it fails
     double off = 0.0;       // the mean relative difference of its values from distances
 };
 
 // Counts the tests that a tree fails. `value` holds the values of each sheet at all places.
-[[nodiscard]] Choice judge(std::span<const std::int32_t> program, std::int64_t tree, const Tests& tests,
-                           const base::Array<double>& value) noexcept {
+[[nodiscard]] TreeChoice count_failures(std::span<const std::int32_t> program, std::int64_t tree,
+                                        const TreeTests& tests, const base::Array<double>& value) noexcept {
     const std::int64_t count = tests.distance.size();
-    Choice choice;
+    TreeChoice choice;
     choice.tree = tree;
     for (std::int64_t i = 0; i < count; ++i) {
         double stack[ReadOnceTrees::most + 1];
@@ -358,7 +358,7 @@ struct Choice {
             }
             const double b = stack[--depth];
             const double a = stack[depth - 1];
-            stack[depth - 1] = code == PiecesData::larger ? std::max(a, b) : std::min(a, b);
+            stack[depth - 1] = code == PiecesData::maximum ? std::max(a, b) : std::min(a, b);
         }
         HRBFNPR_ASSERT(depth == 1);
         const double v = stack[0];
@@ -374,7 +374,8 @@ struct Choice {
     return choice;
 }
 
-[[nodiscard]] Choice choose_tree(const CellTask& task, std::span<const std::int32_t> sheets, const Tests& tests) {
+[[nodiscard]] TreeChoice choose_tree(const CellTask& task, std::span<const std::int32_t> sheets,
+                                     const TreeTests& tests) {
     const std::int64_t count = tests.distance.size();
     base::Array<double> value(task.runtime.memory);
     value.resize_for_overwrite(count * static_cast<std::int64_t>(sheets.size()));
@@ -383,9 +384,9 @@ struct Choice {
                            {tests.place.x.data(), tests.place.y.data(), tests.place.z.data(), count},
                            {value.data() + static_cast<std::int64_t>(k) * count, {}, {}});
     const auto functions = static_cast<std::int32_t>(sheets.size());
-    Choice best;
+    TreeChoice best;
     for (std::int64_t tree = 0; tree < task.trees.count(functions); ++tree) {
-        const Choice choice = judge(task.trees.program(functions, tree), tree, tests, value);
+        const TreeChoice choice = count_failures(task.trees.program(functions, tree), tree, tests, value);
         const bool better = choice.wrong < best.wrong || (choice.wrong == best.wrong && choice.off < best.off);
         if (best.tree < 0 || better) best = choice;
     }
@@ -403,7 +404,7 @@ struct Node {
 };
 
 // The decision about a node.
-struct Found {
+struct CellDecision {
     bool split = false;
     bool poor = false;
     bool surface = false;
@@ -442,41 +443,41 @@ struct Found {
 
 // Sets the linear function of a cell without surface. In the middle it is the signed distance, and in all of the cell
 // it has the same sign.
-void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
-    const Beside beside = sides.beside(node.centre);
-    const glm::dvec3 off = node.centre - beside.place;
+void make_plain(const SignedDistances& distances, const Node& node, CellDecision& found) noexcept {
+    const NearestPlace nearest = distances.nearest_place(node.centre);
+    const glm::dvec3 off = node.centre - nearest.place;
     const double distance = glm::length(off);
     const double far = std::sqrt(3.0) * PiecesData::cell_reach * node.half;
     const double slope = std::min(1.0, cell_tuning.plain_fall * distance / far);
-    const glm::dvec3 gradient = distance > 0.0 ? (slope / beside.distance) * off : glm::dvec3(0.0);
-    found.plain[0] = beside.distance;
+    const glm::dvec3 gradient = distance > 0.0 ? (slope / nearest.distance) * off : glm::dvec3(0.0);
+    found.plain[0] = nearest.distance;
     for (int c = 0; c < 3; ++c) found.plain[1 + c] = gradient[c];
 }
 
 // Decides about a node. `faces` are the faces in the cell's box. `cell` is a number that no other cell has.
-[[nodiscard]] Found look_at(const CellTask& task, const Node& node, const FaceList& faces, std::int32_t level,
-                            std::uint64_t cell, bool may_split) {
-    Found found;
+[[nodiscard]] CellDecision decide_cell(const CellTask& task, const Node& node, const FaceList& faces,
+                                       std::int32_t level, std::uint64_t cell, bool may_split) {
+    CellDecision found;
     found.surface = !faces.empty();
     found.split = level < (found.surface ? cell_tuning.least_level : cell_tuning.least_plain_level);
     if (found.split) return found;
     if (!found.surface) {
-        make_plain(task.sides, node, found);
+        make_plain(task.distances, node, found);
         return found;
     }
     FaceList patches = patches_of(task, node, faces, may_split);
     found.split = patches.size() > ReadOnceTrees::most && may_split;
     if (found.split) return found;
     patches.resize(std::min<std::int64_t>(patches.size(), ReadOnceTrees::most));
-    const Tests tests = gather_tests(task, node.box(), faces.span(), patches.span(), cell);
+    const TreeTests tests = gather_tests(task, node.box(), faces.span(), patches.span(), cell);
     if (const double side = tests.one_side(); side != 0.0) { // the faces that meet the box are inside another part
         found.plain[0] = 0.5 * side * node.half;
         // The gradient is not 0, because callers may need its direction.
-        const glm::dvec3 along = 0.1 * side * task.sides.normal(faces[0]);
+        const glm::dvec3 along = 0.1 * side * task.distances.normal(faces[0]);
         for (int c = 0; c < 3; ++c) found.plain[1 + c] = along[c];
         return found;
     }
-    const Choice choice = choose_tree(task, patches.span(), tests);
+    const TreeChoice choice = choose_tree(task, patches.span(), tests);
     found.poor = choice.wrong > 0;
     found.split = found.poor && may_split;
     for (const std::int32_t code : task.trees.program(static_cast<std::int32_t>(patches.size()), choice.tree))
@@ -485,7 +486,7 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
 }
 
 // Adds the nodes of a level to the data, and the centres of leaves to `centres`. Returns the next level.
-[[nodiscard]] base::Array<Node> add_level(const base::Array<Node>& nodes, const base::Array<Found>& found,
+[[nodiscard]] base::Array<Node> add_level(const base::Array<Node>& nodes, const base::Array<CellDecision>& found,
                                           PiecesData& data, geometry::VecArray& centres, CellsReport& report) {
     const std::int64_t first = data.child.size() + nodes.size();
     base::Array<Node> next(nodes.memory());
@@ -511,13 +512,14 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
 
 // If the mesh is not solid, a cell without surface gets the program of the nearest cell with surface. So the surface
 // continues beyond its borders.
-void continue_surface(const base::Work& work, const Sides& sides, const geometry::VecArray& centres, PiecesData& data) {
+void continue_surface(const base::Work& work, const SignedDistances& distances, const geometry::VecArray& centres,
+                      PiecesData& data) {
     base::Array<std::int32_t> from(work.memory, data.leaves());
     work.for_chunks(data.leaves(), 64, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t leaf = begin; leaf < end; ++leaf)
             from[leaf] = data.program_begin[leaf] < data.program_begin[leaf + 1]
                              ? static_cast<std::int32_t>(leaf)
-                             : data.leaf_at(sides.beside(centres[leaf]).place);
+                             : data.leaf_at(distances.nearest_place(centres[leaf]).place);
     });
     base::Array<std::int32_t> begin(work.memory);
     base::Array<std::int32_t> program(work.memory);
@@ -557,10 +559,10 @@ ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memo
 CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
                        const base::Array<double>& chord, std::uint64_t seed, PiecesData& data) {
     HRBFNPR_ASSERT(data.sheet.size() == creases.patches && chord.size() == mesh.vertex.size());
-    const Sides sides(work, mesh, tree);
+    const SignedDistances distances(work, mesh, tree);
     const ReadOnceTrees trees(work.memory);
     const double diagonal = mesh.bounds.diagonal();
-    const CellTask task{work, mesh, creases, sides, chord, trees, data, cell_tuning.near * diagonal, seed};
+    const CellTask task{work, mesh, creases, distances, chord, trees, data, cell_tuning.near * diagonal, seed};
     data.bounds = mesh.bounds;
     data.side = cell_tuning.root_side * PiecesData::reach * diagonal;
     data.corner = mesh.bounds.centre() - 0.5 * data.side;
@@ -574,20 +576,20 @@ CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree&
     for (std::int32_t level = 0; !nodes.empty(); ++level) {
         base::List<FaceList> faces(work.memory);
         for (std::int64_t i = 0; i < nodes.size(); ++i) faces.add(work.memory);
-        base::Array<Found> found(work.memory, nodes.size());
+        base::Array<CellDecision> found(work.memory, nodes.size());
         const bool may_split =
             level < cell_tuning.most_level && data.child.size() + 8 * nodes.size() < cell_tuning.most_cells;
         work.for_each(nodes.size(), [&](std::int64_t i) {
             for (const std::int32_t face : above[nodes[i].parent])
                 if (meets(nodes[i].box(), mesh.corners(face))) faces[i].push_back(face);
             const std::uint64_t cell = (static_cast<std::uint64_t>(level) << 32U) + static_cast<std::uint64_t>(i);
-            found[i] = look_at(task, nodes[i], faces[i], level, cell, may_split);
+            found[i] = decide_cell(task, nodes[i], faces[i], level, cell, may_split);
         });
         nodes = add_level(nodes, found, data, centres, report);
         above = std::move(faces);
         work.update(static_cast<double>(level + 1) / (cell_tuning.most_level + 1));
     }
-    if (!sides.solid()) continue_surface(work, sides, centres, data);
+    if (!distances.solid()) continue_surface(work, distances, centres, data);
     report.cells = data.leaves();
     return report;
 }

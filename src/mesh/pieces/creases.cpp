@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The steps of find_creases(), in order:
 //
-//   find_bends              finds edges that bend; those that bend by more than the angle are sharp
-//   grow                    extends sharp edges that end, along edges that bend less
-//   sharpen_between_corners makes edges from one corner of creases to another sharp
-//   find_patches            makes one patch of the faces that no sharp edge separates
-//   sharpen_coarse          makes the edges of coarse faces that are far from a round surface sharp
-//   drop_short_fading       drops short creases that separate nothing, as noise
-//   join_scraps             joins patches of a few small faces with a neighbouring patch
-//   split_patches           (split_patches.h) cuts patches that one sheet cannot represent, where they are smooth
+//   find_bent_edges          finds edges that bend; those that bend by more than the angle are sharp
+//   extend_creases           extends sharp edges that end, along edges that bend less
+//   sharpen_between_corners  makes edges from one corner of creases to another sharp
+//   find_patches             makes one patch of the faces that no sharp edge separates
+//   sharpen_coarse           makes the edges of coarse faces that are far from a round surface sharp
+//   drop_short_fading        drops short creases that separate nothing, as noise
+//   join_scraps              joins patches of a few small faces with a neighbouring patch
+//   split_patches            (split_patches.h) cuts patches that one sheet cannot represent, where they are smooth
 #include "mesh/pieces/creases.h"
 
 #include "base/assert.h"
@@ -30,7 +30,7 @@ constexpr double radians = 0.017453292519943295;
 constexpr double no_crease = 180.0;
 
 // All steps read this data.
-struct Task {
+struct CreaseTask {
     const base::Work& work;
     const Mesh& mesh;
     const base::Array<Side>& sides;
@@ -44,7 +44,7 @@ struct Task {
 };
 
 // An edge that bends.
-struct Bend {
+struct BentEdge {
     std::int32_t from, to;
     std::int32_t left, right;
     double angle; // radians
@@ -53,8 +53,8 @@ struct Bend {
     [[nodiscard]] std::int32_t other_end(std::int32_t end) const noexcept { return from == end ? to : from; }
 };
 
-struct Bends {
-    base::Array<Bend> edge;
+struct BentEdges {
+    base::Array<BentEdge> edge;
     base::Groups at;                  // the numbers of the bends at each vertex
     base::Array<std::int32_t> degree; // for each vertex: the number of creases and patch borders there
 
@@ -70,20 +70,21 @@ bool is_plain(const Side* first, const Side* last) noexcept {
     return last - first == 2 && first[0].forward != first[1].forward;
 }
 
-double length_of(const Mesh& mesh, const Bend& bend) noexcept {
+double length_of(const Mesh& mesh, const BentEdge& bend) noexcept {
     return glm::distance(mesh.vertex[bend.from], mesh.vertex[bend.to]);
 }
 
-bool is_fading(const Creases& creases, const Bend& bend) noexcept {
+bool is_fading(const Creases& creases, const BentEdge& bend) noexcept {
     return bend.sharp && creases.patch[bend.left] == creases.patch[bend.right];
 }
 
 // Finds the edges that bend. `known` are edges that are already sharp, in the order of the sides. Another edge may
 // become sharp if its entry in `may_be_sharp`, by the side of its left face, is not 0. If `may_be_sharp` is empty, all
 // edges may.
-Bends find_bends(const Task& task, const base::Array<Crease>& known, const base::Array<std::uint8_t>& may_be_sharp) {
+BentEdges find_bent_edges(const CreaseTask& task, const base::Array<Crease>& known,
+                          const base::Array<std::uint8_t>& may_be_sharp) {
     const Mesh& mesh = task.mesh;
-    base::Array<Bend> edge(task.work.memory);
+    base::Array<BentEdge> edge(task.work.memory);
     base::Array<std::int32_t> degree(task.work.memory, mesh.vertex.size());
     const base::Array<glm::dvec3> normal = unit_normals(mesh, task.work);
     const Crease* next_known = known.begin();
@@ -117,15 +118,15 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
     return {std::move(edge), std::move(at), std::move(degree)};
 }
 
-// Extends sharp edges that end in a vertex, until they meet another sharp edge or no edge continues them.
-void grow(const Mesh& mesh, Bends& bends) {
+// Extends sharp edges that end in a vertex, until they meet another sharp edge or no edge goes on.
+void extend_creases(const Mesh& mesh, BentEdges& bends) {
     const auto grow_from = [&](std::int32_t before, std::int32_t end) {
         while (bends.degree[end] == 1) {
             const glm::dvec3 along = glm::normalize(mesh.vertex[end] - mesh.vertex[before]);
             std::int64_t best = -1;
             double best_score = 0.0;
             for (const std::int32_t i : bends.at[end]) {
-                const Bend& bend = bends.edge[i];
+                const BentEdge& bend = bends.edge[i];
                 if (bend.sharp) continue;
                 const double cosine =
                     glm::dot(along, glm::normalize(mesh.vertex[bend.other_end(end)] - mesh.vertex[end]));
@@ -140,25 +141,25 @@ void grow(const Mesh& mesh, Bends& bends) {
         }
     };
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
-        const Bend bend = bends.edge[i];
+        const BentEdge bend = bends.edge[i];
         if (!bend.sharp) continue;
         grow_from(bend.from, bend.to);
         grow_from(bend.to, bend.from);
     }
 }
 
-// Tells whether creases meet in a vertex, and no crease continues straight through it.
-bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexcept {
-    const auto way = [&](const Bend& bend) {
+// Tells whether creases meet in a vertex and none of them goes straight on.
+bool is_corner(const CreaseTask& task, const BentEdges& bends, std::int32_t vertex) noexcept {
+    const auto way = [&](const BentEdge& bend) {
         return glm::normalize(task.mesh.vertex[bend.other_end(vertex)] - task.mesh.vertex[vertex]);
     };
     std::int64_t creases = 0;
     for (const std::int32_t i : bends.at[vertex]) {
-        const Bend& one = bends.edge[i];
+        const BentEdge& one = bends.edge[i];
         if (!one.sharp) continue;
         ++creases;
         for (const std::int32_t j : bends.at[vertex]) {
-            const Bend& other = bends.edge[j];
+            const BentEdge& other = bends.edge[j];
             if (j >= i || !other.sharp) continue;
             const double turn = std::acos(std::clamp(-glm::dot(way(one), way(other)), -1.0, 1.0));
             if (!bends_more(turn, task.limit_of(one.left))) return false;
@@ -167,12 +168,12 @@ bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexce
     return creases >= 2;
 }
 
-// Makes edges between two corners of creases sharp. Inside a smooth patch no edge joins two corners of the patch's
-// outline, so an edge between two corners lies between two facets.
-void sharpen_between_corners(const Task& task, Bends& bends) {
+// Makes edges between two corners sharp. Inside a smooth patch no edge joins two corners of its outline, so such an
+// edge lies between two facets.
+void sharpen_between_corners(const CreaseTask& task, BentEdges& bends) {
     base::Array<std::int64_t> found(task.work.memory);
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
-        const Bend& bend = bends.edge[i];
+        const BentEdge& bend = bends.edge[i];
         if (!bend.sharp && bend.angle >= crease_tuning.least_bend * radians && is_corner(task, bends, bend.from) &&
             is_corner(task, bends, bend.to))
             found.push_back(i);
@@ -181,14 +182,14 @@ void sharpen_between_corners(const Task& task, Bends& bends) {
 }
 
 // Sets `cut`, `patch` and `patches` by the edges that are sharp.
-void find_patches(const Task& task, const Bends& bends, Creases& creases) {
+void find_patches(const CreaseTask& task, const BentEdges& bends, Creases& creases) {
     const Mesh& mesh = task.mesh;
     base::Array<std::uint8_t> cut(task.work.memory, 3 * mesh.faces());
-    for (const Bend& bend : bends.edge)
+    for (const BentEdge& bend : bends.edge)
         if (bend.sharp)
             cut[corner_at(mesh.triangle, bend.left, bend.from)] = cut[corner_at(mesh.triangle, bend.right, bend.to)] =
                 1;
-    Sets sets(task.work.memory, mesh.faces());
+    UnionFind sets(task.work.memory, mesh.faces());
     for_edges(task.sides, task.work, [&](const Side* first, const Side* last) {
         const bool joined = is_plain(first, last);
         for (const Side* side = first; side != last; ++side)
@@ -196,18 +197,18 @@ void find_patches(const Task& task, const Bends& bends, Creases& creases) {
         if (joined && cut[number_of(mesh.triangle, *first)] == 0) sets.join(first[0].face, first[1].face);
     });
     creases.cut = std::move(cut);
-    NumbersInOrder numbers(task.work.memory, mesh.faces());
+    NumbersByFirstUse numbers(task.work.memory, mesh.faces());
     creases.patch.resize(mesh.faces());
-    for (std::int32_t face = 0; face < mesh.faces(); ++face) creases.patch[face] = numbers.of(sets.of(face));
+    for (std::int32_t face = 0; face < mesh.faces(); ++face) creases.patch[face] = numbers.of(sets.find(face));
     creases.patches = numbers.count();
 }
 
-// Makes the edges of coarse faces sharp. A face is coarse if it is too far from the curved surface that its vertex
-// normals imply. Returns whether any edge was made sharp.
-bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
+// Makes the edges of faces sharp that are too far from a surface curved as their normals are. Returns whether there
+// were any such faces.
+bool sharpen_coarse(const CreaseTask& task, const Creases& creases, BentEdges& bends) {
     const base::Array<glm::dvec3> normal = patch_normals(task.work, task.mesh, creases).normal;
     bool sharpened = false;
-    for (Bend& bend : bends.edge) {
+    for (BentEdge& bend : bends.edge) {
         if (bend.sharp) continue;
         const double off =
             std::max(chord_error(task.mesh, normal, bend.left), chord_error(task.mesh, normal, bend.right));
@@ -219,17 +220,17 @@ bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
 
 // Drops short creases that separate nothing, unless they connect two other creases, for example at the corner of a
 // plate. Returns whether any was dropped.
-bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
+bool drop_short_fading(const CreaseTask& task, const Creases& creases, BentEdges& bends) {
     const std::int64_t vertices = task.mesh.vertex.size();
-    Sets sets(task.work.memory, vertices); // connected fading creases
-    for (const Bend& bend : bends.edge)
+    UnionFind sets(task.work.memory, vertices); // connected fading creases
+    for (const BentEdge& bend : bends.edge)
         if (is_fading(creases, bend)) sets.join(bend.from, bend.to);
     base::Array<double> length(task.work.memory, vertices);
     base::Array<std::int64_t> edges(task.work.memory, vertices);
-    for (const Bend& bend : bends.edge)
+    for (const BentEdge& bend : bends.edge)
         if (is_fading(creases, bend)) {
-            length[sets.of(bend.from)] += length_of(task.mesh, bend);
-            ++edges[sets.of(bend.from)];
+            length[sets.find(bend.from)] += length_of(task.mesh, bend);
+            ++edges[sets.find(bend.from)];
         }
     base::Array<std::int32_t> anchors(task.work.memory, vertices); // the number of vertices where other creases pass
     for (std::int32_t v = 0; v < vertices; ++v) {
@@ -237,12 +238,12 @@ bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
         const bool is_anchor = std::any_of(at.begin(), at.end(), [&](std::int32_t i) {
             return bends.edge[i].sharp && !is_fading(creases, bends.edge[i]);
         });
-        anchors[sets.of(v)] += is_anchor ? 1 : 0;
+        anchors[sets.find(v)] += is_anchor ? 1 : 0;
     }
     bool dropped = false;
-    for (Bend& bend : bends.edge) {
+    for (BentEdge& bend : bends.edge) {
         if (!is_fading(creases, bend)) continue;
-        const std::int32_t set = sets.of(bend.from);
+        const std::int32_t set = sets.find(bend.from);
         const bool is_long = length[set] >= crease_tuning.shortest_fading * task.mesh.bounds.diagonal() &&
                              edges[set] >= crease_tuning.fewest_fading;
         if (anchors[set] >= 2 || is_long) continue;
@@ -254,7 +255,7 @@ bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
 
 // Joins each patch that is too small to be seen with the patch beyond its flattest edge. Returns whether there were any
 // such patches.
-bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
+bool join_scraps(const CreaseTask& task, const Creases& creases, BentEdges& bends) {
     base::Memory& memory = task.work.memory;
     base::Array<std::int64_t> faces(memory, creases.patches);
     base::Array<double> area(memory, creases.patches);
@@ -265,7 +266,7 @@ bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
     base::Array<std::int64_t> flattest(memory,
                                        creases.patches); // for each patch: the number of a bend, from 1; 0: none
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
-        const Bend& bend = bends.edge[i];
+        const BentEdge& bend = bends.edge[i];
         if (!bend.sharp || is_fading(creases, bend)) continue;
         for (const std::int32_t face : {bend.left, bend.right}) {
             std::int64_t& best = flattest[creases.patch[face]];
@@ -273,17 +274,17 @@ bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
         }
     }
     const double across = crease_tuning.scrap_size * task.mesh.bounds.diagonal();
-    Sets joined_patches(memory, creases.patches);
+    UnionFind joined_patches(memory, creases.patches);
     for (std::int32_t patch = 0; patch < creases.patches; ++patch) {
         const bool is_scrap = faces[patch] < crease_tuning.scrap_faces && area[patch] < across * across;
         if (!is_scrap || flattest[patch] == 0) continue;
-        const Bend& bend = bends.edge[flattest[patch] - 1];
+        const BentEdge& bend = bends.edge[flattest[patch] - 1];
         joined_patches.join(creases.patch[bend.left], creases.patch[bend.right]);
     }
     bool joined = false;
-    for (Bend& bend : bends.edge) {
+    for (BentEdge& bend : bends.edge) {
         const std::int32_t left = creases.patch[bend.left], right = creases.patch[bend.right];
-        if (!bend.sharp || left == right || joined_patches.of(left) != joined_patches.of(right)) continue;
+        if (!bend.sharp || left == right || joined_patches.find(left) != joined_patches.find(right)) continue;
         bend.sharp = false;
         joined = true;
     }
@@ -291,10 +292,10 @@ bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
 }
 
 // Sets the list of sharp edges and their lengths.
-void describe(const Mesh& mesh, const Bends& bends, Creases& creases) {
+void describe(const Mesh& mesh, const BentEdges& bends, Creases& creases) {
     creases.edge.clear();
     creases.length = creases.fading = 0.0;
-    for (const Bend& bend : bends.edge) {
+    for (const BentEdge& bend : bends.edge) {
         if (!bend.sharp) continue;
         creases.edge.push_back({bend.from, bend.to, bend.left, bend.right});
         creases.length += length_of(mesh, bend);
@@ -307,10 +308,10 @@ Creases found_creases(const base::Work& work, const Mesh& mesh, const base::Arra
                       const base::Array<std::uint8_t>& may_be_sharp) {
     HRBFNPR_ASSERT(!sharpness.empty() && of_face.size() == mesh.faces());
     const base::Array<Side> sides = sides_by_edge(work, mesh.triangle);
-    const Task task{work, mesh, sides, sharpness, of_face};
+    const CreaseTask task{work, mesh, sides, sharpness, of_face};
     Creases creases(work.memory);
-    Bends bends = find_bends(task, known, may_be_sharp);
-    grow(mesh, bends);
+    BentEdges bends = find_bent_edges(task, known, may_be_sharp);
+    extend_creases(mesh, bends);
     sharpen_between_corners(task, bends);
     work.check();
     find_patches(task, bends, creases);

@@ -62,7 +62,7 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
     SheetFit sheet{implicit::HrbfData(work.memory), {}};
     double input_distance_max = 0.0;
     const auto look = [&](const fit::AdaptiveFit& now) {
-        fit::Growth growth(work.memory, smoothing);
+        fit::NextCentres next(work.memory, smoothing);
         fit::Distances distances = fit::measure_distances(work, now.fit.result.data, samples);
         sheet.worst = sheet.squares = input_distance_max = 0.0;
         sheet.outside = 0;
@@ -76,14 +76,14 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
             sheet.outside += off > 1.0 ? 1 : 0;
         }
         const std::int64_t room = most - now.centres.size();
-        if (sheet.outside == 0 || room <= 0) return growth;
+        if (sheet.outside == 0 || room <= 0) return next;
         const auto share = static_cast<std::int64_t>(sheet_tuning.batch * static_cast<double>(now.centres.size()));
         const fit::CandidateOptions wanted{unit, sheet_tuning.apart * unit,
                                            std::min(room, std::max(sheet_tuning.smallest_batch, share))};
         if (!tree) tree.emplace(samples.position, work);
-        growth.centres = fit::worst_candidates(work, samples, *tree, now.centres, distances, wanted).chosen;
-        growth.goes_on = !growth.centres.empty();
-        return growth;
+        next.centres = fit::worst_candidates(work, samples, *tree, now.centres, distances, wanted).chosen;
+        next.continues = !next.centres.empty();
+        return next;
     };
     fit::AdaptiveFit made =
         fit::fit_adaptively(work.without_progress(), options, samples,
@@ -110,47 +110,48 @@ struct PiecesTask {
     const double tolerance;
 };
 
-struct Sheets {
-    Sheets(base::Memory& memory, const Mesh& mesh, const Creases& from)
+struct SheetFits {
+    SheetFits(base::Memory& memory, const Mesh& mesh, const Creases& from)
         : creases(from), faces(memory, from.patches,
                                [&](auto&& put) {
                                    for (std::int32_t face = 0; face < mesh.faces(); ++face) put(from.patch[face], face);
                                    for (const Creases::Shared& shared : from.shared) put(shared.patch, shared.face);
                                }),
-          fit(memory), lent(memory, from.patches), unsettled(memory), chord(memory) {
+          fit(memory), fit_from(memory, from.patches), unsettled(memory), chord(memory) {
         for (std::int32_t p = 0; p < from.patches; ++p) fit.add();
-        std::fill(lent.begin(), lent.end(), -1);
+        std::fill(fit_from.begin(), fit_from.end(), -1);
     }
 
     const Creases& creases;
     base::Groups faces;                      // for each patch, followed by its shared faces beyond smooth cuts
     base::List<std::optional<SheetFit>> fit; // the fit of each patch
-    base::Array<std::int32_t> lent; // for each patch: the patch of the other sheets from which its fit was taken, or -1
+    // For each patch: the patch of the other sheets from which its fit was taken, or -1.
+    base::Array<std::int32_t> fit_from;
     base::Array<std::uint8_t> unsettled; // for each patch: 1 if too many of its samples are outside their tolerance
     double unsettled_area = 0.0;         // the area of unsettled patches, weighted by the share of samples outside
     base::Array<double> chord;           // chord_errors() of the vertices
 };
 
-// Takes over the fits of unchanged patches. Patches are only divided, never joined, so patches with an unchanged number
-// of faces are unchanged.
-void borrow(Sheets& before, Sheets& sheets) {
+// Takes over the fits of unchanged patches. Patches are only divided, never joined, so those with the same number of
+// faces are unchanged.
+void take_unchanged_fits(SheetFits& before, SheetFits& sheets) {
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) {
         const std::int32_t q = before.creases.patch[sheets.faces[p][0]];
         if (sheets.faces.count(p) != before.faces.count(q)) continue;
-        sheets.lent[p] = q;
+        sheets.fit_from[p] = q;
         sheets.fit[p] = std::exchange(before.fit[q], std::nullopt);
     }
 }
 
-void give_back(Sheets& sheets, Sheets& before) {
+void return_fits(SheetFits& sheets, SheetFits& before) {
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p)
-        if (sheets.lent[p] >= 0) before.fit[sheets.lent[p]] = std::exchange(sheets.fit[p], std::nullopt);
+        if (sheets.fit_from[p] >= 0) before.fit[sheets.fit_from[p]] = std::exchange(sheets.fit[p], std::nullopt);
 }
 
 // Returns the patches by their numbers of faces. Small patches come first, so that larger ones can use the centres that
-// small ones do not need.
-[[nodiscard]] base::Array<std::int32_t> small_first(const Sheets& sheets) {
-    base::Array<std::int32_t> order(sheets.lent.memory());
+// these leave.
+[[nodiscard]] base::Array<std::int32_t> small_first(const SheetFits& sheets) {
+    base::Array<std::int32_t> order(sheets.fit_from.memory());
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) order.push_back(p);
     std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
         return sheets.faces.count(a) < sheets.faces.count(b) ||
@@ -159,7 +160,7 @@ void give_back(Sheets& sheets, Sheets& before) {
     return order;
 }
 
-[[nodiscard]] SheetFit fit_patch(const PiecesTask& task, const Sheets& sheets, std::int32_t p,
+[[nodiscard]] SheetFit fit_patch(const PiecesTask& task, const SheetFits& sheets, std::int32_t p,
                                  const PatchNormals& normals, bool grows, std::int64_t most,
                                  const base::Progress& progress) {
     PatchSamples patch =
@@ -203,7 +204,7 @@ void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& norma
 }
 
 // Fits all sheets that are missing, one after the other. Each takes few centres.
-void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
+void fit_sheets(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     const std::int32_t patches = sheets.creases.patches;
     // A sheet that lies against another part grows until the two cross. Otherwise both would be 0, or nearly so, at the
@@ -251,7 +252,7 @@ void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
 }
 
 // Reports the worst values of all sheets and means over all, and notes which patches are unsettled.
-void report_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result) {
+void report_sheets(const PiecesTask& task, SheetFits& sheets, PiecesFit& result) {
     fit::FitReport& all = result.fit;
     const double unit = pieces_tuning.at_crease * task.tolerance; // the least tolerance of a sample
     double values = 0.0, gradients = 0.0, squares = 0.0, centres = 0.0;
@@ -295,13 +296,13 @@ void report_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result) {
 
 // ---- The whole
 
-void move_sheets(Sheets& from, implicit::PiecesData& to) {
+void move_sheets(SheetFits& from, implicit::PiecesData& to) {
     for (std::optional<SheetFit>& one : from.fit) to.sheet.add(std::move(one->data));
 }
 
 // Makes the cells, and measures the distances of surface and mesh in both directions, at new places. The result holds
 // the sheets meanwhile.
-void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
+void make_whole(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     move_sheets(sheets, result.data);
     const CellsReport cells = make_cells({runtime, progress.part(0.6, 0.85)}, task.mesh, task.tree, sheets.creases,
@@ -358,11 +359,11 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
 
 // Makes a model of other patches, which borrows the sheets of unchanged patches. Returns whether the model is better.
 // If not, the sheets go back.
-[[nodiscard]] bool improves(const PiecesTask& task, Sheets& sheets, PiecesFit& result, Sheets& best_sheets,
+[[nodiscard]] bool improves(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, SheetFits& best_sheets,
                             const PiecesFit& best, const base::Progress& progress) {
     try {
         const base::Stopwatch watch;
-        borrow(best_sheets, sheets);
+        take_unchanged_fits(best_sheets, sheets);
         fit_sheets(task, sheets, result, progress);
         report_sheets(task, sheets, result);
         result.mesh.seconds_fit = watch.seconds();
@@ -373,7 +374,7 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
     } catch (const Error& error) {
         if (error.status() != Status::not_converged && error.status() != Status::singular_system) throw;
     }
-    give_back(sheets, best_sheets);
+    return_fits(sheets, best_sheets);
     return false;
 }
 
@@ -391,10 +392,10 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
                        settings.seed, 2);
     const PiecesTask task{
         work, mesh, tree, places, settings, options, plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
-    const Touching touching =
-        warn_of_touching(work, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0);
+    const PartContact contact =
+        warn_of_part_contact(work, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0);
     PiecesFit best = empty_result(task);
-    std::optional<Sheets> sheets(std::in_place, work.memory, mesh, creases);
+    std::optional<SheetFits> sheets(std::in_place, work.memory, mesh, creases);
     const base::Work first = work.part(0.0, end_of_first);
     const base::Stopwatch first_watch;
     fit_sheets(task, *sheets, best, first);
@@ -409,7 +410,7 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
         more[i].emplace(find_more_creases(work.part(done, done), mesh, sheets->creases, sheets->unsettled, angle));
         if (more[i]->patches == sheets->creases.patches) continue;
         const double next = 0.5 * (done + 1.0);
-        Sheets other_sheets(work.memory, mesh, *more[i]);
+        SheetFits other_sheets(work.memory, mesh, *more[i]);
         PiecesFit other = empty_result(task);
         if (!improves(task, other_sheets, other, *sheets, best, work.part(done, next))) break;
         sheets.emplace(std::move(other_sheets));
@@ -419,7 +420,7 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
         done = next;
     }
     move_sheets(*sheets, best.data);
-    best.mesh.touching = touching;
+    best.mesh.contact = contact;
     best.mesh.seconds_total = best.fit.seconds_total = watch.seconds();
     work.update(1.0);
     return best;

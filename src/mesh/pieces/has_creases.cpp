@@ -17,8 +17,8 @@ constexpr double degrees = 57.29577951308232;
 
 // ---- The mesh by its sides. Side 3 face + k goes from corner k of the face to the next one.
 
-struct SidedMesh {
-    SidedMesh(const Mesh& of, base::Array<glm::dvec3>&& normals, base::Array<std::int64_t>&& sides)
+struct HalfEdgeMesh {
+    HalfEdgeMesh(const Mesh& of, base::Array<glm::dvec3>&& normals, base::Array<std::int64_t>&& sides)
         : mesh(of), normal(std::move(normals)), beyond(std::move(sides)), bend(of.vertex.memory(), 3 * of.faces()) {}
 
     const Mesh& mesh;
@@ -41,15 +41,15 @@ struct SidedMesh {
 
 // Calls visit(side, side of the neighbour) for each edge that has two faces.
 template <class Visit>
-void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Visit&& visit) {
+void for_plain_edges(const HalfEdgeMesh& sided, const base::Progress& progress, Visit&& visit) {
     for (const std::int64_t side : progress.over(sided.beyond.size())) {
         if (sided.beyond[side] > side) visit(side, sided.beyond[side]);
     }
 }
 
-SidedMesh by_sides(const base::Work& work, const Mesh& mesh) {
-    SidedMesh sided(mesh, unit_normals(mesh, work),
-                    sides_beyond(mesh.triangle, sides_by_edge(work, mesh.triangle), work));
+HalfEdgeMesh by_sides(const base::Work& work, const Mesh& mesh) {
+    HalfEdgeMesh sided(mesh, unit_normals(mesh, work),
+                       sides_beyond(mesh.triangle, sides_by_edge(work, mesh.triangle), work));
     for (std::int64_t side = 0; side < sided.beyond.size(); ++side) {
         const std::int64_t other = sided.beyond[side];
         if (other >= 0 && !run_opposite(mesh.triangle, side, other)) sided.beyond[side] = sided.beyond[other] = -1;
@@ -67,23 +67,23 @@ SidedMesh by_sides(const base::Work& work, const Mesh& mesh) {
 // ---- The mesh beside an edge
 
 // The angle by which a mesh turns along a walk, in degrees.
-struct Turn {
-    double all = 0.0; // the sum of the magnitudes of all turns
+struct TotalTurn {
+    double all = 0.0; // turns in both senses added up
     double net = 0.0; // positive on a hill, below 0 in a hollow
 };
 
 // Walks from the middle of a side into its face and on, at right angles to the side, and adds up how much the mesh
 // turns about the side. The bend at the side itself does not count.
-Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexcept {
+TotalTurn turn_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach) noexcept {
     HRBFNPR_ASSERT(side >= 0 && side < sided.beyond.size() && reach >= 0.0);
     glm::dvec3 place = sided.from(side) + 0.5 * sided.along(side);
     glm::dvec3 way = glm::normalize(glm::cross(sided.normal[side / 3], sided.along(side)));
-    Turn turn;
+    TotalTurn turn;
     for (std::int64_t faces = 0; faces < has_creases_tuning.most_faces; ++faces) {
         const glm::dvec3& normal = sided.normal[side / 3];
         std::int64_t exit = -1;
         double distance = std::numeric_limits<double>::infinity();
-        for (std::int64_t other = SidedMesh::next(side); other != side; other = SidedMesh::next(other)) {
+        for (std::int64_t other = HalfEdgeMesh::next(side); other != side; other = HalfEdgeMesh::next(other)) {
             const glm::dvec3 outward = glm::cross(sided.along(other), normal);
             const double speed = glm::dot(way, outward);
             if (!(speed > 1e-12 * glm::length(outward))) continue;
@@ -108,21 +108,21 @@ Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexce
 }
 
 // Counts the faces of the flat polygon that each face belongs to.
-base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const SidedMesh& sided) {
+base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const HalfEdgeMesh& sided) {
     const std::int64_t faces = sided.mesh.faces();
-    Sets polygons(work.memory, faces);
+    UnionFind polygons(work.memory, faces);
     for_plain_edges(sided, work, [&](std::int64_t side, std::int64_t other) {
         if (std::abs(sided.bend[side]) < has_creases_tuning.flat)
             polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
     });
     base::Array<std::int32_t> count(work.memory, faces);
-    for (std::int32_t face = 0; face < faces; ++face) ++count[polygons.of(face)];
-    for (std::int32_t face = 0; face < faces; ++face) count[face] = count[polygons.of(face)];
+    for (std::int32_t face = 0; face < faces; ++face) ++count[polygons.find(face)];
+    for (std::int32_t face = 0; face < faces; ++face) count[face] = count[polygons.find(face)];
     return count;
 }
 
 // The result of examining the mesh on both sides of an edge.
-struct SeenEdge {
+struct EdgeEvidence {
     bool stands_out = false;
     // The mesh continues to turn the same way on both sides, as it does on a round wall or a fillet.
     bool is_round = false;
@@ -132,14 +132,14 @@ struct SeenEdge {
 // belongs to a flat polygon, it also stands out if the mesh turns little on one side, or if it is too sharp to be
 // round. The test of one side reaches no farther than the height of the lower face, because that may be the face of a
 // chamfer.
-SeenEdge look_beside(const SidedMesh& sided, std::int64_t side, std::int64_t other,
-                     const base::Array<std::int32_t>& faces_of_polygon) noexcept {
+EdgeEvidence examine_edge(const HalfEdgeMesh& sided, std::int64_t side, std::int64_t other,
+                          const base::Array<std::int32_t>& faces_of_polygon) noexcept {
     const double bend = std::abs(sided.bend[side]);
     const double little = bend / has_creases_tuning.stands_out;
     const double reach = has_creases_tuning.reach * sided.height(side);
     const double other_reach = has_creases_tuning.reach * sided.height(other);
-    const Turn turn = turn_beside(sided, side, reach), other_turn = turn_beside(sided, other, other_reach);
-    SeenEdge seen;
+    const TotalTurn turn = turn_beside(sided, side, reach), other_turn = turn_beside(sided, other, other_reach);
+    EdgeEvidence seen;
     const double way = sided.bend[side] < 0.0 ? -1.0 : 1.0;
     seen.is_round = bend <= has_creases_tuning.surely_sharp && way * turn.net > little && way * other_turn.net > little;
     seen.stands_out = turn.all <= little && other_turn.all <= little;
@@ -152,21 +152,21 @@ SeenEdge look_beside(const SidedMesh& sided, std::int64_t side, std::int64_t oth
 
 // Returns how far the face of a side is from a round surface of which it is a chord, and which turns at the side as the
 // mesh does.
-double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
+double bulge(const HalfEdgeMesh& sided, std::int64_t side) noexcept {
     return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(std::abs(sided.bend[side]), 120.0));
 }
 
 // ---- The components
 
-struct Sizes {
-    explicit Sizes(base::Memory& memory) : diagonal(memory), area(memory) {}
+struct PartSizes {
+    explicit PartSizes(base::Memory& memory) : diagonal(memory), area(memory) {}
 
     base::Array<double> diagonal, area; // the diagonal and the area of each component
 };
 
-Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
+PartSizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
     const std::int64_t parts = 1 + *std::max_element(mesh.component.begin(), mesh.component.end());
-    Sizes sizes(runtime.memory);
+    PartSizes sizes(runtime.memory);
     sizes.area.resize(parts);
     base::Array<geometry::Bounds> bounds(runtime.memory);
     for (std::int64_t part = 0; part < parts; ++part) bounds.push_back({});
@@ -181,7 +181,7 @@ Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
 
 // Judges the whole from the sums over its components.
 CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base::Array<CreaseEvidence>& part,
-                            const Sizes& sizes, double diagonal) noexcept {
+                            const PartSizes& sizes, double diagonal) noexcept {
     EdgeLengths all;
     double area = 0.0, area_with_creases = 0.0;
     for (std::int64_t i = 0; i < part.size(); ++i) {
@@ -198,9 +198,9 @@ CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base:
 
 CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle) {
     HRBFNPR_ASSERT(angle > 0.0 && mesh.faces() > 0);
-    const SidedMesh sided = by_sides(work, mesh);
+    const HalfEdgeMesh sided = by_sides(work, mesh);
     const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(work, sided);
-    const Sizes sizes = sizes_of_parts(work, mesh);
+    const PartSizes sizes = sizes_of_parts(work, mesh);
     CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(work.memory, sizes.area.size()),
                                 base::Array<std::uint8_t>(work.memory, 3 * mesh.faces()),
                                 {}};
@@ -211,7 +211,7 @@ CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Me
         EdgeLengths& part = lengths[number];
         const double length = sided.length(side);
         part.all += length;
-        const SeenEdge seen = look_beside(sided, side, other, faces_of_polygon);
+        const EdgeEvidence seen = examine_edge(sided, side, other, faces_of_polygon);
         if (seen.stands_out) part.standing += length;
         if (!seen.is_round) found.sharp[side] = found.sharp[other] = 1;
         const double off = std::min(bulge(sided, side), bulge(sided, other));

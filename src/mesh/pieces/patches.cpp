@@ -62,7 +62,7 @@ using Fan = std::span<const std::int32_t>; // corners, in rising order
                     if (goes_on(mesh, creases, a, b)) name[root(a)] = root(b);
         }
     });
-    NumbersInOrder numbers(runtime.memory, name.size());
+    NumbersByFirstUse numbers(runtime.memory, name.size());
     for (std::int32_t corner = 0; corner < name.size(); ++corner) name[corner] = root(corner);
     for (std::int32_t& fan : name) fan = numbers.of(fan);
     return {runtime.memory, numbers.count(), [&](auto&& put) {
@@ -72,8 +72,8 @@ using Fan = std::span<const std::int32_t>; // corners, in rising order
 
 // ---- Flats: regions of a mesh, of one face or many
 
-struct Flats {
-    explicit Flats(base::Memory& memory) noexcept : region(memory), area(memory), normal(memory), bulge(memory) {}
+struct FlatRegions {
+    explicit FlatRegions(base::Memory& memory) noexcept : region(memory), area(memory), normal(memory), bulge(memory) {}
 
     base::Array<std::int32_t> region; // the region of each face
     base::Array<double> area;         // the area of each region
@@ -82,7 +82,7 @@ struct Flats {
 };
 
 // Grows regions across edges that are no crease, starting at the largest faces, whose normals are the most exact.
-void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, Flats& flats) {
+void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, FlatRegions& flats) {
     base::Memory& memory = runtime.memory;
     const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides_by_edge(runtime, mesh.triangle));
     base::Array<std::int64_t> order(memory);
@@ -124,9 +124,9 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
 }
 
 // Returns the flats, or none if no face bulges by more than the tolerance.
-[[nodiscard]] Flats find_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
-                               const base::Array<glm::dvec3>& mean, double tolerance) {
-    Flats flats(runtime.memory);
+[[nodiscard]] FlatRegions find_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                                     const base::Array<glm::dvec3>& mean, double tolerance) {
+    FlatRegions flats(runtime.memory);
     base::Array<double> of_face(runtime.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) of_face.push_back(chord_error(mesh, mean, face));
     if (std::none_of(of_face.begin(), of_face.end(), [&](double one) { return one > tolerance; })) return flats;
@@ -138,7 +138,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
 }
 
 // Returns the largest flat of a fan if it bulges and is much larger than all other flats there, or -1.
-[[nodiscard]] std::int32_t largest_flat(const Flats& flats, const Fan& fan, double tolerance) noexcept {
+[[nodiscard]] std::int32_t largest_flat(const FlatRegions& flats, const Fan& fan, double tolerance) noexcept {
     const auto region = [&](std::int32_t corner) { return flats.region[corner / 3]; };
     const std::int32_t largest = region(*std::max_element(fan.begin(), fan.end(), [&](std::int32_t a, std::int32_t b) {
         return flats.area[region(a)] < flats.area[region(b)];
@@ -301,7 +301,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
         for (const std::int32_t corner : fan)
             result.normal[corner] = usable ? sum / length : unit_normal(mesh, corner / 3);
     });
-    if (const Flats flats = find_flats(runtime, mesh, creases, result.normal, tolerance); !flats.area.empty())
+    if (const FlatRegions flats = find_flats(runtime, mesh, creases, result.normal, tolerance); !flats.area.empty())
         for_fans([&](const Fan& fan) {
             const std::int32_t flat = has_many(fan) ? -1 : largest_flat(flats, fan, tolerance);
             if (flat < 0) return;

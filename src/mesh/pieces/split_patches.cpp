@@ -26,7 +26,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 // All steps read this data.
-struct Patched {
+struct PatchedMesh {
     const Mesh& mesh;
     const Creases& creases;
     const base::Array<std::int64_t>& beyond; // sides_beyond()
@@ -57,7 +57,7 @@ struct Seeds {
 // Adds seeds at tips. Where a step in a patch fades, its wall ends in a tip, and the patch goes around the tip from one
 // crease to the other. One sheet cannot be both above and below the wall there. Seeds are added along such creases, as
 // long as these separate the same two patches. `cuts` is the number of cut sides at each vertex: two for each crease.
-void add_tips(const Patched& patched, const base::Array<std::int32_t>& cuts, Seeds& seeds) {
+void add_tips(const PatchedMesh& patched, const base::Array<std::int32_t>& cuts, Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
@@ -102,7 +102,7 @@ void add_tips(const Patched& patched, const base::Array<std::int32_t>& cuts, See
     for (const std::int32_t v : tips) seeds.on_crease[v] = 0;
 }
 
-Seeds find_seeds(const Patched& patched) {
+Seeds find_seeds(const PatchedMesh& patched) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Array<std::int32_t> cuts(mesh.vertex.memory(), mesh.vertex.size());
@@ -125,40 +125,40 @@ Seeds find_seeds(const Patched& patched) {
 // ---- Spreading
 
 // A face or a vertex that was reached.
-struct Reached {
+struct QueueEntry {
     double distance;
     std::int32_t number;
-    [[nodiscard]] bool operator<(const Reached& other) const noexcept { // the nearest is on top of the heap
+    [[nodiscard]] bool operator<(const QueueEntry& other) const noexcept { // the nearest is on top of the heap
         return distance > other.distance || (distance == other.distance && number > other.number);
     }
 };
 
-class NearestFirst {
+class DistanceQueue {
 public:
-    explicit NearestFirst(base::Memory& memory) noexcept : heap_(memory) {}
+    explicit DistanceQueue(base::Memory& memory) noexcept : heap_(memory) {}
     [[nodiscard]] bool empty() const noexcept { return heap_.empty(); }
-    void add(const Reached& one) {
+    void add(const QueueEntry& one) {
         heap_.push_back(one);
         std::push_heap(heap_.begin(), heap_.end());
     }
-    [[nodiscard]] Reached take() noexcept {
+    [[nodiscard]] QueueEntry take() noexcept {
         HRBFNPR_ASSERT(!heap_.empty());
         std::pop_heap(heap_.begin(), heap_.end());
-        const Reached nearest = heap_.back();
+        const QueueEntry nearest = heap_.back();
         heap_.resize(heap_.size() - 1);
         return nearest;
     }
 
 private:
-    base::Array<Reached> heap_;
+    base::Array<QueueEntry> heap_;
 };
 
 // Visits faces in the order of their distance from those in `reached`, across sides that are no creases. accept(face,
 // from, distance of `from`, distance) tells whether the face is reached that way.
 template <class Accept>
-void spread(const Patched& patched, NearestFirst& reached, Accept&& accept) {
+void spread(const PatchedMesh& patched, DistanceQueue& reached, Accept&& accept) {
     while (!reached.empty()) {
-        const Reached at = reached.take();
+        const QueueEntry at = reached.take();
         for (int k = 0; k < 3; ++k) {
             const std::int64_t side = 3 * std::int64_t{at.number} + k;
             const std::int32_t face = patched.across(side);
@@ -183,13 +183,13 @@ struct Labels {
     base::Array<double> distance;    // for each face: the distance from the nearest crease
 };
 
-Labels spread_labels(const Patched& patched, const Seeds& seeds) {
+Labels spread_labels(const PatchedMesh& patched, const Seeds& seeds) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
-    // Faces at the vertices of a crease with one patch on both sides belong to one of its sides, except at its ends,
-    // where both sides are connected.
-    Sets sets(memory, mesh.faces());
+    // Faces at the vertices of such a crease belong to one of its sides, except at its ends, where both sides are
+    // connected.
+    UnionFind sets(memory, mesh.faces());
     for (std::int64_t side = 0; side < creases.cut.size(); ++side) {
         if (creases.cut[side] != 0 || patched.across(side) < 0) continue;
         const Triangle& t = mesh.triangle[side / 3];
@@ -198,10 +198,10 @@ Labels spread_labels(const Patched& patched, const Seeds& seeds) {
             sets.join(static_cast<std::int32_t>(side / 3), patched.across(side));
     }
     Labels labels(memory, mesh.faces());
-    NearestFirst reached(memory);
+    DistanceQueue reached(memory);
     for (const std::int32_t face : seeds.face) {
         if (labels.distance[face] == 0.0) continue;
-        labels.label[face] = sets.of(face);
+        labels.label[face] = sets.find(face);
         labels.distance[face] = 0.0;
         reached.add({0.0, face});
     }
@@ -219,7 +219,7 @@ Labels spread_labels(const Patched& patched, const Seeds& seeds) {
 void number_parts(const Labels& labels, Creases& creases) {
     base::Memory& memory = creases.patch.memory();
     const std::int64_t faces = creases.patch.size();
-    NumbersInOrder numbers(memory, faces + creases.patches); // labels first, then patches that stay whole
+    NumbersByFirstUse numbers(memory, faces + creases.patches); // labels first, then patches that stay whole
     for (std::int64_t face = 0; face < faces; ++face) {
         const std::int32_t label = labels.label[face];
         creases.patch[face] = numbers.of(label < 0 ? faces + creases.patch[face] : label);
@@ -228,7 +228,7 @@ void number_parts(const Labels& labels, Creases& creases) {
 }
 
 // Lists the faces of each part that are near a smooth cut, with the part beyond the cut.
-base::Array<Creases::Shared> shared_bands(const Patched& patched, const Labels& labels) {
+base::Array<Creases::Shared> shared_bands(const PatchedMesh& patched, const Labels& labels) {
     const Mesh& mesh = patched.mesh;
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
@@ -238,7 +238,7 @@ base::Array<Creases::Shared> shared_bands(const Patched& patched, const Labels& 
     other.resize_for_overwrite(mesh.faces());
     std::fill(from_cut.begin(), from_cut.end(), infinite);
     std::fill(other.begin(), other.end(), -1);
-    NearestFirst reached(memory);
+    DistanceQueue reached(memory);
     for (std::int64_t side = 0; side < creases.cut.size(); ++side) {
         const auto face = static_cast<std::int32_t>(side / 3);
         if (creases.cut[side] != 2 || from_cut[face] == 0.0) continue;
@@ -274,7 +274,7 @@ using Patch = std::span<const std::int32_t>; // faces
                                         base::Array<double>& way) {
     for (const std::int32_t face : patch)
         for (const std::int32_t v : mesh.triangle[face]) to_vertex[v] = infinite;
-    NearestFirst reached(way.memory());
+    DistanceQueue reached(way.memory());
     const auto reach = [&](std::int32_t vertex, double length) {
         if (length >= to_vertex[vertex]) return;
         to_vertex[vertex] = length;
@@ -282,7 +282,7 @@ using Patch = std::span<const std::int32_t>; // faces
     };
     reach(mesh.triangle[from][0], 0.0);
     while (!reached.empty()) {
-        const Reached at = reached.take();
+        const QueueEntry at = reached.take();
         if (at.distance > to_vertex[at.number]) continue;
         for (const std::int32_t corner : corners[at.number])
             if (creases.patch[corner / 3] == creases.patch[from])
@@ -371,7 +371,7 @@ void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
     }
     if (!any) return;
     const auto most = static_cast<std::int64_t>(winding_tuning.most_parts);
-    NumbersInOrder numbers(work.memory, most * creases.patches);
+    NumbersByFirstUse numbers(work.memory, most * creases.patches);
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         creases.patch[face] = numbers.of(most * creases.patch[face] + part[face]);
     creases.patches = numbers.count();
@@ -382,7 +382,7 @@ void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
 void split_patches(const base::Work& work, const Mesh& mesh, const base::Array<Side>& sides, Creases& creases) {
     HRBFNPR_ASSERT(creases.patch.size() == mesh.faces() && creases.cut.size() == 3 * mesh.faces());
     const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides, work);
-    const Patched patched{mesh, creases, beyond};
+    const PatchedMesh patched{mesh, creases, beyond};
     const Labels labels = spread_labels(patched, find_seeds(patched));
     work.check();
     number_parts(labels, creases);

@@ -55,7 +55,7 @@ TEST(CompareMesh, KnowsTheDistanceBothWays) {
     const mesh::Comparison found = compared(Sphere(1.02), icosphere(5), 0.03, 0.05);
     EXPECT_EQ(found.surface.points, 4000);
     EXPECT_EQ(found.mesh.points, 4000);
-    for (const mesh::Spread& way : {found.surface, found.mesh}) {
+    for (const mesh::DistanceStatistics& way : {found.surface, found.mesh}) {
         EXPECT_NEAR(way.mean, 0.02, 1e-3);
         EXPECT_NEAR(way.p99, 0.02, 2e-3);
         EXPECT_NEAR(way.most, 0.02, 2e-3);
@@ -158,7 +158,7 @@ TEST(CompareMesh, SpreadMatchesASortedList) {
         plain.push_back(std::abs(std::sin(12.9898 * i)));
         numbers.push_back(plain.back());
     }
-    const mesh::Spread spread = mesh::spread_of(numbers, 0.5, 0.9);
+    const mesh::DistanceStatistics spread = mesh::statistics_of(numbers, 0.5, 0.9);
     std::sort(plain.begin(), plain.end());
     double sum = 0.0;
     for (const double number : plain) sum += number;
@@ -169,7 +169,7 @@ TEST(CompareMesh, SpreadMatchesASortedList) {
     EXPECT_EQ(spread.share, static_cast<double>(upto(0.5)) / 1000.0);
     EXPECT_DOUBLE_EQ(spread.beyond, 1.0 - static_cast<double>(upto(0.9)) / 1000.0);
     numbers.clear();
-    EXPECT_TRUE(std::isnan(mesh::spread_of(numbers, 0.5, 0.9).mean));
+    EXPECT_TRUE(std::isnan(mesh::statistics_of(numbers, 0.5, 0.9).mean));
 }
 
 } // namespace

@@ -114,9 +114,9 @@ TEST(FitMesh, KnowsTheSideOfAPoint) {
     const mesh::Mesh ball = made(runtime, icosphere(4).where(most)), bowl = made(runtime, icosphere(4).where(half));
     const mesh::FaceTree in_ball(runtime, ball.vertex, ball.triangle);
     const mesh::FaceTree in_bowl(runtime, bowl.vertex, bowl.triangle);
-    EXPECT_EQ(mesh::where(in_ball, {0.1, 0.2, -0.3}), mesh::Where::inside);
-    EXPECT_EQ(mesh::where(in_ball, {1.5, 0.2, -0.3}), mesh::Where::outside);
-    EXPECT_EQ(mesh::where(in_bowl, {0.1, 0.2, -0.1}), mesh::Where::unsure);
+    EXPECT_EQ(mesh::side_of_mesh(in_ball, {0.1, 0.2, -0.3}), mesh::MeshSide::inside);
+    EXPECT_EQ(mesh::side_of_mesh(in_ball, {1.5, 0.2, -0.3}), mesh::MeshSide::outside);
+    EXPECT_EQ(mesh::side_of_mesh(in_bowl, {0.1, 0.2, -0.1}), mesh::MeshSide::unsure);
 }
 
 TEST(FitMesh, LeavesOutFacesThatLieInsideAnother) {

@@ -20,19 +20,19 @@ using namespace mesh_test;
 namespace {
 
 // Looks for touching parts with this number of sample places.
-mesh::Touching find(const Triangles& from, double near, std::int64_t places, int threads = 2, bool crossing = true) {
+mesh::PartContact find(const Triangles& from, double near, std::int64_t places, int threads = 2, bool crossing = true) {
     const auto runtime = with_threads(threads);
     const mesh::Mesh shape = made(runtime, from);
     const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle);
     const mesh::MeshSamples at = mesh::random_samples(runtime, shape, places, 1, 0);
-    return mesh::find_touching(runtime, shape, tree, at, near, !crossing);
+    return mesh::find_part_contact(runtime, shape, tree, at, near, !crossing);
 }
 
 const Triangles cube = box(1.0, 1.0, 1.0, 1);
 
 TEST(Touching, IsFoundWherePartsAreNear) {
     EXPECT_LT(find(cube.with(cube.moved(1.0, 1.011, 0.0, 0.0)), 0.01, 500).one, 0);
-    const mesh::Touching found = find(cube.with(cube.moved(1.0, 1.009, 0.0, 0.0)), 0.01, 500);
+    const mesh::PartContact found = find(cube.with(cube.moved(1.0, 1.009, 0.0, 0.0)), 0.01, 500);
     EXPECT_EQ(found.one + found.other, 1);
     EXPECT_NEAR(found.place.x, 1.0045, 0.0046);
 }
@@ -43,7 +43,7 @@ TEST(Touching, IsFoundWherePartsCross) {
     // before.
     const Triangles bar = box(3.0, 0.02, 0.02, 1).moved(1.0, -1.0, 0.4, 0.3);
     for (const Triangles& two : {cube.with(cube.moved(1.0, 0.999, 0.999, 0.999)), cube.with(bar), bar.with(cube)}) {
-        const mesh::Touching found = find(two, 1e-6, 10);
+        const mesh::PartContact found = find(two, 1e-6, 10);
         EXPECT_GE(found.one, 0);
         EXPECT_EQ(found.one + found.other, 1);
         EXPECT_GE(glm::compMin(found.place), 0.0);
@@ -69,7 +69,7 @@ TEST(Touching, IsFoundWherePartsCrossOnEdgesAlone) {
     const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
     const Triangles star = square.with(turned_by(square, 0.25 * std::numbers::pi, 0.0));
     for (int turn = 0; turn < 20; ++turn) {
-        const mesh::Touching found = find(turned_by(star, 0.37 * turn, 0.23 * turn), 1e-6, 200);
+        const mesh::PartContact found = find(turned_by(star, 0.37 * turn, 0.23 * turn), 1e-6, 200);
         EXPECT_GE(found.one, 0) << turn;
         EXPECT_EQ(found.one + found.other, 1) << turn;
     }

@@ -303,7 +303,7 @@ struct Asked {
     std::vector<std::vector<double>> field;
     std::vector<std::int32_t> sheet;
 
-    Asked(const Fitted& fitted, const implicit::PiecesOf& f) : field(10) {
+    Asked(const Fitted& fitted, const implicit::PiecesBase& f) : field(10) {
         const geometry::Bounds& box = fitted.shape.bounds;
         for (std::uint64_t i = 0; i < 6000; ++i) {
             const auto u = hrbfnpr::base::uniform4(5, i, hrbfnpr::base::Purpose::probe);
@@ -371,7 +371,7 @@ TEST(PreparedPieces, NeedOnlyOneSheetAtMostPlaces) {
         if (i % 3 == 0) continue;
         ++beside;
         const glm::dvec3 p(asked.x[i], asked.y[i], asked.z[i]);
-        const implicit::PiecesZones::At at = zones.at(p);
+        const implicit::PiecesZones::Candidates at = zones.candidates_at(p);
         known += at.sheet >= 0 || !at.parts.empty() ? 1 : 0;
         if (at.sheet < 0) continue;
         EXPECT_EQ(at.sheet, asked.sheet[i]);

@@ -29,7 +29,7 @@ bool run(std::span<const std::int32_t> program, unsigned inputs, std::size_t& op
         const bool b = stack.back();
         stack.pop_back();
         const bool a = stack.back();
-        stack.back() = code == PiecesData::larger ? a || b : a && b;
+        stack.back() = code == PiecesData::maximum ? a || b : a && b;
     }
     EXPECT_EQ(stack.size(), 1U);
     return stack[0];
