@@ -162,7 +162,7 @@ hrbfnpr_mesh_fit_info described(const mesh::PlannedFit& made) noexcept {
     hrbfnpr_mesh_fit_info to{};
     to.sheets = 1;
     if (made.pieces) {
-        const mesh::PiecesReport& pieces = made.pieces->pieces;
+        const mesh::SheetTreeReport& pieces = made.pieces->pieces;
         to.sheets = pieces.sheets;
         to.crease_length = pieces.crease_length;
         to.smooth_length = pieces.smooth_length;

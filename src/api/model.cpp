@@ -49,8 +49,8 @@ const implicit::Implicit& hrbfnpr_model::trimmed(const implicit::Implicit& prepa
 }
 
 std::size_t hrbfnpr_model::way_for(double evaluations) const noexcept {
-    if (const auto* made = std::get_if<implicit::Pieces>(&surface)) {
-        const auto scope = implicit::PreparedPieces::pays(made->data(), evaluations);
+    if (const auto* made = std::get_if<implicit::SheetTree>(&surface)) {
+        const auto scope = implicit::PreparedSheetTree::pays(made->data(), evaluations);
         return scope ? static_cast<std::size_t>(*scope) : ways;
     }
     const implicit::HrbfData* const hrbf = data();
@@ -58,9 +58,9 @@ std::size_t hrbfnpr_model::way_for(double evaluations) const noexcept {
 }
 
 std::unique_ptr<implicit::Implicit> hrbfnpr_model::prepare(std::size_t way, const base::Progress& progress) const {
-    if (const auto* made = std::get_if<implicit::Pieces>(&surface))
-        return std::make_unique<implicit::PreparedPieces>(base::Work(runtime(), progress), *made,
-                                                          static_cast<implicit::PreparedPieces::Scope>(way));
+    if (const auto* made = std::get_if<implicit::SheetTree>(&surface))
+        return std::make_unique<implicit::PreparedSheetTree>(base::Work(runtime(), progress), *made,
+                                                             static_cast<implicit::PreparedSheetTree::Scope>(way));
     return implicit::Prepared::make({runtime(), progress}, *data());
 }
 
@@ -330,7 +330,7 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     info.polynomial_degree = -1;
     info.bytes = static_cast<std::int64_t>(sizeof(hrbfnpr_model)) + (solid != nullptr ? solid->bytes() : 0);
     set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
-    if (const implicit::PiecesData* pieces = model.pieces()) {
+    if (const implicit::SheetTreeData* pieces = model.pieces()) {
         describe_fit(info, model.whole().report);
         info.kernel = static_cast<std::uint32_t>(pieces->sheet[0].kernel);
         info.polynomial_degree = pieces->sheet[0].polynomial_degree;

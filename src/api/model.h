@@ -9,8 +9,8 @@
 #include "generate/settings.h"
 #include "implicit/custom.h"
 #include "implicit/hrbf.h"
-#include "implicit/pieces.h"
 #include "implicit/prepared.h"
+#include "implicit/sheet_tree.h"
 #include "implicit/trimmed.h"
 
 #include <memory>
@@ -23,10 +23,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         : Child(context),
           surface(std::in_place_type<hrbfnpr::implicit::Hrbf>, context.runtime.instruction_set, std::move(fit.data)),
           report(fit.report), history(std::move(fit.history)) {}
-    hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::implicit::PiecesData&& pieces,
+    hrbfnpr_model(hrbfnpr_context& context, hrbfnpr::implicit::SheetTreeData&& pieces,
                   const hrbfnpr::fit::FitReport& fit) noexcept
         : Child(context),
-          surface(std::in_place_type<hrbfnpr::implicit::Pieces>, context.runtime.instruction_set, std::move(pieces)),
+          surface(std::in_place_type<hrbfnpr::implicit::SheetTree>, context.runtime.instruction_set, std::move(pieces)),
           report(fit), history(context.runtime.memory) {}
     // Makes a trimmed model: the function of `of`, whose surface ends where the trim says, if there is one. If `of` is
     // trimmed, its own trim does not count.
@@ -44,7 +44,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         if (whole_ != nullptr) return whole_->implicit();
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
         if (const hrbfnpr::api::CsgSolid* solid = csg()) return solid->own();
-        if (const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&surface)) return *made;
+        if (const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&surface)) return *made;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
     // nullptr for a model that is no tree, and for a trimmed one.
@@ -68,8 +68,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
     // nullptr for a model without sheets.
-    [[nodiscard]] const hrbfnpr::implicit::PiecesData* pieces() const noexcept {
-        const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&whole().surface);
+    [[nodiscard]] const hrbfnpr::implicit::SheetTreeData* pieces() const noexcept {
+        const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&whole().surface);
         return made != nullptr ? &made->data() : nullptr;
     }
     // Empty for a custom model and a tree.
@@ -84,7 +84,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         return {};
     }
 
-    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::Pieces, hrbfnpr::implicit::Custom,
+    std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::SheetTree, hrbfnpr::implicit::Custom,
                  std::unique_ptr<hrbfnpr::api::CsgSolid>, std::monostate>
         surface; // std::monostate in a trimmed model: see whole()
     // These two are valid in whole() only.

@@ -173,7 +173,7 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
     if (const CsgSolid* const solid = model.whole().csg()) return save_csg(*solid, trim, writer);
     const implicit::HrbfData* data = model.data();
-    const implicit::PiecesData* pieces = model.pieces();
+    const implicit::SheetTreeData* pieces = model.pieces();
     if (data == nullptr && pieces == nullptr)
         fail(Status::invalid_argument,
              "model is a custom model, and its function cannot be saved; save a fit, or a CSG tree of fits");

@@ -6,7 +6,7 @@
 #include "geometry/cell_grid.h"
 #include "implicit/csg_shapes.h"
 #include "implicit/hrbf.h"
-#include "implicit/pieces.h"
+#include "implicit/sheet_tree.h"
 #include "io/stream.h"
 #include "marks/point_set.h"
 
@@ -30,7 +30,7 @@ struct TrimFile {
 struct FitFile {
     explicit FitFile(base::Memory& memory) noexcept : data(memory), report(memory) {}
     implicit::HrbfData data;
-    std::optional<implicit::PiecesData> pieces = std::nullopt;
+    std::optional<implicit::SheetTreeData> pieces = std::nullopt;
     base::Array<double> report; // in the order of fit::FitReport; not interpreted here
 };
 
@@ -71,7 +71,7 @@ struct ModelFile : FitFile {
 // A fit or a model of sheets: either `data` or `pieces` is not null.
 struct FitToSave {
     const implicit::HrbfData* data = nullptr;
-    const implicit::PiecesData* pieces = nullptr;
+    const implicit::SheetTreeData* pieces = nullptr;
     std::span<const double> report;
 };
 

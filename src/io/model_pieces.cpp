@@ -18,7 +18,7 @@ constexpr std::uint32_t tag_piece_normal = tag("PSNR");
 constexpr std::uint32_t most_sheets = 1U << 20U;
 using Space = std::array<double, 11>;
 
-Space space_of(const implicit::PiecesData& data) noexcept {
+Space space_of(const implicit::SheetTreeData& data) noexcept {
     const auto& [low, high] = data.bounds;
     const glm::dvec3& corner = data.corner;
     return {low.x, low.y, low.z, high.x, high.y, high.z, data.spacing, corner.x, corner.y, corner.z, data.side};
@@ -39,7 +39,7 @@ void decode_numbers(Decoder& decoder, std::uint32_t tag, base::Array<std::int32_
 
 } // namespace
 
-void encode_pieces(Encoder& encoder, const implicit::PiecesData& data) {
+void encode_pieces(Encoder& encoder, const implicit::SheetTreeData& data) {
     const std::array<std::uint32_t, 1> sheets{static_cast<std::uint32_t>(data.sheet.size())};
     encoder.section<std::uint32_t>(tag_sheets, sheets);
     for (const implicit::HrbfData& sheet : data.sheet) encode_hrbf(encoder, sheet);
@@ -52,7 +52,7 @@ void encode_pieces(Encoder& encoder, const implicit::PiecesData& data) {
     encoder.section(tag_piece_normal, data.sample_normal.span());
 }
 
-void decode_pieces(Decoder& decoder, implicit::PiecesData& data) {
+void decode_pieces(Decoder& decoder, implicit::SheetTreeData& data) {
     std::array<std::uint32_t, 1> sheets{};
     decoder.section<std::uint32_t>(tag_sheets, sheets);
     if (sheets[0] < 1 || sheets[0] > most_sheets) decoder.damaged("it has no sheets, or too many");
@@ -72,7 +72,7 @@ void decode_pieces(Decoder& decoder, implicit::PiecesData& data) {
     decoder.section(tag_piece_normal, data.sample_normal, data.sample_position.size());
 }
 
-void check_pieces(const Decoder& decoder, const implicit::PiecesData& data) {
+void check_pieces(const Decoder& decoder, const implicit::SheetTreeData& data) {
     for (const implicit::HrbfData& sheet : data.sheet) check_hrbf(decoder, sheet);
     const Space space = space_of(data);
     check_finite<double>(decoder, "space", space);
@@ -84,7 +84,7 @@ void check_pieces(const Decoder& decoder, const implicit::PiecesData& data) {
         if (!(std::abs(data.corner[axis] + half - data.bounds.centre()[axis]) <= 1e-6 * half))
             decoder.damaged("its cells do not lie around its bounds");
     }
-    if (!(half >= 0.5 * implicit::PiecesData::reach * data.bounds.diagonal() && data.side <= coordinate_limit &&
+    if (!(half >= 0.5 * implicit::SheetTreeData::reach * data.bounds.diagonal() && data.side <= coordinate_limit &&
           half > 0.0))
         decoder.damaged("its cells do not cover its bounds");
     if (data.spacing < 0.0) decoder.damaged("its sample spacing is negative");

@@ -25,10 +25,10 @@ void decode_hrbf(Decoder& decoder, const ModelKind& kind, implicit::HrbfData& da
 void check_hrbf(const Decoder& decoder, const implicit::HrbfData& data);
 
 // A model of sheets, without its kind.
-void encode_pieces(Encoder& encoder, const implicit::PiecesData& data);
-void decode_pieces(Decoder& decoder, implicit::PiecesData& data);
+void encode_pieces(Encoder& encoder, const implicit::SheetTreeData& data);
+void decode_pieces(Decoder& decoder, implicit::SheetTreeData& data);
 // Checks all sheets and the octree. A model that passes is safe to evaluate.
-void check_pieces(const Decoder& decoder, const implicit::PiecesData& data);
+void check_pieces(const Decoder& decoder, const implicit::SheetTreeData& data);
 
 // A fit or a model of sheets, with the report. encode_fit() writes the kind, too; decode_fit() starts after it.
 void encode_fit(Encoder& encoder, const FitToSave& fit);

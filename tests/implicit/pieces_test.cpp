@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tests maxima and minima of sheets, cell by cell, and smooth transitions between cells.
-#include "implicit/pieces.h"
+#include "implicit/sheet_tree.h"
 
 #include "base/random.h"
 #include "support/runtime.h"
@@ -15,12 +15,12 @@ namespace pieces_test {
 
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::base::InstructionSet;
-using implicit::PiecesData;
+using implicit::SheetTreeData;
 
 namespace {
 
-constexpr std::int32_t larger = PiecesData::maximum;
-constexpr std::int32_t smaller = PiecesData::minimum;
+constexpr std::int32_t larger = SheetTreeData::maximum;
+constexpr std::int32_t smaller = SheetTreeData::minimum;
 
 // A fit without centres: d + n . p + a x^2 + b y z.
 implicit::HrbfData sheet(hrbfnpr::base::Memory& memory, double d, const glm::dvec3& n, double a = 0.0, double b = 0.0) {
@@ -32,14 +32,14 @@ implicit::HrbfData sheet(hrbfnpr::base::Memory& memory, double d, const glm::dve
 }
 
 // The box [-1, 1]^3 and four sheets, in eight cells with these programs. A cell whose program is empty is plain.
-PiecesData eight(hrbfnpr::base::Memory& memory, const std::vector<std::vector<std::int32_t>>& programs) {
-    PiecesData data(memory);
+SheetTreeData eight(hrbfnpr::base::Memory& memory, const std::vector<std::vector<std::int32_t>>& programs) {
+    SheetTreeData data(memory);
     data.sheet.add(sheet(memory, -0.2, {1.0, 0.1, 0.0}, 0.3, 0.1));
     data.sheet.add(sheet(memory, 0.1, {0.0, 1.0, 0.2}, 0.0, 0.4));
     data.sheet.add(sheet(memory, 0.3, {0.3, 0.0, 1.0}, -0.2, 0.0));
     data.sheet.add(sheet(memory, -0.1, {-0.5, 0.5, 0.5}, 0.1, 0.2));
     data.bounds = {glm::dvec3(-1.0), glm::dvec3(1.0)};
-    data.side = 1.02 * PiecesData::reach * data.bounds.diagonal();
+    data.side = 1.02 * SheetTreeData::reach * data.bounds.diagonal();
     data.corner = glm::dvec3(-0.5 * data.side);
     data.child.push_back(1);
     for (std::int32_t leaf = 0; leaf < 8; ++leaf) {
@@ -90,8 +90,8 @@ std::int32_t active_at(const implicit::Sheets& sheets, const glm::dvec3& p) {
 
 TEST(Pieces, EqualTheTreeThatAllCellsContain) {
     const auto runtime = hrbfnpr::test::with_threads(1);
-    const implicit::Pieces f(InstructionSet::automatic,
-                             eight(runtime.memory, {{0, 1, larger, 2, 3, smaller, smaller}}));
+    const implicit::SheetTree f(InstructionSet::automatic,
+                                eight(runtime.memory, {{0, 1, larger, 2, 3, smaller, smaller}}));
     ASSERT_TRUE(implicit::is_sound(f.data()));
     const implicit::Sheets& sheets = *f.sheets();
     ASSERT_EQ(sheets.count(), 5);
@@ -114,7 +114,7 @@ TEST(Pieces, EqualTheTreeThatAllCellsContain) {
 // Places are in [-1, 1]^3, where the outer sphere begins, and where it is the only sheet.
 TEST(Pieces, DerivativesMatchDifferences) {
     const auto runtime = hrbfnpr::test::with_threads(1);
-    const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
+    const implicit::SheetTree f(InstructionSet::automatic, eight(runtime.memory, mixed));
     ASSERT_TRUE(implicit::is_sound(f.data()));
     const double h = 1e-5;
     int compared = 0;
@@ -148,7 +148,7 @@ TEST(Pieces, DerivativesMatchDifferences) {
 
 TEST(Pieces, APointsResultDoesNotDependOnOtherPoints) {
     const auto runtime = hrbfnpr::test::with_threads(1);
-    const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
+    const implicit::SheetTree f(InstructionSet::automatic, eight(runtime.memory, mixed));
     constexpr std::int64_t count = 300;
     std::vector<double> x, y, z, value(count), gx(count), gy(count), gz(count), only(count);
     std::vector<std::vector<double>> h(6, std::vector<double>(count));
@@ -178,7 +178,7 @@ TEST(Pieces, APointsResultDoesNotDependOnOtherPoints) {
 
 TEST(Pieces, FarAwayEqualTheDistanceFromASphere) {
     const auto runtime = hrbfnpr::test::with_threads(1);
-    const implicit::Pieces f(InstructionSet::automatic, eight(runtime.memory, mixed));
+    const implicit::SheetTree f(InstructionSet::automatic, eight(runtime.memory, mixed));
     for (const glm::dvec3& p : {glm::dvec3(30.0, 0.0, 0.0), glm::dvec3(-1e6, 2e6, 5.0)})
         EXPECT_NEAR(at(f, p).value, glm::length(p) - std::sqrt(3.0), 1e-9 * glm::length(p));
     EXPECT_TRUE(std::isnan(at(f, glm::dvec3(std::nan(""))).value));
@@ -188,7 +188,7 @@ TEST(Pieces, FarAwayEqualTheDistanceFromASphere) {
 // A file may have a program that names its only sheet twice. The cells here are small enough for zones.
 TEST(Pieces, ZonesAcceptASheetThatIsNamedTwice) {
     const auto runtime = hrbfnpr::test::with_threads(1);
-    PiecesData data = eight(runtime.memory, {{}});
+    SheetTreeData data = eight(runtime.memory, {{}});
     data.child.clear();
     data.program_begin.clear();
     for (std::int32_t node = 0; node < 1 + 8 + 64; ++node) data.child.push_back(1 + 8 * node);
@@ -199,9 +199,9 @@ TEST(Pieces, ZonesAcceptASheetThatIsNamedTwice) {
     }
     data.program_begin.push_back(static_cast<std::int32_t>(data.program.size()));
     data.plain.resize(4 * 512);
-    const implicit::Pieces f(InstructionSet::automatic, std::move(data));
+    const implicit::SheetTree f(InstructionSet::automatic, std::move(data));
     ASSERT_TRUE(implicit::is_sound(f.data()));
-    const implicit::PreparedPieces prepared(runtime, f, implicit::PreparedPieces::Scope::zones);
+    const implicit::PreparedSheetTree prepared(runtime, f, implicit::PreparedSheetTree::Scope::zones);
     EXPECT_FALSE(prepared.zones()->candidates_at(glm::dvec3(0.1)).parts.empty());
     for (std::uint64_t i = 0; i < 100; ++i) {
         const glm::dvec3 p = place(i, 1.0);
@@ -212,23 +212,23 @@ TEST(Pieces, ZonesAcceptASheetThatIsNamedTwice) {
 TEST(Pieces, WithADamagedProgramOrTreeAreNotSound) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const auto damaged = [&](auto&& damage) {
-        PiecesData data = eight(runtime.memory, mixed);
+        SheetTreeData data = eight(runtime.memory, mixed);
         damage(data);
         return !implicit::is_sound(data);
     };
-    EXPECT_FALSE(damaged([](PiecesData&) {}));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.program[0] = 4; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.program[0] = -3; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.program[0] = larger; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.program[2] = 0; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { std::swap(data.program_begin[1], data.program_begin[2]); }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.program_begin[8] -= 1; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.child[0] = 0; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.child[0] = 2; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.child[3] = 9; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.child[3] = -9; }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.plain.resize(31); }));
-    EXPECT_TRUE(damaged([](PiecesData& data) { data.sheet.clear(); }));
+    EXPECT_FALSE(damaged([](SheetTreeData&) {}));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.program[0] = 4; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.program[0] = -3; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.program[0] = larger; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.program[2] = 0; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { std::swap(data.program_begin[1], data.program_begin[2]); }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.program_begin[8] -= 1; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.child[0] = 0; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.child[0] = 2; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.child[3] = 9; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.child[3] = -9; }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.plain.resize(31); }));
+    EXPECT_TRUE(damaged([](SheetTreeData& data) { data.sheet.clear(); }));
 }
 
 } // namespace

@@ -79,8 +79,8 @@ TEST(Golden, SheetsOfVersion2Load) {
     BytesWriter writer;
     save_model({nullptr, &*file.pieces, file.report.span()}, nullptr, writer);
     EXPECT_EQ(writer.bytes, bytes); // until there is a version 3
-    const implicit::Pieces f(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
-                             std::move(*file.pieces));
+    const implicit::SheetTree f(hrbfnpr::base::choose_instruction_set(hrbfnpr::base::InstructionSet::automatic),
+                                std::move(*file.pieces));
     const std::array<double, 3> x{0.9, 1.2, -3.0};
     const std::array<double, 3> y{-2.1, -1.5, 4.0};
     const std::array<double, 3> z{2.8, 3.5, 9.0};

@@ -13,15 +13,15 @@ namespace hrbfnpr::io::pieces_file_test {
 namespace {
 
 using namespace samples;
-using implicit::PiecesData;
+using implicit::SheetTreeData;
 
 // Three sheets in eight cells, two of them plain.
-PiecesData pieces(base::Memory& memory) {
-    PiecesData data(memory);
+SheetTreeData pieces(base::Memory& memory) {
+    SheetTreeData data(memory);
     for (std::int64_t sheet = 0; sheet < 3; ++sheet) data.sheet.add(model(memory, 2 + sheet));
     data.bounds = data.sheet[0].bounds;
     data.spacing = 0.5;
-    data.side = 1.02 * PiecesData::reach * data.bounds.diagonal();
+    data.side = 1.02 * SheetTreeData::reach * data.bounds.diagonal();
     data.corner = data.bounds.centre() - 0.5 * data.side;
     data.child.push_back(1);
     for (std::int32_t leaf = 0; leaf < 8; ++leaf) {
@@ -38,7 +38,7 @@ PiecesData pieces(base::Memory& memory) {
     return data;
 }
 
-Bytes bytes_of(const PiecesData& data, const TrimFile* trim = nullptr) {
+Bytes bytes_of(const SheetTreeData& data, const TrimFile* trim = nullptr) {
     BytesWriter writer;
     save_model({nullptr, &data, report()}, trim, writer);
     return writer.bytes;
@@ -76,38 +76,38 @@ TEST(PiecesFile, DamagedFilesAreRefused) {
     EXPECT_EQ(load(memory, bytes, true).message, "");
 }
 
-std::string message_of(const std::function<void(PiecesData&)>& change) {
+std::string message_of(const std::function<void(SheetTreeData&)>& change) {
     base::Memory memory;
-    PiecesData data = pieces(memory);
+    SheetTreeData data = pieces(memory);
     change(data);
     return load(memory, bytes_of(data), true).message;
 }
 
 TEST(PiecesFile, ContentIsChecked) {
-    const auto expect = [](const char* part, const std::function<void(PiecesData&)>& change) {
+    const auto expect = [](const char* part, const std::function<void(SheetTreeData&)>& change) {
         EXPECT_NE(message_of(change).find(part), std::string::npos) << message_of(change);
     };
-    EXPECT_EQ(message_of([](PiecesData&) {}), "");
-    expect("no sheets", [](PiecesData& d) { d.sheet.clear(); });
-    expect("alpha[1] is not finite", [](PiecesData& d) { d.sheet[1].alpha[1] = NAN; });
-    expect("programs are invalid", [](PiecesData& d) { d.program[0] = 3; });
-    expect("programs are invalid", [](PiecesData& d) { d.program_begin[4] = 100; });
-    expect("programs are invalid", [](PiecesData& d) { d.child[0] = -1; });
-    expect("programs are invalid", [](PiecesData& d) { d.plain.push_back(0.0); });
-    expect("plain[5] is not finite", [](PiecesData& d) { d.plain[5] = INFINITY; });
-    expect("not a box", [](PiecesData& d) { d.bounds.max.x = -100.0; });
-    expect("do not cover", [](PiecesData& d) {
+    EXPECT_EQ(message_of([](SheetTreeData&) {}), "");
+    expect("no sheets", [](SheetTreeData& d) { d.sheet.clear(); });
+    expect("alpha[1] is not finite", [](SheetTreeData& d) { d.sheet[1].alpha[1] = NAN; });
+    expect("programs are none", [](SheetTreeData& d) { d.program[0] = 3; });
+    expect("programs are none", [](SheetTreeData& d) { d.program_begin[4] = 100; });
+    expect("programs are none", [](SheetTreeData& d) { d.child[0] = -1; });
+    expect("programs are none", [](SheetTreeData& d) { d.plain.push_back(0.0); });
+    expect("plain[5] is not finite", [](SheetTreeData& d) { d.plain[5] = INFINITY; });
+    expect("not a box", [](SheetTreeData& d) { d.bounds.max.x = -100.0; });
+    expect("do not cover", [](SheetTreeData& d) {
         d.corner += 0.1 * d.side;
         d.side *= 0.8;
     });
-    expect("not lie around its bounds", [](PiecesData& d) { d.corner.y += 0.2; });
-    expect("spacing is negative", [](PiecesData& d) { d.spacing = -1.0; });
-    expect("number of samples is wrong", [](PiecesData& d) {
+    expect("not about its bounds", [](SheetTreeData& d) { d.corner.y += 0.2; });
+    expect("spacing is negative", [](SheetTreeData& d) { d.spacing = -1.0; });
+    expect("whole number of samples", [](SheetTreeData& d) {
         d.sample_position.push_back(0.0);
         d.sample_normal.push_back(0.0);
     });
-    expect("sample_normal[0]", [](PiecesData& d) { d.sample_normal[1] = 2.0; });
-    expect("sample_position[0] is outside its bounds", [](PiecesData& d) { d.sample_position[1] = 1e60; });
+    expect("sample_normal[0]", [](SheetTreeData& d) { d.sample_normal[1] = 2.0; });
+    expect("sample_position[0] is outside its bounds", [](SheetTreeData& d) { d.sample_position[1] = 1e60; });
 }
 
 // Bytes are changed and the checksums corrected. Every file that still loads can be evaluated.
@@ -126,7 +126,7 @@ TEST(PiecesFile, EveryFileThatLoadsCanBeEvaluated) {
         try {
             ModelFile file = load_model(memory, reader);
             ++loaded;
-            const implicit::Pieces f(base::InstructionSet::baseline, std::move(*file.pieces));
+            const implicit::SheetTree f(base::InstructionSet::baseline, std::move(*file.pieces));
             const glm::dvec3 p = 8.0 * (glm::dvec3(random[1], random[2], random[3]) - 0.5);
             double value = 0.0;
             std::int32_t sheet = -1;

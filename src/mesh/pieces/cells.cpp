@@ -23,7 +23,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-using implicit::PiecesData;
+using implicit::SheetTreeData;
 using FaceList = base::Array<std::int32_t>;
 
 // ---- The trees
@@ -55,7 +55,7 @@ void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& 
     const auto join = [&](const Program& a, const Program& b) {
         Program joined = a;
         joined.add(b);
-        joined.code[joined.size++] = top == 0 ? PiecesData::maximum : PiecesData::minimum;
+        joined.code[joined.size++] = top == 0 ? SheetTreeData::maximum : SheetTreeData::minimum;
         to.push_back(joined);
     };
     for (std::uint32_t with = (others - 1) & others;; with = (with - 1) & others) {
@@ -248,7 +248,7 @@ struct CellTask {
     const SignedDistances& distances;
     const base::Array<double>& chord;
     const ReadOnceTrees& trees;
-    const PiecesData& data;
+    const SheetTreeData& data;
     const double near; // the distance from the surface within which signs may be wrong
     const std::uint64_t seed;
 
@@ -358,7 +358,7 @@ struct TreeChoice {
             }
             const double b = stack[--depth];
             const double a = stack[depth - 1];
-            stack[depth - 1] = code == PiecesData::maximum ? std::max(a, b) : std::min(a, b);
+            stack[depth - 1] = code == SheetTreeData::maximum ? std::max(a, b) : std::min(a, b);
         }
         HRBFNPR_ASSERT(depth == 1);
         const double v = stack[0];
@@ -400,7 +400,7 @@ struct Node {
     double half;
     std::int64_t parent; // the number of the parent node in the level above
 
-    [[nodiscard]] CellBox box() const noexcept { return {centre, PiecesData::cell_reach * half}; }
+    [[nodiscard]] CellBox box() const noexcept { return {centre, SheetTreeData::cell_reach * half}; }
 };
 
 // The decision about a node.
@@ -447,7 +447,7 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
     const NearestPlace nearest = distances.nearest_place(node.centre);
     const glm::dvec3 off = node.centre - nearest.place;
     const double distance = glm::length(off);
-    const double far = std::sqrt(3.0) * PiecesData::cell_reach * node.half;
+    const double far = std::sqrt(3.0) * SheetTreeData::cell_reach * node.half;
     const double slope = std::min(1.0, cell_tuning.plain_fall * distance / far);
     const glm::dvec3 gradient = distance > 0.0 ? (slope / nearest.distance) * off : glm::dvec3(0.0);
     found.plain[0] = nearest.distance;
@@ -487,7 +487,7 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
 
 // Adds the nodes of a level to the data, and the centres of leaves to `centres`. Returns the next level.
 [[nodiscard]] base::Array<Node> add_level(const base::Array<Node>& nodes, const base::Array<CellDecision>& found,
-                                          PiecesData& data, geometry::VecArray& centres, CellsReport& report) {
+                                          SheetTreeData& data, geometry::VecArray& centres, CellsReport& report) {
     const std::int64_t first = data.child.size() + nodes.size();
     base::Array<Node> next(nodes.memory());
     for (std::int64_t i = 0; i < nodes.size(); ++i) {
@@ -495,7 +495,7 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
             data.child.push_back(static_cast<std::int32_t>(first + next.size()));
             const double q = 0.5 * nodes[i].half;
             for (std::int32_t k = 0; k < 8; ++k)
-                next.push_back({nodes[i].centre + PiecesData::child_offset(k, q), q, i});
+                next.push_back({nodes[i].centre + SheetTreeData::child_offset(k, q), q, i});
             continue;
         }
         data.child.push_back(-1 - static_cast<std::int32_t>(data.program_begin.size()));
@@ -513,7 +513,7 @@ void make_plain(const SignedDistances& distances, const Node& node, CellDecision
 // If the mesh is not solid, a cell without surface gets the program of the nearest cell with surface. So the surface
 // continues beyond its borders.
 void continue_surface(const base::Work& work, const SignedDistances& distances, const geometry::VecArray& centres,
-                      PiecesData& data) {
+                      SheetTreeData& data) {
     base::Array<std::int32_t> from(work.memory, data.leaves());
     work.for_chunks(data.leaves(), 64, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t leaf = begin; leaf < end; ++leaf)
@@ -557,14 +557,14 @@ ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memo
 }
 
 CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
-                       const base::Array<double>& chord, std::uint64_t seed, PiecesData& data) {
+                       const base::Array<double>& chord, std::uint64_t seed, SheetTreeData& data) {
     HRBFNPR_ASSERT(data.sheet.size() == creases.patches && chord.size() == mesh.vertex.size());
     const SignedDistances distances(work, mesh, tree);
     const ReadOnceTrees trees(work.memory);
     const double diagonal = mesh.bounds.diagonal();
     const CellTask task{work, mesh, creases, distances, chord, trees, data, cell_tuning.near * diagonal, seed};
     data.bounds = mesh.bounds;
-    data.side = cell_tuning.root_side * PiecesData::reach * diagonal;
+    data.side = cell_tuning.root_side * SheetTreeData::reach * diagonal;
     data.corner = mesh.bounds.centre() - 0.5 * data.side;
     base::Array<Node> nodes(work.memory); // the nodes of one level
     nodes.push_back({mesh.bounds.centre(), 0.5 * data.side, 0});

@@ -2,7 +2,7 @@
 // Divides space into cells. In each cell a few sheets, joined by a tree of maxima and minima, make the mesh's surface.
 #pragma once
 
-#include "implicit/pieces.h"
+#include "implicit/sheet_tree.h"
 #include "mesh/face_tree.h"
 #include "mesh/pieces/creases.h"
 
@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Lists all ways to combine a few functions by maxima and minima, each once, as programs of implicit::PiecesData:
+// Lists all ways to combine a few functions by maxima and minima, each once, as programs of implicit::SheetTreeData:
 // numbers of functions, `larger`, `smaller`. For 1 to `most` functions there are 1, 2, 8, 52 and 472 (series-parallel
 // networks: MacMahon 1890).
 class ReadOnceTrees {
@@ -46,6 +46,6 @@ struct CellsReport {
 // its faces are from the smooth surface that they approximate.
 [[nodiscard]] CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const Creases& creases, const base::Array<double>& chord, std::uint64_t seed,
-                                     implicit::PiecesData& data);
+                                     implicit::SheetTreeData& data);
 
 } // namespace hrbfnpr::mesh

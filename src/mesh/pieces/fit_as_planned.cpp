@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The steps of fit_as_planned(), in order:
 //
-//   find_planned_creases   finds the edges that stay sharp
-//   fit_mesh, fit_pieces   fit one smooth surface, or sheets
-//   find_end               decides where the surface ends
+//   find_planned_creases      finds the edges that stay sharp
+//   fit_mesh, fit_sheet_tree   fit one smooth surface, or sheets
+//   find_end                  decides where the surface ends
 #include "mesh/pieces/fit_as_planned.h"
 
 #include "base/assert.h"
@@ -44,7 +44,7 @@ void log_fit(const base::Runtime& runtime, const FitMeshReport& report, std::int
                     report.mesh.most, report.surface.most);
 }
 
-void log_pieces(const base::Runtime& runtime, const PiecesReport& report) {
+void log_pieces(const base::Runtime& runtime, const SheetTreeReport& report) {
     runtime.log(base::LogLevel::info, "mesh fit: %d sheets in %lld cells meet in creases %.4g long",
                 static_cast<int>(report.sheets), static_cast<long long>(report.cells), report.crease_length);
     if (report.smooth_length > 0.0 || report.poor_cells > 0)
@@ -122,7 +122,7 @@ PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTr
     PlannedFit made(work.memory);
     std::optional<fit::Samples> samples;
     if (planned.creases) {
-        made.pieces = fit_pieces(of_fit, mesh, tree, *planned.creases, settings, options);
+        made.pieces = fit_sheet_tree(of_fit, mesh, tree, *planned.creases, settings, options);
         made.report = made.pieces->mesh;
         made.centres = made.pieces->data.centres();
     } else {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "mesh/pieces/creases.h"
-#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/fit_sheet_tree.h"
 #include "mesh/pieces/has_creases.h"
 
 #include <optional>
@@ -21,7 +21,7 @@ struct PlannedCreases {
 [[nodiscard]] PlannedCreases find_planned_creases(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                                   const CreaseEvidence& known, const FitMeshSettings& settings);
 
-// Measures what plan_end() needs. `has_creases` tells that fit_pieces() made the fit.
+// Measures what plan_end() needs. `has_creases` tells that fit_sheet_tree() made the fit.
 [[nodiscard]] EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept;
 
 // Returns places all over a mesh. A support around them ends where the mesh ends.
@@ -32,7 +32,7 @@ struct PlannedFit {
     explicit PlannedFit(base::Memory& memory) noexcept : end_place(memory), end_normal(memory) {}
 
     std::optional<fit::FitResult> smooth; // without its samples
-    std::optional<PiecesFit> pieces;      // set if there is no smooth fit
+    std::optional<SheetTreeFit> pieces;   // set if there is no smooth fit
     FitMeshReport report;
     std::int64_t centres = 0;
     EndPlan end;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/fit_sheet_tree.h"
 
 #include "base/random.h"
 #include "base/status.h"
@@ -28,7 +28,7 @@ struct Fitted {
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
           tree(runtime, shape.vertex, shape.triangle),
           creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()})),
-          result(mesh::fit_pieces(runtime, shape, tree, creases, settings(most), {})),
+          result(mesh::fit_sheet_tree(runtime, shape, tree, creases, settings(most), {})),
           f(runtime.instruction_set, std::move(result.data)) {}
 
     [[nodiscard]] static mesh::FitMeshSettings settings(std::int64_t most) {
@@ -72,8 +72,8 @@ struct Fitted {
     mesh::Mesh shape;
     mesh::FaceTree tree;
     mesh::Creases creases;
-    mesh::PiecesFit result;
-    implicit::Pieces f;
+    mesh::SheetTreeFit result;
+    implicit::SheetTree f;
 };
 
 bool in_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
@@ -303,7 +303,7 @@ struct Asked {
     std::vector<std::vector<double>> field;
     std::vector<std::int32_t> sheet;
 
-    Asked(const Fitted& fitted, const implicit::PiecesBase& f) : field(10) {
+    Asked(const Fitted& fitted, const implicit::SheetTreeBase& f) : field(10) {
         const geometry::Bounds& box = fitted.shape.bounds;
         for (std::uint64_t i = 0; i < 6000; ++i) {
             const auto u = hrbfnpr::base::uniform4(5, i, hrbfnpr::base::Purpose::probe);
@@ -331,7 +331,7 @@ struct Asked {
 TEST(PreparedPieces, EqualTheUnpreparedFunction) {
     for (const Triangles& shape : {test::box(1.0, 1.0, 1.0, 8), test::gear(16, 3), test::drilled_cube(0.5, 48)}) {
         const Fitted fitted(shape);
-        const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::zones);
+        const implicit::PreparedSheetTree prepared(fitted.runtime, fitted.f, implicit::PreparedSheetTree::Scope::zones);
         const Asked plain(fitted, fitted.f);
         const Asked ready(fitted, prepared);
         int same = 0;
@@ -348,7 +348,7 @@ TEST(PreparedPieces, EqualTheUnpreparedFunction) {
 // The result does not depend on the other points in the batch.
 TEST(PreparedPieces, APointsResultDoesNotDependOnOtherPoints) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
-    const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::sheets);
+    const implicit::PreparedSheetTree prepared(fitted.runtime, fitted.f, implicit::PreparedSheetTree::Scope::sheets);
     const Asked all(fitted, prepared);
     for (std::size_t i = 0; i < all.x.size(); i += 7) {
         double value = 0.0, gradient[3];
@@ -362,7 +362,7 @@ TEST(PreparedPieces, APointsResultDoesNotDependOnOtherPoints) {
 // Far from creases only one sheet is evaluated, so most places cost one evaluation.
 TEST(PreparedPieces, NeedOnlyOneSheetAtMostPlaces) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
-    const implicit::PiecesZones zones(fitted.runtime, fitted.f.data());
+    const implicit::SheetTreeZones zones(fitted.runtime, fitted.f.data());
     const Asked asked(fitted, fitted.f);
     int one = 0;
     int known = 0;
@@ -371,7 +371,7 @@ TEST(PreparedPieces, NeedOnlyOneSheetAtMostPlaces) {
         if (i % 3 == 0) continue;
         ++beside;
         const glm::dvec3 p(asked.x[i], asked.y[i], asked.z[i]);
-        const implicit::PiecesZones::Candidates at = zones.candidates_at(p);
+        const implicit::SheetTreeZones::Candidates at = zones.candidates_at(p);
         known += at.sheet >= 0 || !at.parts.empty() ? 1 : 0;
         if (at.sheet < 0) continue;
         EXPECT_EQ(at.sheet, asked.sheet[i]);

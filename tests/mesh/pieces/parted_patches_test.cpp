@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests patches that no smooth function fits. They are parted along edges that bend less.
 #include "mesh/meshes.h"
-#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/fit_sheet_tree.h"
 #include "support/runtime.h"
 #include "support/sharp_meshes.h"
 
@@ -38,10 +38,10 @@ struct Plate {
           tree(runtime, shape.vertex, shape.triangle),
           creases(mesh::find_creases(runtime, shape, {at_plates, 0.012 * shape.bounds.diagonal()})) {}
 
-    [[nodiscard]] mesh::PiecesFit fit(mesh::Edges edges = mesh::Edges::automatic) const {
+    [[nodiscard]] mesh::SheetTreeFit fit(mesh::Edges edges = mesh::Edges::automatic) const {
         mesh::FitMeshSettings settings;
         settings.edges = edges;
-        return mesh::fit_pieces(runtime, shape, tree, creases, settings, {});
+        return mesh::fit_sheet_tree(runtime, shape, tree, creases, settings, {});
     }
     // Marks the patches of the bevel and the lid.
     [[nodiscard]] hrbfnpr::base::Array<std::uint8_t> on_top() const {
@@ -78,7 +78,7 @@ TEST(PartedPatches, IncludeOnlyTheNamedPatches) {
 
 TEST(PartedPatches, BringAPoorFitWithinTheTolerance) {
     const Plate plate;
-    const mesh::PiecesFit found = plate.fit();
+    const mesh::SheetTreeFit found = plate.fit();
     EXPECT_TRUE(found.mesh.reached);
     EXPECT_EQ(found.pieces.sheets, 2 * sides + 2);
     EXPECT_EQ(found.data.sheet.size(), 2 * sides + 2);
@@ -90,7 +90,7 @@ TEST(PartedPatches, BringAPoorFitWithinTheTolerance) {
 
 TEST(PartedPatches, AreNotMadeIfTheCallerChoosesTheSharpEdges) {
     const Plate plate;
-    const mesh::PiecesFit found = plate.fit(mesh::Edges::sharp);
+    const mesh::SheetTreeFit found = plate.fit(mesh::Edges::sharp);
     EXPECT_FALSE(found.mesh.reached);
     EXPECT_GT(found.mesh.surface.most, found.mesh.far);
     EXPECT_EQ(found.pieces.sheets, sides + 2);

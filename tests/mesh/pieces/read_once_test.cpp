@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/cells.h"
 
-#include "implicit/pieces.h"
+#include "implicit/sheet_tree.h"
 #include "support/runtime.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace read_once_test {
 
 namespace mesh = hrbfnpr::mesh;
-using hrbfnpr::implicit::PiecesData;
+using hrbfnpr::implicit::SheetTreeData;
 
 namespace {
 
@@ -29,7 +29,7 @@ bool run(std::span<const std::int32_t> program, unsigned inputs, std::size_t& op
         const bool b = stack.back();
         stack.pop_back();
         const bool a = stack.back();
-        stack.back() = code == PiecesData::maximum ? a || b : a && b;
+        stack.back() = code == SheetTreeData::maximum ? a || b : a && b;
     }
     EXPECT_EQ(stack.size(), 1U);
     return stack[0];

@@ -3,7 +3,7 @@
 #include "base/random.h"
 #include "mesh/fit/outer.h"
 #include "mesh/meshes.h"
-#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/fit_sheet_tree.h"
 #include "support/runtime.h"
 #include "support/screw.h"
 #include "support/sharp_meshes.h"
@@ -58,14 +58,14 @@ TEST(WindingPatches, ExcludeRingsAndSlivers) {
 void expect_close(const Triangles& from) {
     const Cut cut(from);
     const mesh::FaceTree tree(cut.runtime, cut.shape.vertex, cut.shape.triangle);
-    mesh::PiecesFit fit = mesh::fit_pieces(cut.runtime, cut.shape, tree, cut.creases, {}, {});
+    mesh::SheetTreeFit fit = mesh::fit_sheet_tree(cut.runtime, cut.shape, tree, cut.creases, {}, {});
     EXPECT_TRUE(fit.mesh.reached);
     EXPECT_EQ(fit.pieces.poor_cells, 0);
     // Only the shaft may have more.
     EXPECT_LE(std::ranges::count_if(fit.data.sheet, [](const auto& sheet) { return sheet.count() > 250; }), 1);
     const double unit = 0.01 * cut.shape.bounds.diagonal();
     EXPECT_LE(fit.mesh.surface.most, 0.3 * unit);
-    const implicit::Pieces f(cut.runtime.instruction_set, std::move(fit.data));
+    const implicit::SheetTree f(cut.runtime.instruction_set, std::move(fit.data));
     std::vector<double> off;
     int wrong = 0;
     for (std::uint64_t i = 0; i < 4000; ++i) {

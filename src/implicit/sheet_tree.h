@@ -2,12 +2,12 @@
 // An implicit made of sheets that meet in creases, and the same prepared for many points. In each cell f is a maximum
 // or minimum of a few sheets. Where no surface is near, it is a linear function that is as far from 0 as the surface is
 // away. Between cells f changes smoothly by a partition of unity, as in Ohtake et al., "Multi-level partition of unity
-// implicits", 2003. The pieces are global functions here, so that nothing changes between cells where f is the same
+// implicits", 2003. The sheets are global functions here, so that nothing changes between cells where f is the same
 // sheet.
 #pragma once
 
 #include "base/clock.h"
-#include "implicit/pieces_cells.h"
+#include "implicit/sheet_tree_cells.h"
 #include "implicit/sheets.h"
 
 #include <memory>
@@ -17,7 +17,7 @@ namespace hrbfnpr::implicit {
 
 class Prepared;
 
-class PiecesBase : public Implicit, public Sheets {
+class SheetTreeBase : public Implicit, public Sheets {
 public:
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
@@ -35,15 +35,15 @@ public:
     void active(const PointBatch& points, std::int32_t* sheet) const override;
     void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const override;
 
-    [[nodiscard]] const PiecesData& data() const noexcept { return data_; }
-    [[nodiscard]] const PiecesZones* zones() const noexcept { return zones_; }
+    [[nodiscard]] const SheetTreeData& data() const noexcept { return data_; }
+    [[nodiscard]] const SheetTreeZones* zones() const noexcept { return zones_; }
     [[nodiscard]] base::InstructionSet instruction_set() const noexcept { return set_; }
 
 protected:
     // All arguments must outlive this. `zones` is null for data without zones. `prepared` has one entry for each sheet,
     // null if the sheet is not prepared; it is empty if no sheet is.
-    PiecesBase(base::InstructionSet set, const PiecesData& data, const PiecesZones* zones = nullptr,
-               const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
+    SheetTreeBase(base::InstructionSet set, const SheetTreeData& data, const SheetTreeZones* zones = nullptr,
+                  const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
         : set_(set), data_(data), zones_(zones), prepared_(prepared) {}
 
 private:
@@ -52,40 +52,40 @@ private:
     }
 
     base::InstructionSet set_;
-    const PiecesData& data_;
-    const PiecesZones* zones_;
+    const SheetTreeData& data_;
+    const SheetTreeZones* zones_;
     const base::List<std::unique_ptr<Prepared>>* prepared_;
 };
 
-class Pieces final : public PiecesBase {
+class SheetTree final : public SheetTreeBase {
 public:
-    Pieces(base::InstructionSet set, PiecesData made) noexcept : PiecesBase(set, own_), own_(std::move(made)) {}
+    SheetTree(base::InstructionSet set, SheetTreeData made) noexcept
+        : SheetTreeBase(set, own_), own_(std::move(made)) {}
 
-    [[nodiscard]] PiecesData take() && noexcept { return std::move(own_); }
+    [[nodiscard]] SheetTreeData take() && noexcept { return std::move(own_); }
 
 private:
-    PiecesData own_;
+    SheetTreeData own_;
 };
 
 // The same function for many points, up to rounding and the errors of each Prepared sheet.
-class PreparedPieces final : public PiecesBase {
+class PreparedSheetTree final : public SheetTreeBase {
 public:
     // The parts that are prepared: zones only, or zones and the sheets with many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
-    // Returns the scope whose preparation saves more time than it takes, for this number of points; nullopt: no scope
-    // does.
-    [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
+    // Returns the scope that takes less time for this number of points than it saves; nullopt: no scope does.
+    [[nodiscard]] static std::optional<Scope> pays(const SheetTreeData& data, double points) noexcept;
 
     // `of` must outlive this.
-    PreparedPieces(const base::Work& work, const PiecesBase& of, Scope scope);
-    ~PreparedPieces() override;
+    PreparedSheetTree(const base::Work& work, const SheetTreeBase& of, Scope scope);
+    ~PreparedSheetTree() override;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
     base::Stopwatch watch_;
-    PiecesZones own_zones_;
+    SheetTreeZones own_zones_;
     base::List<std::unique_ptr<Prepared>> sheet_; // null where a prepared sheet would not be accurate
 };
 

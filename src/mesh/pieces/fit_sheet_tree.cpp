@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The steps of fit_pieces(), in order:
+// The steps of fit_sheet_tree(), in order:
 //
 //   fit_sheets      fits a sheet to each patch, smaller patches first: a Hermite fit by fit_sheet()
 //   report_sheets   makes one report of their errors
 //   make_whole      makes the cells that join the sheets, and measures how far the surface is from the mesh
 //   improves        repeats this with patches divided along edges that bend less, while some place is far off
-#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/fit_sheet_tree.h"
 
 #include "base/clock.h"
 #include "base/groups.h"
@@ -100,7 +100,7 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
 
 // ---- All sheets
 
-struct PiecesTask {
+struct SheetTreeTask {
     const base::Runtime& runtime;
     const Mesh& mesh;
     const FaceTree& tree;
@@ -160,7 +160,7 @@ void return_fits(SheetFits& sheets, SheetFits& before) {
     return order;
 }
 
-[[nodiscard]] SheetFit fit_patch(const PiecesTask& task, const SheetFits& sheets, std::int32_t p,
+[[nodiscard]] SheetFit fit_patch(const SheetTreeTask& task, const SheetFits& sheets, std::int32_t p,
                                  const PatchNormals& normals, bool grows, std::int64_t most,
                                  const base::Progress& progress) {
     PatchSamples patch =
@@ -182,7 +182,7 @@ void return_fits(SheetFits& sheets, SheetFits& before) {
 }
 
 // Gives the model places at which searches for its surface may begin.
-void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& normal, implicit::PiecesData& data,
+void gather_samples(const SheetTreeTask& task, const base::Array<glm::dvec3>& normal, implicit::SheetTreeData& data,
                     const base::Progress& progress) {
     MeshSamples even = even_samples({task.runtime, progress}, task.mesh, pieces_tuning.even_places,
                                     4 * pieces_tuning.even_places, task.settings.seed);
@@ -204,7 +204,7 @@ void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& norma
 }
 
 // Fits all sheets that are missing, one after the other. Each takes few centres.
-void fit_sheets(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, const base::Progress& progress) {
+void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     const std::int32_t patches = sheets.creases.patches;
     // A sheet that lies against another part grows until the two cross. Otherwise both would be 0, or nearly so, at the
@@ -252,7 +252,7 @@ void fit_sheets(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, co
 }
 
 // Reports the worst values of all sheets and means over all, and notes which patches are unsettled.
-void report_sheets(const PiecesTask& task, SheetFits& sheets, PiecesFit& result) {
+void report_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result) {
     fit::FitReport& all = result.fit;
     const double unit = pieces_tuning.at_crease * task.tolerance; // the least tolerance of a sample
     double values = 0.0, gradients = 0.0, squares = 0.0, centres = 0.0;
@@ -296,13 +296,13 @@ void report_sheets(const PiecesTask& task, SheetFits& sheets, PiecesFit& result)
 
 // ---- The whole
 
-void move_sheets(SheetFits& from, implicit::PiecesData& to) {
+void move_sheets(SheetFits& from, implicit::SheetTreeData& to) {
     for (std::optional<SheetFit>& one : from.fit) to.sheet.add(std::move(one->data));
 }
 
 // Makes the cells, and measures the distances of surface and mesh in both directions, at new places. The result holds
 // the sheets meanwhile.
-void make_whole(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, const base::Progress& progress) {
+void make_whole(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     move_sheets(sheets, result.data);
     const CellsReport cells = make_cells({runtime, progress.part(0.6, 0.85)}, task.mesh, task.tree, sheets.creases,
@@ -313,7 +313,7 @@ void make_whole(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, co
     result.pieces = {sheets.creases.patches, sheets.creases.length - sheets.creases.fading, sheets.creases.fading,
                      cells.cells, cells.poor_cells};
     const base::Stopwatch watch;
-    implicit::Pieces made(runtime.instruction_set, std::move(result.data));
+    implicit::SheetTree made(runtime.instruction_set, std::move(result.data));
     CompareSettings settings;
     settings.tolerance = result.mesh.tolerance;
     settings.far = result.mesh.far;
@@ -349,8 +349,8 @@ void make_whole(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, co
                            std::min(less_outside, less_far) < pieces_tuning.nearer);
 }
 
-[[nodiscard]] PiecesFit empty_result(const PiecesTask& task) {
-    PiecesFit result{implicit::PiecesData(task.runtime.memory), {}, {}, {}};
+[[nodiscard]] SheetTreeFit empty_result(const SheetTreeTask& task) {
+    SheetTreeFit result{implicit::SheetTreeData(task.runtime.memory), {}, {}, {}};
     result.mesh.tolerance = task.tolerance;
     result.mesh.far = plan_far(task.settings.far, task.tolerance);
     result.mesh.supported = task.mesh.report.boundary_edges > 0;
@@ -359,8 +359,8 @@ void make_whole(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, co
 
 // Makes a model of other patches, which borrows the sheets of unchanged patches. Returns whether the model is better.
 // If not, the sheets go back.
-[[nodiscard]] bool improves(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, SheetFits& best_sheets,
-                            const PiecesFit& best, const base::Progress& progress) {
+[[nodiscard]] bool improves(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, SheetFits& best_sheets,
+                            const SheetTreeFit& best, const base::Progress& progress) {
     try {
         const base::Stopwatch watch;
         take_unchanged_fits(best_sheets, sheets);
@@ -380,8 +380,8 @@ void make_whole(const PiecesTask& task, SheetFits& sheets, PiecesFit& result, co
 
 } // namespace
 
-PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
-                     const FitMeshSettings& settings, const fit::FitInput& options) {
+SheetTreeFit fit_sheet_tree(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
+                            const FitMeshSettings& settings, const fit::FitInput& options) {
     constexpr double end_of_first = 0.7; // share of the progress
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
@@ -390,11 +390,11 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
     const MeshSamples places =
         random_samples(work, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
                        settings.seed, 2);
-    const PiecesTask task{
+    const SheetTreeTask task{
         work, mesh, tree, places, settings, options, plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
     const PartContact contact =
         warn_of_part_contact(work, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0);
-    PiecesFit best = empty_result(task);
+    SheetTreeFit best = empty_result(task);
     std::optional<SheetFits> sheets(std::in_place, work.memory, mesh, creases);
     const base::Work first = work.part(0.0, end_of_first);
     const base::Stopwatch first_watch;
@@ -411,7 +411,7 @@ PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& t
         if (more[i]->patches == sheets->creases.patches) continue;
         const double next = 0.5 * (done + 1.0);
         SheetFits other_sheets(work.memory, mesh, *more[i]);
-        PiecesFit other = empty_result(task);
+        SheetTreeFit other = empty_result(task);
         if (!improves(task, other_sheets, other, *sheets, best, work.part(done, next))) break;
         sheets.emplace(std::move(other_sheets));
         best = std::move(other);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The cells and zones of an implicit of pieces. PiecesData is plain data, which a fit makes and a file holds: sheets,
-// and an octree of cells, each with a program that takes minima and maxima of a few sheets. A cell reaches a place if
-// its weight there is above 0, which it is beyond its sides, too. A sheet rules a cell at a place if the cell's program
-// results in its value there. PiecesZones are for many points: cells are divided into zones that know which cells reach
-// them, and which sheets of these can be the largest or smallest. Far from a crease that is one sheet, and f is that
-// sheet.
+// The cells and zones of an implicit of sheets. SheetTreeData is plain data, which a fit makes and a file holds:
+// sheets, and an octree of cells, each with a program that takes minima and maxima of a few sheets. A cell reaches a
+// place if its weight there is above 0, which it is beyond its sides, too. A sheet rules a cell at a place if the
+// cell's program ends with it. SheetTreeZones are for many points: cells are divided into zones that know which cells
+// reach them, and which sheets of these can be the largest or smallest. Far from a crease that is one sheet, and f is
+// that sheet.
 #pragma once
 
 #include "base/list.h"
@@ -19,7 +19,7 @@
 
 namespace hrbfnpr::implicit {
 
-struct PiecesData {
+struct SheetTreeData {
     // Operations of a program: take two operands off the stack, and put the larger, or the smaller, onto it.
     static constexpr std::int32_t maximum = -1;
     static constexpr std::int32_t minimum = -2;
@@ -34,7 +34,7 @@ struct PiecesData {
     static constexpr double sphere_begins = 1.45;
     static constexpr double sphere_rules = reach;
 
-    explicit PiecesData(base::Memory& memory) noexcept
+    explicit SheetTreeData(base::Memory& memory) noexcept
         : sheet(memory), child(memory), program_begin(memory), program(memory), plain(memory), sample_position(memory),
           sample_normal(memory) {}
 
@@ -68,31 +68,31 @@ struct PiecesData {
 };
 
 // Whether the programs and the tree of cells are valid, so that evaluating them is safe.
-[[nodiscard]] bool is_sound(const PiecesData& data) noexcept;
+[[nodiscard]] bool is_sound(const SheetTreeData& data) noexcept;
 
 // A cell with its centre and half its side.
-struct PiecesNode {
+struct SheetTreeNode {
     std::int32_t node;
     glm::dvec3 centre;
     double half;
 
-    [[nodiscard]] PiecesNode child(std::int32_t first_child, std::int32_t k) const noexcept {
-        return {first_child + k, centre + PiecesData::child_offset(k, 0.5 * half), 0.5 * half};
+    [[nodiscard]] SheetTreeNode child(std::int32_t first_child, std::int32_t k) const noexcept {
+        return {first_child + k, centre + SheetTreeData::child_offset(k, 0.5 * half), 0.5 * half};
     }
     // Whether its weight is above 0 at the place.
     [[nodiscard]] bool reaches(const glm::dvec3& place) const noexcept {
         const glm::dvec3 off = glm::abs(place - centre);
-        return std::max({off.x, off.y, off.z}) < PiecesData::cell_reach * half;
+        return std::max({off.x, off.y, off.z}) < SheetTreeData::cell_reach * half;
     }
 };
-[[nodiscard]] inline PiecesNode root_of(const PiecesData& data) noexcept {
+[[nodiscard]] inline SheetTreeNode root_of(const SheetTreeData& data) noexcept {
     return {0, data.corner + 0.5 * data.side, 0.5 * data.side};
 }
 
-class PiecesZones {
+class SheetTreeZones {
 public:
     // `data` must outlive this.
-    PiecesZones(const base::Work& work, const PiecesData& data);
+    SheetTreeZones(const base::Work& work, const SheetTreeData& data);
 
     // A cell that reaches a zone, and its program there, without the sheets that cannot matter; empty: it has no
     // program.
@@ -113,9 +113,9 @@ public:
     [[nodiscard]] std::span<const std::int32_t> program_of(const Part& part) const noexcept {
         return {program_.data() + part.begin, program_.data() + part.end};
     }
-    [[nodiscard]] const PiecesNode& node(std::int32_t leaf) const noexcept { return node_[leaf]; }
-    // Cells in the sense of implicit::Implicit: one for each sheet that equals f in a zone, one for each leaf, and one
-    // for all other places.
+    [[nodiscard]] const SheetTreeNode& node(std::int32_t leaf) const noexcept { return node_[leaf]; }
+    // Cells in the sense of implicit::Implicit: one for each sheet that rules alone, one for each leaf, and one for all
+    // other places.
     [[nodiscard]] std::int64_t cells() const noexcept { return data_.sheet.size() + data_.leaves() + 1; }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& place) const noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept {
@@ -137,9 +137,9 @@ private:
     // Returns the zone that a place lies in, or `-1 - sheet` if f equals this sheet all over the zone, or nowhere.
     [[nodiscard]] std::int32_t code_at(const glm::dvec3& place) const noexcept;
 
-    const PiecesData& data_;
+    const SheetTreeData& data_;
     base::Array<std::int32_t> top_;   // for each cube of level top_levels: its node, or `-1 - leaf` of its leaf
-    base::Array<PiecesNode> node_;    // for each leaf: the cell
+    base::Array<SheetTreeNode> node_; // for each leaf: the cell
     base::Array<std::int8_t> level_;  // for each leaf: its level
     base::Array<std::int8_t> cuts_;   // for each leaf: it has 2^cuts zones along each side; -1: it has none
     base::Array<std::int32_t> first_; // for each leaf: its first zone

@@ -3,7 +3,7 @@
 // others; 2. collect the terms of the others: each sheet in a cell's program, and cells without a program; 3. evaluate
 // each sheet at all its points at once; 4. find the sheet that each cell's program ends with, and sum the weights of
 // the cells of each sheet; 5. take the mean of the terms.
-#include "implicit/pieces.h"
+#include "implicit/sheet_tree.h"
 
 #include "implicit/lanes.h"
 #include "implicit/prepared.h"
@@ -46,9 +46,9 @@ void add_radial(const glm::dvec3& u, double d, double h, double distance, std::a
     to[5] += across;
 }
 
-Jet weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
+Jet weight_of(const SheetTreeNode& cell, const glm::dvec3& place) noexcept {
     const glm::dvec3 off = place - cell.centre;
-    const double width = PiecesData::cell_reach * cell.half;
+    const double width = SheetTreeData::cell_reach * cell.half;
     const WendlandFunction x(off.x, width);
     const WendlandFunction y(off.y, width);
     const WendlandFunction z(off.z, width);
@@ -68,7 +68,7 @@ struct Term {
 
 // A cell that reaches a point.
 struct ReachingCell {
-    PiecesNode cell;
+    SheetTreeNode cell;
     std::int32_t leaf;         // -1: the sphere far outside
     std::int32_t result_term;  // the term that the program ends with, or -1
     const std::int32_t* begin; // the program is [begin, end)
@@ -78,7 +78,7 @@ struct ReachingCell {
 };
 
 // Returns the linear function of a cell without a program.
-Term plain_term(const PiecesData& data, const ReachingCell& hit, const glm::dvec3& place) noexcept {
+Term plain_term(const SheetTreeData& data, const ReachingCell& hit, const glm::dvec3& place) noexcept {
     const double* const p = data.plain.data() + 4 * std::int64_t{hit.leaf};
     Term term{-1, 0, -1, {}, {}};
     term.jet.gradient = {p[1], p[2], p[3]};
@@ -88,13 +88,13 @@ Term plain_term(const PiecesData& data, const ReachingCell& hit, const glm::dvec
 }
 
 // Returns the sphere about the bounds, which f becomes far outside.
-Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
+Term sphere_term(const SheetTreeData& data, const glm::dvec3& place) noexcept {
     const double radius = 0.5 * data.bounds.diagonal();
     const glm::dvec3 off = place - data.bounds.centre();
     const double distance = glm::length(off);
     const glm::dvec3 u = off / distance;
-    const double width = (PiecesData::sphere_rules - PiecesData::sphere_begins) * radius;
-    const double t = std::min(1.0, (distance - PiecesData::sphere_begins * radius) / width);
+    const double width = (SheetTreeData::sphere_rules - SheetTreeData::sphere_begins) * radius;
+    const double t = std::min(1.0, (distance - SheetTreeData::sphere_begins * radius) / width);
     Term term{-1, 0, -1, {}, {}};
     term.jet.value = distance - radius;
     term.jet.gradient = u;
@@ -108,9 +108,9 @@ Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
     return term;
 }
 
-class PiecesBlock {
+class SheetTreeBlock {
 public:
-    explicit PiecesBlock(const PiecesBase& of) noexcept : pieces_(of), data_(of.data()) {}
+    explicit SheetTreeBlock(const SheetTreeBase& tree) noexcept : tree_(tree), data_(tree.data()) {}
 
     // Takes as many of the points as there is room for, at least one, and returns their number.
     std::int64_t take(const PointBatch& points) noexcept;
@@ -136,12 +136,12 @@ private:
         return {term_ + first_term_[point], term_ + first_term_[point + 1]};
     }
     Group& group_of(std::int32_t sheet) noexcept;
-    void add_hit(const PiecesNode& cell, std::int32_t leaf, std::span<const std::int32_t> program) noexcept {
+    void add_hit(const SheetTreeNode& cell, std::int32_t leaf, std::span<const std::int32_t> program) noexcept {
         HRBFNPR_ASSERT(hits_ < most_hits);
         hit_[hits_++] = {cell, leaf, -1, program.data(), program.data() + program.size()};
     }
-    void find_hits(const PiecesNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept;
-    void add_reaching_cells(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept;
+    void find_hits(const SheetTreeNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept;
+    void add_reaching_cells(std::span<const SheetTreeZones::Part> parts, const glm::dvec3& place) noexcept;
     void add_terms(std::int64_t point, const glm::dvec3& place) noexcept;
     void evaluate_single_sheets(const FieldBatch& fields);
     void evaluate_terms(bool gradient, bool hessian);
@@ -149,8 +149,8 @@ private:
     [[nodiscard]] std::int32_t run_program(const ReachingCell& hit, std::int64_t point) const noexcept;
     [[nodiscard]] Jet mean(std::int64_t point, const FieldBatch& wanted) const noexcept;
 
-    const PiecesBase& pieces_;
-    const PiecesData& data_;
+    const SheetTreeBase& tree_;
+    const SheetTreeData& data_;
     PointBatch points_;
     std::int64_t hits_ = 0;
     std::int64_t terms_ = 0;
@@ -167,7 +167,7 @@ private:
     FieldLanes<std::size_t{most_points}> answer_;
 };
 
-PiecesBlock::Group& PiecesBlock::group_of(std::int32_t sheet) noexcept {
+SheetTreeBlock::Group& SheetTreeBlock::group_of(std::int32_t sheet) noexcept {
     HRBFNPR_ASSERT(sheet >= 0 && sheet < data_.sheet.size());
     for (std::int64_t g = groups_ - 1; g >= 0; --g)
         if (group_[g].sheet == sheet) return group_[g];
@@ -176,7 +176,7 @@ PiecesBlock::Group& PiecesBlock::group_of(std::int32_t sheet) noexcept {
 }
 
 // Adds the leaves below a cell that reach a place, starting with the leaf that the place lies in, or is nearest to.
-void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept {
+void SheetTreeBlock::find_hits(const SheetTreeNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept {
     const std::int32_t child = data_.child[cell.node];
     if (child < 0) {
         if (hits_ < limit) add_hit(cell, -1 - child, data_.program_of(-1 - child));
@@ -185,7 +185,7 @@ void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std
     // Along each axis, the reach of the lower children ends beyond the middle, and the reach of the upper children
     // begins before it.
     const glm::dvec3 off = place - cell.centre;
-    const double both = (PiecesData::cell_reach - 1.0) * 0.5 * cell.half;
+    const double both = (SheetTreeData::cell_reach - 1.0) * 0.5 * cell.half;
     const int low = (off.x < both ? 1 : 0) | (off.y < both ? 2 : 0) | (off.z < both ? 4 : 0);
     const int high = (off.x > -both ? 1 : 0) | (off.y > -both ? 2 : 0) | (off.z > -both ? 4 : 0);
     find_hits(cell.child(child, high), place, limit);
@@ -194,21 +194,21 @@ void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std
 }
 
 // Adds the cells that reach a place of which zones know no more than `parts`.
-void PiecesBlock::add_reaching_cells(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept {
-    const PiecesZones* const zones = pieces_.zones();
-    for (const PiecesZones::Part& part : parts)
-        if (const PiecesNode& cell = zones->node(part.leaf); parts.size() == 1 || cell.reaches(place))
+void SheetTreeBlock::add_reaching_cells(std::span<const SheetTreeZones::Part> parts, const glm::dvec3& place) noexcept {
+    const SheetTreeZones* const zones = tree_.zones();
+    for (const SheetTreeZones::Part& part : parts)
+        if (const SheetTreeNode& cell = zones->node(part.leaf); parts.size() == 1 || cell.reaches(place))
             add_hit(cell, part.leaf, zones->program_of(part));
     if (!parts.empty()) return;
-    const PiecesNode root = root_of(data_);
+    const SheetTreeNode root = root_of(data_);
     if (root.reaches(place)) find_hits(root, place, hits_ + most_at_point - 1);
-    const double begins = PiecesData::sphere_begins * 0.5 * data_.bounds.diagonal();
+    const double begins = SheetTreeData::sphere_begins * 0.5 * data_.bounds.diagonal();
     if (glm::distance(place, data_.bounds.centre()) > begins) add_hit(root, -1, {});
 }
 
 // Adds a term for each sheet in the programs of the point's cells. If there is no room for a cell's sheets, the cell
 // counts as one without a program.
-void PiecesBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcept {
+void SheetTreeBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcept {
     const std::int64_t first = terms_;
     bool plain = false;
     for (ReachingCell& hit : std::span(hit_ + first_hit_[point], hit_ + hits_)) {
@@ -234,15 +234,15 @@ void PiecesBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcep
             term_[terms_++] = hit.leaf >= 0 ? plain_term(data_, hit, place) : sphere_term(data_, place);
 }
 
-std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
-    const PiecesZones* const zones = pieces_.zones();
+std::int64_t SheetTreeBlock::take(const PointBatch& points) noexcept {
+    const SheetTreeZones* const zones = tree_.zones();
     hits_ = terms_ = groups_ = 0;
     first_hit_[0] = first_term_[0] = 0;
     std::int64_t count = 0;
     while (count < std::min(points.count, most_points) && hits_ + most_at_point <= most_hits &&
            terms_ + 2 * most_at_point <= most_terms) {
         const glm::dvec3 place = point_at(points, count);
-        PiecesZones::Candidates found;
+        SheetTreeZones::Candidates found;
         if (zones != nullptr) found = zones->candidates_at(place);
         only_sheet_[count] = found.sheet;
         if (found.sheet >= 0) {
@@ -258,25 +258,25 @@ std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
     return count;
 }
 
-void PiecesBlock::evaluate_single_sheets(const FieldBatch& fields) {
+void SheetTreeBlock::evaluate_single_sheets(const FieldBatch& fields) {
     for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
         lanes_.count = 0;
         for (std::int32_t i = group.point; i >= 0; i = next_of_sheet_[i]) lanes_.add(point_at(points_, i), i);
         if (lanes_.count == 0) continue;
-        pieces_.evaluate(group.sheet, lanes_.points(),
-                         answer_.fields(fields.value != nullptr, fields.wants_gradient(), fields.wants_hessian()));
+        tree_.evaluate(group.sheet, lanes_.points(),
+                       answer_.fields(fields.value != nullptr, fields.wants_gradient(), fields.wants_hessian()));
         answer_.scatter(lanes_.index, lanes_.count, fields);
     }
 }
 
 // Evaluates values, with or without gradients. A separate call evaluates Hessians, only of terms with a weight.
-void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
+void SheetTreeBlock::evaluate_terms(bool gradient, bool hessian) {
     for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
         lanes_.count = 0;
         for (std::int32_t i = group.term; i >= 0; i = term_[i].next)
             if (!hessian || term_[i].weight.value > 0.0) lanes_.add(point_at(points_, term_[i].point), i);
         if (lanes_.count == 0) continue;
-        pieces_.evaluate(group.sheet, lanes_.points(), answer_.fields(!hessian, gradient, hessian));
+        tree_.evaluate(group.sheet, lanes_.points(), answer_.fields(!hessian, gradient, hessian));
         for (std::int64_t k = 0; k < lanes_.count; ++k) {
             Jet& jet = term_[lanes_.index[k]].jet;
             if (!hessian) jet.value = answer_.field[0][k];
@@ -287,8 +287,8 @@ void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
 }
 
 // Returns the term that a cell's program ends with.
-std::int32_t PiecesBlock::run_program(const ReachingCell& hit, std::int64_t point) const noexcept {
-    std::int32_t stack[PiecesData::most_operands + 1];
+std::int32_t SheetTreeBlock::run_program(const ReachingCell& hit, std::int64_t point) const noexcept {
+    std::int32_t stack[SheetTreeData::most_operands + 1];
     std::size_t depth = 0;
     for (const std::int32_t code : hit.program()) {
         if (code >= 0) {
@@ -299,7 +299,7 @@ std::int32_t PiecesBlock::run_program(const ReachingCell& hit, std::int64_t poin
             continue;
         }
         HRBFNPR_ASSERT(depth >= 2);
-        const double sign = code == PiecesData::minimum ? 1.0 : -1.0;
+        const double sign = code == SheetTreeData::minimum ? 1.0 : -1.0;
         const std::int32_t b = stack[--depth];
         std::int32_t& a = stack[depth - 1];
         if (takes_lower(sign * term_[a].jet.value, sign * term_[b].jet.value)) a = b;
@@ -308,7 +308,7 @@ std::int32_t PiecesBlock::run_program(const ReachingCell& hit, std::int64_t poin
 }
 
 // Finds the sheet that rules each cell, and sums the weights of the cells of each sheet: 1 if all cells have the same.
-void PiecesBlock::weigh_sheets(std::int64_t point) noexcept {
+void SheetTreeBlock::weigh_sheets(std::int64_t point) noexcept {
     const std::span<ReachingCell> hits = this->hits(point);
     bool one = !hits.empty();
     for (ReachingCell& hit : hits) {
@@ -323,7 +323,7 @@ void PiecesBlock::weigh_sheets(std::int64_t point) noexcept {
 }
 
 // Returns f = sum w_k f_k / sum w_k. The derivatives of the weights add 0 where the terms agree.
-Jet PiecesBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexcept {
+Jet SheetTreeBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexcept {
     double total = 0.0;
     double sum = 0.0;
     double first = std::numeric_limits<double>::quiet_NaN(); // stays NaN if no term has a weight
@@ -349,7 +349,7 @@ Jet PiecesBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexce
     return mean;
 }
 
-void PiecesBlock::evaluate(const FieldBatch& fields) {
+void SheetTreeBlock::evaluate(const FieldBatch& fields) {
     evaluate_single_sheets(fields);
     evaluate_terms(fields.wants_gradient() || fields.wants_hessian(), false);
     for (std::int64_t point = 0; point < points_.count; ++point)
@@ -365,7 +365,7 @@ void PiecesBlock::evaluate(const FieldBatch& fields) {
 
 // Writes the sheet with the largest weight; if cells without a program have at least that weight together, the last
 // sheet, which is f.
-void PiecesBlock::active(std::int32_t* sheet) {
+void SheetTreeBlock::active(std::int32_t* sheet) {
     evaluate_terms(false, false);
     for (std::int64_t point = 0; point < points_.count; ++point) {
         sheet[point] = only_sheet_[point];
@@ -374,7 +374,7 @@ void PiecesBlock::active(std::int32_t* sheet) {
         double most = 0.0;
         for (const Term& term : terms(point))
             if (term.sheet < 0) most += term.weight.value;
-        sheet[point] = pieces_.count() - 1;
+        sheet[point] = tree_.count() - 1;
         for (const Term& term : terms(point)) {
             if (term.sheet < 0 || !(term.weight.value > most)) continue;
             most = term.weight.value;
@@ -385,8 +385,8 @@ void PiecesBlock::active(std::int32_t* sheet) {
 
 // Calls work(block, first) for all points, as many at a time as a block takes.
 template <class F>
-void in_blocks(const PiecesBase& of, const PointBatch& points, F&& work) {
-    base::OwnedObject<PiecesBlock> block(of.data().child.memory(), of);
+void in_blocks(const SheetTreeBase& of, const PointBatch& points, F&& work) {
+    base::OwnedObject<SheetTreeBlock> block(of.data().child.memory(), of);
     for (std::int64_t begin = 0; begin < points.count;) {
         const std::int64_t count = block->take(slice(points, begin, points.count));
         work(*block, begin);
@@ -396,15 +396,15 @@ void in_blocks(const PiecesBase& of, const PointBatch& points, F&& work) {
 
 } // namespace
 
-void PiecesBase::evaluate(const PointBatch& points, const FieldBatch& fields) const {
-    in_blocks(*this, points, [&](PiecesBlock& block, std::int64_t begin) { block.evaluate(fields.from(begin)); });
+void SheetTreeBase::evaluate(const PointBatch& points, const FieldBatch& fields) const {
+    in_blocks(*this, points, [&](SheetTreeBlock& block, std::int64_t begin) { block.evaluate(fields.from(begin)); });
 }
 
-void PiecesBase::active(const PointBatch& points, std::int32_t* sheet) const {
-    in_blocks(*this, points, [&](PiecesBlock& block, std::int64_t begin) { block.active(sheet + begin); });
+void SheetTreeBase::active(const PointBatch& points, std::int32_t* sheet) const {
+    in_blocks(*this, points, [&](SheetTreeBlock& block, std::int64_t begin) { block.active(sheet + begin); });
 }
 
-void PiecesBase::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
+void SheetTreeBase::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
     HRBFNPR_ASSERT(sheet >= 0 && sheet < count());
     if (sheet == data_.sheet.size())
         evaluate(points, fields);
@@ -414,14 +414,14 @@ void PiecesBase::evaluate(std::int32_t sheet, const PointBatch& points, const Fi
         implicit::evaluate(set_, data_.sheet[sheet], points, fields);
 }
 
-std::int64_t PiecesBase::cells() const noexcept {
+std::int64_t SheetTreeBase::cells() const noexcept {
     if (zones_ == nullptr) return data_.leaves();
     bool order = data_.sheet.size() > pieces_tuning.few_sheets;
     for (std::int64_t i = 0; !order && i < data_.sheet.size(); ++i) order = prepared(i) != nullptr;
     return order ? zones_->cells() : 0;
 }
 
-std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data, double points) noexcept {
+std::optional<PreparedSheetTree::Scope> PreparedSheetTree::pays(const SheetTreeData& data, double points) noexcept {
     if (points < pieces_tuning.points_a_cell * static_cast<double>(data.leaves())) return std::nullopt;
     const auto all = static_cast<double>(data.centres());
     for (const HrbfData& one : data.sheet) // a sheet is evaluated as often as its share of the centres
@@ -429,8 +429,8 @@ std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data
     return Scope::zones;
 }
 
-PreparedPieces::PreparedPieces(const base::Work& work, const PiecesBase& of, Scope scope)
-    : PiecesBase(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(work, of.data()),
+PreparedSheetTree::PreparedSheetTree(const base::Work& work, const SheetTreeBase& of, Scope scope)
+    : SheetTreeBase(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(work, of.data()),
       sheet_(work.memory) {
     work.runtime().log(base::LogLevel::info, "evaluation: cells of %lld sheets prepared in %.3f s, %.1f MB",
                        static_cast<long long>(data().sheet.size()), watch_.seconds(),
@@ -439,9 +439,9 @@ PreparedPieces::PreparedPieces(const base::Work& work, const PiecesBase& of, Sco
         sheet_.add(Prepared::make(work, data().sheet[i]));
 }
 
-PreparedPieces::~PreparedPieces() = default;
+PreparedSheetTree::~PreparedSheetTree() = default;
 
-std::int64_t PreparedPieces::bytes() const noexcept {
+std::int64_t PreparedSheetTree::bytes() const noexcept {
     std::int64_t sum = own_zones_.bytes();
     for (const std::unique_ptr<Prepared>& one : sheet_) sum += one != nullptr ? one->bytes() : 0;
     return sum;

@@ -2,7 +2,7 @@
 // Zones are made leaf by leaf, on all threads, in three steps: 1. find the cells that reach the leaf, and their sheets;
 // 2. evaluate the sheets at corners and middles of the leaf's zones; 3. for each zone, find the cells that reach it,
 // and remove from their programs the sheets that cannot be the largest or smallest.
-#include "implicit/pieces_cells.h"
+#include "implicit/sheet_tree_cells.h"
 
 #include "base/assert.h"
 #include "implicit/tuning.h"
@@ -18,19 +18,19 @@ namespace {
     std::int32_t operands = 0;
     for (const std::int32_t code : program) {
         const bool operand = code >= 0;
-        if (operand ? code >= sheets : code < PiecesData::minimum) return false;
+        if (operand ? code >= sheets : code < SheetTreeData::minimum) return false;
         operands += operand ? 1 : 0;
         depth += operand ? 1 : -1;
         if (depth < 1) return false;
     }
-    return program.empty() || (depth == 1 && operands <= PiecesData::most_operands);
+    return program.empty() || (depth == 1 && operands <= SheetTreeData::most_operands);
 }
 
 // Whether children follow their parents, level by level; every node but the root is the child of a node before it, and
 // every leaf belongs to one node.
-[[nodiscard]] bool is_octree(const PiecesData& data) noexcept {
+[[nodiscard]] bool is_octree(const SheetTreeData& data) noexcept {
     const std::int64_t nodes = data.child.size();
-    if (nodes < 1 || nodes > PiecesData::most_nodes) return false;
+    if (nodes < 1 || nodes > SheetTreeData::most_nodes) return false;
     std::int64_t next_child = 1;
     std::int64_t next_leaf = 0;
     std::int32_t level = 0;
@@ -43,7 +43,7 @@ namespace {
         if (child < 0 ? -1 - std::int64_t{child} != next_leaf++ : child != next_child) return false;
         if (child >= 0) next_child += 8;
     }
-    return next_child == nodes && next_leaf == data.leaves() && level < PiecesData::most_levels;
+    return next_child == nodes && next_leaf == data.leaves() && level < SheetTreeData::most_levels;
 }
 
 constexpr std::size_t zone_places = 9; // places in a zone where programs are evaluated: its corners and its middle
@@ -51,7 +51,7 @@ constexpr std::size_t zone_places = 9; // places in a zone where programs are ev
 // A program without the operands that cannot matter, and its values at these places.
 struct SimplifiedProgram {
     std::array<double, zone_places> value{};
-    std::array<std::int32_t, std::size_t{2 * PiecesData::most_operands}> code{};
+    std::array<std::int32_t, std::size_t{2 * SheetTreeData::most_operands}> code{};
     std::size_t size = 0;
 };
 
@@ -61,7 +61,8 @@ void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operati
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
     for (std::size_t i = 0; i < zone_places; ++i) {
-        const double difference = operation == PiecesData::maximum ? b.value[i] - a.value[i] : a.value[i] - b.value[i];
+        const double difference =
+            operation == SheetTreeData::maximum ? b.value[i] - a.value[i] : a.value[i] - b.value[i];
         least = std::min(least, difference);
         most = std::max(most, difference);
     }
@@ -73,7 +74,7 @@ void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operati
     }
     for (std::size_t i = 0; i < zone_places; ++i)
         a.value[i] =
-            operation == PiecesData::maximum ? std::max(a.value[i], b.value[i]) : std::min(a.value[i], b.value[i]);
+            operation == SheetTreeData::maximum ? std::max(a.value[i], b.value[i]) : std::min(a.value[i], b.value[i]);
     HRBFNPR_ASSERT(a.size + b.size < a.code.size());
     std::copy_n(b.code.begin(), b.size, a.code.begin() + static_cast<std::ptrdiff_t>(a.size));
     a.size += b.size;
@@ -82,19 +83,19 @@ void join(SimplifiedProgram& a, const SimplifiedProgram& b, std::int32_t operati
 
 // Calls visit(cell, level, leaf) for the leaves for which, as for all cells above them, enters(cell) holds.
 template <class Enters, class Visit>
-void for_leaves(const PiecesData& data, const PiecesNode& at, std::int8_t level, Enters&& enters, Visit&& visit) {
+void for_leaves(const SheetTreeData& data, const SheetTreeNode& at, std::int8_t level, Enters&& enters, Visit&& visit) {
     const std::int32_t first = data.child[at.node];
     if (first < 0) return visit(at, level, -1 - first);
     for (std::int32_t k = 7; k >= 0; --k)
-        if (const PiecesNode next = at.child(first, k); enters(next))
+        if (const SheetTreeNode next = at.child(first, k); enters(next))
             for_leaves(data, next, static_cast<std::int8_t>(level + 1), enters, visit);
 }
 
 // Whether a cell reaches the cube.
-[[nodiscard]] bool reaches(const PiecesNode& cell, const PiecesNode& cube) noexcept {
+[[nodiscard]] bool reaches(const SheetTreeNode& cell, const SheetTreeNode& cube) noexcept {
     const glm::dvec3 off = glm::abs(cell.centre - cube.centre);
     return std::max({off.x, off.y, off.z}) <
-           PiecesData::cell_reach * cell.half + (1.0 + zone_tuning.rounding) * cube.half;
+           SheetTreeData::cell_reach * cell.half + (1.0 + zone_tuning.rounding) * cube.half;
 }
 
 template <class T>
@@ -122,11 +123,12 @@ struct LeafSurroundings {
     }
 };
 
-[[nodiscard]] LeafSurroundings find_surroundings(const PiecesData& data, const PiecesNode& at, base::Memory& memory) {
+[[nodiscard]] LeafSurroundings find_surroundings(const SheetTreeData& data, const SheetTreeNode& at,
+                                                 base::Memory& memory) {
     LeafSurroundings surroundings(memory);
     for_leaves(
-        data, root_of(data), 0, [&](const PiecesNode& other) { return reaches(other, at); },
-        [&](const PiecesNode&, std::int8_t, std::int32_t leaf) {
+        data, root_of(data), 0, [&](const SheetTreeNode& other) { return reaches(other, at); },
+        [&](const SheetTreeNode&, std::int8_t, std::int32_t leaf) {
             const std::span<const std::int32_t> program = data.program_of(leaf);
             surroundings.leaf.push_back(leaf);
             surroundings.trees = surroundings.trees || program.size() > 1;
@@ -144,7 +146,7 @@ void simplify(std::span<const std::int32_t> program, const std::array<std::int64
         for (const std::int32_t code : program) to.push_back(code);
         return;
     }
-    std::array<SimplifiedProgram, PiecesData::most_operands + 1> stack;
+    std::array<SimplifiedProgram, SheetTreeData::most_operands + 1> stack;
     std::size_t depth = 0;
     for (const std::int32_t code : program) {
         if (code < 0) {
@@ -168,15 +170,15 @@ struct LeafZones {
     explicit LeafZones(base::Memory& memory) noexcept : code(memory), zone(memory), part(memory), program(memory) {}
     std::int8_t cuts = -1;
     base::Array<std::int32_t> code;
-    base::Array<PiecesZones::Zone> zone;
-    base::Array<PiecesZones::Part> part;
+    base::Array<SheetTreeZones::Zone> zone;
+    base::Array<SheetTreeZones::Part> part;
     base::Array<std::int32_t> program;
 };
 
 // Adds a zone. Its equal programs are stored once.
-void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, const PiecesNode& at,
+void add_zone(const SheetTreeData& data, const base::Array<SheetTreeNode>& nodes, const SheetTreeNode& at,
               const std::array<std::int64_t, zone_places>& its, const LeafSurroundings& surroundings, LeafZones& made) {
-    using Part = PiecesZones::Part;
+    using Part = SheetTreeZones::Part;
     const auto program = [&](const Part& part) { return range(made.program, part.begin, part.end); };
     const auto first = static_cast<std::int32_t>(made.part.size());
     for (const std::int32_t leaf : surroundings.leaf) {
@@ -203,12 +205,12 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
     if (!one_sheet) made.zone.push_back({first, static_cast<std::int32_t>(made.part.size())});
 }
 
-[[nodiscard]] LeafZones zones_of(const base::Runtime& runtime, const PiecesData& data,
-                                 const base::Array<PiecesNode>& nodes, std::int32_t leaf, int level) {
+[[nodiscard]] LeafZones zones_of(const base::Runtime& runtime, const SheetTreeData& data,
+                                 const base::Array<SheetTreeNode>& nodes, std::int32_t leaf, int level) {
     LeafZones made(runtime.memory);
-    const PiecesNode& at = nodes[leaf];
+    const SheetTreeNode& at = nodes[leaf];
     const double farthest = glm::length(glm::abs(at.centre - data.bounds.centre()) + at.half);
-    if (farthest > PiecesData::sphere_begins * 0.5 * data.bounds.diagonal()) return made;
+    if (farthest > SheetTreeData::sphere_begins * 0.5 * data.bounds.diagonal()) return made;
     LeafSurroundings surroundings = find_surroundings(data, at, runtime.memory);
     if (surroundings.sheet.empty() || surroundings.leaf.size() > zone_tuning.parts) return made;
     made.cuts = static_cast<std::int8_t>(std::clamp(zone_tuning.level - level, 0, zone_tuning.cuts));
@@ -243,20 +245,20 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
 
 } // namespace
 
-std::int64_t PiecesData::bytes() const noexcept {
+std::int64_t SheetTreeData::bytes() const noexcept {
     std::int64_t sum = sheet.bytes() + child.bytes() + program_begin.bytes() + program.bytes() + plain.bytes() +
                        sample_position.bytes() + sample_normal.bytes();
     for (const HrbfData& one : sheet) sum += one.bytes();
     return sum;
 }
 
-std::int64_t PiecesData::centres() const noexcept {
+std::int64_t SheetTreeData::centres() const noexcept {
     std::int64_t sum = 0;
     for (const HrbfData& one : sheet) sum += one.count();
     return sum;
 }
 
-std::int32_t PiecesData::leaf_at(const glm::dvec3& place) const noexcept {
+std::int32_t SheetTreeData::leaf_at(const glm::dvec3& place) const noexcept {
     glm::dvec3 low = corner;
     double width = side;
     std::int64_t node = 0;
@@ -273,7 +275,7 @@ std::int32_t PiecesData::leaf_at(const glm::dvec3& place) const noexcept {
     return -1 - child[node];
 }
 
-bool is_sound(const PiecesData& data) noexcept {
+bool is_sound(const SheetTreeData& data) noexcept {
     const std::int64_t leaves = data.leaves();
     if (data.sheet.empty() || leaves < 1 || data.plain.size() != 4 * leaves) return false;
     if (data.program_begin[0] != 0 || data.program_begin[leaves] != data.program.size()) return false;
@@ -283,15 +285,15 @@ bool is_sound(const PiecesData& data) noexcept {
     return is_octree(data);
 }
 
-PiecesZones::PiecesZones(const base::Work& work, const PiecesData& data)
+SheetTreeZones::SheetTreeZones(const base::Work& work, const SheetTreeData& data)
     : data_(data), top_(work.memory), node_(work.memory), level_(work.memory), cuts_(work.memory), first_(work.memory),
       code_(work.memory), zone_(work.memory), part_(work.memory), program_(work.memory) {
     const std::int64_t leaves = data.leaves();
     node_.resize_for_overwrite(leaves);
     level_.resize_for_overwrite(leaves);
     for_leaves(
-        data, root_of(data), 0, [](const PiecesNode&) { return true; },
-        [&](const PiecesNode& at, std::int8_t level, std::int32_t leaf) {
+        data, root_of(data), 0, [](const SheetTreeNode&) { return true; },
+        [&](const SheetTreeNode& at, std::int8_t level, std::int32_t leaf) {
             node_[leaf] = at;
             level_[leaf] = level;
         });
@@ -324,7 +326,7 @@ PiecesZones::PiecesZones(const base::Work& work, const PiecesData& data)
     }
 }
 
-std::int32_t PiecesZones::code_at(const glm::dvec3& place) const noexcept {
+std::int32_t SheetTreeZones::code_at(const glm::dvec3& place) const noexcept {
     constexpr double width = 1U << digits;
     const glm::dvec3 t = (place - data_.corner) * (width / data_.side);
     Digits digit;
@@ -347,7 +349,7 @@ std::int32_t PiecesZones::code_at(const glm::dvec3& place) const noexcept {
     return code_[first_[leaf] + static_cast<std::int32_t>(index)];
 }
 
-PiecesZones::Candidates PiecesZones::candidates_at(const glm::dvec3& place) const noexcept {
+SheetTreeZones::Candidates SheetTreeZones::candidates_at(const glm::dvec3& place) const noexcept {
     const std::int32_t code = code_at(place);
     if (code == nowhere) return {};
     if (code < 0) return {-1 - code, {}};
@@ -359,9 +361,9 @@ PiecesZones::Candidates PiecesZones::candidates_at(const glm::dvec3& place) cons
     const Part* found = nullptr;
     unsigned mixed = 0;
     for (const Part& part : parts) {
-        const PiecesNode& node = node_[part.leaf];
+        const SheetTreeNode& node = node_[part.leaf];
         const glm::dvec3 off = glm::abs(place - node.centre);
-        const double reach = PiecesData::cell_reach * node.half;
+        const double reach = SheetTreeData::cell_reach * node.half;
         const unsigned has = static_cast<unsigned>(off.x < reach) & static_cast<unsigned>(off.y < reach) &
                              static_cast<unsigned>(off.z < reach);
         const std::int32_t before = found != nullptr ? found->begin : part.begin;
@@ -373,7 +375,7 @@ PiecesZones::Candidates PiecesZones::candidates_at(const glm::dvec3& place) cons
     return {-1, {found, 1}};
 }
 
-std::int32_t PiecesZones::cell_of(const glm::dvec3& place) const noexcept {
+std::int32_t SheetTreeZones::cell_of(const glm::dvec3& place) const noexcept {
     const std::int32_t code = code_at(place);
     if (code >= 0) return static_cast<std::int32_t>(data_.sheet.size()) + part_[zone_[code].begin].leaf;
     return code == nowhere ? static_cast<std::int32_t>(cells()) - 1 : -1 - code;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Fits an implicit of pieces to a mesh with creases. It has the same creases.
+// Fits an implicit of sheets to a mesh with creases. It has the same creases.
 #pragma once
 
-#include "implicit/pieces.h"
+#include "implicit/sheet_tree.h"
 #include "mesh/fit/fit_mesh.h"
 #include "mesh/pieces/creases.h"
 
 namespace hrbfnpr::mesh {
 
-struct PiecesReport {
+struct SheetTreeReport {
     std::int32_t sheets = 0;
     double crease_length = 0.0; // the length of sharp creases
     double smooth_length = 0.0; // the length of creases that fade, which stay smooth
@@ -16,17 +16,17 @@ struct PiecesReport {
     std::int64_t poor_cells = 0;
 };
 
-struct PiecesFit {
-    implicit::PiecesData data;
+struct SheetTreeFit {
+    implicit::SheetTreeData data;
     fit::FitReport fit;
     FitMeshReport mesh;
-    PiecesReport pieces;
+    SheetTreeReport pieces;
 };
 
 // `settings` and `options` are those of fit_mesh(). If the surface is far off, patches whose samples no function fits
 // are divided along edges that bend less, unless the settings say which edges are sharp.
-[[nodiscard]] PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
-                                   const Creases& creases, const FitMeshSettings& settings,
-                                   const fit::FitInput& options);
+[[nodiscard]] SheetTreeFit fit_sheet_tree(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                          const Creases& creases, const FitMeshSettings& settings,
+                                          const fit::FitInput& options);
 
 } // namespace hrbfnpr::mesh
