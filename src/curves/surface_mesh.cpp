@@ -184,7 +184,7 @@ private:
 
     [[nodiscard]] static Entry& place(base::Array<Entry>& table, std::uint64_t name) noexcept {
         const auto mask = static_cast<std::uint64_t>(table.size() - 1);
-        for (std::uint64_t at = geometry::mixed_bits(name) & mask;; at = (at + 1) & mask) {
+        for (std::uint64_t at = geometry::hash_bits(name) & mask;; at = (at + 1) & mask) {
             Entry& entry = table[static_cast<std::int64_t>(at)];
             if (entry.name == name || entry.name == 0) return entry;
         }

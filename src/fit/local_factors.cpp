@@ -295,13 +295,13 @@ HWY_INLINE void store_factor(const LocalSystems& systems, const double* columns,
     }
 }
 
-void factor_systems(const LocalSystems& systems, const double* position, double* room, float* factor) {
+void factor_systems(const LocalSystems& systems, const double* position, double* scratch, float* factor) {
     const std::int64_t lanes = element_stride();
     const int skipped = systems.orthogonal_to_linear ? 1 : 0;
     const int blocks = systems.set_size - skipped;
     Place p[LocalSystems::largest_set];
-    double* columns = room;
-    const Triangle triangle{room + block_stride() * systems.set_size};
+    double* columns = scratch;
+    const Triangle triangle{scratch + block_stride() * systems.set_size};
     for (std::int64_t first = 0; first < systems.count; first += lanes) {
         const int count = static_cast<int>(HWY_MIN(lanes, systems.count - first));
         load_positions(systems, position, first, count, p);
@@ -327,7 +327,7 @@ namespace hrbfnpr::fit {
 
 std::int64_t local_factor_batch(base::InstructionSet set) noexcept { return HRBFNPR_PICK(set, lanes)(); }
 
-std::int64_t local_factor_room(base::InstructionSet set, std::int32_t set_size) noexcept {
+std::int64_t local_factor_scratch_size(base::InstructionSet set, std::int32_t set_size) noexcept {
     const std::int64_t blocks = std::int64_t{set_size} * (set_size + 1) / 2 + set_size;
     return 16 * local_factor_batch(set) * blocks;
 }

@@ -28,14 +28,15 @@ struct LocalSystems {
     static constexpr std::int32_t largest_set = 49;
 };
 
-// Returns how much working memory one call needs, in doubles.
-[[nodiscard]] std::int64_t local_factor_room(base::InstructionSet set, std::int32_t set_size) noexcept;
+// Returns the working memory that one call needs, in doubles.
+[[nodiscard]] std::int64_t local_factor_scratch_size(base::InstructionSet set, std::int32_t set_size) noexcept;
 // Returns how many sets are factored together. Calls with a multiple of it waste nothing.
 [[nodiscard]] std::int64_t local_factor_batch(base::InstructionSet set) noexcept;
 
 // position: coordinate c of sample m of set k is at [(k * set_size + m) * 3 + c].
 // factor:   16 numbers per sample of each set, [k][m][row of the sample][column], rows value, x, y, z.
-using FactorLocalSystems = void (*)(const LocalSystems& systems, const double* position, double* room, float* factor);
+using FactorLocalSystems = void (*)(const LocalSystems& systems, const double* position, double* scratch,
+                                    float* factor);
 
 [[nodiscard]] FactorLocalSystems local_factors(base::InstructionSet set) noexcept;
 

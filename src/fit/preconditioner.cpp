@@ -87,7 +87,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
     const std::int64_t batch = 8 * local_factor_batch(isa);
     runtime_.parallel.for_chunks(samples_, batch, progress, [&](std::int64_t begin, std::int64_t end) {
         std::fill(factor_.begin() + begin * set_size_ * 16, factor_.begin() + end * set_size_ * 16, 0.0F);
-        base::Array<double> room(runtime_.memory, local_factor_room(isa, set_size_));
+        base::Array<double> scratch(runtime_.memory, local_factor_scratch_size(isa, set_size_));
         base::Array<double> position(runtime_.memory, batch * set_size_ * 3);
         for (std::int64_t k = begin * set_size_; k < end * set_size_; ++k) {
             // The columns of a coarse sample are not used, so any points will do.
@@ -98,7 +98,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
         const LocalSystems local{
             options.kernel, options.radius, options.value_diagonal, options.gradient_diagonal, orthogonal_to_linear_,
             set_size_,      end - begin};
-        factor(local, position.data(), room.data(), factor_.data() + begin * set_size_ * 16);
+        factor(local, position.data(), scratch.data(), factor_.data() + begin * set_size_ * 16);
     });
     progress.update(1.0);
 }

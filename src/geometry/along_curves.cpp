@@ -88,7 +88,7 @@ bool lie_along_curves(const PointTree& tree) {
     for (std::int64_t step = thinner; tree.size() / step >= fewest_thinned; step *= thinner) {
         VecArray some(tree.points().memory());
         for (std::int64_t at = 0; at < tree.size(); ++at)
-            if (mixed_bits(static_cast<std::uint64_t>(at)) % static_cast<std::uint64_t>(step) == 0)
+            if (hash_bits(static_cast<std::uint64_t>(at)) % static_cast<std::uint64_t>(step) == 0)
                 some.push_back(tree.points()[at]);
         if (lie_on_lines(PointTree(some, {}))) return true;
     }

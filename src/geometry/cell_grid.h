@@ -53,7 +53,7 @@ struct CellGrid {
 };
 
 // The finaliser of splitmix64: every bit of a cell's packed number affects every bit of the hash.
-[[nodiscard]] inline std::uint64_t mixed_bits(std::uint64_t bits) noexcept {
+[[nodiscard]] inline std::uint64_t hash_bits(std::uint64_t bits) noexcept {
     bits = (bits ^ (bits >> 30U)) * 0xBF58476D1CE4E5B9U;
     bits = (bits ^ (bits >> 27U)) * 0x94D049BB133111EBU;
     return bits ^ (bits >> 31U);

@@ -23,7 +23,7 @@ std::uint64_t bit_of(std::uint64_t packed) noexcept {
 // Returns the slot of the block, or the free slot where it would be inserted.
 std::int64_t CellSet::place(const base::Array<Block>& table, std::uint64_t name) noexcept {
     const auto mask = static_cast<std::uint64_t>(table.size() - 1);
-    for (std::uint64_t at = mixed_bits(name) & mask;; at = (at + 1) & mask) {
+    for (std::uint64_t at = hash_bits(name) & mask;; at = (at + 1) & mask) {
         const auto number = static_cast<std::int64_t>(at);
         if (table[number].name == name || table[number].name == 0) return number;
     }

@@ -31,7 +31,7 @@ public:
 
 private:
     [[nodiscard]] std::int64_t bucket(std::uint64_t cell) const noexcept {
-        return static_cast<std::int64_t>(mixed_bits(cell) & static_cast<std::uint64_t>(begin_.size() - 2));
+        return static_cast<std::int64_t>(hash_bits(cell) & static_cast<std::uint64_t>(begin_.size() - 2));
     }
 
     double radius_;

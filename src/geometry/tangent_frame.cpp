@@ -44,7 +44,7 @@ TangentFrame combing_frame(const glm::dvec3& n) noexcept {
     return {u, glm::cross(n, u)};
 }
 
-double combing_trust(const glm::dvec3& n) noexcept {
+double combing_confidence(const glm::dvec3& n) noexcept {
     double a = std::abs(n.x);
     double b = std::abs(n.y);
     double c = std::abs(n.z);

@@ -23,6 +23,6 @@ struct TangentFrame {
 [[nodiscard]] TangentFrame combing_frame(const glm::dvec3& n) noexcept;
 // Returns 0 at the borders of the combing regions, where the two smallest components of n are nearly equal in
 // magnitude, and 1 away from them.
-[[nodiscard]] double combing_trust(const glm::dvec3& n) noexcept;
+[[nodiscard]] double combing_confidence(const glm::dvec3& n) noexcept;
 
 } // namespace hrbfnpr::geometry

@@ -244,7 +244,7 @@ Complex named_line(const SampleGraph& graph, std::int64_t i, const Bends& bends,
     case Guide::curvature: break;
     case Guide::combing:
         line = in_frame(graph, i, geometry::combing_frame(n).r);
-        return geometry::combing_trust(n) * line * line;
+        return geometry::combing_confidence(n) * line * line;
     case Guide::sections: line = in_frame(graph, i, glm::cross(settings.axis, n)); break;
     case Guide::light: line = in_frame(graph, i, settings.guide_direction); break;
     case Guide::silhouette:

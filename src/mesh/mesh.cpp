@@ -194,7 +194,7 @@ Mesh make_mesh(const base::Work& work, const MeshInput& input) {
     Welded welded = weld(work, input, report);
     check_extent(welded);
     work.update(0.3);
-    if (input.faces == Faces::turn) report.turned_faces = agree(work, welded.vertex, welded.triangle);
+    if (input.faces == Faces::turn) report.turned_faces = orient_consistently(work, welded.vertex, welded.triangle);
     const base::Array<std::int32_t> component =
         components_of(welded.triangle, welded.vertex.size(), report.components, work);
     base::Array<Component> measured =

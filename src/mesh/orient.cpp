@@ -19,8 +19,8 @@ namespace {
     return doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
 }
 
-// Returns how often the faces at an edge run through it forward, minus how often they run backward.
-[[nodiscard]] std::int64_t surplus(const Side* first, const Side* last) noexcept {
+// Returns how much more often the faces at an edge run through it forward than backward.
+[[nodiscard]] std::int64_t excess_faces(const Side* first, const Side* last) noexcept {
     std::int64_t sum = 0;
     for (const Side* side = first; side != last; ++side) sum += side->forward != 0 ? 1 : -1;
     return sum;
@@ -34,7 +34,7 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
     UnionFind rims(work.memory, vertex.size());
     bool open = false;
     for_edges(sides, work, [&](const Side* first, const Side* last) {
-        if (surplus(first, last) == 0) return;
+        if (excess_faces(first, last) == 0) return;
         open = true;
         result[component[first->face]].closed = false;
         rims.join(low_end(*first), high_end(*first));
@@ -42,12 +42,12 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
     if (!open) return;
     base::Array<glm::dvec4> rim(work.memory, vertex.size()); // for each rim: the sum and number of its ends
     for_edges(sides, work, [&](const Side* first, const Side* last) {
-        if (surplus(first, last) == 0) return;
+        if (excess_faces(first, last) == 0) return;
         for (const std::int32_t end : {low_end(*first), high_end(*first)})
             rim[rims.find(end)] += glm::dvec4(vertex[end], 1.0);
     });
     for_edges(sides, work, [&](const Side* first, const Side* last) {
-        const auto more = static_cast<double>(surplus(first, last));
+        const auto more = static_cast<double>(excess_faces(first, last));
         if (more == 0.0) return;
         const std::int32_t a = low_end(*first);
         const glm::dvec4& sum = rim[rims.find(a)];
@@ -132,7 +132,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 
 } // namespace
 
-std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle) {
+std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::dvec3>& vertex,
+                                 base::Array<Triangle>& triangle) {
     const base::Array<std::int64_t> beyond = sides_beyond(triangle, sides_by_edge(work, triangle), work);
     // 1: the face has the orientation of its patch's first face; -1: the opposite one.
     base::Array<std::int8_t> way(work.memory, triangle.size());

@@ -22,7 +22,8 @@ inline void turn(Triangle& triangle) noexcept { std::swap(triangle[1], triangle[
 
 // Turns faces to agree with most of the area of their patch. A patch ends at edges that do not have exactly two faces.
 // Returns the number of faces that it turned.
-std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle);
+std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::dvec3>& vertex,
+                                 base::Array<Triangle>& triangle);
 
 [[nodiscard]] base::Array<Component> measure_components(const base::Work& work, const base::Array<glm::dvec3>& vertex,
                                                         const base::Array<Triangle>& triangle,

@@ -90,7 +90,7 @@ EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept 
     return share > 1.0 - plan_tuning.nearly_all ? EdgesInFile::some_are_sharp : EdgesInFile::nothing;
 }
 
-CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes) {
+CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshOptions& wishes) {
     // The caller says how often faces are divided.
     if (wishes.rounds >= 0)
         return {wishes.rounds > 0 ? CoarsePlan::Choice::divided : CoarsePlan::Choice::nothing, wishes.rounds, false};
@@ -117,7 +117,7 @@ CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes)
     return plan;
 }
 
-CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, const MeshWishes& wishes) {
+CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, const MeshOptions& wishes) {
     using Choice = CoarsePlan::Choice;
     // The caller wants the division.
     if (wishes.rounds >= 0) return Choice::divided;
@@ -131,7 +131,7 @@ CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, 
     return folds && wishes.edges_as_given ? Choice::coarse_flat : Choice::divided;
 }
 
-FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshWishes& wishes, bool all_flat) noexcept {
+FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshOptions& wishes, bool all_flat) noexcept {
     // The caller says which edges are sharp.
     if (!wishes.edges_as_given)
         return {wishes.edges, wishes.edges == Edges::sharp ? wishes.edge_angle : default_crease_angle};
@@ -167,7 +167,7 @@ bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept {
 
 // ---- How near the surface is to come
 
-bool chooses_samples(const SampleWishes& wishes) noexcept {
+bool chooses_samples(const SampleOptions& wishes) noexcept {
     // A fit to a mesh takes as many samples as it needs, unless the caller wants an option that only a fit to samples
     // has.
     return !wishes.count && !wishes.flips && !wishes.refines && !wishes.judges && !wishes.regularizes;

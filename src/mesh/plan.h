@@ -85,8 +85,8 @@ enum class EdgesInFile {
 // own.
 [[nodiscard]] EdgesInFile plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept;
 
-// The caller's wishes for a picture. Distances are in diagonals.
-struct MeshWishes {
+// The caller's options for a picture. Distances are in diagonals.
+struct MeshOptions {
     // True: the file and its shape decide which edges are sharp. False: `edges` and `edge_angle` decide.
     bool edges_as_given = true;
     Edges edges = Edges::automatic;
@@ -117,7 +117,7 @@ struct CoarsePlan {
 
     [[nodiscard]] bool is_flat() const noexcept { return choice == Choice::all_flat || choice == Choice::coarse_flat; }
 };
-[[nodiscard]] CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes);
+[[nodiscard]] CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshOptions& wishes);
 
 // The effects of a division, in diagonals.
 struct DivisionFacts {
@@ -127,14 +127,15 @@ struct DivisionFacts {
     std::function<double()> most_coarse; // how far the worst face was from a round surface before the division
 };
 // Decides whether the division stays.
-[[nodiscard]] CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said, const MeshWishes& wishes);
+[[nodiscard]] CoarsePlan::Choice judge_division(const DivisionFacts& facts, EdgesInFile said,
+                                                const MeshOptions& wishes);
 
 struct FittedEdges {
     Edges edges;
     double angle; // degrees
 };
 // Returns the edges that a picture asks of its fit. `all_flat`: all faces are flat.
-[[nodiscard]] FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshWishes& wishes,
+[[nodiscard]] FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshOptions& wishes,
                                             bool all_flat) noexcept;
 
 // ---- Parts
@@ -160,7 +161,7 @@ struct FittedEdges {
 inline constexpr double default_tolerance = 0.002; // in diagonals
 
 // The options of a picture that only a fit to samples supports.
-struct SampleWishes {
+struct SampleOptions {
     bool count = false;       // a number of samples
     bool flips = false;       // all normals are to be turned
     bool refines = false;     // the samples move
@@ -168,7 +169,7 @@ struct SampleWishes {
     bool regularizes = false; // the regularization is chosen from the noise
 };
 // Tells whether a fit to the mesh takes as many samples as it needs.
-[[nodiscard]] bool chooses_samples(const SampleWishes& wishes) noexcept;
+[[nodiscard]] bool chooses_samples(const SampleOptions& wishes) noexcept;
 
 // Return the tolerance of a fit, and the distance that no place may exceed. If the wish is 0 they return the default.
 [[nodiscard]] double plan_tolerance(double wish, double diagonal) noexcept;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The steps of weld(), in order:
 //
-//   read_triangles    checks the indices and the coordinates
-//   join_vertices     merges vertices at the same place
-//   join_borders      merges border vertices that differ by rounding only
-//   split_slivers     replaces a face without area by half of its neighbour
-//   leave_out_faces   drops faces without area, and repeated ones
-//   leave_out_walls   drops pairs of faces that are a wall between two solids
-//   part_edges        gives solids that touch in an edge or a corner separate vertices there
+//   read_triangles            checks the indices and the coordinates
+//   join_vertices             merges vertices at the same place
+//   join_borders              merges border vertices that differ by rounding only
+//   split_slivers             replaces a face without area by half of its neighbour
+//   leave_out_faces           drops faces without area, and repeated ones
+//   leave_out_walls           drops pairs of faces that are a wall between two solids
+//   separate_solids_at_edges  gives solids that touch in an edge or a corner vertices of their own there
 #include "mesh/weld.h"
 
 #include "base/bits.h"
@@ -541,8 +541,8 @@ void end_before_begin(base::Array<FaceAtEdge>& about) noexcept {
 }
 
 // Gives each set of corners at a vertex a vertex of its own. The first set keeps the old one.
-void give_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
-                   const base::Progress& progress) {
+void assign_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
+                     const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> owner(memory, welded.vertex.size()); // for each vertex: the set that keeps it, plus 1
     base::Array<std::int32_t> own(memory, 3 * welded.triangle.size());
@@ -560,10 +560,10 @@ void give_vertices(UnionFind& corners, const base::Array<std::uint8_t>& parted, 
     }
 }
 
-// Where an edge has four or more faces, the two faces around each solid get a separate edge, with new vertices at the
-// same places. Each solid is then closed. Solids that share a vertex and no edge also get separate vertices, unless a
-// border passes there: they are then separate components, for which later steps test whether they touch.
-void part_edges(const base::Work& work, double rounding, Welded& welded) {
+// Where an edge has four or more faces, the two faces around each solid get an edge of their own, by new vertices at
+// the same places. Each solid is then closed. Solids that share a vertex and no edge also get vertices of their own,
+// unless a border passes there: they are then separate components, for which later steps test whether they touch.
+void separate_solids_at_edges(const base::Work& work, double rounding, Welded& welded) {
     const base::Array<Side> sides = sides_by_edge(work, welded.triangle);
     UnionFind corners(work.memory, 3 * welded.triangle.size()); // sets of corners that share a vertex
     base::Array<std::uint8_t> parted(work.memory, welded.vertex.size());
@@ -588,7 +588,7 @@ void part_edges(const base::Work& work, double rounding, Welded& welded) {
         }
         for (const Side* side = first + 1; side != last; ++side) join(*first, *side);
     });
-    give_vertices(corners, parted, welded, work);
+    assign_vertices(corners, parted, welded, work);
 }
 
 } // namespace
@@ -609,7 +609,7 @@ Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report) 
     split_slivers(rounding, welded, report, work);
     const base::Array<Repeated> repeated = leave_out_faces(welded, report, work);
     leave_out_walls(work, repeated, rounding, welded, report);
-    part_edges(work, rounding, welded);
+    separate_solids_at_edges(work, rounding, welded);
     if (welded.triangle.empty())
         fail(Status::invalid_argument, "triangles has %lld faces, but none has an area; give at least one that has",
              static_cast<long long>(report.given_faces));

@@ -134,7 +134,7 @@ Cloud read_cloud(const base::Work& work, const base::InView& points) {
     geometry::FarthestOrder order = geometry::farthest_order(cloud.tree->points(), 0, work.part(0.5, 1.0));
     cloud.rank.resize(cloud.size());
     for (std::int64_t k = 0; k < order.order.size(); ++k) cloud.rank[order.order[k]] = k;
-    cloud.apart = std::move(order.distance);
+    cloud.rank_spacing = std::move(order.distance);
     if (cloud.size() >= 2 * tuning.fewest_all_over && geometry::lie_along_curves(*cloud.tree)) {
         cloud.spread_count = cloud.size();
         while (cloud.spread_count >= 2 * tuning.fewest_all_over) cloud.spread_count /= 2;

@@ -27,12 +27,12 @@ struct OrderedPoints {
 
 // All points of a caller: centred, scaled to spacing 1, and merged where they coincide.
 struct Cloud : OrderedPoints {
-    explicit Cloud(base::Memory& memory) noexcept : OrderedPoints(memory), place(memory), apart(memory) {}
+    explicit Cloud(base::Memory& memory) noexcept : OrderedPoints(memory), place(memory), rank_spacing(memory) {}
 
     [[nodiscard]] bool is_of_curves() const noexcept { return spread_count > 0; }
 
-    base::Array<std::int64_t> place; // the place of each given point
-    base::Array<double> apart;       // for each rank, the distance to the nearest point of a lower rank
+    base::Array<std::int64_t> place;  // the place of each given point
+    base::Array<double> rank_spacing; // for each rank, the distance to the nearest point of a lower rank
     glm::dvec3 centre{0.0};
     double spacing = 1.0; // median distance to the nearest other point, in the caller's unit
     std::int64_t merged = 0;

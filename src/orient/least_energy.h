@@ -14,11 +14,11 @@ struct CoarseStart {
     explicit CoarseStart(base::Memory& memory) noexcept : normal(memory) {}
 
     // Returns the energy that points at a distance of 1 would have.
-    [[nodiscard]] double own_energy() const noexcept { return energy * apart; }
+    [[nodiscard]] double energy_at_unit_spacing() const noexcept { return energy * spacing; }
 
     geometry::VecArray normal;
-    double energy = 0.0; // per degree of freedom
-    double apart = 1.0;  // distance between the coarser cloud's points
+    double energy = 0.0;  // per degree of freedom
+    double spacing = 1.0; // distance between the coarser cloud's points
     double agreement = 0.0;
 };
 

@@ -177,7 +177,7 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
         CoarseStart& reached = levels.emplace_back(work.memory);
         reached.normal = blend(work, level, found.normal, *cloud.tree);
         reached.energy = found.energy;
-        reached.apart = cloud.apart[count / 2];
+        reached.spacing = cloud.rank_spacing[count / 2];
         reached.agreement = found.agreement;
     }
     HRBFNPR_ASSERT(!levels.empty());
@@ -189,9 +189,9 @@ void fit_noisy(const base::Work& work, const Cloud& cloud, const NeighbourLists&
 // of least energy among those with the same signs as these.
 [[nodiscard]] CoarseStart* start_to_keep(std::vector<CoarseStart>& coarser, double energy) noexcept {
     const auto least = std::min_element(coarser.begin(), coarser.end(), [](const CoarseStart& a, const CoarseStart& b) {
-        return a.own_energy() < b.own_energy();
+        return a.energy_at_unit_spacing() < b.energy_at_unit_spacing();
     });
-    if (least->own_energy() >= tuning.falling * energy) return nullptr;
+    if (least->energy_at_unit_spacing() >= tuning.falling * energy) return nullptr;
     CoarseStart* best = &*least;
     for (CoarseStart& level : coarser)
         if (level.energy < best->energy && share_alike(level.normal, least->normal) > tuning.signs_of_level)
@@ -209,7 +209,7 @@ void fit_curves(const base::Work& work, const Cloud& cloud, const NeighbourLists
         options.begin = &coarser.back();
         result.fitted = least_energy(work.part(0.5, 1.0), cloud, near, 0.0, given, options);
         result.confidence = confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, 0.0);
-        energy = result.fitted.energy * cloud.apart[cloud.size() / 2];
+        energy = result.fitted.energy * cloud.rank_spacing[cloud.size() / 2];
     }
     CoarseStart* const level = start_to_keep(coarser, energy);
     if (level == nullptr) return;
@@ -237,9 +237,9 @@ void fit(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
     for (int k = 0; k < tuning.most_reductions && noise.deviation > tuning.noisiest && last->size() > tuning.few_points;
          ++k) {
         const std::int64_t count =
-            std::partition_point(last->apart.begin(), last->apart.end(),
+            std::partition_point(last->rank_spacing.begin(), last->rank_spacing.end(),
                                  [&](double distance) { return distance > tuning.means_apart * noise.deviation; }) -
-            last->apart.begin();
+            last->rank_spacing.begin();
         const glm::dvec3 centre = k == 0 ? glm::dvec3(0.0) : last->centre;
         const double spacing = k == 0 ? 1.0 : last->spacing;
         means = means_of(work, *last, std::max(tuning.fewest_means, count));

@@ -37,7 +37,7 @@ hrbfnpr_fit_desc wanted_fit(const Options& options) {
 // Tells whether the fit takes as many samples as it needs.
 bool chooses_samples(const Options& options) {
     const Changes& changes = options.changes;
-    mesh::SampleWishes wishes;
+    mesh::SampleOptions wishes;
     wishes.count = options.desc.samples > 0;
     wishes.flips = options.has(HRBFNPR_PICTURE_FLIP);
     wishes.refines = changes.is_callers("fit.refinement_steps") && changes.number("fit.refinement_steps") != 0.0;
@@ -53,8 +53,8 @@ bool edges_are_as_given(const Options& options) noexcept {
 bool keeps_faces(const Options& options) noexcept { return options.desc.normals == HRBFNPR_NORMALS_GIVEN; }
 
 // Returns the wishes for a mesh with this diagonal.
-mesh::MeshWishes wishes_of(const Options& options, double across) {
-    mesh::MeshWishes wishes;
+mesh::MeshOptions wishes_of(const Options& options, double across) {
+    mesh::MeshOptions wishes;
     wishes.edges_as_given = edges_are_as_given(options);
     static_assert(HRBFNPR_PICTURE_EDGES_SHARP - HRBFNPR_PICTURE_EDGES_AUTO == HRBFNPR_EDGES_SHARP - HRBFNPR_EDGES_AUTO);
     if (!wishes.edges_as_given)
@@ -273,7 +273,7 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
 
 // Divides the faces of a welded mesh as planned, and judges the result.
 Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::EdgesInFile said,
-               const mesh::MeshWishes& wishes, Shape& finer, const base::Progress& progress) {
+               const mesh::MeshOptions& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
     const double crease = std::isnan(call.options.desc.crease_angle) ? 180.0 : call.options.desc.crease_angle;
     Divided found{plan};
@@ -342,7 +342,7 @@ Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     welded.points = vertices_of(looked.mesh, pool);
     welded.triangles = triangles_of(looked.mesh, pool);
     mesh::EdgesInFile said = mesh::EdgesInFile::nothing;
-    const mesh::MeshWishes wishes = wishes_of(options, box_diagonal_of(welded.points));
+    const mesh::MeshOptions wishes = wishes_of(options, box_diagonal_of(welded.points));
     if (wishes.edges_as_given && wishes.chooses_samples && looked.shape.has_sharp_edges) {
         Vector<Edge> sharp = edges_among(welded.points, looked.shape.sharp_edges, looked.shape.points, pool);
         said = said_of_edges(welded.points, welded.triangles, sharp, pool);

@@ -166,7 +166,7 @@ CellMap::CellMap(const SurfaceCells& cells) : CellMap(cells.cell.memory()) {
 std::int64_t CellMap::place_of(std::uint64_t block) const noexcept {
     HRBFNPR_ASSERT(!place_.empty());
     const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
-    std::uint64_t at = geometry::mixed_bits(block) & mask;
+    std::uint64_t at = geometry::hash_bits(block) & mask;
     const auto taken = [&] { return place_[static_cast<std::int64_t>(at)].taken; };
     while (taken() != 0 && taken() != block + 1) at = (at + 1) & mask;
     return static_cast<std::int64_t>(at);

@@ -96,7 +96,7 @@ std::vector<float> factor_with(base::InstructionSet set, const std::vector<VecAr
     for (const VecArray& x : sets)
         for (std::int64_t m = 0; m < set_size; ++m)
             for (int c = 0; c < 3; ++c) position.push_back(x[m][c]);
-    base::Array<double> room(memory, fit::local_factor_room(set, set_size));
+    base::Array<double> room(memory, fit::local_factor_scratch_size(set, set_size));
     std::vector<float> factor(sets.size() * static_cast<std::size_t>(16 * set_size));
     fit::local_factors(set)(systems, position.data(), room.data(), factor.data());
     return factor;

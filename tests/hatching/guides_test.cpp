@@ -78,7 +78,7 @@ TEST(Guides, SilhouetteIsConjugateToTheView) {
 
 TEST(Guides, CombingIsStarksFirstDirectionAwayFromItsBorders) {
     const auto combed = [](const glm::dvec3&, const glm::dvec3& n) {
-        return geometry::combing_trust(n) * geometry::combing_frame(n).r;
+        return geometry::combing_confidence(n) * geometry::combing_frame(n).r;
     };
     EXPECT_LT(mean_angle(make(Sphere(), guided(Guide::combing)), 0.9, combed), 5.0);
 }

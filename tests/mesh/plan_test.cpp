@@ -111,7 +111,7 @@ TEST(Plan, AFileSaysWhichEdgesAreSharp) {
 
 struct Coarse {
     mesh::CoarseFacts facts;
-    mesh::MeshWishes wishes;
+    mesh::MeshOptions wishes;
 
     explicit Coarse(double off, EdgesInFile said = EdgesInFile::nothing) {
         facts.faces = 100;
@@ -173,7 +173,7 @@ TEST(Plan, AllFacesAreFlatIfTheFileSaysSo) {
 }
 
 TEST(Plan, ADivisionThatFoldsIsRejected) {
-    mesh::MeshWishes wishes;
+    mesh::MeshOptions wishes;
     const auto judge = [&](double moved, double raised, EdgesInFile said) {
         return mesh::judge_division({moved, raised, 0.01, [] { return 0.02; }}, said, wishes);
     };
@@ -189,7 +189,7 @@ TEST(Plan, ADivisionThatFoldsIsRejected) {
 }
 
 TEST(Plan, TheFitKeepsTheWishedEdges) {
-    mesh::MeshWishes wishes;
+    mesh::MeshOptions wishes;
     const mesh::FittedEdges of_fit{Edges::automatic, 40.0};
     EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, false).angle, 40.0);
     EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, true).edges, Edges::sharp);

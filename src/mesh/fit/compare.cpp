@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of compare(), in order:
 //
-//   find_surface   finds the surface as triangles, from places on the mesh and from a coarse lattice
-//   parts_of       counts its components and handles; if the mesh has others, finer cells are tried once
-//   places_on      spreads places evenly over the surface, and measures their distances from the mesh
-//   from_mesh      measures distances of places on the mesh from the surface, and angles between the normals
+//   find_surface    finds the surface as triangles, from places on the mesh and from a coarse lattice
+//   parts_of        counts its components and handles; if the mesh has others, finer cells are tried once
+//   sample_surface  spreads places evenly over the surface, and measures their distances from the mesh
+//   measure_mesh    measures distances of places on the mesh from the surface, and angles between the normals
 #include "mesh/fit/compare.h"
 
 #include "base/clock.h"
@@ -133,8 +133,8 @@ struct SurfaceParts {
 // ---- From the surface
 
 // Returns places on the surface, evenly spread over its area. A place whose projection fails stays on its triangle.
-[[nodiscard]] SurfacePlaces places_on(const CompareTask& task, const curves::SurfaceMesh& surface,
-                                      const base::Progress& progress) {
+[[nodiscard]] SurfacePlaces sample_surface(const CompareTask& task, const curves::SurfaceMesh& surface,
+                                           const base::Progress& progress) {
     SurfacePlaces places(task.work.memory);
     if (surface.triangles() == 0) return places;
     const auto corners = [&](std::int64_t t) {
@@ -161,11 +161,11 @@ struct SurfaceParts {
     return places;
 }
 
-void from_surface(const CompareTask& task, const Mesh& mesh, const curves::SurfaceMesh& surface,
-                  const OuterFaces& outer, double far, Comparison& result) {
-    SurfacePlaces places = places_on(task, surface, task.work.part(0.4, 0.6));
+void measure_surface(const CompareTask& task, const Mesh& mesh, const curves::SurfaceMesh& surface,
+                     const OuterFaces& outer, double far, Comparison& result) {
+    SurfacePlaces places = sample_surface(task, surface, task.work.part(0.4, 0.6));
     const std::int64_t found = places.position.size();
-    leave_out(task.work.part(0.4, 0.6), task.search, places);
+    drop_unsupported(task.work.part(0.4, 0.6), task.search, places);
     base::Array<double> distance = distances(task, places.position.size(), [&](std::int64_t i) {
         const FaceTree::Nearest nearest = outer.tree().nearest(places.position[i]);
         return on_border(mesh, nearest.face, nearest.place) ? -1.0 : std::sqrt(nearest.squared);
@@ -181,8 +181,8 @@ void from_surface(const CompareTask& task, const Mesh& mesh, const curves::Surfa
 
 // Uses the smaller of two distances: a projection may end farther away than the nearest place, and the triangles are
 // off the surface by their bulge.
-void from_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
-               Comparison& result) {
+void measure_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
+                  Comparison& result) {
     const surface::Projection on = projected(task, samples.position, mesh_fit_tuning.mesh_evaluations,
                                              mesh_fit_tuning.on_surface, task.work.part(0.7, 0.9));
     base::Array<double> distance(task.work.memory, samples.position.size());
@@ -255,7 +255,7 @@ curves::SurfaceMesh find_surface(const base::Work& work, const implicit::Implici
     return surface;
 }
 
-void leave_out(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places) {
+void drop_unsupported(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places) {
     HRBFNPR_ASSERT(places.position.size() == places.gradient.size());
     if (search.support == nullptr) return;
     base::Array<double> beyond(work.memory);
@@ -299,8 +299,8 @@ Comparison compare(const base::Work& work, const implicit::Implicit& implicit, c
     result.components = parts.components;
     result.genus = parts.genus;
     const CompareTask task{work, implicit, search};
-    from_surface(task, mesh, surface, outer, far, result);
-    from_mesh(task, surface, samples, far, result);
+    measure_surface(task, mesh, surface, outer, far, result);
+    measure_mesh(task, surface, samples, far, result);
     result.seconds = watch.seconds();
     work.update(1.0);
     return result;

@@ -82,7 +82,7 @@ struct SurfacePlaces {
                                                const geometry::VecArray& seeds, const SurfaceSearch& search);
 
 // Drops the places whose support value is above the limit, if there is a support.
-void leave_out(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places);
+void drop_unsupported(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places);
 
 // `support` may be null. Otherwise it is the support of the model's samples.
 [[nodiscard]] Comparison compare(const base::Work& work, const implicit::Implicit& implicit, const Mesh& mesh,

@@ -57,7 +57,7 @@ public:
         : data_(data), plain_(set, data), precision_(precision) {}
 
     // Is called before evaluations at this many places. Prepares a far field if that takes less time.
-    void expect(const base::Work& work, std::int64_t places);
+    void prepare_for(const base::Work& work, std::int64_t places);
 
     [[nodiscard]] const implicit::Implicit& operator*() const noexcept {
         if (prepared_ != nullptr) return *prepared_;
@@ -71,7 +71,7 @@ private:
     std::unique_ptr<implicit::Implicit> prepared_;
 };
 
-void FitField::expect(const base::Work& work, std::int64_t places) {
+void FitField::prepare_for(const base::Work& work, std::int64_t places) {
     if (prepared_ != nullptr || !pays(data_.count(), places)) return;
     implicit::LocalFieldOptions options;
     options.tolerance = precision_;
@@ -197,9 +197,9 @@ base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray
 
 // Adds centres off the mesh at places of the surface that are far from it, farthest first. The distance between centres
 // is about their distance from the mesh. f is held to the signed distance there, if the side of the place is certain.
-// `held` are the centres that the fit has already; new centres go to `added`.
-void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base::Array<double>& distance,
-                   double tolerance, std::int64_t room, const fit::Samples& held, fit::Samples& added) {
+// `held` are the centres that the fit has already; new ones go to `added`.
+void add_off_surface_centres(const Task& task, const geometry::VecArray& place, const base::Array<double>& distance,
+                             double tolerance, std::int64_t room, const fit::Samples& held, fit::Samples& added) {
     HRBFNPR_ASSERT(distance.size() == place.size());
     base::Array<std::int64_t> order(task.work.memory);
     for (std::int64_t i = 0; i < place.size(); ++i)
@@ -295,9 +295,10 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         const std::int64_t before = next.off_surface.position.size();
         const std::int64_t room =
             settings.maximum_centres - now.centres.size() - now.off_surface.position.size() - before;
-        hold_off_mesh(task, places.position, distance, report.tolerance, room, now.off_surface, next.off_surface);
+        add_off_surface_centres(task, places.position, distance, report.tolerance, room, now.off_surface,
+                                next.off_surface);
         if (report.supported) {
-            leave_out(work, search, places);
+            drop_unsupported(work, search, places);
             distance = distances_to_mesh(task, places.position);
         }
         report.surface = statistics_of(distance, report.tolerance, report.far);
@@ -318,7 +319,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         const base::Stopwatch of_look;
         fit::NextCentres next(work.memory, {options.regularization, options.regularization});
         FitField field(work.instruction_set, now.fit.result.data, search.precision);
-        field.expect(work, candidates.position.size() + surface_places);
+        field.prepare_for(work, candidates.position.size() + surface_places);
         const fit::Distances distances = fit::measure_distances(work.without_progress(), *field, candidates);
         input_distance_rms = root_mean_square(distances.distance, now.fit.result.data.scale);
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
@@ -348,7 +349,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
             const double ratio = search.side / side;
             if (ratio > 1.0) {
                 search.side = side;
-                field.expect(work, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places)));
+                field.prepare_for(work, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places)));
                 next.continues = look_at_surface(field, now, next) && !all_good();
             }
         } else {

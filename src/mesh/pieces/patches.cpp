@@ -27,9 +27,9 @@ namespace {
 
 // ---- Fans
 
-// Tells whether a fan continues from corner `a` to corner `b`: the face of `b` lies across the side that starts at `a`,
-// and that side is no crease.
-[[nodiscard]] bool goes_on(const Mesh& mesh, const Creases& creases, std::int64_t a, std::int64_t b) noexcept {
+// Tells whether the face of corner `b` lies across the side that starts at corner `a`, and the side is no crease.
+[[nodiscard]] bool is_same_patch_across(const Mesh& mesh, const Creases& creases, std::int64_t a,
+                                        std::int64_t b) noexcept {
     const auto ahead = [&](std::int64_t corner, std::int64_t by) {
         return mesh.triangle[corner / 3][static_cast<std::size_t>((corner % 3 + by) % 3)];
     };
@@ -59,7 +59,7 @@ using Fan = std::span<const std::int32_t>; // corners, in rising order
             if (many) continue;
             for (const std::int32_t a : at)
                 for (const std::int32_t b : at)
-                    if (goes_on(mesh, creases, a, b)) name[root(a)] = root(b);
+                    if (is_same_patch_across(mesh, creases, a, b)) name[root(a)] = root(b);
         }
     });
     NumbersByFirstUse numbers(runtime.memory, name.size());
@@ -168,7 +168,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
         for (const std::int32_t b : fan) {
             const double angle = glm::distance(unit_normal(mesh, a / 3), unit_normal(mesh, b / 3));
             turn = std::max(turn, angle);
-            if (goes_on(mesh, creases, a, b)) step = std::max(step, angle);
+            if (is_same_patch_across(mesh, creases, a, b)) step = std::max(step, angle);
         }
     return step <= patch_tuning.small_step * turn;
 }
@@ -237,7 +237,7 @@ private:
 };
 
 // Returns the number of pieces that a side is cut into.
-[[nodiscard]] std::int64_t pieces_of(double length, double spacing) noexcept {
+[[nodiscard]] std::int64_t interval_count(double length, double spacing) noexcept {
     return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, patch_tuning.most_cuts));
 }
 
@@ -369,7 +369,7 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
         const auto a = static_cast<std::size_t>(k);
         const std::size_t b = (a + 1) % 3;
         for (const std::size_t end : {a, b}) add_corner(face, end, true);
-        const std::int64_t pieces = pieces_of(glm::distance(p[a], p[b]), 0.5 * spacing);
+        const std::int64_t pieces = interval_count(glm::distance(p[a], p[b]), 0.5 * spacing);
         if (pieces == 1) return;
         const CurvedFace curved(p, normals.normal.data() + 3 * std::int64_t{face});
         for (std::int64_t i = 1; i < pieces; ++i) {
@@ -383,7 +383,7 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
     const auto add_face = [&](std::int32_t face) {
         const auto p = mesh.corners(face);
         for (std::size_t k = 0; k < 3; ++k) add_corner(face, k, false);
-        const std::int64_t pieces = pieces_of(
+        const std::int64_t pieces = interval_count(
             std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])}), spacing);
         if (pieces == 1) return;
         const CurvedFace curved(p, normals.normal.data() + 3 * std::int64_t{face});

@@ -208,7 +208,7 @@ private:
         keeps_log_ = true;
         for (std::uint64_t number = 0; work_ > 0; ++number) {
             const auto one_of = [&](std::uint64_t which, std::int64_t count) { // splitmix64
-                return static_cast<std::int64_t>(geometry::mixed_bits((3 * number + which) * 0x9E3779B97F4A7C15U) %
+                return static_cast<std::int64_t>(geometry::hash_bits((3 * number + which) * 0x9E3779B97F4A7C15U) %
                                                  static_cast<std::uint64_t>(count));
             };
             gained_ = -swap_segments(one_of(1, count_), 1 + one_of(2, most), 1 + one_of(3, most));
