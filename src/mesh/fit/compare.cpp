@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of compare(), in order:
 //
-//   find_surface    finds the surface as triangles, from places on the mesh and from a coarse lattice
-//   parts_of        counts its components and handles; if the mesh has others, finer cells are tried once
-//   sample_surface  spreads places evenly over the surface, and measures their distances from the mesh
-//   measure_mesh    measures distances of places on the mesh from the surface, and angles between the normals
+//   find_surface     finds the surface as triangles, from places on the mesh and from a coarse lattice
+//   parts_of         counts its components and handles; if the mesh has others, finer cells are tried once
+//   measure_surface  measures distances of places on the surface, spread by sample_surface(), from the mesh
+//   measure_mesh     measures distances of places on the mesh from the surface, and angles between the normals
 #include "mesh/fit/compare.h"
 
 #include "base/clock.h"
