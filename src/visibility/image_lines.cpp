@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Draws curves in the image. The parts of curves before the eye become lines of cubics (add_curve). Each cubic is
-// halved until its chords are near enough to it (draw_cubic). Lengths are measured along the polylines (Lengths).
+// halved until its chords are near enough to it (draw_cubic). LineLengths are measured along the polylines
+// (LineLengths).
 //
 // Finds crossings. Segments of polylines go into the cells of a grid (make_grid). Pairs of segments that cross are
 // found cell by cell (find_pairs). Newton's method moves each pair onto its cubics (refine). Depths and directions
 // there say which curve is nearer, and on which side of the nearer curve its surface lies (describe). Crossings of
 // curves that are near in space, too, are verified on the curves themselves (verify_crossings). Lines that pass through
-// another item's surface are found by halving the lines' cubics (find_pierced).
+// another item's surface are found by halving the lines' cubics (find_piercings).
 #include "visibility/image_lines.h"
 
 #include "base/list.h"
@@ -41,7 +42,8 @@ bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, dou
 void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
                 base::Array<ImagePoint>& points) {
     const auto at = [&](double u) {
-        return glm::clamp(view.see(cubic.at(u)).place, -visibility_tuning.farthest, visibility_tuning.farthest);
+        return glm::clamp(view.see(cubic.at(u)).place, -visibility_tuning.farthest_place,
+                          visibility_tuning.farthest_place);
     };
     const auto split = [&](const auto& self, double u, const glm::dvec2& a, double v, const glm::dvec2& b,
                            int left) -> void {
@@ -56,9 +58,9 @@ void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::
     const glm::dvec2 m = at(0.5);
     const glm::dvec2 b = at(1.0);
     points.push_back({a, piece, 0.0});
-    split(split, 0.0, a, 0.5, m, visibility_tuning.deepest);
+    split(split, 0.0, a, 0.5, m, visibility_tuning.most_halvings);
     if (glm::distance(a, b) > 0.5 || !on_chord(a, m, b, tolerance)) points.push_back({m, piece, 0.5});
-    split(split, 0.5, m, 1.0, b, visibility_tuning.deepest);
+    split(split, 0.5, m, 1.0, b, visibility_tuning.most_halvings);
 }
 
 // Adds a line made of the pieces `from` to `to` of a curve. `to` may lie beyond the end of a closed curve.
@@ -79,8 +81,8 @@ void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, Image
     const std::int64_t pieces = curves.pieces_of(curve);
     const auto before_eye = [&](std::int64_t point) {
         const curves::View::Seen at = s.view.see(curves.point[point].position);
-        return at.w > 0.0 && std::abs(at.place.x) < visibility_tuning.farthest &&
-               std::abs(at.place.y) < visibility_tuning.farthest;
+        return at.w > 0.0 && std::abs(at.place.x) < visibility_tuning.farthest_place &&
+               std::abs(at.place.y) < visibility_tuning.farthest_place;
     };
     const auto seen = [&](std::int64_t k) {
         const std::int64_t at = curves.first[curve] + k % pieces;
@@ -99,14 +101,14 @@ constexpr std::int64_t pairs_a_task = 16;
 
 double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
-// A place on a curve in the image, and its velocity along the curve.
-struct Moving {
+// A place on a curve in the image, and its velocity as the curve goes on.
+struct MovingPlace {
     glm::dvec3 point;
     glm::dvec2 place, velocity; // pixels
 };
 
 // A place on a line.
-struct OnLine {
+struct LinePlace {
     std::int32_t piece;
     double share;
 };
@@ -177,7 +179,7 @@ Grid make_grid(base::Memory& memory, const ImageLines& lines) {
 }
 
 // The data that all steps of finding crossings read.
-struct Scene {
+struct CrossingInput {
     std::span<const Subject> subjects;
     const ImageLines& lines;
 
@@ -189,7 +191,7 @@ struct Scene {
 
 // Whether the ends of each segment lie on different sides of the other one. An end on the line counts as left of it, so
 // that a line through a vertex crosses exactly one of the two segments that meet there.
-bool cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
+bool segments_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const auto left = [](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& at) {
         return cross2(to - from, at - from) >= 0.0;
     };
@@ -198,7 +200,7 @@ bool cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
 }
 
 // The crossing of two segments, as a share of each.
-glm::dvec2 crossing_of(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
+glm::dvec2 crossing_of(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const glm::dvec2 d = in.place(a + 1) - in.place(a);
     const glm::dvec2 e = in.place(b + 1) - in.place(b);
     const glm::dvec2 way = in.place(b) - in.place(a);
@@ -209,30 +211,30 @@ glm::dvec2 crossing_of(const Scene& in, std::int64_t a, std::int64_t b) noexcept
 
 // Whether two segments may cross. At least one must begin or end sheets, and they must not belong to the same piece or
 // follow each other on a line.
-bool may_cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
+bool may_cross(const CrossingInput& in, std::int64_t a, std::int64_t b) noexcept {
     const std::int32_t p = in.lines.points[a].piece;
     const std::int32_t q = in.lines.points[b].piece;
-    if (p == q || (in.subject(p).sheets <= 0 && in.subject(q).sheets <= 0)) return false;
+    if (p == q || (in.subject(p).sheet_change <= 0 && in.subject(q).sheet_change <= 0)) return false;
     const bool touch = in.place(a + 1) == in.place(b) || in.place(b + 1) == in.place(a);
     return !(touch && in.lines.pieces[p].line == in.lines.pieces[q].line);
 }
 
 // Adds the pairs of a cell's segments that cross in this cell. A pair may share several cells, and is added only in the
 // cell of its crossing. Returns false, and adds nothing, if the cell is a tangle.
-bool find_pairs_in(const Scene& in, const Grid& grid, std::int64_t cell, base::Array<SegmentPair>& pairs) {
+bool find_pairs_in_cell(const CrossingInput& in, const Grid& grid, std::int64_t cell, base::Array<SegmentPair>& pairs) {
     HRBFNPR_ASSERT(cell >= 0 && cell + 1 < grid.begin.size());
     const std::int64_t segments = grid.begin[cell + 1] - grid.begin[cell];
     if (segments > visibility_tuning.most_segments) return false;
     const std::int64_t first = pairs.size();
     for (std::int64_t i = grid.begin[cell]; i < grid.begin[cell + 1]; ++i) {
-        if (pairs.size() > first + visibility_tuning.most_of_segment * segments) {
+        if (pairs.size() > first + visibility_tuning.most_crossings_per_segment * segments) {
             pairs.resize(first);
             return false;
         }
         for (std::int64_t j = i + 1; j < grid.begin[cell + 1]; ++j) {
             const std::int64_t a = grid.segment[i];
             const std::int64_t b = grid.segment[j];
-            if (!may_cross(in, a, b) || !cross(in, a, b)) continue;
+            if (!may_cross(in, a, b) || !segments_cross(in, a, b)) continue;
             const double share = std::clamp(crossing_of(in, a, b).x, 0.0, 1.0);
             const glm::dvec2 at = (glm::mix(in.place(a), in.place(a + 1), share) - grid.origin) / grid.side;
             if (grid.row(at.y) * grid.columns + grid.column(at.x) == cell) pairs.push_back({a, b});
@@ -242,7 +244,7 @@ bool find_pairs_in(const Scene& in, const Grid& grid, std::int64_t cell, base::A
 }
 
 // Returns the pairs of segments that cross, in the order of the cells for any number of threads.
-base::Array<SegmentPair> find_pairs(const base::Work& work, const Scene& in, CrossingReport& report) {
+base::Array<SegmentPair> find_pairs(const base::Work& work, const CrossingInput& in, CrossingReport& report) {
     const Grid grid = make_grid(work.memory, in.lines);
     const std::int64_t cells = grid.begin.size() - 1;
     base::List<base::Array<SegmentPair>> found(work.memory);
@@ -251,7 +253,7 @@ base::Array<SegmentPair> find_pairs(const base::Work& work, const Scene& in, Cro
     work.for_chunks(cells, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t task = begin / cells_a_task;
         for (std::int64_t cell = begin; cell < end; ++cell)
-            if (!find_pairs_in(in, grid, cell, found[task])) ++tangles[task];
+            if (!find_pairs_in_cell(in, grid, cell, found[task])) ++tangles[task];
     });
     base::Array<SegmentPair> pairs(work.memory);
     for (const base::Array<SegmentPair>& some : found)
@@ -261,37 +263,37 @@ base::Array<SegmentPair> find_pairs(const base::Work& work, const Scene& in, Cro
     return pairs;
 }
 
-OnLine place_on(const Scene& in, std::int64_t segment, double t) noexcept {
+LinePlace place_on_segment(const CrossingInput& in, std::int64_t segment, double t) noexcept {
     const ImagePoint& from = in.lines.points[segment];
     const ImagePoint& to = in.lines.points[segment + 1];
     const double end = to.piece == from.piece ? to.share : 1.0;
     return {from.piece, from.share + std::clamp(t, 0.0, 1.0) * (end - from.share)};
 }
 
-Moving moving(const curves::View& view, const glm::dvec3& point, const glm::dvec3& derivative) noexcept {
+MovingPlace moving_place(const curves::View& view, const glm::dvec3& point, const glm::dvec3& derivative) noexcept {
     const glm::dvec4 q = view.to_window * glm::dvec4(point, 1.0);
     const glm::dvec4 d = view.to_window * glm::dvec4(derivative, 0.0);
     const glm::dvec2 place(q.x / q.w, q.y / q.w);
     return {point, place, {(d.x - place.x * d.w) / q.w, (d.y - place.y * d.w) / q.w}};
 }
 
-Moving moving_at(const Scene& in, const OnLine& at) noexcept {
+MovingPlace moving_place_at(const CrossingInput& in, const LinePlace& at) noexcept {
     const curves::CubicPiece its = cubic(in.subjects, in.lines.pieces[at.piece]);
-    return moving(in.subject(at.piece).view, its.at(at.share), its.derivative(at.share));
+    return moving_place(in.subject(at.piece).view, its.at(at.share), its.derivative(at.share));
 }
 
 // Returns how far each of two places has to go, straight on, until they meet. The results are not finite if the
 // directions are parallel.
-std::pair<double, double> meeting(const Moving& p, const Moving& q) noexcept {
+std::pair<double, double> steps_to_meeting(const MovingPlace& p, const MovingPlace& q) noexcept {
     const double area = cross2(p.velocity, q.velocity);
     const glm::dvec2 way = q.place - p.place;
     return {cross2(way, q.velocity) / area, cross2(way, p.velocity) / area};
 }
 
 // Moves a place along its line and into the next piece, but no farther than the line's end.
-void go(const Scene& in, OnLine& at, double by) noexcept {
+void move_along(const CrossingInput& in, LinePlace& at, double by) noexcept {
     at.share += by;
-    if (at.share >= -visibility_tuning.slack && at.share <= 1.0 + visibility_tuning.slack) return;
+    if (at.share >= -visibility_tuning.end_slack && at.share <= 1.0 + visibility_tuning.end_slack) return;
     const Line& line = in.lines.lines[in.lines.pieces[at.piece].line];
     const bool back = at.share < 0.0;
     const std::int64_t k = at.piece - line.first_piece + (back ? -1 : 1);
@@ -300,32 +302,34 @@ void go(const Scene& in, OnLine& at, double by) noexcept {
     at = {static_cast<std::int32_t>(line.first_piece + next), back != ends ? 1.0 : 0.0};
 }
 
-// Runs Newton's method on the cubics: both places move until they meet in the image.
-bool refine(const Scene& in, OnLine& a, OnLine& b) noexcept {
+// Runs Newton's method on the cubics themselves: both places move until they meet in the image.
+bool refine(const CrossingInput& in, LinePlace& a, LinePlace& b) noexcept {
     HRBFNPR_ASSERT(a.share >= 0.0 && a.share <= 1.0 && b.share >= 0.0 && b.share <= 1.0);
     for (int step = 0;; ++step) {
-        const auto [da, db] = meeting(moving_at(in, a), moving_at(in, b));
+        const auto [da, db] = steps_to_meeting(moving_place_at(in, a), moving_place_at(in, b));
         if (!(std::abs(da) <= 1.0 && std::abs(db) <= 1.0) || step == visibility_tuning.newton_steps) return false;
-        if (std::abs(da) <= visibility_tuning.known && std::abs(db) <= visibility_tuning.known) return true;
-        go(in, a, da);
-        go(in, b, db);
+        if (std::abs(da) <= visibility_tuning.newton_tolerance && std::abs(db) <= visibility_tuning.newton_tolerance)
+            return true;
+        move_along(in, a, da);
+        move_along(in, b, db);
     }
 }
 
 // The least distance in space at which two curves count as distinct at a crossing, in sides.
-double least_gap_of(const Scene& in, const OnLine& a, const OnLine& b) noexcept {
+double least_gap_of(const CrossingInput& in, const LinePlace& a, const LinePlace& b) noexcept {
     if (in.lines.pieces[a.piece].line == in.lines.pieces[b.piece].line) return visibility_tuning.least_loop;
     const Subject& sa = in.subject(a.piece);
     const Subject& sb = in.subject(b.piece);
-    return sa.item == sb.item && (sa.level == nullptr || sb.level == nullptr) ? visibility_tuning.touching
+    return sa.item == sb.item && (sa.level == nullptr || sb.level == nullptr) ? visibility_tuning.touching_gap
                                                                               : visibility_tuning.least_gap;
 }
 
 // Fills `crossing`. `turn` > 0: the second image direction is clockwise from the first, as seen. Returns false if the
-// two curves are the same, so that they do not cross. This happens beside a cusp.
-bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Crossing& crossing) noexcept {
-    const Moving p = moving_at(in, a);
-    const Moving q = moving_at(in, b);
+// two curves are the same, as beside a cusp, so that they do not cross.
+bool set_crossing(const CrossingInput& in, const LinePlace& a, const LinePlace& b, double turn,
+                  Crossing& crossing) noexcept {
+    const MovingPlace p = moving_place_at(in, a);
+    const MovingPlace q = moving_place_at(in, b);
     const Subject& sa = in.subject(a.piece);
     const Subject& sb = in.subject(b.piece);
     const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
@@ -336,8 +340,8 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
     const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
     crossing.gap = glm::distance(world_p, world_q) / side;
     if (!(crossing.gap > least_gap_of(in, a, b))) return false;
-    const OnLine& far = second_far ? b : a;
-    const OnLine& near = second_far ? a : b;
+    const LinePlace& far = second_far ? b : a;
+    const LinePlace& near = second_far ? a : b;
     const Subject& near_one = second_far ? sa : sb;
     // With y up, the nearer surface lies to the left of its contour.
     const bool to_left = second_far ? turn < 0.0 : turn > 0.0;
@@ -346,7 +350,7 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
     crossing.near_piece = near.piece;
     crossing.far_share = std::clamp(far.share, 0.0, 1.0);
     crossing.near_share = std::clamp(near.share, 0.0, 1.0);
-    crossing.change = left ? near_one.sheets : -near_one.sheets;
+    crossing.change = left ? near_one.sheet_change : -near_one.sheet_change;
     crossing.place = p.place;
     crossing.sine = std::abs(cross2(p.velocity, q.velocity)) / (glm::length(p.velocity) * glm::length(q.velocity));
     return true;
@@ -354,16 +358,16 @@ bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Cr
 
 // Fills `crossing` from the cubics, or from the segments if Newton's method fails. Returns false if the curves do not
 // cross.
-bool look_at(const Scene& in, const SegmentPair& pair, Crossing& crossing) noexcept {
+bool solve_crossing(const CrossingInput& in, const SegmentPair& pair, Crossing& crossing) noexcept {
     const glm::dvec2 start = crossing_of(in, pair.a, pair.b);
-    OnLine a = place_on(in, pair.a, start.x);
-    OnLine b = place_on(in, pair.b, start.y);
+    LinePlace a = place_on_segment(in, pair.a, start.x);
+    LinePlace b = place_on_segment(in, pair.b, start.y);
     const double turn = cross2(in.place(pair.a + 1) - in.place(pair.a), in.place(pair.b + 1) - in.place(pair.b));
-    OnLine exact_a = a;
-    OnLine exact_b = b;
-    if (!refine(in, exact_a, exact_b)) return describe(in, a, b, turn, crossing);
-    const double exact_turn = cross2(moving_at(in, exact_a).velocity, moving_at(in, exact_b).velocity);
-    return describe(in, exact_a, exact_b, exact_turn, crossing);
+    LinePlace exact_a = a;
+    LinePlace exact_b = b;
+    if (!refine(in, exact_a, exact_b)) return set_crossing(in, a, b, turn, crossing);
+    const double exact_turn = cross2(moving_place_at(in, exact_a).velocity, moving_place_at(in, exact_b).velocity);
+    return set_crossing(in, exact_a, exact_b, exact_turn, crossing);
 }
 
 // ---- Verification
@@ -374,14 +378,14 @@ struct Suspect {
     std::int32_t subject[2];
     glm::dvec3 begin[2];
     curves::CurvePoint point[2];
-    double gap; // the distance between the two places at the start
-    bool done, right;
+    double gap; // between the two places at the start
+    bool is_done, is_confirmed;
 };
 
 // Whether a crossing is to be verified on the curves themselves. Near a cusp of a curve, cubics may have a single
 // crossing that the curve does not have; elsewhere false crossings come in pairs whose changes add up to 0. Contours
 // touch the image of the border where they end.
-bool is_suspect(const Scene& in, const Crossing& c) noexcept {
+bool is_suspect(const CrossingInput& in, const Crossing& c) noexcept {
     const Subject& far = in.subject(c.far_piece);
     const Subject& near = in.subject(c.near_piece);
     if (!(c.gap < visibility_tuning.suspicious_gap) || far.level == nullptr || near.level == nullptr) return false;
@@ -390,12 +394,12 @@ bool is_suspect(const Scene& in, const Crossing& c) noexcept {
 }
 
 // Moves the places of all suspects onto their curves by two of Newton's steps.
-void correct(const base::Work& work, std::span<const Subject> subjects, base::Array<Suspect>& suspects) {
+void correct_suspects(const base::Work& work, std::span<const Subject> subjects, base::Array<Suspect>& suspects) {
     for (std::size_t s = 0; s < subjects.size(); ++s) {
         base::Array<curves::CurvePoint*> which(work.memory);
         for (Suspect& suspect : suspects)
             for (const int k : {0, 1})
-                if (!suspect.done && static_cast<std::size_t>(suspect.subject[k]) == s)
+                if (!suspect.is_done && static_cast<std::size_t>(suspect.subject[k]) == s)
                     which.push_back(&suspect.point[k]);
         if (which.empty()) continue;
         base::Array<curves::CurvePoint> points(work.memory);
@@ -409,22 +413,23 @@ void correct(const base::Work& work, std::span<const Subject> subjects, base::Ar
 
 // Moves both places of a suspect towards the point where they meet. The search fails if they go farther than a share of
 // the gap between the curves, or if the gap vanishes: at a cusp a curve meets itself.
-void advance(std::span<const Subject> subjects, Suspect& suspect) noexcept {
+void advance_suspect(std::span<const Subject> subjects, Suspect& suspect) noexcept {
     const auto view = [&](int k) { return subjects[static_cast<std::size_t>(suspect.subject[k])].view; };
     curves::CurvePoint& a = suspect.point[0];
     curves::CurvePoint& b = suspect.point[1];
     const glm::dvec3 along_a = glm::normalize(a.direction());
     const glm::dvec3 along_b = glm::normalize(b.direction());
-    const auto [da, db] = meeting(moving(view(0), a.position, along_a), moving(view(1), b.position, along_b));
+    const auto [da, db] =
+        steps_to_meeting(moving_place(view(0), a.position, along_a), moving_place(view(1), b.position, along_b));
     const double most = visibility_tuning.farthest_crossing * suspect.gap;
     const bool strayed = !(glm::distance(a.position, suspect.begin[0]) <= most) ||
                          !(glm::distance(b.position, suspect.begin[1]) <= most);
     const bool met = glm::distance(a.position, b.position) < visibility_tuning.smallest_gap * suspect.gap;
     const bool lost = strayed || met || !(std::abs(da) <= suspect.gap && std::abs(db) <= suspect.gap);
-    const double short_step = visibility_tuning.settled * suspect.gap;
-    suspect.right = !lost && std::abs(da) <= short_step && std::abs(db) <= short_step;
-    suspect.done = lost || suspect.right;
-    if (suspect.done) return;
+    const double short_step = visibility_tuning.settled_step * suspect.gap;
+    suspect.is_confirmed = !lost && std::abs(da) <= short_step && std::abs(db) <= short_step;
+    suspect.is_done = lost || suspect.is_confirmed;
+    if (suspect.is_done) return;
     a.position += da * along_a;
     b.position += db * along_b;
 }
@@ -458,7 +463,7 @@ struct PiercingScene {
 };
 
 // Evaluates f at places on pieces.
-base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::Array<OnLine>& wanted,
+base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::Array<LinePlace>& wanted,
                                            const base::Progress& progress) {
     base::Memory& memory = in.runtime.memory;
     base::Array<PiercingPlace> places(memory, wanted.size());
@@ -517,12 +522,12 @@ bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) no
 
 // Adds the place where a short part passes through the surface. The sheet lies before the line if the way back to the
 // eye leads through it.
-void add_pierced(const PiercingScene& in, const PiercingPart& part, base::Array<Pierced>& found) {
+void add_piercing(const PiercingScene& in, const PiercingPart& part, base::Array<Piercing>& found) {
     const double rise = part.high.value - part.low.value;
     const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
     const PiercingPlace& at = part.low;
-    const implicit::Domain* const domain = in.occluder.sheets->mesh().domain;
-    if (domain != nullptr && !domain->contains(at.point, at.gradient)) return;
+    const implicit::Domain* const domain = in.occluder.sheet_counter->mesh().domain;
+    if (domain != nullptr && !domain->holds(at.point, at.gradient)) return;
     const glm::dvec4& eye = in.occluder.eye;
     const glm::dvec3 sight = eye.w == 0.0 ? glm::dvec3(eye) : at.point - glm::dvec3(eye);
     const bool faces_away = glm::dot(at.gradient, sight) > 0.0;
@@ -530,25 +535,26 @@ void add_pierced(const PiercingScene& in, const PiercingPart& part, base::Array<
 }
 
 // Adds the place of a short part that passes through the surface. Adds a longer part to `halved` if it may do so.
-void judge(const PiercingScene& in, const PiercingPart& part, base::Array<PiercingPart>& halved,
-           base::Array<Pierced>& found) {
+void add_or_halve(const PiercingScene& in, const PiercingPart& part, base::Array<PiercingPart>& halved,
+                  base::Array<Piercing>& found) {
     const PiercingPlace& a = part.low;
     const PiercingPlace& b = part.high;
     HRBFNPR_ASSERT(a.share < b.share);
-    if (!a.inside && !b.inside && (part.depth >= visibility_tuning.deepest_outside || !is_near_region(part, in.region)))
+    if (!a.inside && !b.inside &&
+        (part.depth >= visibility_tuning.most_halvings_outside || !is_near_region(part, in.region)))
         return;
-    const bool last = b.share - a.share <= visibility_tuning.known;
+    const bool last = b.share - a.share <= visibility_tuning.newton_tolerance;
     if (a.inside && b.inside) {
         const bool changes = (a.value < 0.0) != (b.value < 0.0);
-        if (changes && last) return add_pierced(in, part, found);
-        if (!changes && !may_pierce(a, b, visibility_tuning.in_surface * in.region.diagonal())) return;
+        if (changes && last) return add_piercing(in, part, found);
+        if (!changes && !may_pierce(a, b, visibility_tuning.in_surface_distance * in.region.diagonal())) return;
     }
     if (!last) halved.push_back(part);
 }
 
-void find_pierced_by(const PiercingScene& in, base::Array<Pierced>& found, const base::Progress& progress) {
+void find_piercings_of(const PiercingScene& in, base::Array<Piercing>& found, const base::Progress& progress) {
     base::Memory& memory = in.runtime.memory;
-    base::Array<OnLine> wanted(memory);
+    base::Array<LinePlace> wanted(memory);
     base::Array<PiercingPart> halved(memory);
     for (std::int32_t p = 0; p < in.lines.pieces.size(); ++p) {
         if (subject_of(in.subjects, in.lines.pieces[p]).item == in.item) continue;
@@ -557,7 +563,7 @@ void find_pierced_by(const PiercingScene& in, base::Array<Pierced>& found, const
     }
     const base::Array<PiercingPlace> ends = evaluate_places(in, wanted, progress);
     for (std::int64_t i = 0; i < ends.size(); i += 2)
-        judge(in, {wanted[i].piece, 0, ends[i], ends[i + 1]}, halved, found);
+        add_or_halve(in, {wanted[i].piece, 0, ends[i], ends[i + 1]}, halved, found);
     while (!halved.empty()) {
         progress.check();
         wanted.clear();
@@ -566,8 +572,8 @@ void find_pierced_by(const PiercingScene& in, base::Array<Pierced>& found, const
         const base::Array<PiercingPlace> middle = evaluate_places(in, wanted, progress);
         const base::Array<PiercingPart> parts = std::exchange(halved, base::Array<PiercingPart>(memory));
         for (std::int64_t i = 0; i < parts.size(); ++i) {
-            judge(in, {parts[i].piece, parts[i].depth + 1, parts[i].low, middle[i]}, halved, found);
-            judge(in, {parts[i].piece, parts[i].depth + 1, middle[i], parts[i].high}, halved, found);
+            add_or_halve(in, {parts[i].piece, parts[i].depth + 1, parts[i].low, middle[i]}, halved, found);
+            add_or_halve(in, {parts[i].piece, parts[i].depth + 1, middle[i], parts[i].high}, halved, found);
         }
     }
 }
@@ -576,7 +582,7 @@ void find_pierced_by(const PiercingScene& in, base::Array<Pierced>& found, const
 
 bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
     const Subject& subject = subject_of(subjects, piece);
-    if (subject.sheets != 1) return false;
+    if (subject.sheet_change != 1) return false;
     const curves::CurvePoint& p = subject.curves->point[piece.a];
     const curves::CurvePoint& q = subject.curves->point[piece.b];
     return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
@@ -611,7 +617,7 @@ ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> sub
     return image;
 }
 
-Lengths::Lengths(base::Memory& memory, const ImageLines& lines)
+LineLengths::LineLengths(base::Memory& memory, const ImageLines& lines)
     : lines_(lines), length_(memory, lines.points.size()), first_(memory, lines.pieces.size()) {
     for (const Line& line : lines.lines) {
         HRBFNPR_ASSERT(line.points > 1 && line.first_point + line.points <= lines.points.size());
@@ -625,7 +631,7 @@ Lengths::Lengths(base::Memory& memory, const ImageLines& lines)
     }
 }
 
-double Lengths::at(const Line& line, std::int64_t piece, double share) const noexcept {
+double LineLengths::at(const Line& line, std::int64_t piece, double share) const noexcept {
     HRBFNPR_ASSERT(piece >= line.first_piece && piece < line.first_piece + line.pieces);
     const bool last = piece + 1 == line.first_piece + line.pieces;
     const std::int64_t end = last ? line.first_point + line.points - 1 : first_[piece + 1];
@@ -639,7 +645,7 @@ double Lengths::at(const Line& line, std::int64_t piece, double share) const noe
     return length_[p] + on_chord * (length_[p + 1] - length_[p]);
 }
 
-std::int64_t Lengths::piece_at(const Line& line, double at) const noexcept {
+std::int64_t LineLengths::piece_at(const Line& line, double at) const noexcept {
     std::int64_t low = line.first_piece;
     std::int64_t high = line.first_piece + line.pieces;
     while (high - low > 1) {
@@ -651,7 +657,7 @@ std::int64_t Lengths::piece_at(const Line& line, double at) const noexcept {
 
 std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
                               base::Array<Crossing>& crossings) {
-    const Scene in{subjects, lines};
+    const CrossingInput in{subjects, lines};
     base::Array<Suspect> suspects(work.memory);
     for (std::int64_t i = 0; i < crossings.size(); ++i) {
         const Crossing& c = crossings[i];
@@ -665,14 +671,14 @@ std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> s
         suspects.push_back(suspect);
     }
     for (int round = 0; round < visibility_tuning.verifying_rounds; ++round) {
-        correct(work, subjects, suspects);
+        correct_suspects(work, subjects, suspects);
         for (Suspect& suspect : suspects)
-            if (!suspect.done) advance(subjects, suspect);
+            if (!suspect.is_done) advance_suspect(subjects, suspect);
     }
     std::int64_t kept = 0;
     const Suspect* next = suspects.begin();
     for (std::int64_t i = 0; i < crossings.size(); ++i) {
-        const bool is_wrong = next != suspects.end() && next->crossing == i && !next->right;
+        const bool is_wrong = next != suspects.end() && next->crossing == i && !next->is_confirmed;
         if (next != suspects.end() && next->crossing == i) ++next;
         if (!is_wrong) crossings[kept++] = crossings[i];
     }
@@ -683,12 +689,12 @@ std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> s
 
 base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
                                      CrossingReport& report) {
-    const Scene in{subjects, lines};
+    const CrossingInput in{subjects, lines};
     const base::Array<SegmentPair> pairs = find_pairs(work, in, report);
     base::Array<Crossing> looked(work.memory, pairs.size());
     work.for_chunks(pairs.size(), pairs_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
-            if (!look_at(in, pairs[i], looked[i])) looked[i].far_piece = -1;
+            if (!solve_crossing(in, pairs[i], looked[i])) looked[i].far_piece = -1;
     });
     const auto is_none = [](const Crossing& c) { return c.far_piece < 0; };
     looked.resize(std::remove_if(looked.begin(), looked.end(), is_none) - looked.begin());
@@ -708,14 +714,14 @@ base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Sub
     return looked;
 }
 
-base::Array<Pierced> find_pierced(const base::Work& work, std::span<const Subject> subjects,
-                                  std::span<const Occluder> occluders, const ImageLines& lines) {
-    base::Array<Pierced> found(work.memory);
+base::Array<Piercing> find_piercings(const base::Work& work, std::span<const Subject> subjects,
+                                     std::span<const Occluder> occluders, const ImageLines& lines) {
+    base::Array<Piercing> found(work.memory);
     for (std::size_t o = 0; o < occluders.size() && occluders.size() > 1; ++o)
-        find_pierced_by({work, subjects, lines, occluders[o], static_cast<std::int32_t>(o),
-                         occluders[o].sheets->mesh().region, glm::inverse(occluders[o].to_world)},
-                        found, work);
-    std::sort(found.begin(), found.end(), [](const Pierced& a, const Pierced& b) {
+        find_piercings_of({work, subjects, lines, occluders[o], static_cast<std::int32_t>(o),
+                           occluders[o].sheet_counter->mesh().region, glm::inverse(occluders[o].to_world)},
+                          found, work);
+    std::sort(found.begin(), found.end(), [](const Piercing& a, const Piercing& b) {
         return std::tie(a.piece, a.share, a.item) < std::tie(b.piece, b.share, b.item);
     });
     return found;

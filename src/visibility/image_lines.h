@@ -17,7 +17,7 @@ namespace hrbfnpr::visibility {
 
 // A surface that may hide lines.
 struct Occluder {
-    const curves::SheetCounter* sheets = nullptr;
+    const curves::SheetCounter* sheet_counter = nullptr;
     const implicit::Implicit* surface = nullptr;
     glm::dmat4 to_world{1.0}; // affine
     glm::dvec4 eye{0.0};      // curves::View::eye, in the surface's own coordinates
@@ -28,15 +28,15 @@ struct Subject {
     const curves::Curves* curves = nullptr;
     const curves::Level* level = nullptr; // the function whose zero lines they are; null: polylines as they are
     curves::View view;
-    double side = 0.0;                      // the side of the cells of the surface's mesh, the subject's unit of length
-    double clear = visibility_tuning.clear; // in sides: surface nearer than this before a curve does not hide it
-    glm::dmat4 to_world{1.0};               // affine
-    std::int32_t item = 0;                  // the number of the surface's item among the occluders
-    // The number of sheets that begin or end at these curves: 2 for a contour or for a crease that is a contour, 1 for
-    // a border, 0 for other lines.
-    std::int32_t sheets = 2;
-    bool mirrored = false; // the image shows the surface mirrored
-    bool joined = false;   // open curves end at other curves, for example at the corners of a crease
+    double side = 0.0; // the side of the cells of the surface's mesh, the subject's unit of length
+    double clearance =
+        visibility_tuning.clearance; // in sides: surface nearer than this before a curve does not hide it
+    glm::dmat4 to_world{1.0};        // affine
+    std::int32_t item = 0;           // the number of the surface's item among the occluders
+    std::int32_t sheet_change = 2;   // the number of sheets that begin or end at these curves: 2 for a contour or for a
+                                     // crease that is a contour, 1 for a border, 0 for other lines
+    bool mirrored = false;           // the image shows the surface mirrored
+    bool joined = false;             // open curves end at other curves, as at the corners of a crease
 };
 
 // The cubic between two points of a curve.
@@ -87,17 +87,17 @@ struct ImageLines {
 [[nodiscard]] bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept;
 
 // Measures lengths along the images of lines. `lines` must outlive it.
-class Lengths {
+class LineLengths {
 public:
-    Lengths(base::Memory& memory, const ImageLines& lines);
+    LineLengths(base::Memory& memory, const ImageLines& lines);
 
     // The length from the line's start to a place, in pixels. It is measured along the chord on which the share lies,
     // because the image of a cubic is not traversed at constant speed, least of all at a cusp.
     [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
     // The length from the line's start to a point of the image, in pixels.
     [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
-    [[nodiscard]] double whole(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
-    // The last piece of the line that begins at the length `at` or before it.
+    [[nodiscard]] double total(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
+    // The last piece of the line that begins at `at` or before it.
     [[nodiscard]] std::int64_t piece_at(const Line& line, double at) const noexcept;
 
 private:
@@ -123,8 +123,8 @@ struct CrossingReport {
     std::int64_t tangles = 0;      // cells of the image whose crossings are ignored, because there are too many
 };
 
-// Finds the crossings of all lines with the lines that begin or end sheets (Subject::sheets > 0). Sorted by farther
-// piece and share.
+// Finds the crossings of all lines with the lines that begin or end sheets (Subject::sheet_change > 0). Sorted by
+// farther piece and share.
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report);
 
@@ -133,7 +133,7 @@ struct CrossingReport {
 std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
                               base::Array<Crossing>& crossings);
 
-struct Pierced {
+struct Piercing {
     std::int32_t piece;  // the line's piece
     double share;        // along the piece, in [0, 1]
     std::int32_t item;   // the number of the surface's item among the occluders
@@ -143,7 +143,7 @@ struct Pierced {
 // Finds where lines pass through the surfaces of other items. Between two places where f and its slope along the line's
 // cubic are known, f is taken for a cubic; where that cubic may have a root, the part is halved. Sorted by piece and
 // share.
-[[nodiscard]] base::Array<Pierced> find_pierced(const base::Work& work, std::span<const Subject> subjects,
-                                                std::span<const Occluder> occluders, const ImageLines& lines);
+[[nodiscard]] base::Array<Piercing> find_piercings(const base::Work& work, std::span<const Subject> subjects,
+                                                   std::span<const Occluder> occluders, const ImageLines& lines);
 
 } // namespace hrbfnpr::visibility

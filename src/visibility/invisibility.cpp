@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Counts sheets along lines. Each round draws the lines and finds their crossings. Events are the places where a line's
-// number changes (collect_events). The parts between events get numbers relative to the line's start (parts_of). A few
-// rays (best_ray, send_rays) say how much has to be added to all parts of a line (set_numbers). Lines whose changes and
-// rays contradict each other are made finer for the next round (refine_curves). In the last round, each part of such a
-// line gets the number that a ray to it finds (settle). The outline is counted the same way, by rays that come from
-// beyond the surface.
+// number changes (collect_events). The parts between events get numbers relative to the line's begin (parts_between). A
+// few rays (best_ray, send_rays) say how much has to be added to all parts of a line (set_invisibility). Lines whose
+// changes and rays contradict each other are made finer for the next round (refine_curves). In the last round, each
+// part of such a line gets the number of its own ray (number_by_own_rays). The outline is counted the same way, by rays
+// that come from beyond the surface.
 #include "visibility/invisibility.h"
 
 #include "base/assert.h"
@@ -21,12 +21,12 @@ namespace hrbfnpr::visibility {
 namespace {
 
 // The data that all steps of counting read.
-struct Counting {
+struct CountingInput {
     const base::Work& work;
     std::span<const Subject> subjects;
     std::span<const Occluder> occluders;
     const ImageLines& lines;
-    const Lengths& lengths;
+    const LineLengths& lengths;
 
     [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return lines.lines[l]; }
@@ -39,7 +39,7 @@ struct Ray {
     double score;     // pixels to the nearer end of the part
     glm::dvec3 place; // in the subject's coordinates
     // The ray finds the following values.
-    std::int32_t sheets;
+    std::int32_t invisibility;
     std::int32_t nearest; // the occluder nearest to the place on the ray; -1: none
     double distance;      // the distance from the place to the nearest occluder, in the world
     bool certain;
@@ -66,10 +66,10 @@ void for_lines(std::span<Interval> parts, const F& f) {
 
 // Makes the ray to the vertex of a part that is farthest from the part's ends. A part without vertices gets a ray to
 // the middle of its cubic.
-Ray best_ray(const Counting& in, const Interval& part) noexcept {
+Ray best_ray(const CountingInput& in, const Interval& part) noexcept {
     const Line& its = in.line(part.line);
     const base::Array<curves::CurvePoint>& point = in.subjects[static_cast<std::size_t>(its.subject)].curves->point;
-    const double whole = in.lengths.whole(its);
+    const double whole = in.lengths.total(its);
     Ray best{part.line, its.subject, 0.0, -1.0, glm::dvec3(0.0), 0, -1, 0.0, true};
     // The length of the rounds of a closed line before piece p.
     double beyond = its.closed && part.begin_at >= whole ? whole : 0.0;
@@ -101,8 +101,8 @@ Ray best_ray(const Counting& in, const Interval& part) noexcept {
     return best;
 }
 
-// Adds the `most` rays with the best scores among the rays of the line's parts.
-void add_rays(const Counting& in, std::span<const Interval> parts, std::int64_t most, base::Array<Ray>& rays) {
+// Adds the `most` rays with the best scores among those of the line's parts.
+void add_rays(const CountingInput& in, std::span<const Interval> parts, std::int64_t most, base::Array<Ray>& rays) {
     base::Array<Ray> all(in.memory());
     for (const Interval& part : parts) all.push_back(best_ray(in, part));
     std::sort(all.begin(), all.end(),
@@ -111,7 +111,7 @@ void add_rays(const Counting& in, std::span<const Interval> parts, std::int64_t 
 }
 
 // Sends rays through all occluders, from the eye or from beyond the whole surface to the places of the rays.
-void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
+void send_rays(const CountingInput& in, bool from_beyond, base::Array<Ray>& rays) {
     geometry::VecArray from(in.memory(), rays.size());
     geometry::VecArray to(in.memory(), rays.size());
     base::Array<double> clear(in.memory(), rays.size());
@@ -131,13 +131,13 @@ void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
             const glm::dvec3 way = (from_beyond ? reach : -reach) * glm::normalize(sight);
             from.set(i, !from_beyond && occluder.eye.w != 0.0 ? eye : place + way);
             to.set(i, place);
-            clear[i] = own ? subject.clear * subject.side : 0.0;
+            clear[i] = own ? subject.clearance * subject.side : 0.0;
         }
-        occluder.sheets->count(in.work, *occluder.surface, from, to, clear, answers);
+        occluder.sheet_counter->count(in.work, *occluder.surface, from, to, clear, answers);
         HRBFNPR_ASSERT(answers.size() == rays.size());
         for (std::int64_t i = 0; i < rays.size(); ++i) {
             Ray& ray = rays[i];
-            ray.sheets += answers[i].sheets;
+            ray.invisibility += answers[i].sheets;
             ray.certain = ray.certain && answers[i].certain;
             if (answers[i].sheets <= 0) continue;
             const glm::dvec3 way = glm::dmat3(occluder.to_world) * glm::normalize(from[i] - to[i]);
@@ -151,12 +151,12 @@ void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
 
 // Turns numbers relative to a line's start into absolute numbers. Certain rays decide, or all rays if no ray is
 // certain. Returns false if rays contradict each other or a number would be negative.
-bool set_numbers(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
+bool set_invisibility(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
     const auto relative = [&](double at) {
         for (const Interval& part : parts)
             for (const double here : {at, at + whole})
-                if (here >= part.begin_at && here <= part.end_at) return part.sheets;
-        return parts[0].sheets;
+                if (here >= part.begin_at && here <= part.end_at) return part.invisibility;
+        return parts[0].invisibility;
     };
     HRBFNPR_ASSERT(!parts.empty());
     const bool all = std::none_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.certain; });
@@ -165,26 +165,26 @@ bool set_numbers(std::span<Interval> parts, std::span<const Ray> rays, double wh
     std::int32_t shift = 0;
     for (const Ray& ray : rays) {
         if (!ray.certain && !all) continue;
-        const std::int32_t here = ray.sheets - relative(ray.at);
+        const std::int32_t here = ray.invisibility - relative(ray.at);
         if (!known) shift = here;
         agree = agree && here == shift;
         known = true;
     }
     for (Interval& part : parts) {
-        part.sheets += shift;
-        agree = agree && part.sheets >= 0;
+        part.invisibility += shift;
+        agree = agree && part.invisibility >= 0;
     }
     return known && agree;
 }
 
 // Gives each part of the given lines the number that its own ray says, if the ray is certain. A part too short for a
 // ray takes the number of the part before it. Returns how many lines have a ray that is not certain.
-std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::int32_t> lines,
-                    std::span<Interval> parts, std::int64_t& sent) {
+std::int64_t number_by_own_rays(const CountingInput& in, bool from_beyond, std::span<const std::int32_t> lines,
+                                std::span<Interval> parts, std::int64_t& sent) {
     HRBFNPR_ASSERT(std::is_sorted(lines.begin(), lines.end()));
     base::Array<Ray> rays(in.memory());
     base::Array<Interval*> asked(in.memory());
-    const auto is_short = [](const Interval& part) { return length_of(part) <= visibility_tuning.unseen; };
+    const auto is_short = [](const Interval& part) { return length_of(part) <= visibility_tuning.unseen_length; };
     for (Interval& part : parts) {
         if (is_short(part) || !std::binary_search(lines.begin(), lines.end(), part.line)) continue;
         rays.push_back(best_ray(in, part));
@@ -196,7 +196,7 @@ std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::i
     std::int32_t last = -1;
     for (std::int64_t i = 0; i < rays.size(); ++i) {
         if (rays[i].certain) {
-            asked[i]->sheets = rays[i].sheets;
+            asked[i]->invisibility = rays[i].invisibility;
         } else if (last != rays[i].line) {
             ++uncertain;
             last = rays[i].line;
@@ -205,13 +205,13 @@ std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::i
     for (std::size_t i = 1; i < parts.size(); ++i)
         if (is_short(parts[i]) && parts[i].line == parts[i - 1].line &&
             std::binary_search(lines.begin(), lines.end(), parts[i].line))
-            parts[i].sheets = parts[i - 1].sheets;
+            parts[i].invisibility = parts[i - 1].invisibility;
     return uncertain;
 }
 
 // Returns the parts of a line between its events. Their numbers are relative to the line's start or, for a closed line,
 // to its first event.
-base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::span<const Event> events) {
+base::Array<Interval> parts_between(const CountingInput& in, std::int64_t number, std::span<const Event> events) {
     const Line& line = in.line(number);
     base::Array<Interval> parts(in.memory());
     const auto is_cusp = [](const Event& e) { return e.near_piece < 0 && e.change != 0; };
@@ -221,7 +221,7 @@ base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::spa
         parts.push_back({static_cast<std::int32_t>(number), from.piece, to.piece, from.share, to.share, from.at,
                          to.at + beyond, sheets, is_cusp(from), is_cusp(to), from.sine, to.sine});
     };
-    const double whole = in.lengths.whole(line);
+    const double whole = in.lengths.total(line);
     const Event begin{static_cast<std::int32_t>(line.first_piece), 0.0, 0, -1, 0.0};
     const Event end{static_cast<std::int32_t>(line.first_piece + line.pieces - 1), 1.0, 0, -1, whole};
     if (events.empty()) {
@@ -238,24 +238,26 @@ base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::spa
 }
 
 // Counts along all lines. Returns the lines that contradict themselves. Around a closed line changes must add up to 0.
-base::Array<std::int32_t> count(const Counting& in, const Events& events, int rays_a_line, Invisibility& out) {
+base::Array<std::int32_t> count_along_lines(const CountingInput& in, const Events& events, int rays_a_line,
+                                            Invisibility& out) {
     const auto lines = static_cast<std::int32_t>(in.lines.lines.size());
     const auto seen_events = [&](std::int32_t l) {
-        return without_torn_swallowtails(in.memory(), in.line(l), in.lengths, visibility_tuning.unseen, events.of(l));
+        return without_torn_swallowtails(in.memory(), in.line(l), in.lengths, visibility_tuning.unseen_length,
+                                         events.of(l));
     };
     base::Array<Ray> rays(in.memory());
     for (std::int32_t l = 0; l < lines; ++l)
-        add_rays(in, parts_of(in, l, seen_events(l).span()).span(), rays_a_line, rays);
+        add_rays(in, parts_between(in, l, seen_events(l).span()).span(), rays_a_line, rays);
     send_rays(in, false, rays);
     out.report.rays += rays.size();
     out.intervals.clear();
     base::Array<std::int32_t> bad(in.memory());
     for (std::int32_t l = 0; l < lines; ++l) {
         const base::Array<Event> seen = seen_events(l);
-        base::Array<Interval> parts = parts_of(in, l, seen.span());
+        base::Array<Interval> parts = parts_between(in, l, seen.span());
         std::int32_t sum = 0;
         for (const Event& e : seen) sum += e.change;
-        if (!set_numbers(parts.span(), rays_of(rays, l), in.lengths.whole(in.line(l))) ||
+        if (!set_invisibility(parts.span(), rays_of(rays, l), in.lengths.total(in.line(l))) ||
             (sum != 0 && in.line(l).closed))
             bad.push_back(l);
         for (const Interval& part : parts) out.intervals.push_back(part);
@@ -265,7 +267,7 @@ base::Array<std::int32_t> count(const Counting& in, const Events& events, int ra
 
 // Makes lines that contradict themselves finer, and the lines that cross them, near the crossings. The new curves are
 // off by `tolerance` pixels at most.
-void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double tolerance, Invisibility& out) {
+void refine_curves(const CountingInput& in, std::span<const std::int32_t> bad, double tolerance, Invisibility& out) {
     base::Array<std::int64_t> first(in.memory()); // the first point of each subject
     first.push_back(0);
     for (const Subject& subject : out.subjects) first.push_back(first.back() + subject.curves->point.size());
@@ -281,7 +283,7 @@ void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double
         const std::int32_t far = in.lines.pieces[c.far_piece].line;
         const std::int32_t near = in.lines.pieces[c.near_piece].line;
         if (!is_bad(far) && !is_bad(near)) continue;
-        for (int k = -visibility_tuning.beside_crossing; k <= visibility_tuning.beside_crossing; ++k) {
+        for (int k = -visibility_tuning.pieces_beside_crossing; k <= visibility_tuning.pieces_beside_crossing; ++k) {
             mark(in.line(far), c.far_piece - in.line(far).first_piece + k);
             mark(in.line(near), c.near_piece - in.line(near).first_piece + k);
         }
@@ -332,17 +334,17 @@ base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> 
 // ---- The outline
 
 // A place where another line crosses, and how the number of sheets beside the line changes there.
-struct BesideChange {
+struct ChangeBeside {
     std::int32_t line;
     double at; // pixels along it
     std::int32_t change;
 };
 
-// Finds the places where the number of sheets beside a line changes. At a crossing, each of the two lines enters or
-// leaves the image of the other's surface.
-base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<Crossing>& crossings,
-                                         std::span<const std::uint8_t> wanted) {
-    base::Array<BesideChange> changes(in.memory());
+// Finds these changes at crossings. At a crossing, each of the two lines enters or leaves the image of the other's
+// surface.
+base::Array<ChangeBeside> find_changes_beside(const CountingInput& in, const base::Array<Crossing>& crossings,
+                                              std::span<const std::uint8_t> wanted) {
+    base::Array<ChangeBeside> changes(in.memory());
     const auto add = [&](std::int32_t piece, double share, std::int32_t change) {
         const std::int32_t l = in.lines.pieces[piece].line;
         if (change != 0 && wanted[static_cast<std::size_t>(in.line(l).subject)] != 0)
@@ -355,10 +357,10 @@ base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<C
         };
         add(c.far_piece, c.far_share, c.change);
         const bool left = (c.change > 0) != (is_turned(c.near_piece) != is_turned(c.far_piece));
-        const std::int32_t sheets = subject_of(in.subjects, in.lines.pieces[c.far_piece]).sheets;
+        const std::int32_t sheets = subject_of(in.subjects, in.lines.pieces[c.far_piece]).sheet_change;
         add(c.near_piece, c.near_share, left ? -sheets : sheets);
     }
-    std::sort(changes.begin(), changes.end(), [](const BesideChange& a, const BesideChange& b) {
+    std::sort(changes.begin(), changes.end(), [](const ChangeBeside& a, const ChangeBeside& b) {
         return std::tie(a.line, a.at, a.change) < std::tie(b.line, b.at, b.change);
     });
     return changes;
@@ -366,22 +368,22 @@ base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<C
 
 // Adds the stretches of a visible part between the changes of its line, with numbers relative to the line's start. An
 // interval of a closed line may go round the line's end, so the changes of the line are applied a second time.
-void add_stretches(const Counting& in, const Interval& part, std::span<const BesideChange> changes,
-                   base::Array<Interval>& stretches) {
+void add_parts_beside(const CountingInput& in, const Interval& part, std::span<const ChangeBeside> changes,
+                      base::Array<Interval>& stretches) {
     const Line& its = in.line(part.line);
-    const double whole = in.lengths.whole(its);
+    const double whole = in.lengths.total(its);
     Interval stretch = part;
-    stretch.sheets = 0;
+    stretch.invisibility = 0;
     const auto add = [&](double end) {
         stretch.end_at = end;
         stretches.push_back(stretch);
         stretch.begin_at = end;
     };
     for (const double beyond : {0.0, whole}) {
-        for (const BesideChange& c : changes) {
+        for (const ChangeBeside& c : changes) {
             if (c.at + beyond >= part.end_at) break;
             if (c.at + beyond > stretch.begin_at) add(c.at + beyond);
-            stretch.sheets += c.change;
+            stretch.invisibility += c.change;
         }
         if (!its.closed) break;
     }
@@ -391,8 +393,8 @@ void add_stretches(const Counting& in, const Interval& part, std::span<const Bes
 } // namespace
 
 Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
-                      const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
-                      const Lengths& lengths) {
+                      const base::Array<Crossing>& crossings, std::span<const Piercing> pierced,
+                      const LineLengths& lengths) {
     Events events(memory);
     std::int64_t c = 0;
     std::size_t next = 0;
@@ -408,18 +410,18 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
                 events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0), 0.0F});
                 ++events.cusps;
             }
-            const auto add_pierced = [&](double up_to) {
+            const auto add_piercing = [&](double up_to) {
                 for (; next < pierced.size() && pierced[next].piece == piece && pierced[next].share < up_to; ++next)
                     events.event.push_back({piece, pierced[next].share, pierced[next].change, no_line,
                                             lengths.at(line, piece, pierced[next].share), 0.0F});
             };
             for (; c < crossings.size() && crossings[c].far_piece == piece; ++c) {
-                add_pierced(crossings[c].far_share);
+                add_piercing(crossings[c].far_share);
                 events.event.push_back({piece, crossings[c].far_share, crossings[c].change, crossings[c].near_piece,
                                         lengths.at(line, piece, crossings[c].far_share),
                                         static_cast<float>(crossings[c].sine), crossings[c].near_share});
             }
-            add_pierced(2.0);
+            add_piercing(2.0);
         }
     }
     HRBFNPR_ASSERT(c == crossings.size() && next == pierced.size()); // false where they are not sorted
@@ -427,13 +429,13 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
     return events;
 }
 
-base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line, const Lengths& lengths,
+base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line, const LineLengths& lengths,
                                              double size, std::span<const Event> events) {
     HRBFNPR_ASSERT(size > 0.0);
     HRBFNPR_ASSERT(std::is_sorted(events.begin(), events.end(), [](const Event& a, const Event& b) {
         return a.piece < b.piece || (a.piece == b.piece && a.share < b.share);
     }));
-    const double whole = lengths.whole(line);
+    const double whole = lengths.total(line);
     const auto is_cusp_of = [&](const CuspGroup& group, const Event& e) {
         const double low = group.begin - 1e-9 * size;
         const double high = group.end + 1e-9 * size;
@@ -451,7 +453,7 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
         const double far = from_begin(group, e.at);
         const double near = from_begin(group, lengths.at(line, e.near_piece, e.near_share));
         const double length = group.end - group.begin;
-        const double branch = visibility_tuning.branches * size;
+        const double branch = visibility_tuning.branch_reach * size;
         const double first = std::min(far, near);
         const double last = std::max(far, near);
         return first > -std::min(group.before, branch) && first < length && last > 0.0 &&
@@ -482,26 +484,29 @@ Invisibility find_invisibility(const base::Work& work, std::span<const Subject> 
     Invisibility out(work.memory);
     for (const Subject& subject : subjects) out.subjects.push_back(subject);
     double tolerance = settings.tolerance;
-    for (int r = 0; r < settings.rounds; ++r, tolerance *= visibility_tuning.finer) {
+    for (int r = 0; r < settings.rounds; ++r, tolerance *= visibility_tuning.round_factor) {
         const std::span<const Subject> now = std::as_const(out.subjects).span();
         out.lines = draw_lines(work, now, tolerance);
-        out.pierced = find_pierced(work, now, occluders, out.lines);
+        out.piercings = find_piercings(work, now, occluders, out.lines);
         out.crossings = find_crossings(work, now, out.lines, out.report.crossings);
-        const Lengths lengths(work.memory, out.lines);
-        const Events events = collect_events(work.memory, now, out.lines, out.crossings, out.pierced.span(), lengths);
-        const Counting in{work, now, occluders, out.lines, lengths};
-        const base::Array<std::int32_t> bad = count(in, events, settings.probes, out);
+        const LineLengths lengths(work.memory, out.lines);
+        const Events events = collect_events(work.memory, now, out.lines, out.crossings, out.piercings.span(), lengths);
+        const CountingInput in{work, now, occluders, out.lines, lengths};
+        const base::Array<std::int32_t> bad = count_along_lines(in, events, settings.probes, out);
         out.report.rounds = r;
         out.report.cusps = events.cusps;
         if (r == 0) out.report.refined = bad.size();
         if (bad.empty()) break;
         // Finer curves do not disentangle lines that run over one another, nor do they mend a torn surface.
-        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || bad.size() > visibility_tuning.most_torn) {
-            out.report.contradictions = settle(in, false, bad.span(), out.intervals.span(), out.report.rays);
+        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 ||
+            bad.size() > visibility_tuning.most_refined_lines) {
+            out.report.contradictions =
+                number_by_own_rays(in, false, bad.span(), out.intervals.span(), out.report.rays);
             out.report.settled = bad.size();
             break;
         }
-        refine_curves(in, bad.span(), visibility_tuning.off_curve * visibility_tuning.finer * tolerance, out);
+        refine_curves(in, bad.span(),
+                      visibility_tuning.refined_tolerance_share * visibility_tuning.round_factor * tolerance, out);
     }
     out.report.lines = out.lines.lines.size();
     for (const Line& l : out.lines.lines) out.report.closed += l.closed ? 1 : 0;
@@ -510,13 +515,14 @@ Invisibility find_invisibility(const base::Work& work, std::span<const Subject> 
 
 void find_hidden_by(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
                     Invisibility& found) {
-    const Lengths lengths(work.memory, found.lines);
-    const Counting in{work, subjects, occluders, found.lines, lengths};
+    const LineLengths lengths(work.memory, found.lines);
+    const CountingInput in{work, subjects, occluders, found.lines, lengths};
     base::Array<Ray> rays(work.memory);
     base::Array<Interval*> asked(work.memory);
     for (Interval& part : found.intervals) {
-        part.hidden_by = part.sheets > 0 ? subjects[static_cast<std::size_t>(in.line(part.line).subject)].item : -1;
-        if (part.sheets <= 0 || occluders.size() < 2) continue;
+        part.hidden_by =
+            part.invisibility > 0 ? subjects[static_cast<std::size_t>(in.line(part.line).subject)].item : -1;
+        if (part.invisibility <= 0 || occluders.size() < 2) continue;
         rays.push_back(best_ray(in, part));
         asked.push_back(&part);
     }
@@ -527,19 +533,19 @@ void find_hidden_by(const base::Work& work, std::span<const Subject> subjects, s
 }
 
 Outline find_outline(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
-                     const Invisibility& found, const Lengths& lengths, std::span<const std::uint8_t> wanted) {
+                     const Invisibility& found, const LineLengths& lengths, std::span<const std::uint8_t> wanted) {
     HRBFNPR_ASSERT(wanted.size() == subjects.size());
-    const Counting in{work, subjects, occluders, found.lines, lengths};
-    const base::Array<BesideChange> changes = changes_beside(in, found.crossings, wanted);
+    const CountingInput in{work, subjects, occluders, found.lines, lengths};
+    const base::Array<ChangeBeside> changes = find_changes_beside(in, found.crossings, wanted);
     const auto changes_of = [&](std::int32_t line) {
-        const auto less = [](const BesideChange& a, const BesideChange& b) { return a.line < b.line; };
-        const auto [first, end] = std::equal_range(changes.begin(), changes.end(), BesideChange{line, 0.0, 0}, less);
-        return std::span<const BesideChange>(first, end);
+        const auto less = [](const ChangeBeside& a, const ChangeBeside& b) { return a.line < b.line; };
+        const auto [first, end] = std::equal_range(changes.begin(), changes.end(), ChangeBeside{line, 0.0, 0}, less);
+        return std::span<const ChangeBeside>(first, end);
     };
     base::Array<Interval> stretches(work.memory);
     for (const Interval& part : found.intervals)
-        if (part.sheets <= 0 && wanted[static_cast<std::size_t>(in.line(part.line).subject)] != 0)
-            add_stretches(in, part, changes_of(part.line), stretches);
+        if (part.invisibility <= 0 && wanted[static_cast<std::size_t>(in.line(part.line).subject)] != 0)
+            add_parts_beside(in, part, changes_of(part.line), stretches);
     base::Array<Ray> rays(work.memory);
     for_lines(stretches.span(),
               [&](std::span<Interval> of_line) { add_rays(in, of_line, visibility_tuning.outline_rays, rays); });
@@ -548,16 +554,16 @@ Outline find_outline(const base::Work& work, std::span<const Subject> subjects, 
     for_lines(stretches.span(), [&](std::span<Interval> of_line) {
         const std::int32_t l = of_line[0].line;
         std::int32_t sum = 0;
-        for (const BesideChange& c : changes_of(l)) sum += c.change;
-        if (!set_numbers(of_line, rays_of(rays, l), lengths.whole(in.line(l))) || (sum != 0 && in.line(l).closed))
+        for (const ChangeBeside& c : changes_of(l)) sum += c.change;
+        if (!set_invisibility(of_line, rays_of(rays, l), lengths.total(in.line(l))) || (sum != 0 && in.line(l).closed))
             bad.push_back(l);
     });
     Outline out(work.memory);
     out.rays = rays.size();
     out.settled = bad.size();
-    settle(in, true, bad.span(), stretches.span(), out.rays);
+    number_by_own_rays(in, true, bad.span(), stretches.span(), out.rays);
     for (const Interval& s : stretches) {
-        if (s.sheets != 0) continue;
+        if (s.invisibility != 0) continue;
         OutlinePart* const last = out.parts.empty() ? nullptr : &out.parts.back();
         if (last != nullptr && last->line == s.line && last->end_at == s.begin_at)
             last->end_at = s.end_at;

@@ -40,16 +40,16 @@ struct Events {
     std::int64_t cusps = 0;
 };
 
-// Crossings and piercings must be sorted in the order in which find_crossings() and find_pierced() return them.
+// Crossings and piercings must be sorted in the order in which find_crossings() and find_piercings() return them.
 [[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
-                                    const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
-                                    const Lengths& lengths);
+                                    const base::Array<Crossing>& crossings, std::span<const Piercing> pierced,
+                                    const LineLengths& lengths);
 
 // Returns the events of a line without torn groups of cusps. A group is cusps at most `size` pixels apart, and it is
 // torn if its changes do not add up, because a crossing of its branches was missed or doubled. A torn group loses its
 // crossings and its cusps, but keeps one cusp if their number is odd.
 [[nodiscard]] base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line,
-                                                           const Lengths& lengths, double size,
+                                                           const LineLengths& lengths, double size,
                                                            std::span<const Event> events);
 
 // A part of a line between two events, or all of it.
@@ -57,9 +57,9 @@ struct Interval {
     std::int32_t line;
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
-    // Along the line, pixels; an interval that goes round a closed line may end beyond the line's end.
-    double begin_at, end_at;
-    std::int32_t sheets; // the number of sheets before it
+    double begin_at, end_at;   // along the line, pixels; an interval that goes round a closed line may end beyond the
+                               // line's end
+    std::int32_t invisibility; // the number of sheets before it
     bool begins_at_cusp, ends_at_cusp;
     float begin_sine, end_sine; // the sine of the angle to the nearer line that crosses there; 0: no line does
     // The occluder of the nearest surface before the part; find_hidden_by() sets it. -1: none.
@@ -84,14 +84,14 @@ struct InvisibilitySettings {
 
 struct Invisibility {
     explicit Invisibility(base::Memory& memory) noexcept
-        : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), pierced(memory) {}
+        : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), piercings(memory) {}
 
     base::Array<Subject> subjects;                     // as given, except for curves that had to be made finer
     base::List<std::unique_ptr<curves::Curves>> finer; // the finer curves; a subject refers to its last ones
     ImageLines lines;
     base::Array<Interval> intervals; // line by line, along it
     base::Array<Crossing> crossings;
-    base::Array<Pierced> pierced;
+    base::Array<Piercing> piercings;
     InvisibilityReport report;
 };
 
@@ -125,6 +125,6 @@ struct Outline {
 // line's own cusps. [Benard & Hertzmann 2019, 4] `wanted` is 1 for subjects whose lines are asked for.
 [[nodiscard]] Outline find_outline(const base::Work& work, std::span<const Subject> subjects,
                                    std::span<const Occluder> occluders, const Invisibility& found,
-                                   const Lengths& lengths, std::span<const std::uint8_t> wanted);
+                                   const LineLengths& lengths, std::span<const std::uint8_t> wanted);
 
 } // namespace hrbfnpr::visibility

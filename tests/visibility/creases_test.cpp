@@ -50,9 +50,9 @@ private:
         subject.level = level;
         subject.view = view_;
         subject.side = set_.mesh().side;
-        subject.sheets = sheets;
+        subject.sheet_change = sheets;
         subject.joined = true;
-        if (level == nullptr) subject.clear = visibility_tuning.clear_of_creases;
+        if (level == nullptr) subject.clearance = visibility_tuning.crease_clearance;
         picture.add(subject);
     }
     void add_contours(const curves::SheetSurface& part) {
@@ -203,13 +203,13 @@ TEST(CreasesSeen, ACubeFromACornerHasSixOutlineEdges) {
     double whole = 0.0;
     for (const Interval& part : sharp.picture.found->intervals) {
         whole += part.end_at - part.begin_at;
-        seen += part.sheets == 0 ? part.end_at - part.begin_at : 0.0;
-        EXPECT_TRUE(part.sheets == 0 || part.sheets == 1); // hidden edges are behind one face
+        seen += part.invisibility == 0 ? part.end_at - part.begin_at : 0.0;
+        EXPECT_TRUE(part.invisibility == 0 || part.invisibility == 1); // hidden edges are behind one face
     }
     double nine = 0.0;
     for (std::int64_t l = 0; l < sharp.picture.found->lines.lines.size(); ++l)
         if (sharp.picture.found->lines.lines[l].subject < 2)
-            nine += sharp.picture.lengths->whole(sharp.picture.found->lines.lines[l]);
+            nine += sharp.picture.lengths->total(sharp.picture.found->lines.lines[l]);
     EXPECT_NEAR(seen, nine, 1e-6);
     EXPECT_GT(whole, 1.2 * nine);
 }

@@ -135,7 +135,7 @@ TEST_F(Crossings, AreFoundDespiteALineFarOutside) {
     subject.view = eye.view();
     subject.side = 0.1;
     subject.item = -1;
-    subject.sheets = 0;
+    subject.sheet_change = 0;
     picture.add(subject);
     picture.find();
     for (const ImagePoint& p : picture.found->lines.points) EXPECT_LT(std::abs(p.place.x), 1e10);

@@ -32,7 +32,7 @@ const std::vector<Ball> balls{{{0.0, 0.0, 0.0}, 1.0}, {{0.7, 0.31, 0.2}, 0.8}, {
 // Returns the place in the middle of a part, by length in the image.
 glm::dvec3 middle_of(const Picture& picture, const Interval& part) {
     const Line& line = picture.found->lines.lines[part.line];
-    const double whole = picture.lengths->whole(line);
+    const double whole = picture.lengths->total(line);
     const double at = std::fmod(0.5 * (part.begin_at + part.end_at), whole);
     std::int64_t piece = line.first_piece;
     while (piece + 1 < line.first_piece + line.pieces && picture.lengths->at(line, piece + 1, 0.0) <= at) ++piece;
@@ -55,8 +55,8 @@ TEST(HiddenBy, IsTheNearestSurfaceInFront) {
         picture.find();
         find_hidden_by(runtime, picture.subjects, picture.occluders, *picture.found);
         for (const Interval& part : picture.found->intervals) {
-            ASSERT_EQ(part.hidden_by < 0, part.sheets == 0);
-            if (part.end_at - part.begin_at < 1.0 || part.sheets == 0) continue;
+            ASSERT_EQ(part.hidden_by < 0, part.invisibility == 0);
+            if (part.end_at - part.begin_at < 1.0 || part.invisibility == 0) continue;
             const std::int32_t own =
                 picture.subjects[static_cast<std::size_t>(picture.found->lines.lines[part.line].subject)].item;
             const glm::dvec3 p = middle_of(picture, part);
@@ -87,8 +87,8 @@ TEST(HiddenBy, OneItemHidesItself) {
     find_hidden_by(runtime, picture.subjects, picture.occluders, *picture.found);
     int hidden = 0;
     for (const Interval& part : picture.found->intervals) {
-        EXPECT_EQ(part.hidden_by, part.sheets > 0 ? 0 : -1);
-        hidden += part.sheets > 0 ? 1 : 0;
+        EXPECT_EQ(part.hidden_by, part.invisibility > 0 ? 0 : -1);
+        hidden += part.invisibility > 0 ? 1 : 0;
     }
     EXPECT_GT(hidden, 0);
 }

@@ -44,7 +44,7 @@ double farthest_off(const Picture& picture, const ImageLines& lines) {
 }
 
 // A line with NaN or huge coordinates does not change the lengths of others.
-TEST(Lengths, DoNotDependOnOtherLines) {
+TEST(LineLengths, DoNotDependOnOtherLines) {
     ImageLines lines(runtime().memory);
     const double odd[] = {1.0, 1e300, std::numeric_limits<double>::quiet_NaN()};
     for (std::int32_t l = 0; l < 3; ++l) {
@@ -57,10 +57,10 @@ TEST(Lengths, DoNotDependOnOtherLines) {
             lines.pieces.push_back({0, static_cast<std::int32_t>(lines.lines.size() - 1), 0, 1});
         }
     }
-    const Lengths lengths(runtime().memory, lines);
+    const LineLengths lengths(runtime().memory, lines);
     for (const std::int64_t l : {1, 3, 5}) {
         const Line& line = lines.lines[l];
-        EXPECT_EQ(lengths.whole(line), 7.0);
+        EXPECT_EQ(lengths.total(line), 7.0);
         EXPECT_EQ(lengths.at_point(line.first_point + 1), 3.0);
         EXPECT_EQ(lengths.at(line, line.first_piece, 0.75), 5.0);
     }
@@ -89,7 +89,7 @@ TEST(ImageLines, FollowTheOrderOfTheirCurves) {
     for (const Eye& eye : test::eyes(cube_directions(0.1), 4.0)) {
         const Picture picture(runtime(), stage, eye);
         const ImageLines lines = draw_lines(runtime(), picture.subjects, 0.05);
-        const Lengths lengths(runtime().memory, lines);
+        const LineLengths lengths(runtime().memory, lines);
         ASSERT_EQ(lines.lines.size(), 2);
         for (const Line& line : lines.lines) {
             EXPECT_TRUE(line.closed);
@@ -101,7 +101,7 @@ TEST(ImageLines, FollowTheOrderOfTheirCurves) {
                 along = lengths.at(line, lines.points[i].piece, lines.points[i].share);
                 sum += glm::distance(lines.points[i].place, lines.points[i + 1].place);
             }
-            EXPECT_NEAR(lengths.whole(line), sum, 1e-9 * sum);
+            EXPECT_NEAR(lengths.total(line), sum, 1e-9 * sum);
         }
     }
 }
@@ -115,7 +115,8 @@ TEST(ImageLines, HaveTheLengthOfACircle) {
         const ImageLines lines = draw_lines(runtime(), picture.subjects, 0.05);
         // A cone of sight with the half angle asin(1/3) meets the image plane, which is 750 pixels from the eye.
         const double radius = eye.perspective ? 750.0 * std::tan(std::asin(1.0 / 3.0)) : 250.0;
-        EXPECT_NEAR(Lengths(runtime().memory, lines).whole(lines.lines[0]), 2.0 * 3.14159265 * radius, 0.001 * radius);
+        EXPECT_NEAR(LineLengths(runtime().memory, lines).total(lines.lines[0]), 2.0 * 3.14159265 * radius,
+                    0.001 * radius);
         for (const ImagePoint& p : lines.points) EXPECT_NEAR(glm::distance(p.place, glm::dvec2(400.0)), radius, 0.01);
     }
 }

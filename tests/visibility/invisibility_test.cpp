@@ -31,7 +31,7 @@ TEST(Invisibility, NothingHidesASphere) {
         Picture picture(runtime(), stage, eye);
         picture.find();
         ASSERT_EQ(picture.found->intervals.size(), 1);
-        EXPECT_EQ(picture.found->intervals[0].sheets, 0);
+        EXPECT_EQ(picture.found->intervals[0].invisibility, 0);
         EXPECT_EQ(picture.found->report.closed, 1);
         EXPECT_EQ(picture.found->crossings.size(), 0);
         expect_right(picture, 10);
@@ -49,7 +49,7 @@ TEST(Invisibility, IsRightForSpheresInARow) {
         picture.find();
         ASSERT_EQ(picture.found->intervals.size(), 3);
         for (const Interval& part : picture.found->intervals)
-            EXPECT_EQ(part.sheets, 2 * picture.found->lines.lines[part.line].subject);
+            EXPECT_EQ(part.invisibility, 2 * picture.found->lines.lines[part.line].subject);
         expect_right(picture, 10);
     }
 }
@@ -77,9 +77,9 @@ TEST(Invisibility, IsRightForOverlappingCircles) {
             const bool far = picture.found->lines.lines[part.line].subject == 1;
             const double length = part.end_at - part.begin_at;
             const double inside = 2.0 * std::acos(0.65) * 200.0; // length of an arc
-            const double expected = !far ? 400.0 * pi : part.sheets == 2 ? inside : 400.0 * pi - inside;
+            const double expected = !far ? 400.0 * pi : part.invisibility == 2 ? inside : 400.0 * pi - inside;
             EXPECT_NEAR(length, expected, 0.1);
-            EXPECT_TRUE(part.sheets == 0 || (far && part.sheets == 2));
+            EXPECT_TRUE(part.invisibility == 0 || (far && part.invisibility == 2));
         }
         expect_right(picture, 20);
     }
@@ -108,7 +108,7 @@ TEST(Invisibility, IsRightForATorusFromEverywhere) {
         Picture picture(runtime(), stage, eye);
         picture.find();
         compared += expect_right(picture, 40);
-        for (const Interval& part : picture.found->intervals) hidden += part.sheets > 0 ? 1 : 0;
+        for (const Interval& part : picture.found->intervals) hidden += part.invisibility > 0 ? 1 : 0;
     };
     for (const Eye& eye : test::eyes(cube_directions(0.1), 4.0)) look(eye);
     for (int i = 0; i < 40; ++i) {
@@ -227,7 +227,7 @@ TEST(Invisibility, IsRightWithTheEyeInsideASphere) {
         EXPECT_EQ(picture.found->report.lines, 2);
         for (const Interval& part : picture.found->intervals) {
             const bool beyond = picture.found->lines.lines[part.line].subject == 2;
-            EXPECT_TRUE(beyond ? part.sheets == 1 || part.sheets == 3 : part.sheets == 0);
+            EXPECT_TRUE(beyond ? part.invisibility == 1 || part.invisibility == 3 : part.invisibility == 0);
         }
         expect_right(picture, 20);
     }
@@ -295,7 +295,7 @@ TEST(Invisibility, IsRightForLinesOfNoSurface) {
     subject.view = eye.view();
     subject.side = 0.1;
     subject.item = -1;
-    subject.sheets = 0;
+    subject.sheet_change = 0;
     picture.add(subject);
     picture.find();
     expect_right(picture, 50);
@@ -303,9 +303,9 @@ TEST(Invisibility, IsRightForLinesOfNoSurface) {
     for (const Interval& part : picture.found->intervals)
         if (picture.found->lines.lines[part.line].subject == 1) parts.push_back(part);
     ASSERT_EQ(parts.size(), 3U);
-    EXPECT_EQ(parts[0].sheets, 0);
-    EXPECT_EQ(parts[1].sheets, 2);
-    EXPECT_EQ(parts[2].sheets, 0);
+    EXPECT_EQ(parts[0].invisibility, 0);
+    EXPECT_EQ(parts[1].invisibility, 2);
+    EXPECT_EQ(parts[2].invisibility, 0);
     EXPECT_NEAR(parts[1].begin_at, 150.0 * (2.0 - 0.8), 0.01);
     EXPECT_NEAR(parts[1].end_at, 150.0 * (2.0 + 0.8), 0.01);
 }

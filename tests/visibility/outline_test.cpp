@@ -48,7 +48,7 @@ std::int32_t sheets_through(const Picture& picture, const Eye& eye, const glm::d
 
 // Tells whether the place is on the outline; nothing if it is within `clear` pixels of a part's end.
 std::optional<bool> says(const Picture& picture, const Outline& outline, const Place& place, double clear) {
-    const double whole = picture.lengths->whole(picture.found->lines.lines[place.line]);
+    const double whole = picture.lengths->total(picture.found->lines.lines[place.line]);
     bool in = false;
     for (const OutlinePart& part : outline.parts) {
         if (part.line != place.line) continue;
@@ -121,7 +121,7 @@ TEST(Outline, IsTheWholeContourOfASphere) {
         const Outline outline = outline_of(picture);
         ASSERT_EQ(outline.parts.size(), 1);
         EXPECT_EQ(outline.parts[0].end_at - outline.parts[0].begin_at,
-                  picture.lengths->whole(picture.found->lines.lines[0]));
+                  picture.lengths->total(picture.found->lines.lines[0]));
     }
 }
 

@@ -20,7 +20,7 @@ base::Runtime& runtime() {
 
 // Expects each place on the surface of another item. There the line enters or leaves that item.
 void expect_on_surfaces(const Picture& picture) {
-    for (const Pierced& place : picture.found->pierced) {
+    for (const Piercing& place : picture.found->piercings) {
         const Piece& piece = picture.found->lines.pieces[place.piece];
         const Subject& subject = picture.subjects[static_cast<std::size_t>(piece.subject)];
         const Occluder& other = picture.occluders[static_cast<std::size_t>(place.item)];
@@ -45,14 +45,14 @@ std::int64_t expect_exact(const Stage& stage, const std::vector<Eye>& eyes, int 
         Picture picture(runtime(), stage, eye);
         picture.find();
         expect_on_surfaces(picture);
-        pierced += picture.found->pierced.size();
+        pierced += picture.found->piercings.size();
         compared += expect_right(picture, places);
     }
     EXPECT_GT(compared, static_cast<int>(eyes.size()) * places / 2);
     return pierced;
 }
 
-TEST(Pierced, PlacesAreExactForOverlappingSpheres) {
+TEST(Piercing, PlacesAreExactForOverlappingSpheres) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -61,7 +61,7 @@ TEST(Pierced, PlacesAreExactForOverlappingSpheres) {
 }
 
 // The contour of one sphere, a circle, meets the other sphere in two known points.
-TEST(Pierced, PlacesMatchKnownPoints) {
+TEST(Piercing, PlacesMatchKnownPoints) {
     const test::SquareSphere sphere;
     const Eye eye = Eye::at({0.0, 0.0, 1.0}, 6.0, false, 200.0);
     Stage stage;
@@ -69,9 +69,9 @@ TEST(Pierced, PlacesMatchKnownPoints) {
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1, moved({0.8, 0.0, 0.6}));
     Picture picture(runtime(), stage, eye);
     picture.find();
-    ASSERT_EQ(picture.found->pierced.size(), 4);
+    ASSERT_EQ(picture.found->piercings.size(), 4);
     std::int32_t sum = 0;
-    for (const Pierced& place : picture.found->pierced) {
+    for (const Piercing& place : picture.found->piercings) {
         const glm::dvec3 p = cubic(picture.subjects, picture.found->lines.pieces[place.piece]).at(place.share);
         // x^2 + y^2 = 1 and (x - 0.8)^2 + y^2 + 0.6^2 = 1. For the other sphere the same holds from its own centre.
         EXPECT_NEAR(p.x, place.item == 1 ? 0.625 : -0.625, 1e-5);
@@ -81,7 +81,7 @@ TEST(Pierced, PlacesMatchKnownPoints) {
     expect_right(picture, 40);
 }
 
-TEST(Pierced, PlacesAreExactForATorusThroughASphere) {
+TEST(Piercing, PlacesAreExactForATorusThroughASphere) {
     const test::SquareSphere sphere;
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -91,7 +91,7 @@ TEST(Pierced, PlacesAreExactForATorusThroughASphere) {
 }
 
 // A flat, wide ellipsoid cuts a bumpy fit. It is placed obliquely and mirrored.
-TEST(Pierced, PlacesAreFoundForASlabThroughAFit) {
+TEST(Piercing, PlacesAreFoundForASlabThroughAFit) {
     const auto cloud = hrbfnpr::test::bumpy(400, 0.3);
     base::Runtime& with = runtime();
     const implicit::Hrbf fitted{with.instruction_set, fit::fit(with, fit_test::input(cloud)).data};
@@ -107,7 +107,7 @@ TEST(Pierced, PlacesAreFoundForASlabThroughAFit) {
     EXPECT_GT(expect_exact(stage, test::eyes(cube_directions(0.13), 6.0), 20), 100);
 }
 
-TEST(Pierced, PlacesAreExactForThreeItems) {
+TEST(Piercing, PlacesAreExactForThreeItems) {
     const test::SquareSphere sphere;
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -118,7 +118,7 @@ TEST(Pierced, PlacesAreExactForThreeItems) {
 }
 
 // The small ball is smaller than the cells of the large one.
-TEST(Pierced, PlacesAreFoundForASmallItemInALargeItem) {
+TEST(Piercing, PlacesAreFoundForASmallItemInALargeItem) {
     const test::SquareSphere sphere;
     for (const Eye& eye : test::eyes({{0.3, 0.2, 1.0}, {-1.0, 0.4, 0.3}}, 6.0)) {
         Stage stage;
@@ -126,29 +126,29 @@ TEST(Pierced, PlacesAreFoundForASmallItemInALargeItem) {
         add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.15, moved(0.98 * eye.right + 0.05 * eye.back, 0.08));
         Picture picture(runtime(), stage, eye);
         picture.find();
-        EXPECT_GE(picture.found->pierced.size(), 2);
+        EXPECT_GE(picture.found->piercings.size(), 2);
         expect_right(picture, 60);
     }
 }
 
 // Lines of each item are in the surface of the other, like a picture on a wall. Halving such lines had no end.
-TEST(Pierced, PlacesStayFewForCoincidentItems) {
+TEST(Piercing, PlacesStayFewForCoincidentItems) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
     Picture picture(runtime(), stage, Eye::at({0.0, 0.0, 1.0}, 6.0, false));
     picture.find();
-    EXPECT_LT(picture.found->pierced.size(), 10000);
+    EXPECT_LT(picture.found->piercings.size(), 10000);
 }
 
-TEST(Pierced, OneItemPiercesNothing) {
+TEST(Piercing, OneItemPiercesNothing) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
     Picture picture(runtime(), stage, Eye::at({0.3, 0.2, 1.0}, 4.0, true));
     picture.find();
-    EXPECT_TRUE(picture.found->pierced.empty());
+    EXPECT_TRUE(picture.found->piercings.empty());
 }
 
 } // namespace

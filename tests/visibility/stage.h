@@ -81,8 +81,8 @@ public:
 
     // Returns the sum of changes around a closed line that is largest in amount, of all closed lines of any size.
     [[nodiscard]] std::int32_t worst_sum() const {
-        const Events events =
-            collect_events(runtime_.memory, subjects, found->lines, found->crossings, found->pierced.span(), *lengths);
+        const Events events = collect_events(runtime_.memory, subjects, found->lines, found->crossings,
+                                             found->piercings.span(), *lengths);
         std::int32_t worst = 0;
         for (std::int64_t l = 0; l < found->lines.lines.size(); ++l) {
             std::int32_t sum = 0;
@@ -99,19 +99,19 @@ public:
     }
     // Returns the sheets of the part that has this place, unless the part's end is within `beside` pixels.
     [[nodiscard]] std::optional<std::int32_t> sheets_at(const Place& place) const {
-        const double whole = lengths->whole(found->lines.lines[place.line]);
+        const double whole = lengths->total(found->lines.lines[place.line]);
         for (const Interval& part : found->intervals) {
             if (part.line != place.line) continue;
-            if (part.end_at - part.begin_at >= whole && found->lines.lines[place.line].closed) return part.sheets;
+            if (part.end_at - part.begin_at >= whole && found->lines.lines[place.line].closed) return part.invisibility;
             for (const double at : {place.at, place.at + whole})
-                if (at > part.begin_at + beside && at < part.end_at - beside) return part.sheets;
+                if (at > part.begin_at + beside && at < part.end_at - beside) return part.invisibility;
         }
         return std::nullopt;
     }
     // Tells whether a cusp of the place's line is within 0.25 pixels.
     [[nodiscard]] bool near_cusp(const Place& place) const {
-        const Events events =
-            collect_events(runtime_.memory, subjects, found->lines, found->crossings, found->pierced.span(), *lengths);
+        const Events events = collect_events(runtime_.memory, subjects, found->lines, found->crossings,
+                                             found->piercings.span(), *lengths);
         bool near = false;
         for (const Event& e : events.of(place.line))
             near = near || (e.near_piece < 0 && std::abs(e.at - place.at) < 0.25);
@@ -149,7 +149,7 @@ public:
     std::vector<Subject> subjects;
     std::vector<Occluder> occluders;
     std::optional<Invisibility> found;
-    std::optional<Lengths> lengths;
+    std::optional<LineLengths> lengths;
     double beside = 0.05;
 
 private:

@@ -32,7 +32,7 @@ protected:
         return e;
     }
     [[nodiscard]] std::vector<double> kept(const std::vector<Event>& events) {
-        const Lengths lengths(runtime.memory, lines);
+        const LineLengths lengths(runtime.memory, lines);
         const base::Array<Event> left =
             without_torn_swallowtails(runtime.memory, lines.lines[0], lengths, size, events);
         std::vector<double> at;

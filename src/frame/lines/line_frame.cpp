@@ -204,10 +204,10 @@ void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
     source.folds = static_cast<std::int32_t>(out.subjects.size());
     visibility::Subject& subject = add_subject(source, source.creases->folds.curves, out);
     subject.joined = true;
-    subject.clear = visibility::visibility_tuning.clear_of_creases;
+    subject.clearance = visibility::visibility_tuning.crease_clearance;
 }
 
-// Adds lines on the surface, cut where they turn away from the eye. `sheets` is Subject::sheets.
+// Adds lines on the surface, cut where they turn away from the eye. `sheets` is Subject::sheet_change.
 void add_lines(const base::Runtime& runtime, const Source& source, const curves::SurfaceLines& lines,
                const LineStyle* style, std::uint32_t layer, std::int32_t sheets, TracedLines& out) {
     HRBFNPR_ASSERT(style != nullptr || sheets > 0);
@@ -219,9 +219,9 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
             std::make_unique<curves::SurfaceLines>(curves::facing_parts(runtime.memory, lines, source.view, outside)));
         const auto number = static_cast<std::int32_t>(out.subjects.size());
         visibility::Subject& subject = add_subject(source, parts.curves, out);
-        subject.sheets = sheets;
+        subject.sheet_change = sheets;
         if (style == nullptr) continue;
-        if (style->kind == LineKind::own) subject.clear = line_tuning.clear_of_own;
+        if (style->kind == LineKind::own) subject.clearance = line_tuning.clear_of_own;
         subject.joined = style->kind == LineKind::section && source.lines().creases().count() > 0;
         out.styles.push_back({style, number, layer, parts.strength.data()});
     }
@@ -251,9 +251,9 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
                                outside ? parts.of_outside : parts.of_inside, style.creases, by.lower, by.upper)));
         if (lines.curves.count() == 0) continue;
         visibility::Subject& subject = add_subject(source, lines.curves, out);
-        subject.sheets = 0;
+        subject.sheet_change = 0;
         subject.joined = true;
-        subject.clear = visibility::visibility_tuning.clear_of_creases;
+        subject.clearance = visibility::visibility_tuning.crease_clearance;
         out.styles.push_back(
             {&style, static_cast<std::int32_t>(out.subjects.size() - 1), layer, lines.strength.data()});
     }
@@ -437,7 +437,7 @@ LineNumbers number_lines(base::Memory& memory, const base::Array<visibility::Sub
     base::Array<std::int64_t> of_item(memory, occluders.size());
     for (const visibility::Subject& subject : subjects) {
         HRBFNPR_ASSERT(subject.item >= 0 && subject.item < of_item.size());
-        families.push_back({occluders[subject.item].sheets, subject.item, of_item[subject.item]++});
+        families.push_back({occluders[subject.item].sheet_counter, subject.item, of_item[subject.item]++});
     }
     const auto position = [&](std::int64_t piece) { return point_of(subjects, lines, piece).position; };
     LineNumbers out(memory);
@@ -508,7 +508,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     visibility::find_hidden_by({runtime_, progress.part(found_end, hidden_end).without_progress()},
                                std::as_const(found.subjects).span(), traced.occluders.span(), found);
     count(found, traced, drawing.line_counts);
-    const visibility::Lengths lengths(runtime_.memory, found.lines);
+    const visibility::LineLengths lengths(runtime_.memory, found.lines);
     const LineNumbers numbers = number_lines(runtime_.memory, found.subjects, traced.occluders, found.lines, known_);
     progress.update(hidden_end);
     add_strokes({runtime_, scene, traced, found, lengths, numbers}, drawing, progress.part(hidden_end, 1.0), strokes_);

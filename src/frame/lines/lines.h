@@ -54,7 +54,7 @@ struct LineInput {
     const Scene& scene;
     TracedLines& traced; // the traced lines; their styles get the factors of the widths
     const visibility::Invisibility& found;
-    const visibility::Lengths& lengths;
+    const visibility::LineLengths& lengths;
     const LineNumbers& numbers;
 
     [[nodiscard]] const visibility::Line& line(std::int64_t l) const noexcept { return found.lines.lines[l]; }
@@ -62,7 +62,7 @@ struct LineInput {
     [[nodiscard]] const visibility::Subject& subject(const visibility::Line& l) const noexcept {
         return found.subjects[l.subject];
     }
-    [[nodiscard]] double whole(std::int64_t l) const noexcept { return lengths.whole(line(l)); }
+    [[nodiscard]] double total(std::int64_t l) const noexcept { return lengths.total(line(l)); }
 };
 
 // Adds the strokes of all lines. Throws Error{callback, out_of_memory}.

@@ -235,11 +235,11 @@ struct StrokeInput : LineInput {
     const visibility::Outline& outline;
 
     // The length of a closed line, pixels; 0 for an open one.
-    [[nodiscard]] double round(std::int32_t l) const noexcept { return line(l).closed ? whole(l) : 0.0; }
+    [[nodiscard]] double round(std::int32_t l) const noexcept { return line(l).closed ? total(l) : 0.0; }
     // Whether a part is all of a closed line.
     [[nodiscard]] bool is_whole(const Part& part) const noexcept {
         return line(part.interval.line).closed && !part.free_begin && !part.free_end &&
-               length_of(part.interval) >= whole(part.interval.line);
+               length_of(part.interval) >= total(part.interval.line);
     }
 };
 
@@ -292,7 +292,7 @@ bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
 // is bounded by these numbers. Around a closed line it repeats.
 class Wobble {
 public:
-    // `line` is the line's number, and `whole` is its length, pixels.
+    // `line` is the line's number, and `total` is its length, pixels.
     Wobble(const LineStyle& style, std::uint32_t line, double whole, bool closed) noexcept
         : aside_(static_cast<double>(style.wobble) * static_cast<double>(style.width)),
           width_(static_cast<double>(style.wobble_width)),
@@ -339,7 +339,7 @@ private:
 };
 
 Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) noexcept {
-    return {*as.style, in.numbers.number[line], in.whole(line), in.line(line).closed};
+    return {*as.style, in.numbers.number[line], in.total(line), in.line(line).closed};
 }
 
 // ---- Parts
@@ -359,7 +359,7 @@ bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, 
 template <class F>
 void walk(const LineInput& in, const visibility::Interval& interval, double step, const F& f) {
     const visibility::Line& line = in.line(interval.line);
-    const double whole = in.lengths.whole(line);
+    const double whole = in.lengths.total(line);
     std::int64_t i = line.first_point;
     for (double way = interval.begin_at; way < interval.end_at + step; way += step) {
         double at = std::min(way, interval.end_at);
@@ -382,16 +382,17 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     const auto is_contour = [&](const visibility::Interval& interval) {
         const visibility::Line& line = in.line(interval.line);
         const visibility::Subject& subject = in.found.subjects[line.subject];
-        return subject.joined && subject.sheets == 2;
+        return subject.joined && subject.sheet_change == 2;
     };
     const auto may_hug = [&](const visibility::Interval& interval) {
-        return interval.sheets > 0 && length_of(interval) < line_tuning.longest_hugging * width && is_contour(interval);
+        return interval.invisibility > 0 && length_of(interval) < line_tuning.longest_hugging * width &&
+               is_contour(interval);
     };
     if (!(width > 0.0) || std::none_of(intervals.begin(), intervals.end(), may_hug)) return hugs;
     const double step = line_tuning.beside * width;
     geometry::VecArray seen(memory);
     for (const visibility::Interval& interval : intervals)
-        if (interval.sheets <= 0 && is_contour(interval))
+        if (interval.invisibility <= 0 && is_contour(interval))
             walk(in, interval, step, [&](const glm::dvec2& place) {
                 seen.push_back({place, 0.0});
                 return true;
@@ -420,7 +421,7 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
         const std::int32_t number = intervals[i].line;
         const visibility::Line& line = in.line(number);
         if (line.closed || !in.found.subjects[line.subject].joined) continue;
-        if (intervals[i].sheets > 0 && hugs[i] == 0) continue;
+        if (intervals[i].invisibility > 0 && hugs[i] == 0) continue;
         for (const int at_end : {0, 1}) {
             const std::int64_t beside = at_end == 0 ? i - 1 : i + 1;
             if (beside >= 0 && beside < intervals.size() && intervals[beside].line == number) continue;
@@ -440,7 +441,7 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
     base::Array<std::uint8_t> goes_on(memory, 2 * in.found.lines.lines.size());
     std::fill(goes_on.begin(), goes_on.end(), std::uint8_t{1});
     for (std::int64_t i = 0; i < ends.size(); ++i)
-        if (in.subject(in.line(ends[i] / 2)).sheets == 2 && !is_near(grid, seen, glm::dvec2(seen[i]), radius, i))
+        if (in.subject(in.line(ends[i] / 2)).sheet_change == 2 && !is_near(grid, seen, glm::dvec2(seen[i]), radius, i))
             goes_on[ends[i]] = 0;
     return goes_on;
 }
@@ -466,7 +467,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
     for (std::int64_t i = first; i < end; ++i) {
         visibility::Interval its = in.found.intervals[i];
         if (hugs[i] != 0) its.hidden_by = -1;
-        const std::int32_t layers = hugs[i] != 0 ? 0 : std::max(0, (its.sheets + 1) / 2);
+        const std::int32_t layers = hugs[i] != 0 ? 0 : std::max(0, (its.invisibility + 1) / 2);
         const Part next{its, layers, its.begins_at_cusp, its.ends_at_cusp};
         if (!parts.empty() && (are_alike(parts.back(), next) || length_of(its) < line_tuning.unseen))
             extend(parts.back(), next, 0.0);
@@ -478,7 +479,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
         parts[0].free_begin = !joined || goes_on[2 * std::int64_t{number}] == 0;
         parts.back().free_end = parts.back().free_end || !joined || goes_on[2 * std::int64_t{number} + 1] == 0;
     } else if (parts.size() > 1 && are_alike(parts.back(), parts[0])) {
-        extend(parts.back(), parts[0], in.whole(number));
+        extend(parts.back(), parts[0], in.total(number));
         std::copy(parts.begin() + 1, parts.end(), parts.begin());
         parts.resize(parts.size() - 1);
     }
@@ -488,7 +489,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
 void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& places) {
     const visibility::Interval& its = part.interval;
     const visibility::Line& line = in.line(its.line);
-    const double whole = in.whole(its.line);
+    const double whole = in.total(its.line);
     const auto at = [&](std::int64_t i) { return in.lengths.at_point(i); };
     places.clear();
     places.push_back({its.begin_at, its.begin_piece, its.begin_share});
@@ -622,7 +623,7 @@ void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Ar
         const glm::dvec2 here = place(i);
         const glm::dvec2 along = (i < last ? place(i + 1) : closed ? second : here) - before;
         double where = at[static_cast<std::int64_t>(i)] - origin;
-        if (line.closed && where < 0.0) where += in.whole(number);
+        if (line.closed && where < 0.0) where += in.total(number);
         const double length = glm::length(along);
         const double aside = length > 0.0 ? hand.aside(where) / length : 0.0;
         points[i].x = static_cast<float>(here.x + aside * along.y);
@@ -797,7 +798,7 @@ void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
     }
     // A short visible part between hidden parts would be a dot, so it is left out.
     const bool is_dot = !hidden && length_of(its) < line_tuning.dot * static_cast<double>(style.width) &&
-                        length_of(its) < in.whole(its.line);
+                        length_of(its) < in.total(its.line);
     if (!(end > begin) || is_dot) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
     places_of(in, part, path.place);
