@@ -293,7 +293,7 @@ void assemble_layers(const marks::Site& site, base::List<Growing>& growing, doub
         if (length > 0.0 && layer.marks.count() > 0) {
             const double known = area > 0.0 ? area : set.spacing * set.spacing * static_cast<double>(largest);
             const double spacing = std::sqrt(known / static_cast<double>(layer.marks.count()));
-            marks::soften_normals(layer.site, layer.marks, length, spacing, to.tone_normal);
+            marks::average_normals(layer.site, layer.marks, length, spacing, to.tone_normal);
         }
         marks::AssembleSettings settings;
         settings.strokes = layer.settings.has_strokes();

@@ -16,17 +16,17 @@ namespace {
 // Projects starting points, a chunk at a time. Points that land within `stray_limit` of their start become seeds.
 void settle_seeds(const marks::Site& site, const geometry::VecArray& start, double stray_limit, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(stray_limit > 0.0);
-    marks::Settler settler(site);
+    marks::MarkProjector projector(site);
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(start.size()); };
     for (std::int64_t begin = 0; begin < start.size(); begin += marks::chunk_size) {
         const std::int64_t end = std::min(start.size(), begin + marks::chunk_size);
-        settler.start.clear();
-        for (std::int64_t i = begin; i < end; ++i) settler.start.push_back(start[i]);
-        settler.settle(stray_limit, seeds.report, site.work.part(share(begin), share(end)));
-        for (std::int64_t i = 0; i < settler.start.size(); ++i) {
-            if (!settler.placed(i)) continue;
-            seeds.position.push_back(settler.position(i));
-            seeds.normal.push_back(settler.normal(i));
+        projector.start.clear();
+        for (std::int64_t i = begin; i < end; ++i) projector.start.push_back(start[i]);
+        projector.project(stray_limit, seeds.report, site.work.part(share(begin), share(end)));
+        for (std::int64_t i = 0; i < projector.start.size(); ++i) {
+            if (!projector.placed(i)) continue;
+            seeds.position.push_back(projector.position(i));
+            seeds.normal.push_back(projector.normal(i));
         }
     }
 }

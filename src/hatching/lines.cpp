@@ -510,18 +510,18 @@ void smooth_levels(Lines& lines, std::int64_t reach) {
 // Projects marks onto the surface; a mark that does not settle gets the normal 0.
 void settle(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
             marks::LevelReport& report) {
-    marks::Settler settler(site);
+    marks::MarkProjector projector(site);
     const std::int64_t count = lines.position.size();
     for (std::int64_t from = 0; from < count; from += marks::chunk_size) {
-        settler.start.clear();
+        projector.start.clear();
         const std::int64_t end = std::min(count, from + marks::chunk_size);
-        for (std::int64_t i = from; i < end; ++i) settler.start.push_back(lines.position[i]);
-        settler.settle(separation, report, site.work.without_progress());
+        for (std::int64_t i = from; i < end; ++i) projector.start.push_back(lines.position[i]);
+        projector.project(separation, report, site.work.standing());
         for (std::int64_t i = from; i < end; ++i) {
-            if (settler.placed(i - from) && !region.contains(settler.position(i - from)))
-                settler.drop(i - from, report.dropped_strayed, report);
-            lines.position.set(i, settler.position(i - from));
-            lines.normal.set(i, settler.placed(i - from) ? settler.normal(i - from) : glm::dvec3(0.0));
+            if (projector.placed(i - from) && !region.contains(projector.position(i - from)))
+                projector.drop(i - from, report.dropped_strayed, report);
+            lines.position.set(i, projector.position(i - from));
+            lines.normal.set(i, projector.placed(i - from) ? projector.normal(i - from) : glm::dvec3(0.0));
         }
         site.work.update(static_cast<double>(end) / static_cast<double>(count));
     }

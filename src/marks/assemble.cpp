@@ -44,7 +44,7 @@ void compute_curvature(const Site& site, const Marks& marks, base::Array<float>&
                                       site.implicit, points, curvature);
         for (std::int64_t i = begin; i < end; ++i) {
             const surface::Curvature& c = curvature[i - begin];
-            set_vector(result, i, {held_curvature(c.k1), held_curvature(c.k2), c.confidence});
+            set_vector(result, i, {clamped_curvature(c.k1), clamped_curvature(c.k2), c.confidence});
         }
     }
 }
@@ -155,7 +155,7 @@ double covered_spacing(const base::Work& work, const geometry::VecArray& points)
     return std::sqrt(area / count);
 }
 
-void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result) {
+void average_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result) {
     HRBFNPR_ASSERT(length > 0.0 && spacing > 0.0);
     const double radius = marks_tuning.tone_reach * length;
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
@@ -205,7 +205,7 @@ namespace {
 
 using base::InView;
 
-long long number(std::int64_t i) noexcept { return static_cast<long long>(i); }
+long long as_long_long(std::int64_t i) noexcept { return static_cast<long long>(i); }
 
 // Reads the numbers of one layer and checks each. `place` is the layer's place in the list.
 class LayerReader {
@@ -220,17 +220,17 @@ public:
         va_start(arguments, format);
         base::format_text(why, sizeof why, format, arguments);
         va_end(arguments);
-        fail(Status::invalid_argument, "point_set_desc.layers[%lld].%s[%lld] is %s", number(place_), name, number(i),
-             why);
+        fail(Status::invalid_argument, "point_set_desc.layers[%lld].%s[%lld] is %s", as_long_long(place_), name,
+             as_long_long(i), why);
     }
 
     void check_counts() const {
         const auto check = [&](const InView& view, const char* name, bool needed) {
             if (view.count == count() || (view.empty() && !needed)) return;
             fail(Status::invalid_argument,
-                 "point_set_desc.layers[%lld].%s has %lld elements, but position has %lld; %s", number(place_), name,
-                 number(view.count), number(count()),
-                 needed ? "give one for each mark" : "give one for each mark, or none");
+                 "point_set_desc.layers[%lld].%s has %lld elements and .position has %lld: %s", as_long_long(place_),
+                 name, as_long_long(view.count), as_long_long(count()),
+                 needed ? "every mark needs one" : "give one for each mark or leave it empty");
         };
         check(arrays_.normal, "normal", true);
         check(arrays_.direction, "direction", false);
@@ -240,8 +240,8 @@ public:
         check(arrays_.width, "width", false);
         if (count() > most_marks)
             fail(Status::invalid_argument,
-                 "point_set_desc.layers[%lld].position has %lld elements; at most %lld are allowed", number(place_),
-                 number(count()), number(most_marks));
+                 "point_set_desc.layers[%lld].position has %lld elements, and %lld are the most", as_long_long(place_),
+                 as_long_long(count()), as_long_long(most_marks));
     }
 
     [[nodiscard]] std::int64_t count() const noexcept { return arrays_.position.count; }
@@ -309,16 +309,15 @@ void LayerReader::read_strokes(Layer& layer) const {
         const bool rises = s == 0 ? now == 0.0 : now > first.get(s - 1, 0);
         const bool ends = s == strokes ? now == static_cast<double>(count()) : now < static_cast<double>(count());
         if (!rises || !ends)
-            refuse("stroke_first", s, "%.0f; the numbers must increase from 0 to the number of marks, %lld", now,
-                   number(count()));
+            refuse("stroke_first", s, "%.0f; it must rise from 0 to the %lld marks", now, as_long_long(count()));
         if (strokes > 0) layer.stroke_first.push_back(static_cast<std::uint32_t>(now));
     }
     const std::int64_t directions = arrays_.stroke_direction.count;
     if (!arrays_.stroke_direction.empty() && directions != strokes)
         fail(Status::invalid_argument,
-             "point_set_desc.layers[%lld].stroke_direction has %lld elements, but stroke_first has %lld strokes; give "
-             "one for each stroke, or none",
-             number(place_), number(directions), number(strokes));
+             "point_set_desc.layers[%lld].stroke_direction has %lld elements and .stroke_first tells of %lld strokes: "
+             "give one for each stroke or leave it empty",
+             as_long_long(place_), as_long_long(directions), as_long_long(strokes));
     layer.stroke.resize(2 * count());
     for (std::int64_t s = 0; s < strokes; ++s) {
         const std::uint32_t own = 2 * static_cast<std::uint32_t>(s) + direction_of_stroke(s);
@@ -332,7 +331,7 @@ void LayerReader::read_strokes(Layer& layer) const {
 
 // Sets the directions of marks along their strokes, by central differences, if none are given. A mark without a
 // neighbour at another place keeps the direction of a stipple.
-void direct_along(const geometry::VecArray& positions, const LayerReader& reader, Layer& layer) {
+void set_directions_along(const geometry::VecArray& positions, const LayerReader& reader, Layer& layer) {
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
         const std::int64_t begin = layer.stroke_first[s];
         const std::int64_t last = std::int64_t{layer.stroke_first[s + 1]} - 1;
@@ -378,7 +377,7 @@ geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, s
         ++counted.placed;
     }
     layer.report.full_count = count;
-    if (arrays.direction.empty()) direct_along(positions, reader, layer);
+    if (arrays.direction.empty()) set_directions_along(positions, reader, layer);
     return positions;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes the arrays of a point set, from grown marks (measure, soften_normals, assemble) or from the caller's arrays
+// Makes the arrays of a point set, from grown marks (measure, average_normals, assemble) or from the caller's arrays
 // (from_arrays).
 #pragma once
 
@@ -44,7 +44,7 @@ struct NeighbourDistances {
 // Computes normals for tone, averaged so that the grain of a rough surface does not look like form. Averages over marks
 // on the same side of creases whose normals agree, within twice the `length`, in object units; nearer marks have more
 // weight. `spacing` is the root of the area for each mark. `result` gets 3 numbers for each mark.
-void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result);
+void average_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result);
 
 // ---- Ready-made marks
 

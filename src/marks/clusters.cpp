@@ -19,7 +19,7 @@
 namespace hrbfnpr::marks {
 namespace {
 
-constexpr Turn unknown_turn{-1.0F, {}};
+constexpr NormalVariation unknown_variation{-1.0F, {}};
 
 constexpr int cell_bits = 16; // bits for each coordinate of a mark's cell on the Morton curve
 
@@ -58,7 +58,7 @@ void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Plac
 // Returns how the normals turn, by the linear map from the marks' offsets from their mean to the normals' offsets that
 // is best in the sense of least squares.
 template <class Place, class Normal>
-Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
+NormalVariation fit_normal_variation(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     glm::dvec3 middle(0.0);
     glm::dvec3 mean(0.0);
     for (std::int64_t i = begin; i < end; ++i) {
@@ -84,7 +84,7 @@ Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const No
     const double squares = glm::dot(s[0], s[0]) + glm::dot(s[1], s[1]) + glm::dot(s[2], s[2]);
     const double t = s[0][0] + s[1][1] + s[2][2];
     const double bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
-    if (!(bend <= marks_tuning.most_bend)) return unknown_turn;
+    if (!(bend <= marks_tuning.most_curvature)) return unknown_variation;
     const auto [x, yz] = std::pair(to_floats({s[0][0], s[1][0], s[2][0]}), to_floats({s[1][1], s[2][1], s[2][2]}));
     return {static_cast<float>(bend), {x[0], x[1], x[2], yz[0], yz[1], yz[2]}};
 }
@@ -111,14 +111,14 @@ void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, 
 
 // ---- Clusters of a finished layer
 
-struct Keyed {
+struct KeyedMark {
     std::uint64_t key; // the direction set, the normal's side of a cube, the place along a Morton curve
     std::uint32_t mark;
 };
 
-base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const base::Progress& progress) {
+base::Array<KeyedMark> sorted_along_curve(const Layer& layer, double unit, const base::Progress& progress) {
     constexpr std::int64_t last = (std::int64_t{1} << cell_bits) - 1;
-    base::Array<Keyed> order(layer.rank.memory(), layer.count());
+    base::Array<KeyedMark> order(layer.rank.memory(), layer.count());
     const auto place = [&](std::int64_t i) { return glm::dvec3(vector_at(layer.position, i)) / unit; };
     geometry::Bounds bounds;
     for (std::int64_t i = 0; i < order.size(); ++i) bounds.extend(place(i));
@@ -137,12 +137,13 @@ base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const bas
     }
     base::sort_long(
         order.begin(), order.end(),
-        [](const Keyed& a, const Keyed& b) { return a.key != b.key ? a.key < b.key : a.mark < b.mark; }, progress);
+        [](const KeyedMark& a, const KeyedMark& b) { return a.key != b.key ? a.key < b.key : a.mark < b.mark; },
+        progress);
     return order;
 }
 
 // A layer whose marks are put into clusters, sorted by their keys.
-struct Sorted {
+struct SortedMarks {
     [[nodiscard]] glm::dvec3 place(std::int64_t i) const noexcept {
         return glm::dvec3(vector_at(layer.position, order[i].mark)) / unit;
     }
@@ -150,13 +151,14 @@ struct Sorted {
 
     const Layer& layer;
     double unit;
-    base::Array<Keyed> order;
+    base::Array<KeyedMark> order;
 };
 
 // Adds the clusters of marks begin .. end - 1, and sorts these by rank.
-void close(Sorted& sorted, std::int64_t begin, std::int64_t end, const Turn& turn, base::Array<Cluster>& clusters) {
+void add_clusters(SortedMarks& sorted, std::int64_t begin, std::int64_t end, const NormalVariation& turn,
+                  base::Array<Cluster>& clusters) {
     const Layer& layer = sorted.layer;
-    std::sort(sorted.order.data() + begin, sorted.order.data() + end, [&](const Keyed& a, const Keyed& b) {
+    std::sort(sorted.order.data() + begin, sorted.order.data() + end, [&](const KeyedMark& a, const KeyedMark& b) {
         const float u = layer.rank[a.mark];
         const float v = layer.rank[b.mark];
         return u != v ? u > v : a.mark < b.mark;
@@ -165,43 +167,43 @@ void close(Sorted& sorted, std::int64_t begin, std::int64_t end, const Turn& tur
     for (; begin < end; begin += most_in_cluster) {
         Cluster cluster;
         cluster.count = static_cast<std::int32_t>(std::min(end - begin, most_in_cluster));
-        cluster.set = layer.has_strokes() ? layer.direction_of(sorted.order[begin].mark) : 0U;
+        cluster.direction = layer.has_strokes() ? layer.direction_of(sorted.order[begin].mark) : 0U;
         set_extent(
             cluster, begin, begin + cluster.count, [&](std::int64_t i) { return sorted.place(i); },
             [&](std::int64_t i) { return sorted.normal(i); });
-        static_cast<Turn&>(cluster) = turn;
+        static_cast<NormalVariation&>(cluster) = turn;
         clusters.push_back(cluster);
     }
 }
 
 // Splits marks begin .. end - 1 into parts whose keys agree down to `shift`, until the parts are small enough. `parent`
 // is the turn of all these marks, for parts that are too small to show their own.
-void split(Sorted& sorted, std::int64_t begin, std::int64_t end, int shift, const Turn& parent,
-           base::Array<Cluster>& clusters, const base::Progress& progress) {
+void split_by_key(SortedMarks& sorted, std::int64_t begin, std::int64_t end, int shift, const NormalVariation& parent,
+                  base::Array<Cluster>& clusters, const base::Progress& progress) {
     while (begin < end) {
         const std::uint64_t head = sorted.order[begin].key >> shift;
-        const Keyed* const next = std::partition_point(sorted.order.data() + begin, sorted.order.data() + end,
-                                                       [&](const Keyed& k) { return k.key >> shift == head; });
+        const KeyedMark* const next = std::partition_point(sorted.order.data() + begin, sorted.order.data() + end,
+                                                           [&](const KeyedMark& k) { return k.key >> shift == head; });
         const std::int64_t stop = next - sorted.order.data();
         const std::int64_t count = stop - begin;
         const bool tells = count >= marks_tuning.fewest_to_fit && count <= 16 * most_in_cluster;
-        const Turn turn = tells ? fit_turn(
-                                      begin, stop, [&](std::int64_t i) { return sorted.place(i); },
-                                      [&](std::int64_t i) { return sorted.normal(i); })
-                                : parent;
+        const NormalVariation turn = tells ? fit_normal_variation(
+                                                 begin, stop, [&](std::int64_t i) { return sorted.place(i); },
+                                                 [&](std::int64_t i) { return sorted.normal(i); })
+                                           : parent;
         progress.check();
         if (count <= most_in_cluster || shift == 0)
-            close(sorted, begin, stop, turn, clusters);
+            add_clusters(sorted, begin, stop, turn, clusters);
         else
-            split(sorted, begin, stop, shift - 3, turn, clusters, progress);
+            split_by_key(sorted, begin, stop, shift - 3, turn, clusters, progress);
         begin = stop;
     }
 }
 
 void find_clusters(const Layer& layer, double unit, MarkClusters& result, const base::Progress& progress) {
     constexpr std::int64_t size = MarkBlock::size;
-    Sorted sorted{layer, unit, sorted_along_curve(layer, unit, progress)};
-    split(sorted, 0, layer.count(), 3 * cell_bits, unknown_turn, result.cluster, progress);
+    SortedMarks sorted{layer, unit, sorted_along_curve(layer, unit, progress)};
+    split_by_key(sorted, 0, layer.count(), 3 * cell_bits, unknown_variation, result.cluster, progress);
     std::int64_t blocks = 0;
     for (Cluster& cluster : result.cluster)
         cluster.block = std::exchange(blocks, blocks + (cluster.count + size - 1) / size);
@@ -260,7 +262,7 @@ float gap_around(const Layer& layer, const geometry::VecArray& place, const geom
         const double u = glm::dot(way, across);
         // The comparisons are false for NaN, so a mark with NaN is beside no other.
         if (count < most_lines && std::abs(u) < marks_tuning.gap_reach &&
-            std::abs(glm::dot(way, along)) < marks_tuning.strip &&
+            std::abs(glm::dot(way, along)) < marks_tuning.strip_half_width &&
             std::abs(glm::dot(way, n)) < marks_tuning.gap_steepest * std::abs(u) + 0.1 &&
             glm::dot(n, glm::dvec3(vector_at(layer.normal, other))) > marks_tuning.gap_cosine)
             offset[count++] = u;
@@ -299,12 +301,12 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
     std::int64_t visits = 0;
     for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });
-    if (visits > marks_tuning.most_visits * (marks / sample)) return;
+    if (visits > marks_tuning.most_neighbours * (marks / sample)) return;
     gap.resize(marks);
     work.for_chunks(layer.strokes(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         base::Array<float> measured(work.memory);
         const auto averaged = [&](std::int64_t k) {
-            const std::int64_t reach = std::min({marks_tuning.most_averaged, k, measured.size() - 1 - k});
+            const std::int64_t reach = std::min({marks_tuning.averaged_measurements, k, measured.size() - 1 - k});
             float sum = 0.0F;
             for (std::int64_t i = k - reach; i <= k + reach; ++i) sum += measured[i];
             return sum / static_cast<float>(2 * reach + 1);
@@ -314,12 +316,12 @@ void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>
             const std::int64_t first = layer.stroke_first[s];
             const std::int64_t count = std::int64_t{layer.stroke_first[s + 1]} - first;
             measured.clear();
-            for (std::int64_t i = 0; i < count; i += marks_tuning.measured_each)
+            for (std::int64_t i = 0; i < count; i += marks_tuning.marks_per_measurement)
                 measured.push_back(gap_around(layer, place, grid, layer.mark_of(first + i)));
             for (std::int64_t i = 0; i < count; ++i) {
-                const std::int64_t k = i / marks_tuning.measured_each;
-                const float t =
-                    static_cast<float>(i % marks_tuning.measured_each) / static_cast<float>(marks_tuning.measured_each);
+                const std::int64_t k = i / marks_tuning.marks_per_measurement;
+                const float t = static_cast<float>(i % marks_tuning.marks_per_measurement) /
+                                static_cast<float>(marks_tuning.marks_per_measurement);
                 gap[layer.mark_of(first + i)] =
                     std::lerp(averaged(k), averaged(std::min(k + 1, measured.size() - 1)), t);
             }
@@ -334,7 +336,7 @@ void copy_clusters(const MarkClusters& from, MarkClusters& to) {
 }
 
 // Returns the nearer of the two neighbours in the order of clusters that have enough marks and face alike, or null.
-const Cluster* nearest_that_tells(const base::Array<Cluster>& clusters, std::int64_t c) noexcept {
+const Cluster* nearest_with_variation(const base::Array<Cluster>& clusters, std::int64_t c) noexcept {
     const Cluster& own = clusters[c];
     const auto vector = [](const std::array<float, 3>& a) { return glm::vec3(a[0], a[1], a[2]); };
     const auto square = [&](const Cluster& other) {
@@ -344,7 +346,7 @@ const Cluster* nearest_that_tells(const base::Array<Cluster>& clusters, std::int
     const Cluster* nearest = nullptr;
     for (const std::int64_t k : {c - 1, c + 1}) {
         if (k < 0 || k >= clusters.size() || clusters[k].count < marks_tuning.fewest_to_fit) continue;
-        if (glm::dot(vector(clusters[k].cone.axis), vector(own.cone.axis)) > marks_tuning.alike_cosine &&
+        if (glm::dot(vector(clusters[k].cone.axis), vector(own.cone.axis)) > marks_tuning.neighbour_cosine &&
             (nearest == nullptr || square(clusters[k]) < square(*nearest)))
             nearest = &clusters[k];
     }
@@ -397,13 +399,13 @@ void move_clusters(const Layer& layer, const float* position, const float* norma
         const std::int64_t end = begin + cluster.count;
         set_extent(cluster, begin, end, place_in, normal_in);
         if (cluster.count >= marks_tuning.fewest_to_fit)
-            static_cast<Turn&>(cluster) = fit_turn(begin, end, place_in, normal_in);
+            static_cast<NormalVariation&>(cluster) = fit_normal_variation(begin, end, place_in, normal_in);
     }
     // A cluster with too few marks takes the bend of the nearest neighbour with enough marks.
     for (std::int64_t c = 0; c < moved.cluster.size(); ++c) {
         if (moved.cluster[c].count >= marks_tuning.fewest_to_fit) continue;
-        const Cluster* const nearest = nearest_that_tells(moved.cluster, c);
-        static_cast<Turn&>(moved.cluster[c]) = nearest != nullptr ? *nearest : unknown_turn;
+        const Cluster* const nearest = nearest_with_variation(moved.cluster, c);
+        static_cast<NormalVariation&>(moved.cluster[c]) = nearest != nullptr ? *nearest : unknown_variation;
     }
 }
 

@@ -125,8 +125,8 @@ struct Cone {
 };
 
 // Describes how normals turn along a surface.
-struct Turn {
-    float bend = 0.0F; // the largest absolute normal curvature; < 0: unknown
+struct NormalVariation {
+    float max_curvature = 0.0F; // the largest absolute normal curvature; < 0: unknown
     // dn/dp: xx, xy, xz, yy, yz, zz. Outward normals: positive where convex.
     std::array<float, 6> shape{};
 };
@@ -138,10 +138,10 @@ struct Extent {
     Cone cone; // holds all normals
 };
 
-struct Cluster : Extent, Turn {
-    std::int64_t block = 0; // the cluster's first block; its last block may be partly empty
-    std::int32_t count = 0; // the number of marks
-    std::uint32_t set = 0;  // the direction, 0 or 1, of the strokes of all its marks; 0 without strokes
+struct Cluster : Extent, NormalVariation {
+    std::int64_t block = 0;      // its first block; its last block may be partly empty
+    std::int32_t count = 0;      // the number of marks
+    std::uint32_t direction = 0; // the direction, 0 or 1, of the strokes of all its marks; 0 without strokes
 };
 
 // Consecutive marks of a stroke. The pieces of all strokes are in order, and a stroke of n marks has pieces_of(n) of

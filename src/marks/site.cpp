@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::marks {
 
-void Settler::settle(double stray_limit, LevelReport& report, const base::Progress& progress) {
+void MarkProjector::project(double stray_limit, LevelReport& report, const base::Progress& progress) {
     const std::int64_t count = start.size();
     resize_long(projection_.position, count, progress);
     for (std::int64_t i = 0; i < count; ++i) projection_.position.set(i, start[i]);
@@ -41,7 +41,7 @@ void Settler::settle(double stray_limit, LevelReport& report, const base::Progre
 }
 
 // Drops points where the samples do not support the surface.
-void Settler::drop_beyond_end(LevelReport& report) {
+void MarkProjector::drop_beyond_end(LevelReport& report) {
     if (site_.implicit.domain() == nullptr) return;
     constexpr std::int64_t grain = 256;
     site_.work.for_chunks(placed_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
@@ -53,9 +53,9 @@ void Settler::drop_beyond_end(LevelReport& report) {
         if (placed_[i] == beyond) drop(i, report.dropped_strayed, report);
 }
 
-glm::dvec3 Settler::normal(std::int64_t i) const noexcept { return glm::normalize(projection_.gradient[i]); }
+glm::dvec3 MarkProjector::normal(std::int64_t i) const noexcept { return glm::normalize(projection_.gradient[i]); }
 
-void Settler::drop(std::int64_t i, std::int64_t& reason, LevelReport& report) noexcept {
+void MarkProjector::drop(std::int64_t i, std::int64_t& reason, LevelReport& report) noexcept {
     HRBFNPR_ASSERT(placed_[i] != 0 && report.placed > 0);
     placed_[i] = 0;
     --report.placed;
@@ -80,9 +80,9 @@ glm::dvec3 tangent_part(const glm::dvec3& d, const glm::dvec3& n) noexcept {
     return length > 1e-6 * glm::length(moderate) ? tangent / length : glm::dvec3(0.0);
 }
 
-base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const char* name,
-                           const geometry::VecArray& positions, const geometry::VecArray& normals,
-                           std::int64_t components) {
+base::Array<double> call_at_points(const Site& site, PointFunction function, void* user, const char* name,
+                                   const geometry::VecArray& positions, const geometry::VecArray& normals,
+                                   std::int64_t components) {
     constexpr std::int64_t places_a_call = 4096;
     const std::int64_t all = positions.size();
     HRBFNPR_ASSERT(normals.size() == all && function != nullptr && components > 0);
@@ -107,7 +107,7 @@ base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const
 void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
                    const geometry::VecArray& normals, geometry::VecArray& directions) {
     const base::Array<double> given =
-        ask_at(site, field.function, field.user, "direction_function", positions, normals, 3);
+        call_at_points(site, field.function, field.user, "direction_function", positions, normals, 3);
     directions.resize(positions.size());
     for (std::int64_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3 d(given[3 * i], given[3 * i + 1], given[3 * i + 2]);

@@ -35,14 +35,14 @@ struct Site {
 inline constexpr std::int64_t chunk_size = 16384;
 
 // Projects a chunk of points and keeps those that converged near where they started.
-class Settler {
+class MarkProjector {
 public:
-    explicit Settler(const Site& site) noexcept
+    explicit MarkProjector(const Site& site) noexcept
         : start(site.memory()), site_(site), projection_(site.memory()), placed_(site.memory()) {}
 
     // Counts every start in `report` as attempted, and as placed or dropped. A start is dropped as strayed if it lands
     // farther than `stray_limit` away.
-    void settle(double stray_limit, LevelReport& report, const base::Progress& progress);
+    void project(double stray_limit, LevelReport& report, const base::Progress& progress);
 
     [[nodiscard]] bool placed(std::int64_t i) const noexcept { return placed_[i] != 0; }
     [[nodiscard]] glm::dvec3 position(std::int64_t i) const noexcept { return projection_.position[i]; }
@@ -90,18 +90,18 @@ struct Seeds {
 };
 
 // Functions of the caller that return directions or densities at places.
-using PlaceFn = std::int32_t (*)(void* user, std::int64_t count, const double* positions, const double* normals,
-                                 double* results);
+using PointFunction = std::int32_t (*)(void* user, std::int64_t count, const double* positions, const double* normals,
+                                       double* results);
 
 // Asks for `components` numbers at each place. Calls the function on the calling thread, for some places at a time. The
 // numbers are 0 before the call. Throws Error{callback} with the function's name if it fails.
-[[nodiscard]] base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const char* name,
-                                         const geometry::VecArray& positions, const geometry::VecArray& normals,
-                                         std::int64_t components);
+[[nodiscard]] base::Array<double> call_at_points(const Site& site, PointFunction function, void* user, const char* name,
+                                                 const geometry::VecArray& positions, const geometry::VecArray& normals,
+                                                 std::int64_t components);
 
 // The caller's field of directions.
 struct DirectionFunction {
-    PlaceFn function = nullptr;
+    PointFunction function = nullptr;
     void* user = nullptr;
 
     [[nodiscard]] bool operator==(const DirectionFunction& other) const noexcept = default;
@@ -127,14 +127,14 @@ void require_size(const char* what, double size, const char* remedy);
 
 struct Marks {
     explicit Marks(base::Memory& memory) noexcept
-        : position(memory), normal(memory), direction(memory), curvature(memory), bend(memory), key(memory),
+        : position(memory), normal(memory), direction(memory), curvature(memory), curvature_along(memory), key(memory),
           stroke(memory), place(memory), level(memory), rank(memory), width(memory) {}
 
     geometry::VecArray position;
     geometry::VecArray normal;
     geometry::VecArray direction;                // strokes only, until assembled
     base::Array<std::array<float, 3>> curvature; // k1, k2, confidence; may be empty
-    base::Array<double> bend;                    // curvature strokes only: the normal curvature along the direction
+    base::Array<double> curvature_along;         // curvature strokes only: the normal curvature along the direction
     base::Array<std::uint64_t> key;    // the mark's identity, whatever marks were dropped; keys random numbers
     base::Array<std::uint32_t> stroke; // for a stroke: 2 * seed + its direction, 0 or 1; for a stipple: its seed
     base::Array<std::int32_t> place;   // the place along the stroke, in finest steps from the seed
@@ -146,7 +146,7 @@ struct Marks {
 };
 
 // Returns a curvature as a float, limited to the largest float.
-[[nodiscard]] inline float held_curvature(double k) noexcept {
+[[nodiscard]] inline float clamped_curvature(double k) noexcept {
     constexpr double most = std::numeric_limits<float>::max();
     return static_cast<float>(k < -most ? -most : k > most ? most : k);
 }

@@ -13,9 +13,9 @@ struct MarksTuning {
     std::int64_t fewest_to_fit = 12;
     // Curvatures above this count as unknown, such as those of marks at one place with different normals; per unit of
     // the set.
-    double most_bend = 1e30;
+    double most_curvature = 1e30;
     // A cluster with too few marks takes the bend of a neighbour if the cosine between their axes is larger than this.
-    float alike_cosine = 0.7F;
+    float neighbour_cosine = 0.7F;
 
     // ---- Gaps between lines; lengths are in separations
 
@@ -23,7 +23,7 @@ struct MarksTuning {
     double gap_reach = 2.5;
     // Half the width of the strip across a line in which marks of other lines are looked for. The strip holds a mark or
     // two of each line. Larger: lines beside a bend are counted where they are not.
-    double strip = 0.35;
+    double strip_half_width = 0.35;
     // A mark lies on another sheet if it leaves the tangent plane by more than this part of its distance, or if the
     // cosine between the normals is not above `gap_cosine`.
     double gap_steepest = 0.6;
@@ -34,11 +34,11 @@ struct MarksTuning {
     double widest_gap = 2.0;
     // The number of marks of a line from one measurement of its gap to the next, and the number of measurements on
     // either side that are averaged: over some three separations. Larger: less time, slower changes.
-    std::int64_t measured_each = 4;
-    std::int64_t most_averaged = 2;
+    std::int64_t marks_per_measurement = 4;
+    std::int64_t averaged_measurements = 2;
     // Gaps are not measured in layers with more marks than this around each mark, because a file may give any
     // separation.
-    std::int64_t most_visits = 4000;
+    std::int64_t most_neighbours = 4000;
 
     // ---- Normals for tone
 

@@ -26,7 +26,7 @@ struct Growth {
     marks::LayerReport& report;
     marks::Kind kind;
     std::int64_t children; // how many children a mark has in the next level
-    marks::Settler settler{site};
+    marks::MarkProjector projector{site};
     base::Array<std::int64_t> child{site.memory()}; // the number of each of the settler's starts among all children
 
     [[nodiscard]] bool by_curvature() const noexcept {
@@ -41,7 +41,7 @@ void make_room(Growth& growth, std::int64_t count, const base::Progress& progres
     const auto make = [&](auto&... column) { (make_room_long(column, count, progress), ...); };
     make(marks.position, marks.normal, marks.key, marks.stroke, marks.place, marks.level);
     if (growth.kind == marks::Kind::hatch) make(marks.direction);
-    if (growth.by_curvature()) make(marks.bend, marks.curvature);
+    if (growth.by_curvature()) make(marks.curvature_along, marks.curvature);
 }
 
 // Calls append(i) for the seeds that fit into the budget. Returns whether some seeds did not fit.
@@ -77,7 +77,7 @@ bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const
     make_room(growth, parents + std::min(room, all), progress);
     for (std::int64_t begin = 0; begin < all; begin += marks::chunk_size) {
         const std::int64_t end = std::min(all, begin + marks::chunk_size);
-        growth.settler.start.clear();
+        growth.projector.start.clear();
         growth.child.clear();
         for (std::int64_t i = begin; i < end; ++i) {
             if (!thinning.keeps(key_of(i))) {
@@ -85,12 +85,12 @@ bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const
                 ++report.dropped_budget;
                 continue;
             }
-            growth.settler.start.push_back(start_of(i));
+            growth.projector.start.push_back(start_of(i));
             growth.child.push_back(i);
         }
         const base::Progress part = progress.part(static_cast<double>(begin) / static_cast<double>(all),
                                                   static_cast<double>(end) / static_cast<double>(all));
-        growth.settler.settle(stray_limit, report, part.part(0.0, 0.5));
+        growth.projector.project(stray_limit, report, part.part(0.0, 0.5));
         append(part.part(0.5, 1.0));
     }
     return thinning.active();
@@ -144,7 +144,7 @@ void append_stipple(const glm::dvec3& position, const glm::dvec3& normal, std::u
 constexpr std::int32_t sets = 2;
 
 // Returns the normal curvature in the tangent direction d, by Euler's formula.
-[[nodiscard]] double bend_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
+[[nodiscard]] double normal_curvature_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
     const double first = glm::dot(d, c.d1);
     const double second = glm::dot(d, c.d2);
     return c.k1 * first * first + c.k2 * second * second;
@@ -226,9 +226,9 @@ void append_stroke_mark(Growth& growth, const glm::dvec3& position, const glm::d
     marks.place.push_back(place);
     marks.level.push_back(static_cast<std::uint8_t>(level));
     if (!growth.by_curvature()) return;
-    marks.bend.push_back(bend_along(d, c));
+    marks.curvature_along.push_back(normal_curvature_along(d, c));
     marks.curvature.push_back(
-        {marks::held_curvature(c.k1), marks::held_curvature(c.k2), static_cast<float>(c.confidence)});
+        {marks::clamped_curvature(c.k1), marks::clamped_curvature(c.k2), static_cast<float>(c.confidence)});
 }
 
 } // namespace
@@ -260,8 +260,8 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
         };
         const auto append = [&](const base::Progress&) {
             for (std::int64_t i = 0; i < growth.child.size(); ++i)
-                if (growth.settler.placed(i))
-                    append_stipple(growth.settler.position(i), growth.settler.normal(i), key_of(growth.child[i]),
+                if (growth.projector.placed(i))
+                    append_stipple(growth.projector.position(i), growth.projector.normal(i), key_of(growth.child[i]),
                                    marks.stroke[growth.child[i] / 4], level, marks);
         };
         // No start is farther from its parent than this. A child that lands farther from its start than that belongs to
@@ -304,16 +304,18 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
             const double s = i % 2 == 0 ? -rho : rho;
             const glm::dvec3 d = marks.direction[i / 2];
             return marks.position[i / 2] +
-                   (growth.by_curvature() ? on_osculating_circle(s, marks.bend[i / 2], d, marks.normal[i / 2]) : s * d);
+                   (growth.by_curvature()
+                        ? on_osculating_circle(s, marks.curvature_along[i / 2], d, marks.normal[i / 2])
+                        : s * d);
         };
         const auto append = [&](const base::Progress& rest) {
             landed.clear();
             landed_normal.clear();
             std::int64_t placed = 0;
             for (std::int64_t i = 0; i < growth.child.size(); ++i) {
-                if (!growth.settler.placed(i)) continue;
-                landed.push_back(growth.settler.position(i));
-                landed_normal.push_back(growth.settler.normal(i));
+                if (!growth.projector.placed(i)) continue;
+                landed.push_back(growth.projector.position(i));
+                landed_normal.push_back(growth.projector.normal(i));
                 growth.child[placed++] = growth.child[i];
             }
             const base::Array<surface::Curvature> curvature = measured(growth, landed, landed_normal, rest);

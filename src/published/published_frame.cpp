@@ -77,7 +77,7 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
 
 // Tells whether a front mark may be ink, apart from tone, depth, zoom and visibility.
 [[nodiscard]] bool may_be_ink(const Run& run, std::int64_t mark) noexcept {
-    return run.draws_front && (run.directions == 3U || run.draws_set(run.marks->stroke[2 * mark] & 1U));
+    return run.draws_front && (run.directions == 3U || run.draws_direction(run.marks->stroke[2 * mark] & 1U));
 }
 
 // Asks the styles' tone callbacks for tau of the front marks that need it, on the calling thread.

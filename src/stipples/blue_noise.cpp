@@ -106,33 +106,33 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(all); };
     marks.position.reserve(all);
     marks.normal.reserve(all);
-    marks::Settler settler(site);
+    marks::MarkProjector projector(site);
     marks::LevelReport report;
     base::Array<std::int64_t> wandered(site.memory());
     for (std::int64_t begin = 0; begin < all; begin += points_a_batch) {
         const std::int64_t count = std::min(all - begin, points_a_batch);
-        settler.start.clear();
+        projector.start.clear();
         for (std::int64_t i = begin; i < begin + count; ++i) {
             const float(&p)[3] = chosen[i].position;
-            settler.start.push_back(cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
+            projector.start.push_back(cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
         }
         // A mark that moves farther than a cell's side has reached another sheet.
-        settler.settle(cells.grid.side, report, site.work.part(share(begin), share(begin + count)));
+        projector.project(cells.grid.side, report, site.work.part(share(begin), share(begin + count)));
         for (const std::int64_t i : site.work.over(count)) {
-            if (!settler.placed(i)) continue;
-            if (!cells.region.contains(settler.position(i))) {
-                settler.drop(i, report.dropped_strayed, report);
+            if (!projector.placed(i)) continue;
+            if (!cells.region.contains(projector.position(i))) {
+                projector.drop(i, report.dropped_strayed, report);
                 continue;
             }
-            const glm::dvec3 normal = settler.normal(i);
+            const glm::dvec3 normal = projector.normal(i);
             float n[3];
             unpack_normal(chosen[begin + i].normal, n);
             const double packing = densest_distance(marks.area, static_cast<double>(begin + i + 1));
-            if (glm::distance(settler.position(i), settler.start[i]) > stipple_tuning.wandered * packing ||
+            if (glm::distance(projector.position(i), projector.start[i]) > stipple_tuning.wandered * packing ||
                 glm::dot(normal, glm::dvec3(n[0], n[1], n[2])) <
                     stipple_tuning.wandered_cosine * double{unpacked_length})
                 wandered.push_back(marks.position.size());
-            geometry::push_back_long(marks.position, settler.position(i), site.work);
+            geometry::push_back_long(marks.position, projector.position(i), site.work);
             geometry::push_back_long(marks.normal, normal, site.work);
         }
     }
@@ -170,8 +170,8 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 
 [[nodiscard]] base::Array<double> densities_by_function(const marks::Site& site, const EvenMarks& marks,
                                                         const DensitySettings& settings) {
-    base::Array<double> density =
-        marks::ask_at(site, settings.function, settings.user, "density_function", marks.position, marks.normal, 1);
+    base::Array<double> density = marks::call_at_points(site, settings.function, settings.user, "density_function",
+                                                        marks.position, marks.normal, 1);
     for (double& number : density) {
         if (!(number >= 0.0))
             fail(Status::callback, "density_function gave %g; a density must be a number from 0 to 1", number);

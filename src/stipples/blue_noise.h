@@ -34,7 +34,7 @@ enum class Density : std::uint32_t { uniform = 0, curvature = 1, callback = 2 };
 struct DensitySettings {
     Density kind = Density::uniform;
     double strength = 0.5;
-    marks::PlaceFn function = nullptr;
+    marks::PointFunction function = nullptr;
     void* user = nullptr;
 };
 

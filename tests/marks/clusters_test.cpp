@@ -94,7 +94,7 @@ void expect_sound(const marks::Layer& layer, bool strokes = false) {
             }
             ASSERT_LE(glm::length(p.position - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
             ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone.cosine));
-            ASSERT_EQ(c.set, strokes ? layer.stroke[2 * mark] & 1U : 0U);
+            ASSERT_EQ(c.direction, strokes ? layer.stroke[2 * mark] & 1U : 0U);
         }
     }
     ASSERT_EQ(blocks, m.block.size());
@@ -190,7 +190,7 @@ TEST_F(Clusters, AreFiniteForAnyFiniteMarks) {
         for (const Cluster& c : set.layers[0].clusters.cluster) {
             marks += c.count;
             ASSERT_LT(c.radius, 8.0F);
-            for (const float number : {c.radius, c.bend, c.cone.axis[0], c.shape[0], c.shape[3], c.shape[5]})
+            for (const float number : {c.radius, c.max_curvature, c.cone.axis[0], c.shape[0], c.shape[3], c.shape[5]})
                 ASSERT_TRUE(std::isfinite(number));
         }
         EXPECT_EQ(marks, set.layers[0].count());
@@ -243,12 +243,12 @@ double share_off(const marks::Layer& layer, double largest, const Wanted& wanted
         const double error = std::max(std::abs(curvature(c, t.first) - t.first_curvature),
                                       std::abs(curvature(c, t.second) - t.second_curvature));
         if (error > 0.05 * largest) off += c.count;
-        if (c.bend < 0.0F) { // too few marks to estimate it
+        if (c.max_curvature < 0.0F) { // too few marks to estimate it
             EXPECT_LT(c.count, 12);
             continue;
         }
-        EXPECT_GE(static_cast<double>(c.bend), 0.75 * largest);
-        EXPECT_LE(static_cast<double>(c.bend),
+        EXPECT_GE(static_cast<double>(c.max_curvature), 0.75 * largest);
+        EXPECT_LE(static_cast<double>(c.max_curvature),
                   1.6 * largest); // `bend` is a norm: on a sphere sqrt(2) times the curvature
     }
     return static_cast<double>(off) / static_cast<double>(layer.count());

@@ -46,7 +46,7 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
         const Cluster& cluster = moved.cluster[c];
         ASSERT_EQ(cluster.block, before.cluster[c].block);
         ASSERT_EQ(cluster.count, before.cluster[c].count);
-        ASSERT_EQ(cluster.set, before.cluster[c].set);
+        ASSERT_EQ(cluster.direction, before.cluster[c].direction);
         ASSERT_NEAR(cluster.cone.cosine * cluster.cone.cosine + cluster.cone.sine * cluster.cone.sine, 1.0F, 1e-5F);
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             const MarkBlock& block = moved.block[cluster.block + i / MarkBlock::size];
@@ -148,10 +148,10 @@ TEST_F(MoveClusters, FollowTheCurvatureOfTheSurface) {
         marks::move_clusters(layer, places.position.data(), places.normal.data(), set.unit, moved);
         std::int64_t known = 0;
         for (const Cluster& cluster : moved.cluster) {
-            if (cluster.bend < 0.0F) continue;
+            if (cluster.max_curvature < 0.0F) continue;
             ++known;
             const auto expected = static_cast<float>(set.unit) / scale;
-            ASSERT_NEAR(cluster.bend, expected, 0.15F * expected) << scale;
+            ASSERT_NEAR(cluster.max_curvature, expected, 0.15F * expected) << scale;
         }
         EXPECT_GT(known, moved.cluster.size() * 9 / 10);
     }

@@ -33,7 +33,7 @@ base::Array<float> softened(const Marks& marks, double over = length, const base
     static const Sphere anything;
     const Site site{own, anything, 1e-7, 1};
     base::Array<float> result(own.memory);
-    soften_normals(site, marks, over, spacing, result);
+    average_normals(site, marks, over, spacing, result);
     EXPECT_EQ(result.size(), 3 * marks.count());
     return result;
 }

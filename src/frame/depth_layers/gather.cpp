@@ -135,7 +135,7 @@ void ask_cluster(const Scene& scene, const SeeLoops& loops, const Run& run, cons
                  Gathering& all) {
     const ItemSight& sight = all.sights[run.item];
     const ClusterView view = view_cluster(cluster, sight, scene.lens, all.frustum);
-    if (!run.draws_set(cluster.set) || view.beyond > scene.lens.diagonal || view.nu_min > 0.0F) return;
+    if (!run.draws_direction(cluster.direction) || view.beyond > scene.lens.diagonal || view.nu_min > 0.0F) return;
     const MarkBlock* const blocks = run.clusters->block.data() + cluster.block;
     Seen seen;
     loops.see(sight.seer, {blocks, cluster.count}, seen);
@@ -280,7 +280,7 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     const float nu = seen.nu[i];
     const float width = v.item.style.halo_width;
     c.halo = 0.0F;
-    if (!(width > 0.0F) || local.cluster.bend < 0.0F) return;
+    if (!(width > 0.0F) || local.cluster.max_curvature < 0.0F) return;
     const MarkBlock& m = local.blocks[i / MarkBlock::size];
     const std::int64_t at = i % MarkBlock::size;
     const glm::vec3 n = m.normal_at(at);
@@ -427,15 +427,15 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const SeeLo
     }
     local.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
     // Marks up to this |nu| may be near the contour, since no curvature exceeds the cluster's bound.
-    const float q = layer_tuning.contour_band * (cluster.bend * local.pixel_curvature);
+    const float q = layer_tuning.contour_band * (cluster.max_curvature * local.pixel_curvature);
     const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
-    const float band = cluster.bend >= 0.0F ? rim : layer_tuning.unknown_rim;
+    const float band = cluster.max_curvature >= 0.0F ? rim : layer_tuning.unknown_rim;
     if (view.inside && view.nu_max < -band) counts.front += marks;
     if (view.inside && view.nu_min > band) counts.back += marks;
     local.whole = view.inside && (view.nu_max < -band || view.nu_min > band);
     const Selection selection = selection_of(v, local, reach);
-    const bool tone =
-        v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_set(cluster.set) && view.nu_min < 0.0F;
+    const bool tone = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_direction(cluster.direction) &&
+                      view.nu_min < 0.0F;
     const std::int64_t inks = tone ? count_shown(local, most_shown(v, selection, view)) : 0;
     if (!local.whole)
         counts.culled += marks - inks;

@@ -484,7 +484,7 @@ bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, Hatc
     const std::int64_t first = layer.stroke_first[stroke];
     const std::int64_t count = std::int64_t{layer.stroke_first[stroke + 1]} - first;
     if (count < 2) return false;
-    if (!v.run.draws_set(layer.direction_of(layer.mark_of(first)))) return false;
+    if (!v.run.draws_direction(layer.direction_of(layer.mark_of(first)))) return false;
     if (!find_drawn_pieces(v, piece, marks::pieces_of(count), seen)) return false;
     find_extent(v, stroke, seen);
     if (!find_marks(v, piece, seen)) return false;

@@ -159,7 +159,7 @@ struct Run {
     [[nodiscard]] bool is_scattered() const noexcept { return !marks->has_strokes(); }
     // Whether its marks are in a blue-noise order.
     [[nodiscard]] bool is_even() const noexcept { return marks->progressive; }
-    [[nodiscard]] bool draws_set(std::uint32_t set) const noexcept {
+    [[nodiscard]] bool draws_direction(std::uint32_t set) const noexcept {
         return directions == 3U || (directions >> set & 1U) != 0;
     }
     [[nodiscard]] glm::vec3 position_of(std::int64_t mark) const noexcept { return vector_of(position, mark); }
