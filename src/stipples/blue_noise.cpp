@@ -128,7 +128,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
             float n[3];
             unpack_normal(chosen[begin + i].normal, n);
             const double packing = densest_distance(marks.area, static_cast<double>(begin + i + 1));
-            if (glm::distance(projector.position(i), projector.start[i]) > stipple_tuning.wandered * packing ||
+            if (glm::distance(projector.position(i), projector.start[i]) > stipple_tuning.wandered_distance * packing ||
                 glm::dot(normal, glm::dvec3(n[0], n[1], n[2])) <
                     stipple_tuning.wandered_cosine * double{unpacked_length})
                 wandered.push_back(marks.position.size());
@@ -199,8 +199,8 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
         // Too few cells do not determine the area.
         const bool known = cells_across(cells) >= stipple_tuning.fewest_across;
         const double wanted = known ? std::max(stipple_tuning.cell_spacings * spacing, finest)
-                                    : std::max(stipple_tuning.blind_step * side, finest);
-        if (wanted > stipple_tuning.fine_enough * side) break;
+                                    : std::max(stipple_tuning.missed_surface_step * side, finest);
+        if (wanted > stipple_tuning.fine_side_share * side) break;
         side = wanted;
     }
     if (cells_across(cells) < stipple_tuning.fewest_across)

@@ -17,7 +17,7 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr double of_32_bits = 1.0 / 4294967296.0;
+constexpr double unit_of_32_bits = 1.0 / 4294967296.0;
 
 [[nodiscard]] float packed(const glm::dvec3& normal) noexcept {
     return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
@@ -27,9 +27,9 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
 
 // A cell is flat if its plane agrees with the planes of the cells beside it: no other sheet is nearer, and the surface
 // does not bend. The turn of the normals gives their divergence, twice the mean curvature.
-[[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                               std::int64_t number, CellMap::BlocksAround& blocks) noexcept {
-    constexpr JudgedCell bent = {CellKind::bent, 0.0F};
+[[nodiscard]] ClassifiedCell classify_cell(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
+                                           std::int64_t number, CellMap::BlocksAround& blocks) noexcept {
+    constexpr ClassifiedCell bent = {CellKind::bent, 0.0F};
     const SurfaceCell& cell = cells.cell[number];
     const double side = cells.grid.side;
     if (std::isnan(cell.distance)) return bent;
@@ -37,8 +37,8 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
     if (const implicit::Domain* const domain = site.implicit.domain(); domain != nullptr)
         if (domain->may_end_near(cells.centre(number), 0.5 * side)) return bent;
     const glm::dvec3 along = glm::abs(cell.normal);
-    if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.passes_by))
-        return {CellKind::clear, 0.0F};
+    if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.miss_distance))
+        return {CellKind::empty, 0.0F};
     const CellMap::Around around = numbers.around(cell.code, blocks);
     // A crease may cut off only an edge or a corner of the cell, so all 26 neighbours are checked.
     for (const std::int32_t next : around)
@@ -52,7 +52,7 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
         int beside = 0;
         for (const int way : {-1, 1}) {
             const std::size_t step = CellMap::step_along[axis];
-            const std::int32_t next = around[way < 0 ? CellMap::itself - step : CellMap::itself + step];
+            const std::int32_t next = around[way < 0 ? CellMap::centre_index - step : CellMap::centre_index + step];
             if (next < 0) continue;
             const SurfaceCell& there = cells.cell[next];
             const double distance = cell.distance + way * side * cell.normal[axis];
@@ -83,13 +83,13 @@ struct PlaneTrials {
     std::int32_t count;
     std::uint32_t u, v; // the coordinates of the first trial on the face
     std::uint32_t step_u, step_v;
-    double before; // random, in [0, 1): the ticket of trial k is (k + before) / count
+    double ticket_offset; // random, in [0, 1): the ticket of trial k is (k + ticket_offset) / count
     double level, slope_u, slope_v;
 
     // Returns the place of a trial on the plane, in sides from the cell's centre.
     [[nodiscard]] glm::dvec3 offset(std::int32_t k) const noexcept {
         const auto along = [&](std::uint32_t from, std::uint32_t step) {
-            return of_32_bits * static_cast<std::int32_t>(from + step * static_cast<std::uint32_t>(k));
+            return unit_of_32_bits * static_cast<std::int32_t>(from + step * static_cast<std::uint32_t>(k));
         };
         glm::dvec3 offset;
         const double along_u = along(u, step_u);
@@ -114,12 +114,12 @@ struct PlaneTrials {
     const bool mirrored = (random[3] & 2U) != 0;
     const std::uint32_t along_v = turned ? long_step : short_step;
     return {up,
-            static_cast<std::int32_t>(std::min(trials, planes.most_trials_in_cell) + of_32_bits * random[0]),
+            static_cast<std::int32_t>(std::min(trials, planes.most_trials_in_cell) + unit_of_32_bits * random[0]),
             random[1],
             random[2],
             turned ? short_step : long_step,
             mirrored ? 0U - along_v : along_v,
-            of_32_bits * random[3],
+            unit_of_32_bits * random[3],
             -cell.distance / (side * cell.normal[up]),
             -cell.normal[(up + 1) % 3] / cell.normal[up],
             -cell.normal[(up + 2) % 3] / cell.normal[up]};
@@ -137,12 +137,12 @@ void for_candidates_on_plane(const marks::Site& site, const SurfaceCells& cells,
         const glm::dvec3 offset = trials.offset(k);
         if (!(offset[trials.up] >= -0.5 && offset[trials.up] < 0.5)) continue;
         const glm::dvec3 place = centre + side * offset;
-        if (inside || cells.region.contains(place)) visit(place, (k + trials.before) / trials.count);
+        if (inside || cells.region.contains(place)) visit(place, (k + trials.ticket_offset) / trials.count);
     }
 }
 
-void put(const glm::vec3& position, float normal, std::uint32_t ticket, std::int64_t place,
-         Candidates& candidates) noexcept {
+void store_candidate(const glm::vec3& position, float normal, std::uint32_t ticket, std::int64_t place,
+                     Candidates& candidates) noexcept {
     HRBFNPR_ASSERT(place >= 0 && place < candidates.ticket.size());
     const OrderBlock all = candidates.places();
     all.at(OrderGroup::x, place) = position.x;
@@ -155,29 +155,29 @@ void put(const glm::vec3& position, float normal, std::uint32_t ticket, std::int
 // The plane touches the surface at the point nearest to the cell's centre. At a distance t from there, a surface of
 // mean curvature k is 1/2 k t^2 below the plane, if the principal curvatures are equal. Candidates stay in their cells,
 // because the order looks for them there.
-void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int64_t number,
-                    const PlaneCandidates& planes, std::int64_t to, Candidates& candidates) noexcept {
-    const SurfaceCells& cells = judged.cells;
+void store_plane_candidates(const marks::Site& site, const ClassifiedCells& classified, std::int64_t number,
+                            const PlaneCandidates& planes, std::int64_t to, Candidates& candidates) noexcept {
+    const SurfaceCells& cells = classified.cells;
     const SurfaceCell& cell = cells.cell[number];
     const float normal = packed(cell.normal);
     const glm::dvec3 centre = cells.centre(number);
-    const double half_curvature = 0.5 * double{judged.cell[number].curvature};
+    const double half_curvature = 0.5 * double{classified.cell[number].curvature};
     for_candidates_on_plane(site, cells, number, planes, [&](const glm::dvec3& place, double ticket) {
         const glm::dvec3 offset = place - centre;
         const double below = half_curvature * (glm::dot(offset, offset) - cell.distance * cell.distance);
         const glm::dvec3 lowered = offset - below * cell.normal;
         const bool inside = glm::all(glm::lessThan(glm::abs(lowered), glm::dvec3(0.5 * cells.grid.side)));
-        put(glm::vec3((inside ? centre + lowered : place) - cells.grid.origin), normal,
-            static_cast<std::uint32_t>(ticket * 4294967296.0), to++, candidates);
+        store_candidate(glm::vec3((inside ? centre + lowered : place) - cells.grid.origin), normal,
+                        static_cast<std::uint32_t>(ticket * 4294967296.0), to++, candidates);
     });
 }
 
 // ---- 3. Candidates in the layer
 
 // Returns the cell of a place; -1 outside the region or the cells.
-[[nodiscard]] std::int32_t cell_of(const JudgedCells& judged, const glm::dvec3& p) noexcept {
-    const SurfaceCells& cells = judged.cells;
-    return cells.region.contains(p) ? judged.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
+[[nodiscard]] std::int32_t cell_of(const ClassifiedCells& classified, const glm::dvec3& p) noexcept {
+    const SurfaceCells& cells = classified.cells;
+    return cells.region.contains(p) ? classified.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
 }
 
 // Random number 0 of a cell rounds the fractional number of its trials up or down; number k gives trial k. Trials that
@@ -188,7 +188,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
                  base::Array<std::uint32_t>& ticket) {
     HRBFNPR_ASSERT(slot.size() == trial_cells.size() + 1);
     const double side = cells.grid.side;
-    const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.passes_by * side
+    const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.miss_distance * side
                                                               : std::numeric_limits<double>::infinity();
     trial.resize(slot.back()); // at first one slot per trial, with NaN if it is not worth evaluating
     ticket.resize_for_overwrite(slot.back());
@@ -219,9 +219,9 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
 }
 
 // Returns how often each trial counts: once within the band, but near creases 0, 1 or 2 times.
-[[nodiscard]] base::Array<std::uint8_t> times_that_count(const marks::Site& site, const SurfaceCells& cells,
-                                                         const geometry::VecArray& trial,
-                                                         const marks::FieldSamples& field) {
+[[nodiscard]] base::Array<std::uint8_t> trial_weights(const marks::Site& site, const SurfaceCells& cells,
+                                                      const geometry::VecArray& trial,
+                                                      const marks::FieldSamples& field) {
     base::Array<std::uint8_t> times(site.memory(), trial.size());
     const bool creased = site.implicit.sheets() != nullptr;
     base::Array<std::int64_t> near(site.memory());
@@ -251,77 +251,77 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
 }
 
 // The number of a trial's projections in cells that are not flat, and the number outside all cells or off the surface.
-struct Landed {
+struct ProjectionCounts {
     std::uint8_t kept = 0, strayed = 0;
 };
 
-// Makes the projections of a trial: first the projection of the trial itself, then others around it in the tangent
-// plane.
-[[nodiscard]] Landed land(const marks::Site& site, const JudgedCells& judged, const glm::dvec3& trial,
-                          std::uint32_t first_ticket, double distance, const glm::dvec3& gradient, std::uint32_t count,
-                          Projection* to) noexcept {
-    const SurfaceCells& cells = judged.cells;
+// Makes the projections of a trial: its own, and then others around that one in the tangent plane.
+[[nodiscard]] ProjectionCounts project_trial(const marks::Site& site, const ClassifiedCells& classified,
+                                             const glm::dvec3& trial, std::uint32_t first_ticket, double distance,
+                                             const glm::dvec3& gradient, std::uint32_t count, Projection* to) noexcept {
+    const SurfaceCells& cells = classified.cells;
     const double side = cells.grid.side;
     const glm::dvec3 normal = glm::normalize(gradient);
     const geometry::TangentFrame frame = geometry::combing_frame(normal);
     const float bits = packed(normal);
     const glm::dvec3 projection = trial - distance * normal;
     // If the cell's plane is wrong about the trial, one step is not enough.
-    const std::int32_t own = cell_of(judged, trial);
+    const std::int32_t own = cell_of(classified, trial);
     const bool bent =
         site.implicit.sheets() != nullptr || own < 0 ||
         !(std::abs(cells.cell[own].distance + glm::dot(cells.cell[own].normal, trial - cells.centre(own)) - distance) <=
           stipple_tuning.plane_error * side);
-    Landed landed;
+    ProjectionCounts counts;
     glm::dvec3 at = projection;
     std::uint32_t ticket = first_ticket;
     for (std::uint32_t k = 0; k < count; ++k) {
-        const std::int32_t cell = cell_of(judged, at);
-        if (cell < 0 || !site.implicit.contains(at, normal))
-            ++landed.strayed;
-        else if (judged.kind(cell) != CellKind::flat)
-            to[landed.kept++] = {cell, ticket, glm::vec3(at - cells.grid.origin), bits,
+        const std::int32_t cell = cell_of(classified, at);
+        if (cell < 0 || !site.implicit.holds(at, normal))
+            ++counts.strayed;
+        else if (classified.kind(cell) != CellKind::flat)
+            to[counts.kept++] = {cell, ticket, glm::vec3(at - cells.grid.origin), bits,
                                  bent || !(glm::dot(normal, cells.cell[cell].normal) >= stipple_tuning.flat_cosine)};
         if (k + 1 == count) break;
         const base::Philox random = base::philox(
             site.random_seed, {first_ticket, base::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
                                static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
-        const double u = random[1] * (2.0 * of_32_bits) - 1.0;
-        const double r = random[2] * (2.0 * of_32_bits) - 1.0;
-        at = projection + stipple_tuning.stride * side * (u * frame.u + r * frame.r);
+        const double u = random[1] * (2.0 * unit_of_32_bits) - 1.0;
+        const double r = random[2] * (2.0 * unit_of_32_bits) - 1.0;
+        at = projection + stipple_tuning.projection_stride * side * (u * frame.u + r * frame.r);
         ticket = random[0];
     }
-    return landed;
+    return counts;
 }
 
 // Appends the projections of all trials to `layer`.
-void step_down(const marks::Site& site, const JudgedCells& judged, const geometry::VecArray& trial,
-               const base::Array<std::uint32_t>& ticket, LayerCandidates& layer) {
+void project_trials(const marks::Site& site, const ClassifiedCells& classified, const geometry::VecArray& trial,
+                    const base::Array<std::uint32_t>& ticket, LayerCandidates& layer) {
     HRBFNPR_ASSERT(trial.size() == ticket.size());
     marks::FieldSamples field(site.memory());
     evaluate(site, trial, field);
-    const base::Array<std::uint8_t> times = times_that_count(site, judged.cells, trial, field);
-    const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.each;
+    const base::Array<std::uint8_t> times = trial_weights(site, classified.cells, trial, field);
+    const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.projections_per_trial;
     base::Array<Projection> projection(site.memory()); // `most` places for each trial
-    base::Array<Landed> landed(site.memory(), trial.size());
+    base::Array<ProjectionCounts> counts(site.memory(), trial.size());
     projection.resize_for_overwrite(most * trial.size());
     site.work.for_chunks(trial.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             if (times[i] > 0)
-                landed[i] = land(site, judged, trial[i], ticket[i], field.distance(i), field.gradient[i],
-                                 static_cast<std::uint32_t>(times[i] * layer.each), projection.data() + most * i);
+                counts[i] = project_trial(site, classified, trial[i], ticket[i], field.distance(i), field.gradient[i],
+                                          static_cast<std::uint32_t>(times[i] * layer.projections_per_trial),
+                                          projection.data() + most * i);
     });
     for (std::int64_t i = 0; i < trial.size(); ++i) {
-        layer.near += times[i] * layer.each;
-        layer.strayed += landed[i].strayed;
-        for (std::int64_t k = 0; k < landed[i].kept; ++k) layer.projection.push_back(projection[most * i + k]);
+        layer.near += times[i] * layer.projections_per_trial;
+        layer.strayed += counts[i].strayed;
+        for (std::int64_t k = 0; k < counts[i].kept; ++k) layer.projection.push_back(projection[most * i + k]);
     }
 }
 
 // Returns whether many projections are off the surface although the planes of their cells agree with them. This happens
 // if the function is not a distance, such as the square of one: all planes are then wrong in the same way.
-[[nodiscard]] bool many_are_off(const marks::Site& site, const SurfaceCells& cells,
-                                std::span<const Projection> projections) {
+[[nodiscard]] bool many_are_off_surface(const marks::Site& site, const SurfaceCells& cells,
+                                        std::span<const Projection> projections) {
     geometry::VecArray place(site.memory());
     for (std::size_t i = 0; i < projections.size(); i += static_cast<std::size_t>(stipple_tuning.every_projection))
         if (!projections[i].bent) place.push_back(cells.grid.origin + glm::dvec3(projections[i].position));
@@ -330,15 +330,15 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
     std::int64_t off = 0;
     for (std::int64_t k = 0; k < place.size(); ++k)
         if (!(std::abs(field.distance(k)) <= stipple_tuning.plane_error * cells.grid.side)) ++off;
-    return static_cast<double>(off) > stipple_tuning.most_off * static_cast<double>(place.size());
+    return static_cast<double>(off) > stipple_tuning.most_off_surface * static_cast<double>(place.size());
 }
 
 // Moves a projection one step further; returns whether it needs another step. Sets its cell to -1 if it is no
 // candidate.
-[[nodiscard]] bool step_on(const marks::Site& site, const JudgedCells& judged, double distance,
-                           const glm::dvec3& gradient, bool first, Projection& projection,
-                           std::int64_t& strayed) noexcept {
-    const SurfaceCells& cells = judged.cells;
+[[nodiscard]] bool refine_projection(const marks::Site& site, const ClassifiedCells& classified, double distance,
+                                     const glm::dvec3& gradient, bool first, Projection& projection,
+                                     std::int64_t& strayed) noexcept {
+    const SurfaceCells& cells = classified.cells;
     const glm::dvec3 place = cells.grid.origin + glm::dvec3(projection.position);
     const bool near = std::abs(distance) <= cells.band;
     const glm::dvec3 normal = near ? glm::normalize(gradient) : glm::dvec3(0.0);
@@ -352,30 +352,32 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
             const glm::dvec3 across = normal - agree * own;
             const double square = glm::dot(across, across);
             const glm::dvec3 at = place - 2.0 * distance / square * across;
-            projection.cell = first && square > 0.01 ? cell_of(judged, at) : -1;
+            projection.cell = first && square > 0.01 ? cell_of(classified, at) : -1;
             projection.position = glm::vec3(at - cells.grid.origin);
-            if (projection.cell >= 0 && judged.kind(projection.cell) != CellKind::flat) return true;
+            if (projection.cell >= 0 && classified.kind(projection.cell) != CellKind::flat) return true;
             projection.cell = -1;
             return false;
         }
     }
     const glm::dvec3 at = near ? place - distance * normal : place;
-    const std::int32_t cell = near && site.implicit.contains(at, normal) ? cell_of(judged, at) : -1;
-    if (cell < 0 || judged.kind(cell) == CellKind::flat) {
+    const std::int32_t cell = near && site.implicit.holds(at, normal) ? cell_of(classified, at) : -1;
+    if (cell < 0 || classified.kind(cell) == CellKind::flat) {
         strayed += cell < 0 ? 1 : 0;
         projection.cell = -1;
         return false;
     }
     projection = {cell, projection.ticket, glm::vec3(at - cells.grid.origin), packed(normal), true};
-    return std::abs(distance) > stipple_tuning.near_enough * cells.grid.side;
+    return std::abs(distance) > stipple_tuning.surface_tolerance * cells.grid.side;
 }
 
 // Moves the projections from number `first` on further down where one step is not enough.
-void step_down_again(const marks::Site& site, const JudgedCells& judged, std::int64_t first, LayerCandidates& layer) {
+void refine_projections(const marks::Site& site, const ClassifiedCells& classified, std::int64_t first,
+                        LayerCandidates& layer) {
     base::Array<Projection>& all = layer.projection;
     HRBFNPR_ASSERT(first >= 0 && first <= all.size());
     if (!layer.all_bent)
-        layer.all_bent = many_are_off(site, judged.cells, all.span().subspan(static_cast<std::size_t>(first)));
+        layer.all_bent =
+            many_are_off_surface(site, classified.cells, all.span().subspan(static_cast<std::size_t>(first)));
     base::Array<std::int64_t> bent(site.memory());
     for (std::int64_t i = first; i < all.size(); ++i)
         if (layer.all_bent || all[i].bent) bent.push_back(i);
@@ -383,11 +385,12 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
     marks::FieldSamples field(site.memory());
     for (int step = 0; step < stipple_tuning.most_steps && !bent.empty(); ++step) {
         place.clear();
-        for (const std::int64_t i : bent) place.push_back(judged.cells.grid.origin + glm::dvec3(all[i].position));
+        for (const std::int64_t i : bent) place.push_back(classified.cells.grid.origin + glm::dvec3(all[i].position));
         evaluate(site, place, field);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < bent.size(); ++k)
-            if (step_on(site, judged, field.distance(k), field.gradient[k], step == 0, all[bent[k]], layer.strayed))
+            if (refine_projection(site, classified, field.distance(k), field.gradient[k], step == 0, all[bent[k]],
+                                  layer.strayed))
                 bent[left++] = bent[k];
         bent.resize(left);
     }
@@ -399,9 +402,9 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
 
 // Stores the candidates of both kinds cell by cell. Each cell has separate groups; cells without candidates are left
 // out.
-void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandidates& planes,
+void merge(const marks::Site& site, const ClassifiedCells& classified, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates) {
-    const std::int64_t count = judged.cells.cell.size();
+    const std::int64_t count = classified.cells.cell.size();
     base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, a count
     for (const Projection& projection : layer.projection) ++next[projection.cell];
     std::int64_t groups = 0;
@@ -409,7 +412,7 @@ void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandid
         const std::int64_t number = next[cell] + planes.count[cell];
         next[cell] = OrderGroup::size * groups;
         if (number == 0) continue;
-        candidates.code.push_back(judged.cells.cell[cell].code);
+        candidates.code.push_back(classified.cells.cell[cell].code);
         candidates.number.push_back(static_cast<std::int32_t>(number));
         candidates.first.push_back(next[cell]);
         candidates.count += number;
@@ -419,37 +422,39 @@ void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandid
     candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
     site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t cell = begin; cell < end; ++cell)
-            if (planes.count[cell] > 0) put_from_plane(site, judged, cell, planes, next[cell], candidates);
+            if (planes.count[cell] > 0) store_plane_candidates(site, classified, cell, planes, next[cell], candidates);
     });
     for (const Projection& projection : layer.projection)
-        put(projection.position, projection.normal, projection.ticket, next[projection.cell]++, candidates);
+        store_candidate(projection.position, projection.normal, projection.ticket, next[projection.cell]++, candidates);
 }
 
 } // namespace
 
-JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells) {
-    JudgedCells judged(cells);
+ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cells) {
+    ClassifiedCells classified(cells);
     const std::int64_t count = cells.cell.size();
     site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         CellMap::BlocksAround blocks;
-        for (std::int64_t i = begin; i < end; ++i) judged.cell[i] = judge(site, cells, judged.number, i, blocks);
+        for (std::int64_t i = begin; i < end; ++i)
+            classified.cell[i] = classify_cell(site, cells, classified.number, i, blocks);
     });
-    return judged;
+    return classified;
 }
 
-PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream, double density,
-                               double most_trials) {
+PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& classified, std::uint32_t stream,
+                               double density, double most_trials) {
     HRBFNPR_ASSERT(density > 0.0);
     constexpr double most_of_cell = 1e6; // keeps trial numbers within 32 bits
-    const auto flat = static_cast<double>(std::count_if(judged.cell.begin(), judged.cell.end(),
-                                                        [](const JudgedCell& c) { return c.kind == CellKind::flat; }));
+    const auto flat =
+        static_cast<double>(std::count_if(classified.cell.begin(), classified.cell.end(),
+                                          [](const ClassifiedCell& c) { return c.kind == CellKind::flat; }));
     PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
-                           base::Array<std::int32_t>(site.memory(), judged.cell.size())};
-    site.work.for_chunks(judged.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+                           base::Array<std::int32_t>(site.memory(), classified.cell.size())};
+    site.work.for_chunks(classified.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             site.work.check(); // a cell may have many trials
-            if (judged.kind(i) == CellKind::flat)
-                for_candidates_on_plane(site, judged.cells, i, planes,
+            if (classified.kind(i) == CellKind::flat)
+                for_candidates_on_plane(site, classified.cells, i, planes,
                                         [&](const glm::dvec3&, double) { ++planes.count[i]; });
         }
     });
@@ -462,12 +467,13 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judge
 double LayerCandidates::area() const noexcept {
     if (rounds == 0) return volume / (2.0 * reach);
     if (near == 0) return 0.0;
-    return static_cast<double>(projection.size()) / (static_cast<double>(each) * trials) * volume / (2.0 * band);
+    return static_cast<double>(projection.size()) / (static_cast<double>(projections_per_trial) * trials) * volume /
+           (2.0 * band);
 }
 
-LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream, std::int64_t wanted) {
+LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_t stream, std::int64_t wanted) {
     HRBFNPR_ASSERT(wanted > 0);
-    const SurfaceCells& cells = judged.cells;
+    const SurfaceCells& cells = classified.cells;
     const double side = cells.grid.side;
     LayerCandidates layer(cells.cell.memory());
     layer.stream = stream;
@@ -477,13 +483,13 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     constexpr std::int64_t most = stipple_tuning.most_projections;
     // The mean distance between marks, each of which needs about `most` candidates.
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
-    layer.each = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
+    layer.projections_per_trial = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
     CellMap::BlocksAround blocks;
-    base::Array<std::uint8_t> taken(cells.cell.memory(), judged.cell.size());
-    for (std::int64_t i = 0; i < judged.cell.size(); ++i) {
-        if (judged.kind(i) != CellKind::bent) continue;
-        for (const std::int32_t next : judged.number.around(cells.cell[i].code, blocks))
+    base::Array<std::uint8_t> taken(cells.cell.memory(), classified.cell.size());
+    for (std::int64_t i = 0; i < classified.cell.size(); ++i) {
+        if (classified.kind(i) != CellKind::bent) continue;
+        for (const std::int32_t next : classified.number.around(cells.cell[i].code, blocks))
             if (next >= 0) taken[next] = 1;
     }
     for (std::int64_t i = 0; i < taken.size(); ++i)
@@ -492,14 +498,16 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     return layer;
 }
 
-void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer) {
+void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, double density, LayerCandidates& layer) {
     const std::int64_t cells = layer.trial_cell.size();
     const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
     if (cells == 0 || !(missing > 0.0)) return;
     // The mean number of projections per trial.
     double of_trial = static_cast<double>(layer.projection.size()) / layer.trials;
-    if (layer.rounds == 0) of_trial = static_cast<double>(layer.each) * 2.0 * layer.band * layer.area() / layer.volume;
-    const double per_cell = missing / std::max(of_trial, stipple_tuning.least_of_trial) / static_cast<double>(cells);
+    if (layer.rounds == 0)
+        of_trial = static_cast<double>(layer.projections_per_trial) * 2.0 * layer.band * layer.area() / layer.volume;
+    const double per_cell =
+        missing / std::max(of_trial, stipple_tuning.least_projections_per_trial) / static_cast<double>(cells);
     const std::uint32_t stream = (layer.stream + marks::stream_count * layer.rounds++) << 16U;
     base::Array<std::int64_t> slot(site.memory()); // where each cell's trials begin in the batch, and the end
     geometry::VecArray trial(site.memory());
@@ -509,17 +517,17 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
         slot.clear();
         slot.push_back(0);
         for (; end < cells && slot.back() < points_a_batch; ++end) {
-            const std::uint64_t code = judged.cells.cell[layer.trial_cell[end]].code;
+            const std::uint64_t code = classified.cells.cell[layer.trial_cell[end]].code;
             const double extra = base::uniform4(site.random_seed, code, base::Purpose::candidate, stream)[0];
             slot.push_back(slot.back() + static_cast<std::int64_t>(std::min(per_cell + extra, 65535.0)));
         }
         layer.trials += static_cast<double>(slot.back());
         const auto batch = static_cast<std::size_t>(begin);
-        draw_trials(site, judged.cells, layer.trial_cell.span().subspan(batch, slot.span().size() - 1), slot.span(),
+        draw_trials(site, classified.cells, layer.trial_cell.span().subspan(batch, slot.span().size() - 1), slot.span(),
                     stream, trial, ticket);
         const std::int64_t first = layer.projection.size();
-        step_down(standing, judged, trial, ticket, layer);
-        step_down_again(standing, judged, first, layer);
+        project_trials(standing, classified, trial, ticket, layer);
+        refine_projections(standing, classified, first, layer);
         site.work.update(static_cast<double>(end) / static_cast<double>(cells));
     }
 }
@@ -530,22 +538,22 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     const std::uint32_t stream = marks::stream_of(kind);
-    const JudgedCells judged = judge_cells(site, cells);
-    LayerCandidates layer = layer_candidates(judged, stream, wanted);
+    const ClassifiedCells classified = classify_cells(site, cells);
+    LayerCandidates layer = layer_candidates(classified, stream, wanted);
     // Where the function is not a distance, the area from cells is wrong, and the first round gives too few candidates.
     const auto many = static_cast<double>(wanted);
     double density = many / cells.rough_area();
     PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};
     for (int round = 0; round < stipple_tuning.candidate_rounds; ++round) {
-        planes = draw_on_planes(site, judged, stream, density, stipple_tuning.most_trials * many);
-        draw_in_layer(site.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8), judged,
+        planes = draw_on_planes(site, classified, stream, density, stipple_tuning.most_trials * many);
+        draw_in_layer(site.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8), classified,
                       stipple_tuning.layer_density * density, layer);
         const double placed = static_cast<double>(planes.all) +
                               static_cast<double>(layer.projection.size()) / stipple_tuning.layer_density;
-        if (placed >= stipple_tuning.enough * many || !(placed > 0.0)) break;
+        if (placed >= stipple_tuning.candidates_share * many || !(placed > 0.0)) break;
         density *= many / placed;
     }
-    merge(site, judged, planes, layer, candidates);
+    merge(site, classified, planes, layer, candidates);
     candidates.report.placed = candidates.count;
     candidates.report.dropped_strayed = layer.strayed;
     candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;

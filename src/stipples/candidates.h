@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Candidates of the progressive order: points near the surface, a few per mark, stored cell by cell; and the order.
 //
-// 1. judge_cells() finds where the planes of the cells match the surface: these cells are flat, the others bent.
+// 1. classify_cells() finds where the planes of the cells match the surface: these cells are flat, the others bent.
 // 2. draw_on_planes() puts candidates on the planes of flat cells, evenly and without an evaluation.
 // 3. draw_in_layer() puts candidates in bent cells: it projects random points of a layer around the surface.
 // 4. draw_candidates() does these in rounds until there are enough, and merges both in the order of cells.
@@ -18,18 +18,18 @@ namespace hrbfnpr::stipples {
 
 // How a cell's plane can be used.
 enum class CellKind : std::uint8_t {
-    clear, // the plane does not pass through the cell
+    empty, // the plane does not pass through the cell
     flat,  // the plane matches the surface
     bent   // the planes of neighbours disagree, or the cell has no plane
 };
 
-struct JudgedCell {
+struct ClassifiedCell {
     CellKind kind;
     float curvature; // mean; 0 if unknown
 };
 
-struct JudgedCells {
-    explicit JudgedCells(const SurfaceCells& of) : cells(of), number(of), cell(of.cell.memory(), of.cell.size()) {}
+struct ClassifiedCells {
+    explicit ClassifiedCells(const SurfaceCells& of) : cells(of), number(of), cell(of.cell.memory(), of.cell.size()) {}
 
     [[nodiscard]] CellKind kind(std::int64_t i) const noexcept {
         HRBFNPR_ASSERT(i >= 0 && i < cell.size());
@@ -38,10 +38,10 @@ struct JudgedCells {
 
     const SurfaceCells& cells;
     CellMap number; // gives the number of a cell by its code
-    base::Array<JudgedCell> cell;
+    base::Array<ClassifiedCell> cell;
 };
 
-[[nodiscard]] JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells);
+[[nodiscard]] ClassifiedCells classify_cells(const marks::Site& site, const SurfaceCells& cells);
 
 // Only the counts are stored: the candidates are drawn again from the cell's random numbers.
 struct PlaneCandidates {
@@ -55,8 +55,8 @@ struct PlaneCandidates {
 };
 
 // Draws `density` candidates per unit of area, but no more than `most_trials` trials in all cells together.
-[[nodiscard]] PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream,
-                                             double density, double most_trials);
+[[nodiscard]] PlaneCandidates draw_on_planes(const marks::Site& site, const ClassifiedCells& classified,
+                                             std::uint32_t stream, double density, double most_trials);
 
 // A point on the surface, to second order, with its cell.
 struct Projection {
@@ -80,11 +80,11 @@ struct LayerCandidates {
     // An estimate from the volume before the first draw, and from the projections afterwards.
     [[nodiscard]] double area() const noexcept;
 
-    std::uint32_t stream = 0;             // the stream of random numbers that points are drawn from
-    std::int64_t each = 1;                // the number of projections per trial
-    base::Array<std::int32_t> trial_cell; // all cells whose trials may have a projection in a bent cell
-    double volume = 0.0;                  // the volume of the trial cells
-    double reach = 0.0, band = 0.0;       // as in SurfaceCells
+    std::uint32_t stream = 0;               // the stream of random numbers that points are drawn from
+    std::int64_t projections_per_trial = 1; // the number of projections per trial
+    base::Array<std::int32_t> trial_cell;   // all cells whose trials may have a projection in a bent cell
+    double volume = 0.0;                    // the volume of these cells
+    double reach = 0.0, band = 0.0;         // as in SurfaceCells
     // These grow with each draw.
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
@@ -95,9 +95,10 @@ struct LayerCandidates {
 };
 
 // `wanted`: the number of candidates of the whole surface.
-[[nodiscard]] LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream, std::int64_t wanted);
+[[nodiscard]] LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_t stream,
+                                               std::int64_t wanted);
 // Draws further points until there are about `density` candidates per unit of area.
-void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer);
+void draw_in_layer(const marks::Site& site, const ClassifiedCells& classified, double density, LayerCandidates& layer);
 
 // Candidates, cell by cell along a space-filling curve, in single precision: the chosen ones are projected later.
 struct Candidates {

@@ -30,8 +30,8 @@ HWY_INLINE W coordinate(hn::Vec<U> bits) {
 }
 
 // One mark, repeated in all lanes. Normals are not of unit length.
-struct FeltMark {
-    HWY_INLINE explicit FeltMark(const OrderMark& mark)
+struct MarkInLanes {
+    HWY_INLINE explicit MarkInLanes(const OrderMark& mark)
         : x(hn::Set(F(), mark.position[0])), y(hn::Set(F(), mark.position[1])), z(hn::Set(F(), mark.position[2])),
           normal_x(coordinate<0>(bits_of(mark))), normal_y(coordinate<10>(bits_of(mark))),
           normal_z(coordinate<20>(bits_of(mark))) {}
@@ -50,7 +50,7 @@ struct Lanes {
           clearance(load(OrderGroup::clearance)) {}
 
     template <bool on_surface>
-    HWY_INLINE void feel(const FeltMark& mark, W inverse_squared_reach) {
+    HWY_INLINE void add_energy(const MarkInLanes& mark, W inverse_squared_reach) {
         const F d;
         const W way_x = hn::Sub(x, mark.x);
         const W way_y = hn::Sub(y, mark.y);
@@ -68,7 +68,7 @@ struct Lanes {
             const W detour = hn::Div(both, hn::Max(hn::Add(one, turn), hn::Mul(one, hn::Set(d, 0.1F))));
             squared = hn::Add(squared, hn::Max(hn::Zero(d), detour));
         }
-        const auto same_side = hn::Ge(turn, hn::Set(d, opposite * unpacked_length * unpacked_length));
+        const auto same_side = hn::Ge(turn, hn::Set(d, least_side_cosine * unpacked_length * unpacked_length));
         const W rest = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(squared, inverse_squared_reach)));
         const W rest2 = hn::Mul(rest, rest);
         energy = hn::IfThenElse(same_side, hn::Add(energy, hn::Mul(rest2, rest2)), energy);
@@ -91,28 +91,28 @@ struct Lanes {
 HWY_INLINE float infinite_beyond_most(float x) { return x < 3.4028234e38F ? x : __builtin_inff(); }
 
 // Keeps the lowest energy of each lane, and the first index that has it.
-class Search {
+class LowestSearch {
 public:
-    explicit Search(float enough)
-        : enough_(hn::Set(F(), enough)), infinite_(hn::Set(F(), __builtin_inff())), least_(infinite_),
+    explicit LowestSearch(float least_clearance)
+        : enough_(hn::Set(F(), least_clearance)), infinite_(hn::Set(F(), __builtin_inff())), least_(infinite_),
           least_of_all_(infinite_), at_(hn::Zero(I())) {}
 
-    HWY_INLINE void look(W energy, W clearance, std::int64_t at) {
+    HWY_INLINE void consider(W energy, W clearance, std::int64_t at) {
         least_of_all_ = hn::Min(least_of_all_, energy);
         const auto lower = hn::And(hn::Ge(clearance, enough_), hn::Lt(energy, least_));
         least_ = hn::IfThenElse(lower, energy, least_);
         at_ = hn::IfThenElse(hn::RebindMask(I(), lower), hn::Iota(I(), static_cast<std::int32_t>(at)), at_);
     }
 
-    HWY_INLINE OrderLowest found() const {
+    HWY_INLINE LowestEnergy found() const {
         const F d;
         const W least = hn::MinOfLanes(d, least_);
         const float energy = infinite_beyond_most(hn::GetLane(least));
-        const float of_all = infinite_beyond_most(hn::GetLane(hn::MinOfLanes(d, least_of_all_)));
-        if (!(energy < __builtin_inff())) return {-1, energy, of_all};
+        const float at_any_clearance = infinite_beyond_most(hn::GetLane(hn::MinOfLanes(d, least_of_all_)));
+        if (!(energy < __builtin_inff())) return {-1, energy, at_any_clearance};
         const auto best = hn::RebindMask(I(), hn::Eq(least_, least));
         const auto first = hn::MinOfLanes(I(), hn::IfThenElse(best, at_, hn::Set(I(), 0x7fffffff)));
-        return {hn::GetLane(first), energy, of_all};
+        return {hn::GetLane(first), energy, at_any_clearance};
     }
 
 private:
@@ -130,48 +130,49 @@ HWY_INLINE void for_lanes(const OrderBlock& block, Visit&& visit) {
 }
 
 template <bool on_surface>
-void feel(const OrderBlock& block, const OrderMark* marks, std::int64_t count, float inverse_squared_reach) {
+void add_energy(const OrderBlock& block, const OrderMark* marks, std::int64_t count, float inverse_squared_reach) {
     const W inverse = hn::Set(F(), inverse_squared_reach);
     for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t) HWY_ATTR {
         Lanes lanes(group, at);
-        for (std::int64_t i = 0; i < count; ++i) lanes.template feel<on_surface>(FeltMark(marks[i]), inverse);
+        for (std::int64_t i = 0; i < count; ++i) lanes.template add_energy<on_surface>(MarkInLanes(marks[i]), inverse);
         lanes.store();
     });
 }
 
-OrderLowest lowest(const OrderBlock& block, float enough) {
+LowestEnergy lowest(const OrderBlock& block, float least_clearance) {
     const F d;
-    Search search(enough);
+    LowestSearch search(least_clearance);
     for_lanes(block, [&](const OrderGroup& group, std::int64_t at, std::int64_t number) HWY_ATTR {
-        search.look(hn::Load(d, group.number[OrderGroup::energy] + at),
-                    hn::Load(d, group.number[OrderGroup::clearance] + at), number);
+        search.consider(hn::Load(d, group.number[OrderGroup::energy] + at),
+                        hn::Load(d, group.number[OrderGroup::clearance] + at), number);
     });
     return search.found();
 }
 
 template <bool on_surface>
-OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach, float enough) {
+LowestEnergy add_energy_and_find(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
+                                 float least_clearance) {
     const W inverse = hn::Set(F(), inverse_squared_reach);
-    const FeltMark felt(mark);
-    Search search(enough);
+    const MarkInLanes in_lanes(mark);
+    LowestSearch search(least_clearance);
     for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t number) HWY_ATTR {
         Lanes lanes(group, at);
-        lanes.template feel<on_surface>(felt, inverse);
+        lanes.template add_energy<on_surface>(in_lanes, inverse);
         lanes.store();
-        search.look(lanes.energy, lanes.clearance, number);
+        search.consider(lanes.energy, lanes.clearance, number);
     });
     return search.found();
 }
 
 // Another thread may be writing the numbers after the last one, so the remainder is copied before it is loaded.
-std::int64_t smallest(const float* numbers, std::int64_t count) {
-    Search search(0.0F);
+std::int64_t index_of_smallest(const float* numbers, std::int64_t count) {
+    LowestSearch search(0.0F);
     std::int64_t at = 0;
-    for (; at + lanes() <= count; at += lanes()) search.look(hn::LoadU(F(), numbers + at), hn::Zero(F()), at);
+    for (; at + lanes() <= count; at += lanes()) search.consider(hn::LoadU(F(), numbers + at), hn::Zero(F()), at);
     if (at < count) {
         HWY_ALIGN float last[HWY_LANES(float)];
         for (std::int64_t i = 0; i < lanes(); ++i) last[i] = at + i < count ? numbers[at + i] : __builtin_inff();
-        search.look(hn::Load(F(), last), hn::Zero(F()), at);
+        search.consider(hn::Load(F(), last), hn::Zero(F()), at);
     }
     return search.found().at;
 }
@@ -179,7 +180,10 @@ std::int64_t smallest(const float* numbers, std::int64_t count) {
 } // namespace
 
 OrderLoops pick_loops() noexcept {
-    return {{feel<false>, feel<true>}, lowest, {feel_and_find<false>, feel_and_find<true>}, smallest};
+    return {{add_energy<false>, add_energy<true>},
+            lowest,
+            {add_energy_and_find<false>, add_energy_and_find<true>},
+            index_of_smallest};
 }
 
 } // namespace hrbfnpr::stipples::HWY_NAMESPACE

@@ -44,7 +44,7 @@ struct OrderMark {
 
 // Normals whose cosine is below this belong to opposite sides: marks see each other over a crease, but not through a
 // thin sheet.
-inline constexpr float opposite = -0.3F;
+inline constexpr float least_side_cosine = -0.3F;
 
 // Packs ten bits per coordinate, which is enough to tell sides apart and for a tangent plane.
 [[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
@@ -56,29 +56,27 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
 }
 
 // A summary of a cell's energies, which are infinite where no candidate is open.
-struct OrderLowest {
-    // The candidate with the lowest energy, the first if there are several, among candidates with clearance >= enough;
-    // -1: none is open.
-    std::int64_t at;
-    float energy; // the energy of that candidate
-    float of_all; // the lowest energy at any clearance
+struct LowestEnergy {
+    std::int64_t at;        // the first with the lowest energy among those with clearance >= enough; -1: none is open
+    float energy;           // its energy
+    float at_any_clearance; // the lowest energy at any clearance
 };
 
 struct OrderLoops {
-    using Feel = void (*)(const OrderBlock& block, const OrderMark* marks, std::int64_t count,
-                          float inverse_squared_reach);
-    using FeelAndFind = OrderLowest (*)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
-                                        float enough);
+    using AddEnergy = void (*)(const OrderBlock& block, const OrderMark* marks, std::int64_t count,
+                               float inverse_squared_reach);
+    using AddEnergyAndFind = LowestEnergy (*)(const OrderBlock& block, const OrderMark& mark,
+                                              float inverse_squared_reach, float least_clearance);
 
     // Adds marks to the energies and clearances of candidates. The second function is for a creased surface. Over a
     // crease between sheets with normals m and n, the straight way o between two points is shorter than the way through
     // both tangent planes, whose square is o . o - 2 (o . m) (o . n) / (1 + m . n).
-    Feel feel[2];
-    OrderLowest (*lowest)(const OrderBlock& block, float enough);
-    // Adds one mark and finds the lowest candidate in one pass.
-    FeelAndFind feel_and_find[2];
+    AddEnergy add_energy[2];
+    LowestEnergy (*lowest)(const OrderBlock& block, float least_clearance);
+    // Does both for one mark.
+    AddEnergyAndFind add_energy_and_find[2];
     // Returns the index of the first smallest number; -1 if all are infinite.
-    std::int64_t (*smallest)(const float* numbers, std::int64_t count);
+    std::int64_t (*index_of_smallest)(const float* numbers, std::int64_t count);
 };
 
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;

@@ -24,20 +24,19 @@ struct StageSettings {
     std::int32_t level = 0;         // the side of a cell is that of the candidates' cells times 2^level
     double reach = 0.0;             // how far a mark's energy reaches; at most a side
     std::uint64_t ticket_limit = 0; // candidates with smaller tickets take part
-    double nearness = 0.8;          // a candidate at this share of the radius or more may move into its gap
+    double move_clearance = 0.8;    // a candidate at this share of the radius or more may move into its gap
     double farthest_move = 0.0;     // less than half a side
 };
 
-// The cells of the last stage. All marks must stay within them, because the last stage looks for marks in these cells
-// only.
-struct Home {
+// The cells of the last stage. Marks of all stages must stay in them, because the last stage finds no other marks.
+struct LastStageCells {
     std::int32_t level;
     CellMap cells;
 };
 
 // The marks in the order in which they were placed.
-struct Order {
-    explicit Order(base::Memory& memory) noexcept : mark(memory), sweep(memory), step(memory) {}
+struct PlacementOrder {
+    explicit PlacementOrder(base::Memory& memory) noexcept : mark(memory), sweep(memory), step(memory) {}
 
     OrderedMarks mark;
     base::Array<std::int64_t> sweep; // where each sweep's marks begin
@@ -56,14 +55,14 @@ struct alignas(64) StageCell {
     glm::vec3 low;      // corner, relative to the grid's origin
     std::array<OrderMark, slots_of_cell> slot;
 };
-struct Extra {
+struct ExtraMark {
     OrderMark mark;
     std::int32_t next; // the next mark of the same cell, in Stage::extra; -1 for the last one
 };
 struct Tile {
     std::int32_t begin, end; // the range of its cells
 };
-struct Fresh {
+struct FreshMark {
     OrderMark mark;
     float energy;
     std::int32_t cell; // -1 if the gap is too small
@@ -107,10 +106,11 @@ constexpr unsigned tile_bits = 3;
 // tiles of a turn are neighbours, because a mark changes candidates less than two cells outside its tile. Within a
 // turn, each tile is filled greedily, mark by mark.
 struct Stage {
-    Stage(const marks::Site& of, const Candidates& candidates, const Home& home_cells, const StageSettings& its)
+    Stage(const marks::Site& of, const Candidates& candidates, const LastStageCells& last_stage_cells,
+          const StageSettings& its)
         : site(of),
           grid(candidates.grid), region{candidates.region.min - grid.origin, candidates.region.max - grid.origin},
-          home(home_cells), settings(its), side(static_cast<float>(std::ldexp(grid.side, its.level))),
+          last_stage(last_stage_cells), settings(its), side(static_cast<float>(std::ldexp(grid.side, its.level))),
           creased(of.implicit.sheets() != nullptr), loops(order_loops(of.work.instruction_set)), number(of.memory()),
           cell(of.memory()), neighbour(of.memory()), lowest(of.memory()), floor(of.memory()), own_group(of.memory()),
           extra(of.memory()), tile(of.memory()), fresh(of.memory()), fresh_count(of.memory()) {}
@@ -131,12 +131,14 @@ struct Stage {
     }
 
     // Stores the summary of a cell's candidates that are far enough from all marks.
-    void note(std::int32_t c, const OrderLowest& found) noexcept {
+    void store_lowest(std::int32_t c, const LowestEnergy& found) noexcept {
         cell[c].best = static_cast<std::int32_t>(found.at);
         lowest[c] = found.energy;
-        floor[c] = found.of_all;
+        floor[c] = found.at_any_clearance;
     }
-    void refresh(std::int32_t c, float clearance) noexcept { note(c, loops.lowest(block_of(c), clearance)); }
+    void update_lowest(std::int32_t c, float clearance) noexcept {
+        store_lowest(c, loops.lowest(block_of(c), clearance));
+    }
 
     // Calls visit(c) for all cells, on all threads.
     template <class Visit>
@@ -173,7 +175,7 @@ struct Stage {
     const marks::Site& site;
     CellGrid grid;           // the candidates' grid, whose cells are those of level 0
     geometry::Bounds region; // relative to the grid's origin
-    const Home& home;
+    const LastStageCells& last_stage;
     StageSettings settings;
     float side;          // the side of a cell of the stage, object units
     std::size_t creased; // 1 if the surface has creases, else 0: the index of its loops
@@ -182,18 +184,17 @@ struct Stage {
     CellMap number; // gives the number of a cell by its code
     base::Array<StageCell> cell;
     base::Array<CellMap::Around> neighbour;
-    base::Array<float> lowest; // the energy of each cell's best candidate; infinite if none is open
-    base::Array<float> floor;  // no candidate of the cell has a lower energy
-    // Candidates are open if their squared distance from marks is at least this. It is set for the last step of a
-    // sweep.
-    float enough = 0.0F;
-    OrderGroup* group = nullptr; // `own_group`, or the candidates' own
+    base::Array<float> lowest;    // the energy of each cell's best candidate; infinite if none is open
+    base::Array<float> floor;     // no candidate of the cell has a lower energy
+    float least_clearance = 0.0F; // candidates are open if their squared distance from marks is at least this; set for
+                                  // the last step of a sweep
+    OrderGroup* group = nullptr;  // `own_group`, or the candidates' own
     base::Array<OrderGroup> own_group;
-    base::Array<Extra> extra;
+    base::Array<ExtraMark> extra;
 
     base::Array<Tile> tile; // the tiles of the first turn, then those of the second, and so on
     std::array<std::int64_t, 9> turn{};
-    base::Array<Fresh> fresh;              // most_fresh places for each tile of the turn
+    base::Array<FreshMark> fresh;          // most_fresh places for each tile of the turn
     base::Array<std::int32_t> fresh_count; // the number of fresh marks in each tile of the turn
 };
 
@@ -278,7 +279,8 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     });
 }
 
-// Puts marks of earlier stages into their cells. A mark outside all cells would have no effect; `Home` prevents that.
+// Puts marks of earlier stages into their cells. A mark outside all cells would have no effect; `LastStageCells`
+// prevents that.
 void link_all(const OrderedMarks& marks, Stage& stage) {
     base::Array<std::int32_t> cell(stage.site.memory(), marks.size());
     stage.site.work.for_chunks(marks.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
@@ -289,23 +291,23 @@ void link_all(const OrderedMarks& marks, Stage& stage) {
     }
 }
 
-void feel_all(Stage& stage) {
+void add_energy_of_marks(Stage& stage) {
     stage.for_cells([&](std::int64_t c) {
         std::array<OrderMark, 64> near; // a larger number is processed in parts
         std::size_t count = 0;
-        const auto feel = [&] {
-            stage.loops.feel[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
-                                            stage.inverse_squared_reach());
+        const auto add_energy = [&] {
+            stage.loops.add_energy[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
+                                                  stage.inverse_squared_reach());
             count = 0;
         };
         for (const std::int32_t there : stage.neighbour[c]) {
             if (there < 0) continue;
             stage.for_marks(there, [&](const OrderMark& mark) {
-                if (count == near.size()) feel();
+                if (count == near.size()) add_energy();
                 near[count++] = mark;
             });
         }
-        feel();
+        add_energy();
     });
 }
 
@@ -316,7 +318,7 @@ constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 double squared(const glm::dvec2& v) noexcept { return glm::dot(v, v); }
 
-double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexcept {
+double signed_area(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexcept {
     const glm::dvec2 u = b - a;
     const glm::dvec2 v = c - a;
     return u.x * v.y - u.y * v.x;
@@ -324,7 +326,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexc
 
 // Returns the unit direction at p along which the distances to the nearest points a and b grow and stay equal; without
 // b, the direction away from a.
-glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
+glm::dvec2 ascent_direction(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
     if (b == nullptr) {
         const double length = glm::length(p - a);
         return length > 0.0 ? (p - a) / length : glm::dvec2(1.0, 0.0);
@@ -338,34 +340,34 @@ glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b)
 constexpr std::size_t most_around = 64;
 
 // The marks around a candidate, relative to it.
-struct Surroundings {
+struct NearbyMarks {
     glm::vec3 start, normal; // the candidate's place, relative to the grid's origin, and its unit normal
     float farthest;          // squared; marks farther than this are ignored
     geometry::TangentFrame frame;
     bool creased;      // the surface has creases
     bool bent = false; // some mark has a very different normal, without a crease
     std::size_t count = 0;
-    // The positions of the marks in the tangent plane, as far away as in space or along the surface.
-    std::array<glm::dvec2, most_around> flat;
-    std::array<glm::dvec3, most_around> between;
-    std::array<glm::dvec3, most_around> beyond; // the normals of marks over a crease; 0 for other marks
+    // In the tangent plane, as far away as in space or along the surface.
+    std::array<glm::dvec2, most_around> tangent_offset;
+    std::array<glm::dvec3, most_around> offset;
+    std::array<glm::dvec3, most_around> normal_beyond_crease; // the normals of marks over a crease; 0 for other marks
 };
 
 // Returns the square of the way from a place with unit normal n to another place with normal m, at offset o. The way
 // leads over the crease between them, through both tangent planes.
-[[nodiscard]] double squared_way(const glm::dvec3& o, const glm::dvec3& n, const glm::dvec3& m) noexcept {
+[[nodiscard]] double squared_path(const glm::dvec3& o, const glm::dvec3& n, const glm::dvec3& m) noexcept {
     const double detour = -2.0 * glm::dot(o, n) * glm::dot(o, m) / std::max(1.0 + glm::dot(n, m), 0.1);
     return glm::dot(o, o) + std::max(detour, 0.0);
 }
 
-void look_at(const OrderMark& mark, Surroundings& around) noexcept {
+void add_nearby(const OrderMark& mark, NearbyMarks& around) noexcept {
     const glm::vec3 between = glm::vec3(mark.position[0], mark.position[1], mark.position[2]) - around.start;
     if (glm::dot(between, between) > around.farthest || around.count == most_around) return;
     float normal[3];
     unpack_normal(mark.normal, normal);
     const float turn =
         (around.normal.x * normal[0] + around.normal.y * normal[1] + around.normal.z * normal[2]) / unpacked_length;
-    if (turn < opposite) return;
+    if (turn < least_side_cosine) return;
     const bool beyond = turn < stipple_tuning.bent_cosine && around.creased;
     around.bent = around.bent || (turn < stipple_tuning.bent_cosine && !beyond);
     const glm::dvec3 precise(between);
@@ -373,21 +375,21 @@ void look_at(const OrderMark& mark, Surroundings& around) noexcept {
     const double length = glm::length(tangent);
     const glm::dvec3 other = beyond ? glm::normalize(vector(normal)) : glm::dvec3(0.0);
     const double way =
-        beyond ? std::sqrt(squared_way(precise, glm::dvec3(around.normal), other)) : glm::length(precise);
-    around.flat[around.count] = length > 0.0 ? way / length * tangent : tangent;
-    around.beyond[around.count] = other;
-    around.between[around.count++] = precise;
+        beyond ? std::sqrt(squared_path(precise, glm::dvec3(around.normal), other)) : glm::length(precise);
+    around.tangent_offset[around.count] = length > 0.0 ? way / length * tangent : tangent;
+    around.normal_beyond_crease[around.count] = other;
+    around.offset[around.count++] = precise;
 }
 
 // Returns whether a place keeps the radius from all marks, and is on the candidate's side of all creases.
-[[nodiscard]] bool is_free(const Surroundings& around, const glm::dvec2& way, const glm::dvec3& moved,
+[[nodiscard]] bool is_free(const NearbyMarks& around, const glm::dvec2& way, const glm::dvec3& moved,
                            double radius) noexcept {
     for (std::size_t i = 0; i < around.count; ++i) {
-        const glm::dvec3 between = around.between[i];
-        const glm::dvec3 other = around.beyond[i];
+        const glm::dvec3 between = around.offset[i];
+        const glm::dvec3 other = around.normal_beyond_crease[i];
         const bool free = other == glm::dvec3(0.0)
                               ? glm::distance(between, moved) >= radius
-                              : glm::distance(around.flat[i], way) >= radius &&
+                              : glm::distance(around.tangent_offset[i], way) >= radius &&
                                     (glm::dot(-between, other) < 0.0) == (glm::dot(moved - between, other) < 0.0);
         if (!free) return false;
     }
@@ -396,31 +398,32 @@ void look_at(const OrderMark& mark, Surroundings& around) noexcept {
 
 // Moves a candidate into the middle of its gap, where it keeps the radius; sets its cell to -1 if there is no room.
 // `unlinked`: marks that have no slot in a cell.
-void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::int32_t> unlinked, double radius,
-                   Fresh& fresh) noexcept {
+void move_into_gap(const Stage& stage, const FreshMark* all, std::span<const std::int32_t> unlinked, double radius,
+                   FreshMark& fresh) noexcept {
     const double farthest_move = stage.settings.farthest_move;
     const glm::dvec3 normal = glm::normalize(unpacked(fresh.mark.normal));
     const double far = radius + 2.0 * farthest_move;
-    Surroundings around; // the arrays are filled up to `count`
+    NearbyMarks around; // the arrays are filled up to `count`
     around.start = place_of(fresh.mark);
     around.normal = glm::vec3(normal);
     around.farthest = static_cast<float>(far * far);
     around.frame = geometry::combing_frame(normal);
     around.creased = stage.creased != 0;
-    for (const std::int32_t k : unlinked) look_at(all[k].mark, around);
+    for (const std::int32_t k : unlinked) add_nearby(all[k].mark, around);
     stage.for_reached(around.start, far, fresh.cell, [&](std::int32_t there) {
-        stage.for_marks(there, [&](const OrderMark& mark) { look_at(mark, around); });
+        stage.for_marks(there, [&](const OrderMark& mark) { add_nearby(mark, around); });
     });
     fresh.cell = -1;
     if (around.bent) return; // the tangent plane does not follow the surface
-    const glm::dvec2 way = toward_void({around.flat.data(), around.count}, stipple_tuning.aim * radius, farthest_move);
+    const glm::dvec2 way =
+        toward_void({around.tangent_offset.data(), around.count}, stipple_tuning.gap_aim * radius, farthest_move);
     const glm::dvec3 moved = way.x * around.frame.u + way.y * around.frame.r;
     const glm::dvec3 end = glm::dvec3(around.start) + moved;
     if (!is_free(around, way, moved, radius) || !stage.region.contains(end)) return;
     const glm::vec3 p(end);
     for (int c = 0; c < 3; ++c) fresh.mark.position[c] = p[c];
     const std::uint64_t code = stage.code_at(end);
-    if (stage.home.cells.find(code >> static_cast<unsigned>(3 * stage.home.level)) >= 0)
+    if (stage.last_stage.cells.find(code >> static_cast<unsigned>(3 * stage.last_stage.level)) >= 0)
         fresh.cell = stage.cell_at(code);
 }
 
@@ -445,12 +448,12 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
 }
 
 // Returns the cell's best candidate itself if it keeps the distance, or else a place in its gap that does.
-[[nodiscard]] Fresh place_best(Stage& stage, std::int32_t cell, const Fresh* all,
-                               std::span<const std::int32_t> unlinked, double radius) noexcept {
+[[nodiscard]] FreshMark place_best(Stage& stage, std::int32_t cell, const FreshMark* all,
+                                   std::span<const std::int32_t> unlinked, double radius) noexcept {
     const std::int64_t i = stage.cell[cell].best;
     const OrderBlock block = stage.block_of(cell);
     HRBFNPR_ASSERT(i >= 0 && i < block.groups * OrderGroup::size);
-    Fresh fresh{};
+    FreshMark fresh{};
     fresh.mark.position[0] = block.at(OrderGroup::x, i);
     fresh.mark.position[1] = block.at(OrderGroup::y, i);
     fresh.mark.position[2] = block.at(OrderGroup::z, i);
@@ -463,30 +466,31 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
 }
 
 // Fills a tile, one step after the other; returns the number of fresh marks.
-[[nodiscard]] std::int32_t fill_tile(Stage& stage, const Tile& tile, std::span<const SweepStep> steps, Fresh* fresh) {
+[[nodiscard]] std::int32_t fill_tile(Stage& stage, const Tile& tile, std::span<const SweepStep> steps,
+                                     FreshMark* fresh) {
     HRBFNPR_ASSERT(tile.begin >= 0 && tile.begin < tile.end && tile.end <= stage.cell.size());
     std::int32_t count = 0;
     std::size_t unlinked_count = 0;
     std::array<std::int32_t, most_fresh> unlinked; // indices of fresh marks that found no slot in their cell
     for (std::size_t step = 0; step < steps.size(); ++step) {
         const auto [radius, threshold] = steps[step];
-        const double nearness = stage.settings.nearness;
+        const double nearness = stage.settings.move_clearance;
         const auto enough = static_cast<float>(nearness * nearness * radius * radius);
         // Smaller radii open more candidates. Candidates that later steps open are found when their cells next get a
         // mark.
         for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell)
-            if (stage.floor[cell] < steps.back().threshold) stage.refresh(cell, enough);
+            if (stage.floor[cell] < steps.back().threshold) stage.update_lowest(cell, enough);
         while (count < most_fresh) {
             const float* const lowest = stage.lowest.data() + tile.begin;
-            const std::int64_t least = stage.loops.smallest(lowest, tile.end - tile.begin);
+            const std::int64_t least = stage.loops.index_of_smallest(lowest, tile.end - tile.begin);
             if (least < 0 || !(lowest[least] < threshold)) break;
             const std::int32_t cell = tile.begin + static_cast<std::int32_t>(least);
             prefetch_around(stage, cell);
-            Fresh next = place_best(stage, cell, fresh, {unlinked.data(), unlinked_count}, radius);
+            FreshMark next = place_best(stage, cell, fresh, {unlinked.data(), unlinked_count}, radius);
             if (next.cell < 0) {
                 float& clearance = stage.block_of(cell).at(OrderGroup::clearance, stage.cell[cell].best);
-                clearance = std::min(clearance, stipple_tuning.again * enough);
-                stage.refresh(cell, enough);
+                clearance = std::min(clearance, stipple_tuning.retry_clearance * enough);
+                stage.update_lowest(cell, enough);
                 continue;
             }
             next.step = static_cast<std::uint8_t>(step);
@@ -494,8 +498,8 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
             if (!next.linked) unlinked[unlinked_count++] = count;
             fresh[count++] = next;
             stage.for_reached(place_of(next.mark), stage.settings.reach, next.cell, [&](std::int32_t there) {
-                stage.note(there, stage.loops.feel_and_find[stage.creased](stage.block_of(there), next.mark,
-                                                                           stage.inverse_squared_reach(), enough));
+                stage.store_lowest(there, stage.loops.add_energy_and_find[stage.creased](
+                                              stage.block_of(there), next.mark, stage.inverse_squared_reach(), enough));
             });
         }
     }
@@ -503,7 +507,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
 }
 
 // Keeps only the `room` marks of the last sweep that have the lowest energies.
-void keep_lowest(const base::Array<float>& energy, std::int64_t room, Order& order) {
+void keep_lowest(const base::Array<float>& energy, std::int64_t room, PlacementOrder& order) {
     HRBFNPR_ASSERT(room >= 0 && room < energy.size() && energy.size() <= order.mark.size());
     const std::int64_t first = order.mark.size() - energy.size();
     base::Array<float> sorted(energy.memory(), energy.size());
@@ -524,12 +528,12 @@ void keep_lowest(const base::Array<float>& energy, std::int64_t room, Order& ord
 // Places marks that keep the radius from all others, at energies below the threshold, lowest first in each tile and at
 // most `most_fresh` in each. Appends them tile by tile. If there are more than `room`, the lowest remain and the stage
 // is over.
-void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Order& order) {
+void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, PlacementOrder& order) {
     HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
     order.sweep.push_back(order.mark.size());
     base::Array<float> energy(stage.site.memory()); // the energy that each mark of the sweep had when it was placed
-    const double nearest = stage.settings.nearness * steps.back().radius;
-    stage.enough = static_cast<float>(nearest * nearest);
+    const double nearest = stage.settings.move_clearance * steps.back().radius;
+    stage.least_clearance = static_cast<float>(nearest * nearest);
     for (std::size_t turn = 0; turn < 8; ++turn) {
         const std::int64_t first = stage.turn[turn];
         const std::int64_t tiles = stage.turn[turn + 1] - first;
@@ -545,7 +549,7 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
             });
         for (const std::int64_t t : stage.site.work.over(tiles)) {
             for (std::int32_t k = 0; k < stage.fresh_count[t]; ++k) {
-                const Fresh& fresh = stage.fresh[most_fresh * t + k];
+                const FreshMark& fresh = stage.fresh[most_fresh * t + k];
                 base::push_back_long(order.mark, fresh.mark, stage.site.work);
                 base::push_back_long(order.step, fresh.step, stage.site.work);
                 base::push_back_long(energy, fresh.energy, stage.site.work);
@@ -560,8 +564,8 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
 
 // Places marks until there are `last` of them; returns false if they would have to be closer than `closest`, in
 // distances of the densest packing.
-bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest, Order& order,
-          const base::Progress& progress) {
+bool place_until(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest,
+                 PlacementOrder& order, const base::Progress& progress) {
     double distance = stipple_tuning.kept_distance;
     float threshold = stipple_tuning.least_threshold;
     bool missed = false; // the sweep missed candidates that only its later steps open, far from its new marks
@@ -589,23 +593,25 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
             if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
             continue;
         }
-        // Afterwards, each cell's lowest energy is the lowest energy of its candidates that keep the distance of the
-        // last step, or infinite.
-        stage.for_cells([&](std::int64_t c) { stage.refresh(static_cast<std::int32_t>(c), stage.enough); });
+        // Afterwards, each cell's lowest energy is that of its candidates that keep the distance of the last step, or
+        // infinite.
+        stage.for_cells(
+            [&](std::int64_t c) { stage.update_lowest(static_cast<std::int32_t>(c), stage.least_clearance); });
         const float lowest = *std::min_element(stage.lowest.begin(), stage.lowest.end());
         missed = after == before && lowest < threshold;
         if (std::isfinite(lowest))
-            threshold = (nearly_full ? stipple_tuning.last_rise : stipple_tuning.rise) * std::max(threshold, lowest);
-        else if (after == before && (distance *= stipple_tuning.concession) < closest)
+            threshold = (nearly_full ? stipple_tuning.last_threshold_rise : stipple_tuning.threshold_rise) *
+                        std::max(threshold, lowest);
+        else if (after == before && (distance *= stipple_tuning.distance_factor) < closest)
             return false;
     }
     return true;
 }
 
 // Fills up to `last` marks in cells of level `level`; returns false if no place is left for them.
-bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home, std::int32_t level, std::int64_t last,
-               std::int64_t wanted, Order& order) {
-    HRBFNPR_ASSERT(level >= home.level);
+bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageCells& last_stage, std::int32_t level,
+               std::int64_t last, std::int64_t wanted, PlacementOrder& order) {
+    HRBFNPR_ASSERT(level >= last_stage.level);
     const double end = densest_distance(candidates.area, static_cast<double>(last));
     const double side = std::ldexp(candidates.grid.side, level);
     const auto all = static_cast<double>(candidates.count);
@@ -614,36 +620,36 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
     settings.level = level;
     settings.reach = std::min(side, stipple_tuning.energy_reach * end);
     settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
-    settings.nearness = std::max(stipple_tuning.nearness, 1.0 - static_cast<double>(last) / taken);
+    settings.move_clearance = std::max(stipple_tuning.move_clearance, 1.0 - static_cast<double>(last) / taken);
     // Candidates move into an adjacent cell at most, and no farther than they are true to the surface. They are many
     // where marks are few.
     settings.farthest_move = std::min(0.5 * (1.0 - stipple_tuning.kept_distance) * side,
                                       stipple_tuning.farthest_move * candidates.grid.side);
     for (const double least : {stipple_tuning.least_distance, 0.0}) {
-        Stage stage(site, candidates, home, settings);
+        Stage stage(site, candidates, last_stage, settings);
         find_tiles(take_candidates(candidates, stage), stage);
         link_all(order.mark, stage);
-        feel_all(stage);
+        add_energy_of_marks(stage);
         // Points closer than 1e-7 diagonals are equal as float positions.
         const double closest = std::max(least, 1e-7 * candidates.region.diagonal() / end);
-        if (fill(stage, candidates.area, last, wanted, closest, order, site.work)) return true;
+        if (place_until(stage, candidates.area, last, wanted, closest, order, site.work)) return true;
     }
     return false;
 }
 
-// Marks of a step are stored tile by tile. Shuffling the marks within each step spreads any part of the step like the
-// whole step. The marks of a sweep are consecutive.
-[[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const Order& order) {
-    struct Lot {
+// Marks of a step are stored tile by tile. Shuffling each step spreads any part of them like the whole. The marks of a
+// sweep are consecutive.
+[[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const PlacementOrder& order) {
+    struct KeyedMark {
         std::uint64_t bits; // the top eight bits are the step
         std::int64_t mark;
-        [[nodiscard]] bool operator<(const Lot& other) const noexcept { return bits < other.bits; }
+        [[nodiscard]] bool operator<(const KeyedMark& other) const noexcept { return bits < other.bits; }
     };
     const std::int64_t count = order.mark.size();
     HRBFNPR_ASSERT(order.step.size() == count);
-    base::Array<Lot> lot(site.memory());
+    base::Array<KeyedMark> keyed(site.memory());
     OrderedMarks sorted(site.memory());
-    lot.resize_for_overwrite(count);
+    keyed.resize_for_overwrite(count);
     sorted.resize_for_overwrite(count);
     site.work.for_each(order.sweep.size(), [&](std::int64_t sweep) {
         const std::int64_t begin = order.sweep[sweep];
@@ -651,11 +657,11 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
         for (std::int64_t i = begin; i < end; ++i) {
             std::uint64_t bits = 0;
             for (const float c : order.mark[i].position)
-                bits = geometry::hash_bits(bits ^ base::bit_cast<std::uint32_t>(c));
-            lot[i] = {std::uint64_t{order.step[i]} << 56U | bits >> 8U, i};
+                bits = geometry::mixed_bits(bits ^ base::bit_cast<std::uint32_t>(c));
+            keyed[i] = {std::uint64_t{order.step[i]} << 56U | bits >> 8U, i};
         }
-        std::sort(lot.data() + begin, lot.data() + end);
-        for (std::int64_t i = begin; i < end; ++i) sorted[i] = order.mark[lot[i].mark];
+        std::sort(keyed.data() + begin, keyed.data() + end);
+        for (std::int64_t i = begin; i < end; ++i) sorted[i] = order.mark[keyed[i].mark];
     });
     return sorted;
 }
@@ -671,7 +677,7 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
     std::array<std::size_t, 2> edge{static_cast<std::size_t>(nearest - around.begin()), none};
     for (int vertex = 0; vertex < most_vertices; ++vertex) {
         const glm::dvec2 a = around[edge[0]];
-        const glm::dvec2 direction = uphill(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
+        const glm::dvec2 direction = ascent_direction(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
         // The distance to where the nearest point is `wanted` away: |at + t d - a| = wanted.
         const double along = glm::dot(at - a, direction);
         const double own = squared(at - a);
@@ -700,10 +706,10 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
         // the edge of their triangle beyond which the place lies.
         const glm::dvec2 b = around[edge[1]];
         const glm::dvec2 c = around[third];
-        const double all = turn(a, b, c);
-        if (turn(b, c, at) * all < 0.0)
+        const double all = signed_area(a, b, c);
+        if (signed_area(b, c, at) * all < 0.0)
             edge = {edge[1], third};
-        else if (turn(c, a, at) * all < 0.0)
+        else if (signed_area(c, a, at) * all < 0.0)
             edge[1] = third;
         else
             break;
@@ -712,31 +718,31 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
 }
 
 OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted) {
-    Order order(site.memory());
+    PlacementOrder order(site.memory());
     if (candidates.count == 0 || wanted <= 0) return std::move(order.mark);
     const auto side = [&](std::int32_t level) { return std::ldexp(candidates.grid.side, level); };
     const auto reach = [&](double marks) {
         return stipple_tuning.energy_reach * densest_distance(candidates.area, marks);
     };
-    Home home{0, CellMap(site.memory())};
-    while (home.level < CellGrid::bits &&
-           side(home.level) < stipple_tuning.least_home * reach(static_cast<double>(wanted)))
-        ++home.level;
+    LastStageCells last_stage{0, CellMap(site.memory())};
+    while (last_stage.level < CellGrid::bits &&
+           side(last_stage.level) < stipple_tuning.least_side_share * reach(static_cast<double>(wanted)))
+        ++last_stage.level;
     base::Array<std::uint64_t> codes(site.memory());
     for (const std::uint64_t code : candidates.code) {
-        const std::uint64_t here = code >> static_cast<unsigned>(3 * home.level);
+        const std::uint64_t here = code >> static_cast<unsigned>(3 * last_stage.level);
         if (codes.empty() || codes.back() != here) codes.push_back(here);
     }
-    home.cells = CellMap(site.memory(), codes);
-    std::int32_t level = home.level;
+    last_stage.cells = CellMap(site.memory(), codes);
+    std::int32_t level = last_stage.level;
     while (level < CellGrid::bits && side(level) < reach(1.0)) ++level;
-    for (bool has_room = true; has_room && level > home.level; --level) {
+    for (bool has_room = true; has_room && level > last_stage.level; --level) {
         // With this number of marks, the energies of a stage reach as far as the side of its cells.
         const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
         const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
-        if (last > order.mark.size()) has_room = run_stage(site, candidates, home, level, last, wanted, order);
+        if (last > order.mark.size()) has_room = run_stage(site, candidates, last_stage, level, last, wanted, order);
     }
-    run_stage(site, candidates, home, home.level, wanted, wanted, order);
+    run_stage(site, candidates, last_stage, last_stage.level, wanted, wanted, order);
     return shuffled(site, order);
 }
 

@@ -17,17 +17,17 @@ using Cell = geometry::CellGrid::Cell;
 constexpr double no_plane = std::numeric_limits<double>::quiet_NaN();
 
 // A cell that the flood has reached.
-struct Front {
+struct FloodCell {
     std::uint64_t cell; // packed
     double expected;    // distance by the plane of the cell that the flood came from; NaN for the cell of a seed
 };
 
 // A judged cell: whether it belongs to the surface cells, and a bit for each of the 27 cells around it that the flood
 // enters.
-struct Judged {
+struct VisitedCell {
     SurfaceCell cell;
-    bool belongs;
-    std::uint32_t onward;
+    bool is_surface_cell;
+    std::uint32_t flooded_neighbours;
 };
 
 [[nodiscard]] bool is_in_region(const SurfaceCells& cells, const Cell& cell) noexcept {
@@ -44,9 +44,9 @@ struct Judged {
 }
 
 // The flood skips cells that the plane of this cell puts too far off; a neighbour's plane may still reach them. If
-// planes have been wrong, the flood goes everywhere. This happens at a sharp rim, or if the function is not a distance.
-[[nodiscard]] std::uint32_t onward_from(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
-                                        bool anywhere) noexcept {
+// planes have been wrong, as at a sharp rim or if the function is not a distance, the flood goes everywhere.
+[[nodiscard]] std::uint32_t flooded_neighbours_of(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
+                                                  bool anywhere) noexcept {
     const double side = cells.grid.side;
     const double farthest = cells.reach() + stipple_tuning.flood_slack * side;
     const geometry::Bounds centres = cells.region.grown(0.5 * side);
@@ -66,22 +66,22 @@ struct Judged {
 // a seed's cell always belongs. The flood continues only from cells that the surface may pass through, so that it does
 // not jump to a sheet a few cells away: the surface point nearest to a point of the band is at most one cell further
 // (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). It also stops at the end of a trimmed surface.
-[[nodiscard]] Judged judge_reached(const marks::Site& site, const SurfaceCells& cells, const Front& from, bool seeded,
-                                   double distance, const glm::dvec3& gradient) {
+[[nodiscard]] VisitedCell visit_cell(const marks::Site& site, const SurfaceCells& cells, const FloodCell& from,
+                                     bool seeded, double distance, const glm::dvec3& gradient) {
     const Cell place = geometry::CellGrid::unpack(from.cell);
     const bool near = std::abs(distance) <= cells.reach();
-    Judged judged{{geometry::morton_code(place), no_plane, glm::dvec3(0.0)}, near || seeded, 0};
+    VisitedCell visited{{geometry::morton_code(place), no_plane, glm::dvec3(0.0)}, near || seeded, 0};
     if (near) {
-        judged.cell.distance = distance;
-        judged.cell.normal = glm::normalize(gradient);
-        if (!site.implicit.contains(cells.grid.centre(place) - distance * judged.cell.normal, judged.cell.normal))
-            return judged;
+        visited.cell.distance = distance;
+        visited.cell.normal = glm::normalize(gradient);
+        if (!site.implicit.holds(cells.grid.centre(place) - distance * visited.cell.normal, visited.cell.normal))
+            return visited;
     }
     if (seeded || std::abs(distance) <= cells.half_diagonal())
-        judged.onward =
-            onward_from(cells, place, judged.cell,
-                        !(std::abs(from.expected - distance) <= stipple_tuning.plane_error * cells.grid.side));
-    return judged;
+        visited.flooded_neighbours = flooded_neighbours_of(
+            cells, place, visited.cell,
+            !(std::abs(from.expected - distance) <= stipple_tuning.plane_error * cells.grid.side));
+    return visited;
 }
 
 } // namespace
@@ -94,33 +94,34 @@ SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArra
     cells.region = region;
     cells.band = 0.5 * side;
     geometry::CellSet known(site.memory());
-    base::Array<Front> front(site.memory());
-    base::Array<Front> next(site.memory());
+    base::Array<FloodCell> front(site.memory());
+    base::Array<FloodCell> next(site.memory());
     for (std::int64_t i = 0; i < seeds.size(); ++i)
         if (const Cell cell = cells.grid.cell_of(seeds[i]); region.contains(seeds[i]) && is_in_region(cells, cell))
             if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known.insert(packed))
                 front.push_back({packed, no_plane});
     geometry::VecArray centre(site.memory());
     marks::FieldSamples field(site.memory());
-    base::Array<Judged> judged(site.memory());
+    base::Array<VisitedCell> visited(site.memory());
     for (bool seeded = true; !front.empty(); seeded = false) {
         resize_long(centre, front.size(), site.work);
         for (const std::int64_t i : site.work.over(front.size())) {
             centre.set(i, cells.grid.centre(geometry::CellGrid::unpack(front[i].cell)));
         }
         evaluate(site, centre, field);
-        judged.resize_for_overwrite(front.size());
+        visited.resize_for_overwrite(front.size());
         site.work.for_chunks(front.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i)
-                judged[i] = judge_reached(site, cells, front[i], seeded, field.distance(i), field.gradient[i]);
+                visited[i] = visit_cell(site, cells, front[i], seeded, field.distance(i), field.gradient[i]);
         });
         next.clear();
-        for (const std::int64_t i : site.work.over(judged.size())) {
-            if (!judged[i].belongs) continue;
-            const SurfaceCell& cell = judged[i].cell;
+        for (const std::int64_t i : site.work.over(visited.size())) {
+            if (!visited[i].is_surface_cell) continue;
+            const SurfaceCell& cell = visited[i].cell;
             base::push_back_long(cells.cell, cell, site.work);
             const Cell place = geometry::morton_cell(cell.code);
-            for (std::uint32_t left = known.insert_around(place, judged[i].onward); left != 0; left &= left - 1) {
+            for (std::uint32_t left = known.insert_around(place, visited[i].flooded_neighbours); left != 0;
+                 left &= left - 1) {
                 const Cell there = geometry::neighbour(place, std::countr_zero(left));
                 next.push_back({geometry::CellGrid::pack(there), expected_at(cells, cell, place, there)});
             }
@@ -140,13 +141,13 @@ CellMap::CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes) 
     };
     std::int64_t blocks = 0;
     for (std::int64_t i = 0; i < codes.size(); ++i) blocks += begins_block(i) ? 1 : 0;
-    place_.resize(static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * blocks + 2))));
+    slots_.resize(static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * blocks + 2))));
     number_.reserve(blocks);
     for (std::int64_t i = 0; i < codes.size(); ++i) {
         if (begins_block(i)) {
             const std::uint64_t block = codes[i] / geometry::cells_of_block;
             HRBFNPR_ASSERT(find_block(block) == nullptr); // the codes of a block are consecutive
-            place_[place_of(block)] = {block + 1, number_.size()};
+            slots_[slot_of(block)] = {block + 1, number_.size()};
             number_.push_back({});
             number_.back().fill(-1);
         }
@@ -163,12 +164,12 @@ CellMap::CellMap(const SurfaceCells& cells) : CellMap(cells.cell.memory()) {
 }
 
 // Returns the slot of the block, or the free slot where it would go.
-std::int64_t CellMap::place_of(std::uint64_t block) const noexcept {
-    HRBFNPR_ASSERT(!place_.empty());
-    const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
-    std::uint64_t at = geometry::hash_bits(block) & mask;
-    const auto taken = [&] { return place_[static_cast<std::int64_t>(at)].taken; };
-    while (taken() != 0 && taken() != block + 1) at = (at + 1) & mask;
+std::int64_t CellMap::slot_of(std::uint64_t block) const noexcept {
+    HRBFNPR_ASSERT(!slots_.empty());
+    const auto mask = static_cast<std::uint64_t>(slots_.size() - 1);
+    std::uint64_t at = geometry::mixed_bits(block) & mask;
+    const auto key = [&] { return slots_[static_cast<std::int64_t>(at)].key; };
+    while (key() != 0 && key() != block + 1) at = (at + 1) & mask;
     return static_cast<std::int64_t>(at);
 }
 

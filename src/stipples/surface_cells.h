@@ -56,10 +56,10 @@ class CellMap {
 public:
     // Numbers of the 27 cells around a cell, the first coordinate running fastest; -1 where there is no such cell.
     using Around = std::array<std::int32_t, geometry::neighbour_count>;
-    static constexpr std::size_t itself = 13;
+    static constexpr std::size_t centre_index = 13;
     static constexpr std::size_t step_along[3] = {1, 3, 9};
 
-    explicit CellMap(base::Memory& memory) noexcept : place_(memory), number_(memory) {}
+    explicit CellMap(base::Memory& memory) noexcept : slots_(memory), number_(memory) {}
     // The number of codes[i] is i. Codes are distinct and below 2^63, and codes of one block are consecutive.
     CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes);
     explicit CellMap(const SurfaceCells& cells);
@@ -79,17 +79,17 @@ public:
 private:
     // The numbers of all cells of a block, in the order of their codes; null if the block has no cell.
     [[nodiscard]] const std::int32_t* find_block(std::uint64_t block) const noexcept {
-        if (place_.empty()) return nullptr;
-        const Place& place = place_[place_of(block)];
-        return place.taken == 0 ? nullptr : number_[place.numbers].data();
+        if (slots_.empty()) return nullptr;
+        const Slot& place = slots_[slot_of(block)];
+        return place.key == 0 ? nullptr : number_[place.numbers].data();
     }
-    struct Place {
-        std::uint64_t taken; // block + 1; 0 for a free place
+    struct Slot {
+        std::uint64_t key; // block + 1; 0 for a free place
         std::int64_t numbers;
     };
-    [[nodiscard]] std::int64_t place_of(std::uint64_t block) const noexcept;
+    [[nodiscard]] std::int64_t slot_of(std::uint64_t block) const noexcept;
 
-    base::Array<Place> place_; // open addressing; the size is a power of two, at most half full
+    base::Array<Slot> slots_; // open addressing; the size is a power of two, at most half full
     base::Array<std::array<std::int32_t, geometry::cells_of_block>> number_;
 };
 

@@ -21,13 +21,14 @@ struct StippleTuning {
     // A cell is at least the diagonal divided by this wide. Larger: smaller surfaces are drawn in large boxes, with
     // more memory.
     double most_in_diagonal = 4096.0;
-    // The cells are found again, at most `cover_rounds` times, until the marks ask for cells wider than `fine_enough`
-    // times the present side. Larger: the areas of small surfaces in large boxes are more accurate, at more time.
+    // The cells are found again, at most `cover_rounds` times, until the marks ask for cells wider than
+    // `fine_side_share` times the present side. Larger: the areas of small surfaces in large boxes are more accurate,
+    // at more time.
     int cover_rounds = 8;
-    double fine_enough = 0.9;
+    double fine_side_share = 0.9;
     // If a round finds a surface fewer than `fewest_across` cells wide, the next round multiplies the cell side by
     // this. Larger: more rounds.
-    double blind_step = 0.25;
+    double missed_surface_step = 0.25;
     // The side of a cell, in spacings of the marks. Larger: fewer cells, each with more candidates to look at.
     double cell_spacings = 2.2;
     // A surface fewer than this many cells wide is not drawn. Larger: small surfaces in large boxes are refused.
@@ -47,10 +48,10 @@ struct StippleTuning {
     // Layer candidates per plane candidate: layer candidates are random and leave gaps. Larger: more even where the
     // surface bends.
     double layer_density = 1.4;
-    // Candidates are drawn in at most this many rounds, until their number is `enough` times the wanted one. Larger:
-    // the number is closer to the wanted one where the function is not a distance.
+    // Candidates are drawn in at most this many rounds, until their number is `candidates_share` times the wanted one.
+    // Larger: the number is closer to the wanted one where the function is not a distance.
     int candidate_rounds = 4;
-    double enough = 0.85;
+    double candidates_share = 0.85;
     // The most trials per wanted candidate. Larger: more time is spent where planes and surface disagree.
     double most_trials = 256.0;
     // A flat cell's normal has at least this cosine with the normals of the cells beside it. Larger: fewer candidates
@@ -58,25 +59,25 @@ struct StippleTuning {
     double flat_cosine = 0.97;
     // A plane that passes a cell at this distance, in sides, is trusted to miss the surface there. Larger: more
     // evaluations.
-    double passes_by = 0.25;
+    double miss_distance = 0.25;
     // The most candidates per evaluated point: its projection, and others around that. Larger: fewer evaluations, less
     // random.
     std::int64_t most_projections = 5;
     // These candidates are at most this far from the projection along two axes, in sides. Larger: they are farther off
     // the surface.
-    double stride = 0.55;
+    double projection_stride = 0.55;
     // A projection is on the surface if its distance is below this, in sides; it gets at most `most_steps` steps.
     // Smaller: more steps.
-    double near_enough = 0.02;
+    double surface_tolerance = 0.02;
     int most_steps = 6;
-    // One in `every_projection` projections is evaluated again. If more than the share `most_off` of these is off the
-    // surface, all projections get further steps. Larger share: candidates stay off the surface where the function is
-    // not a distance.
+    // One in `every_projection` projections is evaluated again. If more than the share `most_off_surface` of these is
+    // off the surface, all projections get further steps. Larger share: candidates stay off the surface where the
+    // function is not a distance.
     std::int64_t every_projection = 67;
-    double most_off = 0.02;
+    double most_off_surface = 0.02;
     // A trial is assumed to give at least this many projections, which limits the number of trials. Smaller: more
     // trials in vain.
-    double least_of_trial = 1.0 / 256.0;
+    double least_projections_per_trial = 1.0 / 256.0;
 
     // ---- The progressive order (progressive_order.cpp)
 
@@ -85,13 +86,13 @@ struct StippleTuning {
     double kept_distance = 0.70;
     // If no place is left, the distance is multiplied by this, down to `least_distance`. It goes lower only after all
     // candidates were looked at again. Larger: closer to the largest possible distance, in more sweeps.
-    double concession = 0.98;
+    double distance_factor = 0.98;
     double least_distance = 0.65;
     // A mark's energy reaches this far, in distances of the densest packing at the end of its stage. Larger: low
     // frequencies are weaker, and each mark changes more candidates.
     double energy_reach = 1.8;
     // The cells of the last stage are at least this share of that reach wide. Larger: wider cells.
-    double least_home = 0.85;
+    double least_side_share = 0.85;
     // Each step of a sweep aims at a number of marks that is larger by this factor. Larger: fewer sweeps, less even.
     double step_growth = 1.015;
     // In sweeps of many steps, each step multiplies the energy threshold by `threshold_growth`. The threshold grows
@@ -102,10 +103,11 @@ struct StippleTuning {
     // Below this energy all places count as equally empty. Larger: the first marks of a stage are less even.
     float least_threshold = 0.05F;
     // If a sweep adds less than the share `poor_sweep` of the expected marks, the threshold rises to the lowest energy
-    // times `rise`, or times `last_rise` once the stage is filled to `nearly_full`. Larger: fewer sweeps, less even.
+    // times `threshold_rise`, or times `last_threshold_rise` once the stage is filled to `nearly_full`. Larger: fewer
+    // sweeps, less even.
     double poor_sweep = 0.25;
-    float rise = 1.06F;
-    float last_rise = 1.02F;
+    float threshold_rise = 1.06F;
+    float last_threshold_rise = 1.02F;
     double nearly_full = 0.97;
     // From this number of marks on, a sweep has many steps, because each sweep takes all candidates through the
     // processor's caches. Larger: more sweeps, more even.
@@ -114,16 +116,16 @@ struct StippleTuning {
     double early_candidates = 12.0;
     // A candidate may move into its gap if its distance from marks is at least this share of the kept distance.
     // Smaller: more gaps are tried in vain.
-    double nearness = 0.8;
-    // A candidate that moves into its gap aims at a place that is this factor farther from marks than the kept
-    // distance. Larger: fewer moves fail by rounding.
-    double aim = 1.02;
-    // A candidate moves by at most this share of a side of the candidates' cells, because farther away candidates do
-    // not lie on the surface.
+    double move_clearance = 0.8;
+    // It aims at a place that is this factor farther from marks than the kept distance. Larger: fewer moves fail by
+    // rounding.
+    double gap_aim = 1.02;
+    // It moves at most this share of a side of the candidates' cells; farther away, candidates are not true to the
+    // surface.
     double farthest_move = 0.25;
     // After a failed move, the candidate's squared distance is set to this share of the needed one. Larger: more
     // trials.
-    float again = 0.97F;
+    float retry_clearance = 0.97F;
     // A candidate does not move if its normal and a mark's have a cosine below this: the surface bends. Larger: fewer
     // gaps are filled.
     float bent_cosine = 0.7F;
@@ -132,7 +134,7 @@ struct StippleTuning {
 
     // A chosen candidate has wandered if its projection is farther away than this share of the densest packing's
     // distance, or if their normals have a cosine below `wandered_cosine`. Smaller: more marks are looked at again.
-    double wandered = 0.04;
+    double wandered_distance = 0.04;
     double wandered_cosine = 0.95;
     // Marks closer than this, in distances of the densest packing, are too close to a wandered one. Larger: more gaps.
     double least_apart = 0.66;

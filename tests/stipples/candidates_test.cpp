@@ -20,7 +20,7 @@ constexpr double sphere_area = 4.0 * 3.14159265358979323846;
 
 struct Cover {
     Cover(const implicit::Implicit& surface, const glm::dvec3& seed, double side)
-        : site{runtime(), surface, 1e-6, 1}, cells(found(site, seed, side)), judged(judge_cells(site, cells)) {}
+        : site{runtime(), surface, 1e-6, 1}, cells(found(site, seed, side)), classified(classify_cells(site, cells)) {}
 
     static SurfaceCells found(const Site& site, const glm::dvec3& seed, double side) {
         geometry::VecArray seeds(runtime().memory);
@@ -29,13 +29,13 @@ struct Cover {
     }
     [[nodiscard]] std::array<std::int64_t, 3> kinds() const {
         std::array<std::int64_t, 3> count{};
-        for (const JudgedCell& cell : judged.cell) ++count[static_cast<std::size_t>(cell.kind)];
+        for (const ClassifiedCell& cell : classified.cell) ++count[static_cast<std::size_t>(cell.kind)];
         return count;
     }
 
     Site site;
     SurfaceCells cells;
-    JudgedCells judged;
+    ClassifiedCells classified;
 };
 
 glm::dvec3 place_of(Candidates& candidates, std::int64_t place) {
@@ -148,7 +148,7 @@ TEST(PlaneCandidates, AreDrawnWithinTheTrialLimit) {
     const Sphere sphere;
     const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
     const auto draw = [&](double most_trials, const base::Progress& progress) {
-        return draw_on_planes(cover.site.with(progress), cover.judged, stream_of(Kind::stipples), 1e30, most_trials)
+        return draw_on_planes(cover.site.with(progress), cover.classified, stream_of(Kind::stipples), 1e30, most_trials)
             .all;
     };
     const std::int64_t flat = cover.kinds()[1];
@@ -173,11 +173,12 @@ TEST(Candidates, OnPlanesAndInLayersHaveTheSameDensity) {
     EXPECT_GT(kinds[2], 500);
     constexpr double density = 10000.0;
     constexpr std::uint32_t stream = stream_of(Kind::stipples);
-    const PlaneCandidates planes = draw_on_planes(cover.site, cover.judged, stream, density, 1e300);
-    LayerCandidates layer = layer_candidates(cover.judged, stream, 60000);
-    draw_in_layer(cover.site, cover.judged, density, layer);
+    const PlaneCandidates planes = draw_on_planes(cover.site, cover.classified, stream, density, 1e300);
+    LayerCandidates layer = layer_candidates(cover.classified, stream, 60000);
+    draw_in_layer(cover.site, cover.classified, density, layer);
     EXPECT_GT(layer.projection.size(), 5000);
-    for (const Projection& projection : layer.projection) EXPECT_NE(cover.judged.kind(projection.cell), CellKind::flat);
+    for (const Projection& projection : layer.projection)
+        EXPECT_NE(cover.classified.kind(projection.cell), CellKind::flat);
     EXPECT_NEAR(planes.area() + layer.area(), area, 0.02 * area);
     // Counts strips along a face and across its rounded ends. Each should have the same number for its area.
     std::array<double, 12> strip{};

@@ -45,7 +45,7 @@ TEST(CellMap, FindsNeighbouringCells) {
     CellMap::BlocksAround blocks;
     for (std::int64_t i = 0; i < codes.size(); ++i) {
         const CellMap::Around around = map.around(codes[i], blocks);
-        EXPECT_EQ(around[CellMap::itself], i);
+        EXPECT_EQ(around[CellMap::centre_index], i);
         for (int step = 0; step < neighbour_count; ++step) {
             const CellGrid::Cell there = neighbour(morton_cell(codes[i]), step);
             EXPECT_EQ(around[static_cast<std::size_t>(step)],
@@ -53,7 +53,7 @@ TEST(CellMap, FindsNeighbouringCells) {
         }
         CellGrid::Cell next = morton_cell(codes[i]);
         ++next[1];
-        EXPECT_EQ(around[CellMap::itself + CellMap::step_along[1]], map.find(morton_code(next)));
+        EXPECT_EQ(around[CellMap::centre_index + CellMap::step_along[1]], map.find(morton_code(next)));
     }
 }
 

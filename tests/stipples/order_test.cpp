@@ -65,7 +65,7 @@ void feel_plainly(const OrderBlock& block, std::int64_t count, const OrderMark& 
             squared += offset * offset;
             turn += normal[c] * normal_of_mark[c];
         }
-        if (turn < opposite * unpacked_length * unpacked_length) continue;
+        if (turn < least_side_cosine * unpacked_length * unpacked_length) continue;
         const float rest = std::max(0.0F, 1.0F - squared * inverse);
         block.at(OrderGroup::energy, i) += rest * rest * (rest * rest);
         block.at(OrderGroup::clearance, i) = std::min(block.at(OrderGroup::clearance, i), squared);
@@ -86,13 +86,13 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
             Block fast(count);
             const OrderBlock block = plain.view();
             feel_plainly(block, count, mark, 0.4F);
-            loops.feel[0](fast.view(), &mark, 1, 0.4F);
+            loops.add_energy[0](fast.view(), &mark, 1, 0.4F);
             expect_equal(plain, fast, count);
             std::int64_t best = -1;
-            float of_all = std::numeric_limits<float>::infinity();
+            float at_any_clearance = std::numeric_limits<float>::infinity();
             for (std::int64_t i = 0; i < count; ++i) {
                 const float energy = block.at(OrderGroup::energy, i);
-                of_all = std::min(of_all, energy);
+                at_any_clearance = std::min(at_any_clearance, energy);
                 if (block.at(OrderGroup::clearance, i) >= 0.5F &&
                     (best < 0 || energy < block.at(OrderGroup::energy, best)))
                     best = i;
@@ -100,12 +100,12 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
             EXPECT_EQ(loops.lowest(fast.view(), 0.5F).at, best) << count;
             EXPECT_EQ(loops.lowest(fast.view(), 9.0F).at, -1);
             Block both(count);
-            const OrderLowest found = loops.feel_and_find[0](both.view(), mark, 0.4F, 0.5F);
+            const LowestEnergy found = loops.add_energy_and_find[0](both.view(), mark, 0.4F, 0.5F);
             expect_equal(plain, both, count);
             EXPECT_EQ(found.at, best) << count;
             EXPECT_EQ(found.energy,
                       best < 0 ? std::numeric_limits<float>::infinity() : block.at(OrderGroup::energy, best));
-            EXPECT_EQ(found.of_all, of_all);
+            EXPECT_EQ(found.at_any_clearance, at_any_clearance);
         }
 }
 
@@ -115,7 +115,7 @@ TEST(OrderLoops, SeveralMarksActLikeOneAfterAnother) {
         Block plain(37);
         Block fast(37);
         for (const OrderMark& mark : marks) feel_plainly(plain.view(), 37, mark, 0.4F);
-        order_loops(base::choose_instruction_set(set)).feel[0](fast.view(), marks, 3, 0.4F);
+        order_loops(base::choose_instruction_set(set)).add_energy[0](fast.view(), marks, 3, 0.4F);
         expect_equal(plain, fast, 37);
     }
 }
@@ -137,14 +137,14 @@ TEST(OrderLoops, DistancesAreMeasuredAlongTheSurface) {
         }
         forget_marks(block.view(), 20);
         const OrderLoops loops = order_loops(base::choose_instruction_set(set));
-        loops.feel[1](block.view(), &mark, 1, 0.4F);
+        loops.add_energy[1](block.view(), &mark, 1, 0.4F);
         for (std::int64_t i = 0; i < 20; ++i) {
             const float way = 0.3F + 0.02F * static_cast<float>(i);
             EXPECT_NEAR(block.view().at(OrderGroup::clearance, i), way * way, 0.01F * way * way) << i;
             EXPECT_NEAR(block.view().at(OrderGroup::energy, i), std::pow(1.0F - 0.4F * way * way, 4.0F), 0.01F) << i;
         }
         Block other(20);
-        const OrderLowest found = loops.feel_and_find[1](other.view(), mark, 0.4F, 0.0F);
+        const LowestEnergy found = loops.add_energy_and_find[1](other.view(), mark, 0.4F, 0.0F);
         EXPECT_GE(found.at, 0);
     }
 }
@@ -155,12 +155,12 @@ TEST(OrderLoops, TheFirstOfEqualMinimaIsFound) {
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
         const OrderLoops loops = order_loops(base::choose_instruction_set(set));
         std::fill(numbers.begin(), numbers.end(), none);
-        EXPECT_EQ(loops.smallest(numbers.data(), 100), -1);
+        EXPECT_EQ(loops.index_of_smallest(numbers.data(), 100), -1);
         numbers[95] = numbers[83] = numbers[67] = 0.5F;
-        EXPECT_EQ(loops.smallest(numbers.data(), 100), 67);
-        EXPECT_EQ(loops.smallest(numbers.data(), 67), -1);
+        EXPECT_EQ(loops.index_of_smallest(numbers.data(), 100), 67);
+        EXPECT_EQ(loops.index_of_smallest(numbers.data(), 67), -1);
         numbers[3] = 0.25F;
-        EXPECT_EQ(loops.smallest(numbers.data(), 5), 3);
+        EXPECT_EQ(loops.index_of_smallest(numbers.data(), 5), 3);
     }
 }
 
