@@ -17,13 +17,13 @@ namespace {
 
 using geometry::CellGrid;
 
-constexpr double unused = 1e-7; // the tolerance of projections; none are made here
+constexpr double unused_tolerance = 1e-7; // the tolerance of projections; none are made here
 
 // The domain in which the first look follows the surface: it ends where surrounded samples support the surface, and
 // includes all places whose nearest sample is not surrounded.
-class Doubtful final : public implicit::Domain {
+class UnsupportedDomain final : public implicit::Domain {
 public:
-    Doubtful(const surface::Support& support, double limit) noexcept : support_(support), limit_(limit) {}
+    UnsupportedDomain(const surface::Support& support, double limit) noexcept : support_(support), limit_(limit) {}
 
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
         return support_.nearest_sample(place).surrounded ? limit_ - support_.value(place, gradient) : -limit_;
@@ -35,19 +35,19 @@ private:
 };
 
 // A connected set of cells in which s exceeds the limit.
-struct Part {
-    double highest = 0.0;  // the highest s in its cells
-    double farthest = 0.0; // the largest distance of its places from the nearest sample
-    bool to_end = false;   // the part reaches the end of the region
+struct UnsupportedPart {
+    double highest = 0.0;            // the highest s in its cells
+    double farthest = 0.0;           // the largest distance of its places from the nearest sample
+    bool reaches_region_end = false; // it reaches the end of the region
     bool left_out = false;
     std::int64_t cells = 0;
 };
-constexpr std::int32_t borne_out = -1;
-constexpr std::int32_t in_no_part_yet = -2;
+constexpr std::int32_t supported = -1;
+constexpr std::int32_t unassigned = -2;
 
 // The cells that the surface passes through, and their parts.
-struct Followed {
-    explicit Followed(stipples::SurfaceCells found)
+struct FollowedSurface {
+    explicit FollowedSurface(stipples::SurfaceCells found)
         : cells(std::move(found)), number(cells), part_of(cells.cell.memory(), cells.cell.size()),
           part(cells.cell.memory()) {}
 
@@ -72,23 +72,23 @@ struct Followed {
 
     stipples::SurfaceCells cells;
     stipples::CellMap number;
-    base::Array<std::int32_t> part_of; // the number of each cell's part, or borne_out
-    base::Array<Part> part;
+    base::Array<std::int32_t> part_of; // the number of each cell's part, or `supported`
+    base::Array<UnsupportedPart> part;
 };
 
-// Follows the surface from samples, finds its parts, and reports the parts that are left out. If `wary` is set, the
-// search uses coarser cells and lower limits.
-[[nodiscard]] Followed follow(const base::Work& work, const implicit::Implicit& implicit,
-                              const surface::Support& support, const TrimSettings& settings, bool wary,
-                              const geometry::VecArray& samples, TrimReport& report) {
+// Follows the surface from samples, finds its parts, and reports those left out. A wary look has fewer cells and lower
+// limits.
+[[nodiscard]] FollowedSurface follow(const base::Work& work, const implicit::Implicit& implicit,
+                                     const surface::Support& support, const TrimSettings& settings, bool wary,
+                                     const geometry::VecArray& samples, TrimReport& report) {
     const double diagonal = implicit.diagonal();
     const geometry::Bounds region = implicit.bounds().grown(stipples::stipple_tuning.most_margin * diagonal);
     const double a_spacing = wary ? 1.0 : generate_tuning.cells_a_spacing;
     const double side =
         std::clamp(support.median_spacing() / a_spacing, region.diagonal() / generate_tuning.finest_cells,
                    region.diagonal() / generate_tuning.coarsest_cells);
-    const marks::Site site{work, implicit, unused, 1};
-    Followed found(stipples::find_surface_cells(site.part(0.0, 0.6), samples, region, side));
+    const marks::Site site{work, implicit, unused_tolerance, 1};
+    FollowedSurface found(stipples::find_surface_cells(site.part(0.0, 0.6), samples, region, side));
     const stipples::SurfaceCells& cells = found.cells;
     const std::int64_t count = cells.cell.size();
     base::Array<double> value(work.memory, count); // s at the place of the surface nearest to each cell's centre
@@ -97,41 +97,42 @@ struct Followed {
         for (std::int64_t i = begin; i < end; ++i) {
             const stipples::SurfaceCell& cell = cells.cell[i];
             value[i] = std::isnan(cell.distance) ? 0.0 : support.value(found.place(i), cell.normal);
-            found.part_of[i] = value[i] > settings.limit ? in_no_part_yet : borne_out;
+            found.part_of[i] = value[i] > settings.limit ? unassigned : supported;
         }
     });
-    const bool along_curves = !wary && settings.closest == 0.0 && support.samples_lie_along_curves();
-    const double share = wary ? generate_tuning.wary : 1.0;
+    const bool along_curves = !wary && settings.closest == 0.0 && support.along_curves();
+    const double share = wary ? generate_tuning.caution_factor : 1.0;
     const geometry::Bounds inner = region.grown(-side);
     std::int64_t left_out = 0;
     base::Array<std::int64_t> front(work.memory);
     for (std::int64_t first = 0; first < count; ++first) {
-        if (found.part_of[first] != in_no_part_yet) continue;
-        Part part;
+        if (found.part_of[first] != unassigned) continue;
+        UnsupportedPart part;
         front.clear();
         const auto take = [&](std::int64_t cell) {
             found.part_of[cell] = static_cast<std::int32_t>(found.part.size());
             front.push_back(cell);
             part.highest = std::max(part.highest, value[cell]);
             part.farthest = std::max(part.farthest, support.nearest_sample(found.place(cell)).distance);
-            part.to_end = part.to_end || !inner.contains(cells.centre(cell));
+            part.reaches_region_end = part.reaches_region_end || !inner.contains(cells.centre(cell));
         };
         take(first);
         for (std::int64_t next = 0; next < front.size(); ++next) {
             work.check();
             found.for_neighbours(front[next], [&](const CellGrid::Cell&, std::int32_t there) {
-                if (there >= 0 && found.part_of[there] == in_no_part_yet) take(there);
+                if (there >= 0 && found.part_of[there] == unassigned) take(there);
             });
         }
         part.cells = front.size();
         // If samples are denser than the surface is accurate, there are no holes between them. Between curves, all
         // surface that they bound stays, however far it is from them.
-        const bool sure = settings.closest > 0.0 || part.highest >= share * generate_tuning.doubtless;
-        part.left_out = part.to_end || (!along_curves && sure && part.farthest > share * settings.hole * diagonal);
+        const bool sure = settings.closest > 0.0 || part.highest >= share * generate_tuning.unsupported_limit;
+        part.left_out =
+            part.reaches_region_end || (!along_curves && sure && part.farthest > share * settings.hole * diagonal);
         found.part.push_back(part);
         if (!part.left_out) continue;
         ++report.parts;
-        report.parts_to_end += part.to_end ? 1 : 0;
+        report.parts_to_end += part.reaches_region_end ? 1 : 0;
         report.farthest = std::max(report.farthest, part.farthest);
         left_out += part.cells;
     }
@@ -147,8 +148,8 @@ struct Followed {
     if (from.size() == 0) return false;
     if (2 * from.size() > support.samples()) return true;
     const double evaluations = generate_tuning.evaluations_of_sample * static_cast<double>(from.size());
-    const implicit::Implicit& implicit = implicit_for(evaluations, work.without_progress());
-    const Doubtful doubtful(support, settings.limit);
+    const implicit::Implicit& implicit = implicit_for(evaluations, work.standing());
+    const UnsupportedDomain doubtful(support, settings.limit);
     const implicit::Trimmed some(implicit, doubtful);
     for (const bool wary : {true, false}) {
         TrimReport report;
@@ -170,7 +171,8 @@ FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for, con
     trim.report.spacing = support.median_spacing();
     if (!may_end(work.part(0.2, 0.3), implicit_for, support, settings)) return trim;
     const implicit::Implicit& implicit = implicit_for(generate_tuning.evaluations_of_surface, work.part(0.3, 0.5));
-    const Followed found = follow(work.part(0.5, 1.0), implicit, support, settings, false, position, trim.report);
+    const FollowedSurface found =
+        follow(work.part(0.5, 1.0), implicit, support, settings, false, position, trim.report);
     if (trim.report.share == 1.0)
         fail(Status::not_converged, "no part of the surface is near the samples; give more samples, or a larger limit");
     if (trim.report.parts == 0) return trim;
@@ -199,8 +201,8 @@ geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit&
     if (position.size() > generate_tuning.most_samples_along_curves) return bounds;
     if (!geometry::lie_along_curves(geometry::PointTree(position, work.part(0.0, 0.1)))) return bounds;
     const double diagonal = implicit.diagonal();
-    const geometry::Bounds region = bounds.grown(generate_tuning.bulge * diagonal);
-    const marks::Site site{work, implicit, unused, 1};
+    const geometry::Bounds region = bounds.grown(generate_tuning.closing_distance * diagonal);
+    const marks::Site site{work, implicit, unused_tolerance, 1};
     const stipples::SurfaceCells found =
         stipples::find_surface_cells(site.part(0.1, 1.0), position, region, diagonal / generate_tuning.cells_of_bounds);
     const geometry::Bounds inside = region.grown(-found.grid.side);

@@ -30,10 +30,10 @@ namespace {
 
 // A model, its samples and the lengths of the settings, in a unit of about the model's size, in which floats can hold
 // squares and cubes.
-struct InUnit {
+struct ScaledInput {
     // The settings have passed check_request(). All arguments must outlive this object.
-    InUnit(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& given_samples,
-           const Settings& given)
+    ScaledInput(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& given_samples,
+                const Settings& given)
         : work_of_all(work), unscaled(implicit), unit(geometry::unit_for(implicit.diagonal())),
           sample_position(work.memory), seed_position(work.memory), samples(given_samples), settings(given) {
         if (unit == 1.0) return;
@@ -96,7 +96,7 @@ void check_length(const char* field, double length, double diagonal) {
 // ---- Layers
 
 // The data from which all layers grow.
-struct Ground {
+struct GenerateInput {
     const marks::Site& site;
     const SampleHint& samples;
     const Settings& settings;
@@ -104,15 +104,16 @@ struct Ground {
 };
 
 // A layer while it grows.
-struct Growing {
-    Growing(const marks::Site& all, const LayerSettings& its, std::int64_t number, std::int64_t number_of_kind) noexcept
+struct GrowingLayer {
+    GrowingLayer(const marks::Site& all, const LayerSettings& its, std::int64_t number,
+                 std::int64_t number_of_kind) noexcept
         : settings(its), place(number), site(all), marks(all.memory()) {
         site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
     }
     // Returns the site with the layer's part of the progress. Seeds take the first tenth, and assembling takes the last
     // part. The layers share the rest.
-    [[nodiscard]] marks::Site part_of(const Ground& ground) const noexcept {
-        const double each = 0.75 / static_cast<double>(ground.settings.layers.size());
+    [[nodiscard]] marks::Site part_of(const GenerateInput& input) const noexcept {
+        const double each = 0.75 / static_cast<double>(input.settings.layers.size());
         const double first = 0.2 + each * static_cast<double>(place);
         return site.part(first, first + each);
     }
@@ -131,11 +132,11 @@ struct Growing {
                                                             : published::Directions::principal;
 }
 
-[[nodiscard]] published::GrowthSettings growth_of(const Ground& ground, const Growing& layer) {
+[[nodiscard]] published::GrowthSettings growth_of(const GenerateInput& input, const GrowingLayer& layer) {
     published::GrowthSettings growth;
     growth.layer = layer.place;
     growth.levels = layer.settings.published.levels;
-    growth.step = ground.seeds.step;
+    growth.step = input.seeds.step;
     growth.budget = layer.settings.budget;
     growth.directions = published_directions(layer.settings.hatching);
     growth.function = layer.settings.hatching.direction;
@@ -143,38 +144,38 @@ struct Growing {
 }
 
 // Grows all layers. Strokes start from seeds, from the first layer of stipples, or from stipples made only for them.
-void grow_published(const Ground& ground, base::List<Growing>& growing, marks::PointSet& set) {
-    const marks::Seeds& seeds = ground.seeds;
+void grow_published(const GenerateInput& input, base::List<GrowingLayer>& growing, marks::PointSet& set) {
+    const marks::Seeds& seeds = input.seeds;
     const published::Start from_seeds{seeds.position, seeds.normal, seeds.report.attempted};
     const marks::Marks* stipples = nullptr;
     std::int32_t levels_to_start = -1;
-    for (Growing& layer : growing) {
+    for (GrowingLayer& layer : growing) {
         if (layer.settings.published.from_stipples)
             levels_to_start = std::max(levels_to_start, layer.settings.published.start_level);
         if (layer.settings.has_strokes()) continue;
         const base::Stopwatch watch;
         marks::LayerReport& report = set.layers[layer.place].report;
-        published::grow_stipples(layer.part_of(ground), from_seeds, growth_of(ground, layer), layer.marks, report);
+        published::grow_stipples(layer.part_of(input), from_seeds, growth_of(input, layer), layer.marks, report);
         report.seconds = watch.seconds();
         if (stipples == nullptr) stipples = &layer.marks;
     }
-    marks::Marks hidden(ground.site.memory());
+    marks::Marks hidden(input.site.memory());
     if (stipples == nullptr && levels_to_start >= 0) {
         published::GrowthSettings growth;
         growth.layer = -1;
         growth.levels = levels_to_start;
         growth.step = seeds.step;
-        marks::LayerReport report(ground.site.memory());
-        published::grow_stipples(ground.site.part(0.1, 0.2), from_seeds, growth, hidden, report);
+        marks::LayerReport report(input.site.memory());
+        published::grow_stipples(input.site.part(0.1, 0.2), from_seeds, growth, hidden, report);
     }
     if (stipples == nullptr) stipples = &hidden;
-    for (Growing& layer : growing) {
+    for (GrowingLayer& layer : growing) {
         if (!layer.settings.has_strokes()) continue;
         const base::Stopwatch watch;
         marks::LayerReport& report = set.layers[layer.place].report;
         const published::Settings& its = layer.settings.published;
-        geometry::VecArray position(ground.site.memory());
-        geometry::VecArray normal(ground.site.memory());
+        geometry::VecArray position(input.site.memory());
+        geometry::VecArray normal(input.site.memory());
         for (std::int64_t i = 0; its.from_stipples && i < stipples->count(); ++i) {
             if (stipples->level[i] > its.start_level) continue;
             position.push_back(stipples->position[i]);
@@ -182,8 +183,8 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
         }
         const published::Start from_stipples{position, normal,
                                              marks::grown_count(seeds.report.attempted, 5, its.start_level)};
-        published::grow_strokes(layer.part_of(ground), its.from_stipples ? from_stipples : from_seeds,
-                                growth_of(ground, layer), layer.marks, report);
+        published::grow_strokes(layer.part_of(input), its.from_stipples ? from_stipples : from_seeds,
+                                growth_of(input, layer), layer.marks, report);
         report.seconds = watch.seconds();
     }
 }
@@ -191,11 +192,11 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
 // ---- BLUE_NOISE
 
 // Makes even stipples. Returns the area of the surface.
-double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells, Growing& layer,
+double spread_stipples(const GenerateInput& input, const stipples::SurfaceCells& cells, GrowingLayer& layer,
                        marks::LayerReport& report) {
     const base::Stopwatch watch;
     stipples::EvenMarks even =
-        stipples::spread_by_density(layer.part_of(ground), cells, layer.settings.budget, layer.settings.density);
+        stipples::spread_by_density(layer.part_of(input), cells, layer.settings.budget, layer.settings.density);
     marks::Marks& marks = layer.marks;
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
@@ -217,47 +218,48 @@ double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells
 // Lays the lines of a layer of hatching. Layers that differ only in their angles share the samples on which lines are
 // laid, in `last`. The samples do not depend on the other layers, because they have their own cells. Returns the area
 // of the surface.
-double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Ground>& last, marks::LayerReport& report) {
+double place_hatching(const GenerateInput& input, GrowingLayer& layer, std::optional<hatching::HatchingField>& last,
+                      marks::LayerReport& report) {
     const base::Stopwatch watch;
-    // The layer uses the random numbers common to all layers, not the layer's own.
-    const marks::Site site = ground.site.with(layer.part_of(ground).work);
+    // The layer uses the random numbers of all layers, not its own.
+    const marks::Site site = input.site.with(layer.part_of(input).work);
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
     settings.field.diagonal = site.implicit.diagonal();
-    if (!last || !settings.is_on_ground_of(last->settings()))
+    if (!last || !settings.shares_field_with(last->settings()))
         last.emplace(site.part(0.1, 0.6),
-                     stipples::cover_surface(site.part(0.0, 0.1), ground.seeds, ground.samples.spacing,
+                     stipples::cover_surface(site.part(0.0, 0.1), input.seeds, input.samples.spacing,
                                              hatching::hatching_tuning.most_samples),
                      settings);
-    last->lay_lines(site.part(0.6, 1.0), settings, layer.marks, report);
+    last->place_lines(site.part(0.6, 1.0), settings, layer.marks, report);
     report.seconds = watch.seconds();
     return last->area();
 }
 
 // Grows all layers of even stipples and lines. Returns the area of the surface.
-double grow_even(const Ground& ground, base::List<Growing>& growing, marks::PointSet& set) {
+double grow_even(const GenerateInput& input, base::List<GrowingLayer>& growing, marks::PointSet& set) {
     std::int64_t most = 1;
-    for (const LayerSettings& layer : ground.settings.layers)
+    for (const LayerSettings& layer : input.settings.layers)
         if (!layer.has_strokes()) most = std::max(most, layer.budget);
     const stipples::SurfaceCells cells =
-        stipples::cover_surface(ground.site.part(0.1, 0.2), ground.seeds, ground.samples.spacing, most);
+        stipples::cover_surface(input.site.part(0.1, 0.2), input.seeds, input.samples.spacing, most);
     double area = 0.0;
-    std::optional<hatching::Ground> last;
-    for (Growing& layer : growing) {
+    std::optional<hatching::HatchingField> last;
+    for (GrowingLayer& layer : growing) {
         marks::LayerReport& report = set.layers[layer.place].report;
-        area = std::max(area, layer.settings.has_strokes() ? hatch(ground, layer, last, report)
-                                                           : spread_stipples(ground, cells, layer, report));
+        area = std::max(area, layer.settings.has_strokes() ? place_hatching(input, layer, last, report)
+                                                           : spread_stipples(input, cells, layer, report));
     }
     return area;
 }
 
 // ---- The set
 
-void require_some(base::List<Growing>& growing, marks::PointSet& set) {
+void require_marks(base::List<GrowingLayer>& growing, marks::PointSet& set) {
     marks::LevelReport all;
     bool lengths_given = false;
-    for (const Growing& layer : growing) {
+    for (const GrowingLayer& layer : growing) {
         if (layer.marks.count() > 0) return;
         const hatching::Settings& hatching = layer.settings.hatching;
         lengths_given = lengths_given || hatching.separation > 0.0 || hatching.step > 0.0;
@@ -281,13 +283,13 @@ void require_some(base::List<Growing>& growing, marks::PointSet& set) {
 }
 
 // `area` is the area of the surface; 0: unknown.
-void assemble_layers(const marks::Site& site, base::List<Growing>& growing, double area, marks::PointSet& set) {
+void assemble_layers(const marks::Site& site, base::List<GrowingLayer>& growing, double area, marks::PointSet& set) {
     base::Array<const geometry::VecArray*> positions(site.memory());
-    for (const Growing& layer : growing) positions.push_back(&layer.marks.position);
+    for (const GrowingLayer& layer : growing) positions.push_back(&layer.marks.position);
     measure(site.work.part(0.95, 0.95), positions.span(), area, set);
     std::int64_t largest = 0; // the number of marks of the largest layer
-    for (const Growing& layer : growing) largest = std::max(largest, layer.marks.count());
-    for (Growing& layer : growing) {
+    for (const GrowingLayer& layer : growing) largest = std::max(largest, layer.marks.count());
+    for (GrowingLayer& layer : growing) {
         marks::Layer& to = set.layers[layer.place];
         const double length = layer.settings.tone_smoothing * site.implicit.diagonal();
         if (length > 0.0 && layer.marks.count() > 0) {
@@ -347,11 +349,11 @@ marks::PointSet generate(const base::Work& work, const implicit::Implicit& impli
     const base::Stopwatch watch;
     const Settings complete = completed(given);
     check_request(implicit, complete);
-    const InUnit in_unit(work, implicit, samples, complete);
-    const marks::Site site = in_unit.site();
-    const Settings& settings = in_unit.settings;
+    const ScaledInput scaled_input(work, implicit, samples, complete);
+    const marks::Site site = scaled_input.site();
+    const Settings& settings = scaled_input.settings;
     marks::PointSet set(site.memory());
-    base::List<Growing> growing(site.memory());
+    base::List<GrowingLayer> growing(site.memory());
     std::array<std::int64_t, marks::kind_count> of_kind{};
     for (const LayerSettings& its : settings.layers) {
         growing.add(site, its, growing.size(), of_kind[static_cast<std::size_t>(its.kind)]++);
@@ -359,18 +361,18 @@ marks::PointSet generate(const base::Work& work, const implicit::Implicit& impli
         layer.name = its.name;
         layer.progressive = settings.distribution == marks::Distribution::blue_noise;
     }
-    const marks::Seeds seeds = make_seeds(site.part(0.0, 0.1), in_unit.samples, settings);
+    const marks::Seeds seeds = make_seeds(site.part(0.0, 0.1), scaled_input.samples, settings);
     set.distribution = settings.distribution;
     set.seed_source = seeds.source;
     set.seeds = seeds.report;
     set.seconds_seeds = watch.seconds();
-    const Ground ground{site, in_unit.samples, settings, seeds};
+    const GenerateInput input{site, scaled_input.samples, settings, seeds};
     double area = 0.0;
     if (settings.distribution == marks::Distribution::published)
-        grow_published(ground, growing, set);
+        grow_published(input, growing, set);
     else
-        area = grow_even(ground, growing, set);
-    require_some(growing, set);
+        area = grow_even(input, growing, set);
+    require_marks(growing, set);
     assemble_layers(site, growing, area, set);
     set.seconds_total = watch.seconds();
     work.update(1.0);
@@ -386,9 +388,9 @@ double step_patches(const base::Work& work, const implicit::Implicit& implicit, 
                     const Settings& given, const base::OutView& corners) {
     const Settings settings = completed(given);
     check_request(implicit, settings);
-    const InUnit in_unit(work, implicit, samples, settings);
-    const marks::Site site = in_unit.site();
-    const marks::Seeds seeds = make_seeds(site, in_unit.samples, in_unit.settings);
+    const ScaledInput scaled_input(work, implicit, samples, settings);
+    const marks::Site site = scaled_input.site();
+    const marks::Seeds seeds = make_seeds(site, scaled_input.samples, scaled_input.settings);
     // Sorts the seeds in a random order. Patches are placed at different seeds as long as there are enough.
     struct Ticket {
         std::uint64_t number;

@@ -49,15 +49,15 @@ struct GenerateTuning {
     double finest_cells = 256.0;
     // The first look uses cells as wide as a spacing, and multiplies all limits by this factor to be cautious. Larger:
     // it finds less.
-    double wary = 0.7;
+    double caution_factor = 0.7;
     // Samples count as on the surface if they are off it by less than this, in spacings. Larger: the first look decides
     // about noisier samples, too.
     double on_surface = 0.25;
     // From this s on a place is certainly unsupported. s reaches it beyond a border at some 0.8 times the distance of
     // sixth neighbours, and in the middle of a hole at 1.7 times. Larger: more holes stay closed.
-    double doubtless = 6.0;
-    // The expected number of evaluations for all of the surface, and for each sample at which the first look begins.
-    // Both are guesses. Larger: functions are prepared more often.
+    double unsupported_limit = 6.0;
+    // The expected number of evaluations for all of the surface, and for each sample at which the first look begins:
+    // guesses. Larger: functions are prepared more often.
     double evaluations_of_surface = 2e5;
     double evaluations_of_sample = 30.0;
 
@@ -67,7 +67,7 @@ struct GenerateTuning {
     // than the fit.
     std::int64_t most_samples_along_curves = 20000;
     // The surface must close within this part of a diagonal around the samples. Larger: wider boxes.
-    double bulge = 1.0 / 3.0;
+    double closing_distance = 1.0 / 3.0;
     // The number of cells in a diagonal. Larger: more accurate boxes, in more time.
     double cells_of_bounds = 64.0;
 };

@@ -66,7 +66,7 @@ public:
         return static_cast<double>(graph_.first[i + 1] - graph_.first[i]);
     }
     // The sum of the neighbours' numbers as seen from node i.
-    [[nodiscard]] Complex around(std::int64_t i, const Numbers& z) const noexcept {
+    [[nodiscard]] Complex neighbour_sum(std::int64_t i, const Numbers& z) const noexcept {
         Complex sum(0.0);
         for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k) {
             const Link& link = link_[k];
@@ -77,7 +77,7 @@ public:
     }
     // The mean over node i and its neighbours.
     [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
-        return (around(i, z) + z[i]) / (1.0 + count(i));
+        return (neighbour_sum(i, z) + z[i]) / (1.0 + count(i));
     }
     // Turns the links into links for waves of half the period: along each link the phase grows by twice as much.
     void halve_period(const base::Work& work) {
@@ -117,7 +117,7 @@ double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) 
 }
 
 // The real part of conj(a) b.
-double inner(const Complex& a, const Complex& b) noexcept { return a.real() * b.real() + a.imag() * b.imag(); }
+double inner_product(const Complex& a, const Complex& b) noexcept { return a.real() * b.real() + a.imag() * b.imag(); }
 
 // Conjugate gradients for the system diagonal_i x_i - coupling * links.around(i, x) = right_i, which must be positive
 // definite over the reals. x is the start and becomes the solution. The iteration ends when the norm of the residual is
@@ -128,7 +128,7 @@ void solve(const base::Work& work, double tolerance, int most_steps, const Links
     HRBFNPR_ASSERT(links.nodes() == n && diagonal.size() == n && x.size() == n);
     HRBFNPR_ASSERT(coupling >= 0.0 && tolerance > 0.0);
     const auto row = [&](std::int64_t i, const Numbers& z) {
-        return diagonal[i] * z[i] - coupling * links.around(i, z);
+        return diagonal[i] * z[i] - coupling * links.neighbour_sum(i, z);
     };
     const auto sum = [&](const auto& value) { return sum_over(work, n, value); };
     Numbers residual(work.memory, n);
@@ -136,19 +136,19 @@ void solve(const base::Work& work, double tolerance, int most_steps, const Links
     Numbers image(work.memory, n);
     double squared = sum([&](std::int64_t i) {
         way[i] = residual[i] = right[i] - row(i, x);
-        return inner(residual[i], residual[i]);
+        return inner_product(residual[i], residual[i]);
     });
-    const double limit = tolerance * tolerance * sum([&](std::int64_t i) { return inner(right[i], right[i]); });
+    const double limit = tolerance * tolerance * sum([&](std::int64_t i) { return inner_product(right[i], right[i]); });
     for (int step = 0; step < most_steps && squared > limit; ++step) {
         const double bend = sum([&](std::int64_t i) {
             image[i] = row(i, way);
-            return inner(way[i], image[i]);
+            return inner_product(way[i], image[i]);
         });
         const double share = squared / bend;
         const double next = sum([&](std::int64_t i) {
             x[i] += share * way[i];
             residual[i] -= share * image[i];
-            return inner(residual[i], residual[i]);
+            return inner_product(residual[i], residual[i]);
         });
         const double kept = next / squared;
         for_nodes(work, n, [&](std::int64_t i) { way[i] = residual[i] + kept * way[i]; });
@@ -185,39 +185,40 @@ Link line_link(const SampleGraph& graph, std::int64_t i, std::int32_t j) noexcep
 // ---- The lines that the field should follow
 
 // Principal curvatures at each sample: their mean, and half their difference as a line.
-struct Bends {
+struct AveragedCurvatures {
     base::Array<double> mean;
     Numbers difference;
 };
 
 // Averages curvatures with those of the neighbours. Each round spreads by about half a spacing, all rounds by about
 // four.
-Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Links& links) {
+AveragedCurvatures average_curvatures(const marks::Site& site, const SampleGraph& graph, const Links& links) {
     base::Array<surface::Curvature> curvature(site.memory());
     surface::principal_curvatures(site.work, site.implicit, graph.position, curvature);
-    Bends bends{base::Array<double>(site.memory(), graph.nodes()), Numbers(site.memory(), graph.nodes())};
+    AveragedCurvatures averaged{base::Array<double>(site.memory(), graph.nodes()),
+                                Numbers(site.memory(), graph.nodes())};
     Numbers means(site.memory(), graph.nodes());
     const double sharpest = 4.0 / graph.spacing; // samples do not resolve sharper bends
     for (std::int64_t i = 0; i < graph.nodes(); ++i) {
         const surface::Curvature& c = curvature[i];
         const double k1 = std::clamp(c.k1, -sharpest, sharpest);
         const double k2 = std::clamp(c.k2, -sharpest, sharpest);
-        bends.mean[i] = 0.5 * (k1 + k2);
-        bends.difference[i] = 0.5 * (k1 - k2) * std::polar(1.0, 2.0 * graph.angle(i, c.d1));
+        averaged.mean[i] = 0.5 * (k1 + k2);
+        averaged.difference[i] = 0.5 * (k1 - k2) * std::polar(1.0, 2.0 * graph.angle(i, c.d1));
     }
     base::Array<double> next(site.memory(), graph.nodes());
-    for (int round = 0; round < hatching_tuning.bend_averages; ++round) {
+    for (int round = 0; round < hatching_tuning.curvature_averages; ++round) {
         for_nodes(site.work, graph.nodes(), [&](std::int64_t i) {
-            next[i] = bends.mean[i];
+            next[i] = averaged.mean[i];
             for (std::int64_t k = graph.first[i]; k < graph.first[i + 1]; ++k)
-                next[i] += bends.mean[graph.neighbour[k]];
+                next[i] += averaged.mean[graph.neighbour[k]];
             next[i] /= 1.0 + links.count(i);
         });
-        std::swap(next, bends.mean);
+        std::swap(next, averaged.mean);
     }
-    iterate(site.work, hatching_tuning.bend_averages, bends.difference,
+    iterate(site.work, hatching_tuning.curvature_averages, averaged.difference,
             [&](std::int64_t i, const Numbers& z) { return links.mean(i, z); });
-    return bends;
+    return averaged;
 }
 
 // Returns a tangent as a complex number in the frame of sample i.
@@ -236,7 +237,7 @@ Complex silhouette_line(double mean, const Complex& difference, const Complex& v
     return sure * std::norm(view) * std::norm(view) * line * line;
 }
 
-Complex named_line(const SampleGraph& graph, std::int64_t i, const Bends& bends,
+Complex guide_line(const SampleGraph& graph, std::int64_t i, const AveragedCurvatures& averaged,
                    const FieldSettings& settings) noexcept {
     const glm::dvec3 n = graph.normal[i];
     Complex line(0.0);
@@ -248,7 +249,7 @@ Complex named_line(const SampleGraph& graph, std::int64_t i, const Bends& bends,
     case Guide::sections: line = in_frame(graph, i, glm::cross(settings.axis, n)); break;
     case Guide::light: line = in_frame(graph, i, settings.guide_direction); break;
     case Guide::silhouette:
-        return silhouette_line(bends.mean[i], bends.difference[i], in_frame(graph, i, settings.guide_direction),
+        return silhouette_line(averaged.mean[i], averaged.difference[i], in_frame(graph, i, settings.guide_direction),
                                settings.diagonal);
     }
     return line * line;
@@ -263,15 +264,15 @@ Complex axis_line(const SampleGraph& graph, std::int64_t i, const FieldSettings&
         return weight * glm::dot(line, line) * std::polar(1.0, 2.0 * graph.angle(i, line));
     };
     const Complex line = around(settings.axis, settings.axis_weight);
-    if (graph.sheet.empty() || std::abs(wanted + line) >= hatching_tuning.unsure) return line;
+    if (graph.sheet.empty() || std::abs(wanted + line) >= hatching_tuning.least_confidence) return line;
     const glm::dvec3 size = glm::abs(settings.axis);
     const glm::dvec3 other = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
                              : size.y <= size.z                   ? glm::dvec3(0.0, 1.0, 0.0)
                                                                   : glm::dvec3(0.0, 0.0, 1.0);
-    return line + around(other, hatching_tuning.unsure);
+    return line + around(other, hatching_tuning.least_confidence);
 }
 
-Numbers wanted_lines(const marks::Site& site, const SampleGraph& graph, const Links& links,
+Numbers target_lines(const marks::Site& site, const SampleGraph& graph, const Links& links,
                      const FieldSettings& settings, const marks::DirectionFunction& function) {
     Numbers wanted(site.memory(), graph.nodes());
     if (function.function != nullptr) {
@@ -282,13 +283,13 @@ Numbers wanted_lines(const marks::Site& site, const SampleGraph& graph, const Li
                 wanted[i] = std::polar(1.0, 2.0 * graph.angle(i, d));
         return wanted;
     }
-    const Bends bends = average_bends(site, graph, links);
+    const AveragedCurvatures averaged = average_curvatures(site, graph, links);
     const double weight = settings.guide == Guide::curvature ? 0.0 : settings.guide_weight;
     for (std::int64_t i = 0; i < graph.nodes(); ++i) {
-        wanted[i] = curvature_line(bends.mean[i], bends.difference[i], settings.diagonal);
+        wanted[i] = curvature_line(averaged.mean[i], averaged.difference[i], settings.diagonal);
         if (weight > 0.0)
             wanted[i] = (1.0 - weight) * wanted[i] +
-                        weight * hatching_tuning.guide_strength * named_line(graph, i, bends, settings);
+                        weight * hatching_tuning.guide_strength * guide_line(graph, i, averaged, settings);
         wanted[i] += axis_line(graph, i, settings, wanted[i]);
     }
     return wanted;
@@ -332,26 +333,27 @@ Numbers halved(const base::Work& work, const Links& links, const Numbers& wave, 
     for_nodes(work, z.size(), [&](std::int64_t i) { z[i] = to_unit(product(wave[i], wave[i])); });
     iterate(work, means, z, [&](std::int64_t i, const Numbers& now) { return links.mean(i, now); });
     iterate(work, hatching_tuning.unit_averages, z,
-            [&](std::int64_t i, const Numbers& now) { return to_unit(links.around(i, now) + now[i]); });
+            [&](std::int64_t i, const Numbers& now) { return to_unit(links.neighbour_sum(i, now) + now[i]); });
     return z;
 }
 
 // A sample near a vertex of the mesh.
-struct Heard {
+struct WeightedSample {
     std::int64_t sample;
     double weight;
     bool turned = false;
     Complex factor{1.0}; // transports the sample's wave to the vertex
 };
 
-// Returns the unit line of a vertex from the lines of the samples around it; 0 if the vertex has no line. A line has no
-// sign, so angles are doubled before they are added.
-glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, const glm::dvec3& normal) noexcept {
+// Returns the unit line of a vertex from those of the samples around it; 0 if it has none. A line has no sign, so
+// angles are doubled before they are added.
+glm::dvec3 mean_line(const Waves& samples, const base::Array<WeightedSample>& nearby,
+                     const glm::dvec3& normal) noexcept {
     const glm::dvec3 u = geometry::any_perpendicular(normal);
     const glm::dvec3 v = glm::cross(normal, u);
     Complex sum(0.0);
     double weights = 0.0;
-    for (const Heard& h : heard) {
+    for (const WeightedSample& h : nearby) {
         const glm::dvec3 t = samples.along[h.sample];
         const Complex z(glm::dot(t, u), glm::dot(t, v));
         sum += h.weight * product(z, z);
@@ -362,14 +364,14 @@ glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, cons
     return std::cos(angle) * u + std::sin(angle) * v;
 }
 
-// Interpolates the line of a vertex, and the waves along it, from the samples around the vertex.
-void interpolate(const Waves& samples, base::Array<Heard>& heard, const glm::dvec3& normal, std::int64_t vertex,
-                 Waves& result) noexcept {
-    const glm::dvec3 line = mean_line(samples, heard, normal);
+// Interpolates the line of an existing vertex, and its waves.
+void interpolate(const Waves& samples, base::Array<WeightedSample>& nearby, const glm::dvec3& normal,
+                 std::int64_t vertex, Waves& result) noexcept {
+    const glm::dvec3 line = mean_line(samples, nearby, normal);
     if (glm::dot(line, line) == 0.0) return;
     result.set_line(vertex, normal, line);
     double weights = 0.0;
-    for (Heard& h : heard) {
+    for (WeightedSample& h : nearby) {
         const glm::dvec3 there = samples.across[h.sample];
         h.turned = glm::dot(line, samples.along[h.sample]) < 0.0;
         const glm::dvec3 mean = 0.5 * (result.across[vertex] + (h.turned ? -there : there));
@@ -379,9 +381,9 @@ void interpolate(const Waves& samples, base::Array<Heard>& heard, const glm::dve
     }
     for (std::int64_t level = 0; level < samples.level.size(); ++level) {
         Complex sum(0.0);
-        for (Heard& h : heard) {
+        for (WeightedSample& h : nearby) {
             if (level > 0) h.factor = product(h.factor, h.factor); // half the period
-            sum += h.weight * product(h.factor, seen(samples.level[level][h.sample], h.turned));
+            sum += h.weight * product(h.factor, conjugated_if(samples.level[level][h.sample], h.turned));
         }
         result.level[level][vertex] = sum / weights;
     }
@@ -391,15 +393,15 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
                    const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets) {
     Waves result(work.memory, mesh.position, samples.period);
     for (std::int64_t level = 0; level < samples.level.size(); ++level) result.level.add(work.memory, mesh.vertices());
-    const double radius = hatching_tuning.influence * graph.spacing;
+    const double radius = hatching_tuning.sample_reach * graph.spacing;
     const geometry::PointGrid grid(graph.position, radius, work);
     const geometry::VecArray places = grid.in_order(graph.position, work);
     work.for_chunks(mesh.vertices(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<Heard> heard(work.memory);
+        base::Array<WeightedSample> nearby(work.memory);
         for (const std::int64_t v : work.over(begin, end)) {
             const glm::dvec3 p = mesh.position[v];
             const glm::dvec3 n = glm::normalize(mesh.gradient[v]);
-            heard.clear();
+            nearby.clear();
             grid.around(p, [&](std::int64_t at) {
                 const glm::dvec3 way = p - places[at];
                 const double squared = glm::dot(way, way);
@@ -409,11 +411,12 @@ Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves
                 if (!(glm::dot(there, n) > hatching_tuning.same_sheet_cosine)) return;
                 if (!sheets.empty() && surface::is_creased(sheets[v], graph.sheet[i], n, there)) return;
                 const double height = glm::dot(way, n);
-                if (height * height > hatching_tuning.steepest * hatching_tuning.steepest * squared) return;
+                if (height * height > hatching_tuning.steepest_offset * hatching_tuning.steepest_offset * squared)
+                    return;
                 const double rest = 1.0 - squared / (radius * radius);
-                heard.push_back({i, rest * rest});
+                nearby.push_back({i, rest * rest});
             });
-            interpolate(samples, heard, n, v, result);
+            interpolate(samples, nearby, n, v, result);
         }
     });
     return result;
@@ -441,7 +444,7 @@ Complex curvature_line(double mean, const Complex& difference, double diagonal) 
     const double k2 = std::abs(mean - apart);
     const double bend = diagonal * std::max(k1, k2);
     const double sure = std::pow((k1 - k2) / (k1 + k2), 2.0) * std::min(1.0, hatching_tuning.full_radius * bend) *
-                        std::clamp(bend / hatching_tuning.flat_bend - 1.0, 0.0, 1.0);
+                        std::clamp(bend / hatching_tuning.flat_curvature - 1.0, 0.0, 1.0);
     return (k1 >= k2 ? sure : -sure) / apart * difference;
 }
 
@@ -476,7 +479,7 @@ base::Array<double> line_angles(const marks::Site& site, const SampleGraph& grap
                                 const marks::DirectionFunction& function) {
     const base::Runtime& runtime = site.work;
     const Links links(site.work, graph, [&](std::int64_t i, std::int32_t j) { return line_link(graph, i, j); });
-    const Numbers wanted = wanted_lines(site, graph, links, settings, function);
+    const Numbers wanted = target_lines(site, graph, links, settings, function);
     const double length = settings.smoothing * settings.diagonal / graph.spacing;
     const double stiffness = length * length / 6.0;
     Numbers z(runtime.memory, graph.nodes());

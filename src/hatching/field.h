@@ -122,7 +122,7 @@ struct Waves {
 };
 
 // Returns the wave as seen from a line that points in the opposite direction, or in the same one.
-[[nodiscard]] inline Complex seen(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
+[[nodiscard]] inline Complex conjugated_if(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
 
 // Adds waves to the samples' lines: `levels` levels, or as many as the samples can represent.
 void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels, Waves& samples);

@@ -42,12 +42,12 @@ void require_room(const marks::Site& site, const Settings& settings, double area
 
 } // namespace
 
-bool Settings::is_on_ground_of(const Settings& other) const noexcept {
+bool Settings::shares_field_with(const Settings& other) const noexcept {
     return separation == other.separation && step == other.step && (separation > 0.0 || budget == other.budget) &&
            field == other.field && direction == other.direction;
 }
 
-Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings)
+HatchingField::HatchingField(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings)
     : settings_(settings), region_(cells.region), graph_(site.memory()), angle_(site.memory()), mesh_(site.memory()),
       sheet_(site.memory()) {
     require_room(site, settings, cells.rough_area());
@@ -76,8 +76,8 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
     for (std::int64_t i = 0; i < mesh_.corner.size(); ++i) sheet_[mesh_.corner[i]] = sharp.sheet[i / 3];
 }
 
-void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
-                       marks::LayerReport& report) const {
+void HatchingField::place_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
+                                marks::LayerReport& report) const {
     require_room(site, settings, area_);
     const double separation = separation_of(settings, area_);
     HRBFNPR_ASSERT(separation > 0.0 && graph_.nodes() == angle_.size());

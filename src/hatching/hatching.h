@@ -25,19 +25,19 @@ struct Settings {
     marks::DirectionFunction direction; // its directions replace the curvature
 
     // Returns whether lines of both settings can use one Ground.
-    [[nodiscard]] bool is_on_ground_of(const Settings& other) const noexcept;
+    [[nodiscard]] bool shares_field_with(const Settings& other) const noexcept;
 };
 
 // The data that lines of any angle share: the field, and the mesh on which the lines are found.
-class Ground {
+class HatchingField {
 public:
-    Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings);
+    HatchingField(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings);
 
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
     [[nodiscard]] double area() const noexcept { return area_; } // the area of the surface that the lines are laid on
     // Appends marks, line after line, coarse levels first.
-    void lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
-                   marks::LayerReport& report) const;
+    void place_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
+                     marks::LayerReport& report) const;
 
 private:
     Settings settings_;

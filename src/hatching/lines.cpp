@@ -58,7 +58,7 @@ void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t
     const double scale = std::ldexp(1.0, halvings) / tau;
     const double growth = waves.growth(a, b, waves.period_of(waves.finest()));
     const double begin = std::arg(waves.level[waves.finest()][a]);
-    const double end = std::arg(seen(waves.level[waves.finest()][b], waves.turned(a, b)));
+    const double end = std::arg(conjugated_if(waves.level[waves.finest()][b], waves.turned(a, b)));
     const double change = growth + std::remainder(end - begin - growth, tau);
     const double last = scale * std::max(begin, begin + change);
     for (double k = std::floor(scale * std::min(begin, begin + change)) + 1.0; k <= last; k += 1.0) {
@@ -74,7 +74,7 @@ std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::
     if (twos < halvings) return static_cast<std::uint8_t>(waves.finest() + halvings - twos);
     for (std::int64_t coarser = waves.finest() - 1; coarser >= 0; --coarser) {
         const double growth = waves.growth(c.a, c.b, waves.period_of(coarser));
-        const Complex at_b = seen(waves.level[coarser][c.b], waves.turned(c.a, c.b));
+        const Complex at_b = conjugated_if(waves.level[coarser][c.b], waves.turned(c.a, c.b));
         const Complex from_a = product(waves.level[coarser][c.a], std::polar(1.0 - c.share, c.share * growth));
         const Complex from_b = product(at_b, std::polar(c.share, (c.share - 1.0) * growth));
         if (std::real(from_a + from_b) < 0.0) return static_cast<std::uint8_t>(coarser + 1);
@@ -161,7 +161,7 @@ void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int
 }
 
 // Follows open lines first, from an end, and then closed ones. Lines that cross only one edge are left out.
-Lines walk(const curves::SurfaceMesh& mesh, const Crossings& found, const base::Progress& progress) {
+Lines follow_crests(const curves::SurfaceMesh& mesh, const Crossings& found, const base::Progress& progress) {
     Lines lines(mesh.position.memory());
     base::Array<std::uint8_t> taken(mesh.position.memory(), found.crossing.size());
     const auto follow = [&](std::int64_t from) {
@@ -190,14 +190,14 @@ Lines walk(const curves::SurfaceMesh& mesh, const Crossings& found, const base::
 
 // ---- Ends of lines
 
-// End 2 l is the start of line l, and 2 l + 1 its end; `way` points outwards.
-struct Ends {
-    geometry::VecArray place, way;
+// End 2 l is the begin of line l, and 2 l + 1 its end; `direction` points outwards.
+struct LineEnds {
+    geometry::VecArray place, direction;
 };
 
 // Points on mesh edges are only accurate to a fraction of a cell, so an end's direction is taken over several points.
-Ends ends_of(const Lines& lines, double reach) {
-    Ends ends{geometry::VecArray(lines.first.memory()), geometry::VecArray(lines.first.memory())};
+LineEnds ends_of(const Lines& lines, double reach) {
+    LineEnds ends{geometry::VecArray(lines.first.memory()), geometry::VecArray(lines.first.memory())};
     for (std::int64_t l = 0; l < lines.count(); ++l)
         for (const std::int64_t step : {1, -1}) {
             const std::int64_t last = lines.points(l) - 1;
@@ -208,23 +208,24 @@ Ends ends_of(const Lines& lines, double reach) {
             std::int64_t k = std::min<std::int64_t>(1, last);
             while (k < last && distance(k) < hatching_tuning.end_length * reach) ++k;
             ends.place.push_back(lines.position[end]);
-            ends.way.push_back(glm::normalize(lines.position[end] - lines.position[end + k * step]));
+            ends.direction.push_back(glm::normalize(lines.position[end] - lines.position[end + k * step]));
         }
     return ends;
 }
 
 // Over a tiny gap the direction across means nothing, so only the ends' directions count, with a larger tolerance.
-bool face_each_other(const Ends& ends, std::int64_t a, std::int64_t b, double reach) noexcept {
+bool face_each_other(const LineEnds& ends, std::int64_t a, std::int64_t b, double reach) noexcept {
     const glm::dvec3 gap = ends.place[b] - ends.place[a];
     const double length = glm::length(gap);
-    if (length < hatching_tuning.touching * reach)
-        return glm::dot(ends.way[a], ends.way[b]) < -hatching_tuning.touching_cosine;
+    if (length < hatching_tuning.touching_gap * reach)
+        return glm::dot(ends.direction[a], ends.direction[b]) < -hatching_tuning.touching_cosine;
     const double least = hatching_tuning.facing_cosine * length;
-    return length <= reach && glm::dot(ends.way[a], gap) > least && glm::dot(ends.way[b], gap) < -least;
+    return length <= reach && glm::dot(ends.direction[a], gap) > least && glm::dot(ends.direction[b], gap) < -least;
 }
 
 // Returns the end that each end is joined to; -1: none. The nearest are joined first.
-base::Array<std::int64_t> partners(const Lines& lines, const Ends& ends, double reach, const base::Progress& progress) {
+base::Array<std::int64_t> pair_ends(const Lines& lines, const LineEnds& ends, double reach,
+                                    const base::Progress& progress) {
     struct Pair {
         double distance;
         std::int64_t a, b;
@@ -255,14 +256,15 @@ base::Array<std::int64_t> partners(const Lines& lines, const Ends& ends, double 
 
 // Appends the points of a line, starting at one of its ends. If ends overlap or lie side by side, points that would
 // lead back are left out.
-void add_from(const Lines& lines, const Ends& ends, std::int64_t end, Lines& result, const base::Progress& progress) {
+void add_line_from_end(const Lines& lines, const LineEnds& ends, std::int64_t end, Lines& result,
+                       const base::Progress& progress) {
     const std::int64_t line = end / 2;
     const std::int64_t last = lines.points(line) - 1;
     const auto point = [&](std::int64_t k) { return lines.first[line] + (end % 2 != 0 ? last - k : k); };
     std::int64_t begin = 0;
     if (const std::int64_t size = result.position.size(); size > result.first[result.count()]) {
         const glm::dvec3 before = result.position[size - 1];
-        while (begin + 1 < last && glm::dot(lines.position[point(begin)] - before, ends.way[end]) >= 0.0) ++begin;
+        while (begin + 1 < last && glm::dot(lines.position[point(begin)] - before, ends.direction[end]) >= 0.0) ++begin;
     }
     for (std::int64_t k = begin; k <= last; ++k)
         result.add_point(lines.position[point(k)], lines.normal[point(k)], lines.level[point(k)], progress);
@@ -273,7 +275,7 @@ void add_from(const Lines& lines, const Ends& ends, std::int64_t end, Lines& res
 constexpr std::int64_t lines_a_task = 16;
 
 // The range of a line's points.
-struct Stretch {
+struct LineRange {
     std::int64_t begin, end;
     bool closed;
 
@@ -291,14 +293,14 @@ void for_lines(const base::Work& work, const Lines& lines, const Visit& visit) {
     work.for_chunks(lines.count(), lines_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t l = begin; l < end; ++l) {
             work.check();
-            visit(Stretch{lines.first[l], lines.first[l + 1], lines.closed[l] != 0});
+            visit(LineRange{lines.first[l], lines.first[l + 1], lines.closed[l] != 0});
         }
     });
 }
 
 // Replaces the points of a line by moved(i, point before, point, point after), from their old places; open ends stay.
 template <class Moved>
-void move_between(geometry::VecArray& position, const Stretch& line, const Moved& moved) {
+void move_between(geometry::VecArray& position, const LineRange& line, const Moved& moved) {
     const glm::dvec3 first = position[line.begin];
     glm::dvec3 before = line.closed ? position[line.end - 1] : first;
     for (std::int64_t i = line.begin; i < line.end; ++i) {
@@ -310,7 +312,7 @@ void move_between(geometry::VecArray& position, const Stretch& line, const Moved
 }
 
 // Sets the unit tangents across a line; 0 where the line has no direction.
-void set_across(const Lines& lines, const Stretch& line, geometry::VecArray& across) {
+void set_across(const Lines& lines, const LineRange& line, geometry::VecArray& across) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         const std::int64_t last = line.before(i);
         const std::int64_t next = line.after(i);
@@ -332,34 +334,34 @@ struct Neighbour {
 };
 
 // The neighbours of each point: first the one against its `across` direction, then the one along it.
-using Beside = base::Array<std::array<Neighbour, 2>>;
+using LineNeighbours = base::Array<std::array<Neighbour, 2>>;
 
 // Finds the neighbours of each point: on each side, the nearest place where the plane across the line meets another
 // line, or a distant part of the same line.
-void find_beside(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation,
-                 Beside& beside) {
+void find_neighbours(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation,
+                     LineNeighbours& neighbours) {
     const double step = hatching_tuning.even_step;
-    const geometry::PointGrid grid(lines.position, (hatching_tuning.beside + step) * separation, work);
+    const geometry::PointGrid grid(lines.position, (hatching_tuning.neighbour_reach + step) * separation, work);
     const geometry::VecArray places = grid.in_order(lines.position, work);
     base::Array<std::int32_t> next(work.memory); // the next point on each point's line; -1 at its end
     base::resize_long(next, lines.position.size(), work);
-    for_lines(work, lines, [&](const Stretch& line) {
+    for_lines(work, lines, [&](const LineRange& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
     });
     // Points of the same line are neighbours only where it winds round.
-    const auto is_apart = [&](const Stretch& line, std::int64_t i, std::int64_t j) {
+    const auto is_apart = [&](const LineRange& line, std::int64_t i, std::int64_t j) {
         if (j < line.begin || j >= line.end) return true;
         const std::int64_t way = std::abs(i - j);
         const std::int64_t shortest = line.closed ? std::min(way, line.end - line.begin - way) : way;
-        return static_cast<double>(shortest) * step >= hatching_tuning.winding;
+        return static_cast<double>(shortest) * step >= hatching_tuning.least_way_around;
     };
-    const auto look_around = [&](const Stretch& line, std::int64_t i) {
+    const auto look_around = [&](const LineRange& line, std::int64_t i) {
         const glm::dvec3 p = lines.position[i];
         const glm::dvec3 n = lines.normal[i];
         const glm::dvec3 aside = across[i];
         const glm::dvec3 along = glm::cross(aside, n);
         std::array<Neighbour, 2> found{};
-        for (Neighbour& side : found) side.gap = static_cast<float>(hatching_tuning.beside);
+        for (Neighbour& side : found) side.gap = static_cast<float>(hatching_tuning.neighbour_reach);
         grid.around(p, [&](std::int64_t at) {
             const glm::dvec3 way = places[at] - p;
             const double from = glm::dot(way, along);
@@ -377,7 +379,8 @@ void find_beside(const base::Work& work, const Lines& lines, const geometry::Vec
             const glm::dvec3 there = glm::mix(way, next_way, share);
             const double offset = glm::dot(there, aside);
             const double height = glm::dot(there, n);
-            if (std::abs(height) > hatching_tuning.steepest * std::abs(offset) + hatching_tuning.thickness * separation)
+            if (std::abs(height) >
+                hatching_tuning.steepest_offset * std::abs(offset) + hatching_tuning.thickness * separation)
                 return;
             Neighbour& best = found[offset > 0.0 ? 1 : 0];
             const auto gap = static_cast<float>(std::abs(offset) / separation);
@@ -385,9 +388,9 @@ void find_beside(const base::Work& work, const Lines& lines, const geometry::Vec
                 best = {static_cast<std::int32_t>(j), next[j], static_cast<float>(share), gap,
                         turned > 0.0 ? 1.0F : -1.0F};
         });
-        beside[i] = found;
+        neighbours[i] = found;
     };
-    for_lines(work, lines, [&](const Stretch& line) {
+    for_lines(work, lines, [&](const LineRange& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) {
             work.check();
             look_around(line, i);
@@ -398,13 +401,13 @@ void find_beside(const base::Work& work, const Lines& lines, const geometry::Vec
 // ---- Moves
 
 // Replaces the values along a line by an exponential mean, run forwards and backwards twice.
-void average(const Stretch& line, float* values) {
+void average_along(const LineRange& line, float* values) {
     const std::int64_t count = line.end - line.begin;
-    const std::int64_t run_up = line.closed ? std::min<std::int64_t>(hatching_tuning.run_up, count) : 0;
+    const std::int64_t run_up = line.closed ? std::min<std::int64_t>(hatching_tuning.run_up_points, count) : 0;
     const auto run = [&](const auto& at) {
         float mean = at(run_up == 0 ? 0 : count - run_up);
-        for (std::int64_t i = count - run_up; i < count; ++i) mean += hatching_tuning.newest * (at(i) - mean);
-        for (std::int64_t i = 0; i < count; ++i) at(i) = mean += hatching_tuning.newest * (at(i) - mean);
+        for (std::int64_t i = count - run_up; i < count; ++i) mean += hatching_tuning.newest_share * (at(i) - mean);
+        for (std::int64_t i = 0; i < count; ++i) at(i) = mean += hatching_tuning.newest_share * (at(i) - mean);
     };
     for (int twice = 0; twice < 2; ++twice) {
         run([&](std::int64_t i) -> float& { return values[line.begin + i]; });
@@ -413,10 +416,10 @@ void average(const Stretch& line, float* values) {
 }
 
 // Returns the distance of a point from the middle between its neighbours, after the moves of all three; in separations.
-float way_to_middle(const Beside& beside, const base::Array<float>& move, std::int64_t i) noexcept {
+float offset_to_middle(const LineNeighbours& neighbours, const base::Array<float>& move, std::int64_t i) noexcept {
     std::array<float, 2> gap{};
     for (const std::size_t side : {0U, 1U}) {
-        const Neighbour& n = beside[i][side];
+        const Neighbour& n = neighbours[i][side];
         if (n.from < 0) return 0.0F;
         const float wider = n.sense * std::lerp(move[n.from], move[n.to], n.share) - move[i];
         gap[side] = n.gap + (side == 1 ? wider : -wider);
@@ -425,16 +428,16 @@ float way_to_middle(const Beside& beside, const base::Array<float>& move, std::i
 }
 
 // Returns how far each point should move across its line, in separations.
-base::Array<float> even_moves(const base::Work& work, const Lines& lines, const Beside& beside) {
-    base::Array<float> move(work.memory, beside.size());
-    base::Array<float> wanted(work.memory, beside.size());
+base::Array<float> even_moves(const base::Work& work, const Lines& lines, const LineNeighbours& neighbours) {
+    base::Array<float> move(work.memory, neighbours.size());
+    base::Array<float> wanted(work.memory, neighbours.size());
     for (int round = 0; round < hatching_tuning.moves; ++round) {
-        for_lines(work, lines, [&](const Stretch& line) {
+        for_lines(work, lines, [&](const LineRange& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i)
-                wanted[i] = hatching_tuning.move_share * std::clamp(way_to_middle(beside, move, i), -0.5F, 0.5F);
-            average(line, wanted.data());
+                wanted[i] = hatching_tuning.move_share * std::clamp(offset_to_middle(neighbours, move, i), -0.5F, 0.5F);
+            average_along(line, wanted.data());
         });
-        for_lines(work, lines, [&](const Stretch& line) {
+        for_lines(work, lines, [&](const LineRange& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i) move[i] += wanted[i];
         });
     }
@@ -446,7 +449,7 @@ base::Array<float> even_moves(const base::Work& work, const Lines& lines, const 
 // Marks the points of all parts, each of two separations, that turn too much within the surface; returns whether there
 // are any. Parts that turn even more are not marked, because there the field itself turns, around a singular point.
 // Sets `turn` to the angle by which the line turns at each point, in radians.
-bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
+bool mark_kinks(const Lines& lines, const LineRange& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         kink[i] = 0;
         turn[i] = 0.0F;
@@ -476,7 +479,7 @@ bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& tur
 void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across) {
     base::Array<float> turn(work.memory, lines.position.size());
     base::Array<std::uint8_t> kink(work.memory, lines.position.size());
-    for_lines(work, lines, [&](const Stretch& line) {
+    for_lines(work, lines, [&](const LineRange& line) {
         for (int round = 0; round < hatching_tuning.straightenings && mark_kinks(lines, line, turn, kink); ++round) {
             set_across(lines, line, across);
             move_between(lines.position, line,
@@ -508,8 +511,8 @@ void smooth_levels(Lines& lines, std::int64_t reach) {
 }
 
 // Projects marks onto the surface; a mark that does not settle gets the normal 0.
-void settle(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
-            marks::LevelReport& report) {
+void project_lines(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
+                   marks::LevelReport& report) {
     marks::MarkProjector projector(site);
     const std::int64_t count = lines.position.size();
     for (std::int64_t from = 0; from < count; from += marks::chunk_size) {
@@ -538,7 +541,7 @@ base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& line
     const auto joins = [&](std::int64_t i, std::int32_t other) {
         const surface::SheetValue at = surface::sheet_at(*sheets, other, lines.position[i]);
         const double slope = glm::length(at.gradient);
-        if (!(std::abs(at.value) <= hatching_tuning.on_sheet * site.implicit.diagonal() * slope)) return false;
+        if (!(std::abs(at.value) <= hatching_tuning.sheet_tolerance * site.implicit.diagonal() * slope)) return false;
         lines.normal.set(i, at.gradient / slope);
         sheet[i] = other;
         return true;
@@ -573,7 +576,7 @@ struct CreaseEnd {
 
 CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, const glm::dvec3& end, double step) {
     if (sheets == nullptr) return {};
-    const double ahead = hatching_tuning.crease_ahead * step;
+    const double ahead = hatching_tuning.farthest_crease * step;
     const std::int32_t own = surface::active_at(*sheets, inner);
     const std::int32_t other = surface::active_at(*sheets, end + ahead * glm::normalize(end - inner));
     if (own == other) return {};
@@ -589,7 +592,7 @@ CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, co
 }
 
 // Cuts lines into pieces that lie on the surface and on one side of all creases.
-Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step) {
+Lines cut_lines(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step) {
     Lines pieces(site.memory());
     const auto add = [&](std::int64_t l, std::int64_t begin, std::int64_t end) {
         const auto at = [&](std::int64_t k) { return lines.first[l] + k % lines.points(l); };
@@ -650,13 +653,13 @@ Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const
         base::Array<std::int64_t> open(work.memory);
         for (std::int64_t t = begin; t < end; ++t) link_triangle(mesh, waves, t, found, open);
     });
-    return walk(mesh, found, work);
+    return follow_crests(mesh, found, work);
 }
 
 Lines join_ends(const Lines& lines, double reach, const base::Progress& progress) {
     HRBFNPR_ASSERT(reach > 0.0);
-    const Ends ends = ends_of(lines, reach);
-    const base::Array<std::int64_t> partner = partners(lines, ends, reach, progress);
+    const LineEnds ends = ends_of(lines, reach);
+    const base::Array<std::int64_t> partner = pair_ends(lines, ends, reach, progress);
     Lines result(lines.first.memory());
     base::Array<std::uint8_t> taken(lines.first.memory(), lines.count());
     // Follows the line of this end, then the line joined to its other end, and so on.
@@ -665,7 +668,7 @@ Lines join_ends(const Lines& lines, double reach, const base::Progress& progress
         bool closed = lines.closed[from / 2] != 0;
         while (end >= 0 && taken[end / 2] == 0) {
             taken[end / 2] = 1;
-            add_from(lines, ends, end, result, progress);
+            add_line_from_end(lines, ends, end, result, progress);
             end = partner[end ^ 1];
             closed = closed || end == from;
         }
@@ -710,9 +713,10 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
 
 Lines even_out(const base::Work& work, const Lines& given, double separation) {
     HRBFNPR_ASSERT(separation > 0.0);
-    Lines lines = resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest * separation, work);
+    Lines lines =
+        resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest_line * separation, work);
     // Points on mesh edges are only accurate to a fraction of a cell, so they are smoothed.
-    for_lines(work, lines, [&](const Stretch& line) {
+    for_lines(work, lines, [&](const LineRange& line) {
         for (int round = 0; round < hatching_tuning.smoothings; ++round)
             move_between(lines.position, line,
                          [](std::int64_t, const glm::dvec3& before, const glm::dvec3& p, const glm::dvec3& after) {
@@ -721,13 +725,13 @@ Lines even_out(const base::Work& work, const Lines& given, double separation) {
     });
     geometry::VecArray across(work.memory);
     geometry::resize_long(across, lines.position.size(), work);
-    Beside beside(work.memory);
-    base::resize_long(beside, lines.position.size(), work);
+    LineNeighbours neighbours(work.memory);
+    base::resize_long(neighbours, lines.position.size(), work);
     for (int round = 0; round < hatching_tuning.rounds; ++round) {
-        for_lines(work, lines, [&](const Stretch& line) { set_across(lines, line, across); });
-        find_beside(work, lines, across, separation, beside);
-        const base::Array<float> move = even_moves(work, lines, beside);
-        for_lines(work, lines, [&](const Stretch& line) {
+        for_lines(work, lines, [&](const LineRange& line) { set_across(lines, line, across); });
+        find_neighbours(work, lines, across, separation, neighbours);
+        const base::Array<float> move = even_moves(work, lines, neighbours);
+        for_lines(work, lines, [&](const LineRange& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i)
                 lines.position.set(i, lines.position[i] + static_cast<double>(move[i]) * separation * across[i]);
         });
@@ -743,9 +747,9 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     const double reach = std::ceil(0.5 * hatching_tuning.level_length * separation / step);
     smooth_levels(lines, static_cast<std::int64_t>(reach));
     marks::LevelReport& level = report.of(0);
-    settle(site, separation, region, lines, level);
+    project_lines(site, separation, region, lines, level);
     const base::Array<std::uint8_t> starts = starts_at_creases(site, lines);
-    const Lines pieces = cut(site, lines, starts, step);
+    const Lines pieces = cut_lines(site, lines, starts, step);
     // Settled marks that are in no piece count as strayed. Marks on creases and repeated marks of closed lines are
     // counted in addition.
     const std::int64_t all = pieces.position.size();
@@ -753,19 +757,19 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     level.attempted += added;
     level.dropped_strayed += level.placed + added - all;
     level.placed = all;
-    struct Order {
+    struct PieceOrder {
         std::uint8_t level; // the coarsest of the piece's marks
         std::int64_t piece;
     };
-    base::Array<Order> order(site.memory());
+    base::Array<PieceOrder> order(site.memory());
     for (std::int64_t p = 0; p < pieces.count(); ++p)
         order.push_back(
             {*std::min_element(pieces.level.begin() + pieces.first[p], pieces.level.begin() + pieces.first[p + 1]), p});
-    base::sort_long(order.begin(), order.end(), [](const Order& a, const Order& b) {
+    base::sort_long(order.begin(), order.end(), [](const PieceOrder& a, const PieceOrder& b) {
         return std::tie(a.level, a.piece) < std::tie(b.level, b.piece);
     });
     std::uint32_t number = 0;
-    for (const Order& next : order) {
+    for (const PieceOrder& next : order) {
         site.work.check();
         const double middle = static_cast<double>(marks.count()) + 0.5 * static_cast<double>(pieces.points(next.piece));
         const std::int64_t first = pieces.first[next.piece];

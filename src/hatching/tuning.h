@@ -31,25 +31,24 @@ struct HatchingTuning {
     double same_sheet_cosine = 0.3;
     // Places are also on different sheets if the vector between them leaves a tangent plane by more than this share of
     // its length.
-    double steepest_link = 0.5; // between samples
-    double steepest = 0.6;      // from a sample to a vertex of the mesh, and across from a line to the next one
+    double steepest_link = 0.5;   // between samples
+    double steepest_offset = 0.6; // from a sample to a vertex of the mesh, and across from a line to the next one
 
     // ---- The field
 
-    // Curvatures are averaged with the curvatures of neighbours in this many rounds. Larger: lines do not follow finer
-    // forms.
-    int bend_averages = 48;
+    // Curvatures are averaged with those of neighbours in this many rounds. Larger: lines do not follow finer forms.
+    int curvature_averages = 48;
     // A curvature counts in full if its radius is below this share of the diagonal. Larger: lines follow flatter forms
     // rather than the axis.
     double full_radius = 0.05;
     // Curvatures below this, over the diagonal, count as 0: a flat face has such curvatures within the tolerance of its
     // fit. Their weight rises to 1 at twice this. Larger: lines do not follow shallow forms.
-    double flat_bend = 0.1;
-    // Between creases, curvature and axis may have less confidence than this, for example on a flat face across the
-    // axis. Lines then follow another axis with this weight.
-    double unsure = 1e-3;
-    // A named guide has this weight, against 1 for a curvature of full confidence. Larger: neighbours and the axis
-    // change the guide's direction less.
+    double flat_curvature = 0.1;
+    // Between creases, where curvature and axis have less confidence than this, as on a flat face across the axis,
+    // lines follow another axis with this weight.
+    double least_confidence = 1e-3;
+    // A named guide has this weight against curvature of full confidence. Larger: it is smoothed less, and hardly
+    // turned by the axis.
     double guide_strength = 4.0;
     // How strongly lines are pulled to unit length. Larger: singular points are held more firmly where they are.
     double pull_to_unit = 0.2;
@@ -70,7 +69,7 @@ struct HatchingTuning {
     // After that, waves of unit height are averaged in this many rounds. Larger: fewer bends at forks.
     int unit_averages = 20;
     // Vertices of the mesh take their waves from the samples within this many spacings. Larger: smoother waves.
-    double influence = 2.0;
+    double sample_reach = 2.0;
 
     // ---- The mesh
 
@@ -85,8 +84,9 @@ struct HatchingTuning {
     double widest_gap = 2.0;
     // Ends face each other if both end directions have at least this cosine with the gap between them.
     double facing_cosine = 0.95;
-    // Over gaps shorter than `touching`, only the angle between the two end directions counts, and it may be larger.
-    double touching = 0.2;
+    // Over gaps shorter than `touching_gap`, only the angle between the two end directions counts, and it may be
+    // larger.
+    double touching_gap = 0.2;
     double touching_cosine = 0.8;
     // The direction of an end comes from the part of the line up to this distance from it.
     double end_length = 0.5;
@@ -96,14 +96,13 @@ struct HatchingTuning {
     // The distance between points. Smaller: more time.
     double even_step = 0.5;
     // Shorter lines are left out. Larger: fewer short lines.
-    double shortest = 3.0;
+    double shortest_line = 3.0;
     // Rounds of smoothing by weights 1/4, 1/2, 1/4 over neighbours along a line.
     int smoothings = 2;
-    // Neighbouring lines are searched up to this distance across a line. Larger: lines with more room beside them move,
-    // too.
-    double beside = 1.75;
-    // A line that winds round can be its own neighbour, at points at least this far away along it.
-    double winding = 5.0;
+    // Neighbouring lines are searched up to this far across. Larger: lines also move where they have more room.
+    double neighbour_reach = 1.75;
+    // A line can be its own neighbour, as where it winds round, at points at least this far away along it.
+    double least_way_around = 5.0;
     // Two lines are neighbours if the cosine of the angle between them is larger than this.
     double parallel_cosine = 0.7;
     // A point within this many separations of another point's tangent plane is always accepted as its neighbour,
@@ -115,9 +114,10 @@ struct HatchingTuning {
     int moves = 12;
     float move_share = 0.8F;
     // Moves are averaged along a line by exponential weights, over about 2.7 separations; the newest value has this
-    // share. Larger: lines are more even, and bend more. On a closed line each average begins `run_up` points earlier.
-    float newest = 0.3F;
-    std::int64_t run_up = 16;
+    // share. Larger: lines are more even, and bend more. On a closed line each average begins `run_up_points` points
+    // earlier.
+    float newest_share = 0.3F;
+    std::int64_t run_up_points = 16;
     // A line turns within the surface by at most this on a part of two separations, which has `points_of_kink` points;
     // in radians. Larger: lines are more even, and show kinks.
     float most_turn = 0.4F;
@@ -138,9 +138,9 @@ struct HatchingTuning {
     // A piece of a line has at least this many marks.
     std::int64_t fewest_marks = 3;
     // The end of a line is extended to a crease that is at most this far ahead.
-    double crease_ahead = 1.1;
+    double farthest_crease = 1.1;
     // A mark is on a sheet if it is at most this far away, in diagonals.
-    double on_sheet = 1e-6;
+    double sheet_tolerance = 1e-6;
 };
 inline constexpr HatchingTuning hatching_tuning;
 

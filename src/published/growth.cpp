@@ -141,7 +141,7 @@ void append_stipple(const glm::dvec3& position, const glm::dvec3& normal, std::u
 
 // ---- Strokes
 
-constexpr std::int32_t sets = 2;
+constexpr std::int32_t direction_count = 2;
 
 // Returns the normal curvature in the tangent direction d, by Euler's formula.
 [[nodiscard]] double normal_curvature_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
@@ -165,9 +165,10 @@ constexpr std::int32_t sets = 2;
 
 // Returns the curvatures at places. If the caller gives directions, these replace the principal ones, with confidence
 // 1, or 0 where the function gives none. Combing strokes get default values, which they do not use.
-[[nodiscard]] base::Array<surface::Curvature> measured(const Growth& growth, const geometry::VecArray& position,
-                                                       const geometry::VecArray& normal,
-                                                       const base::Progress& progress) {
+[[nodiscard]] base::Array<surface::Curvature> measure_curvatures(const Growth& growth,
+                                                                 const geometry::VecArray& position,
+                                                                 const geometry::VecArray& normal,
+                                                                 const base::Progress& progress) {
     const marks::Site& site = growth.site;
     base::Array<surface::Curvature> curvature(site.memory());
     if (growth.by_curvature()) {
@@ -203,9 +204,9 @@ constexpr std::int32_t sets = 2;
     const glm::dvec3 onward = flat / length;
     if (glm::dot(field, onward) < 0.0) field = -field;
     if (combing) return field;
-    const double weight = glm::smoothstep(published_tuning.unsure, published_tuning.sure, c.confidence);
-    // The two directions are no more than 90 degrees apart.
-    return glm::normalize(weight * field + (1.0 - weight) * onward);
+    const double weight =
+        glm::smoothstep(published_tuning.no_confidence, published_tuning.full_confidence, c.confidence);
+    return glm::normalize(weight * field + (1.0 - weight) * onward); // the two are no more than 90 degrees apart
 }
 
 // Returns the key of a mark, from its stroke and its place along the stroke.
@@ -276,20 +277,20 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
                   marks::LayerReport& report) {
     Growth growth{site, settings, marks, report, marks::Kind::hatch, 2};
-    const std::int64_t seeds = sets * start.position.size();
-    report.full_count = marks::grown_count(sets * start.full_count, 3, settings.levels);
+    const std::int64_t seeds = direction_count * start.position.size();
+    report.full_count = marks::grown_count(direction_count * start.full_count, 3, settings.levels);
     report.step = settings.step;
     marks::require_room(settings.layer, marks::grown_count(seeds, 3, settings.levels), settings.levels,
                         settings.budget);
     const auto work = static_cast<double>(marks::grown_count(1, 3, settings.levels));
     const base::Work first = site.work.part(0.0, 1.0 / work);
-    const base::Array<surface::Curvature> at_seeds = measured(growth, start.position, start.normal, first);
+    const base::Array<surface::Curvature> at_seeds = measure_curvatures(growth, start.position, start.normal, first);
     // A seed is the middle of its stroke. Stroke i belongs to set i % 2.
     const bool full = place_seeds(
         growth, seeds, [](std::int64_t i) { return stroke_key(static_cast<std::uint32_t>(i), 0); },
         [&](std::int64_t i) {
-            append_stroke_mark(growth, start.position[i / sets], start.normal[i / sets], static_cast<std::uint32_t>(i),
-                               0, 0, at_seeds[i / sets], glm::dvec3(0.0));
+            append_stroke_mark(growth, start.position[i / direction_count], start.normal[i / direction_count],
+                               static_cast<std::uint32_t>(i), 0, 0, at_seeds[i / direction_count], glm::dvec3(0.0));
         },
         first);
     geometry::VecArray landed(site.memory());
@@ -318,7 +319,7 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
                 landed_normal.push_back(growth.projector.normal(i));
                 growth.child[placed++] = growth.child[i];
             }
-            const base::Array<surface::Curvature> curvature = measured(growth, landed, landed_normal, rest);
+            const base::Array<surface::Curvature> curvature = measure_curvatures(growth, landed, landed_normal, rest);
             for (std::int64_t k = 0; k < placed; ++k) {
                 const std::int64_t parent = growth.child[k] / 2;
                 append_stroke_mark(growth, landed[k], landed_normal[k], marks.stroke[parent], place_of(growth.child[k]),

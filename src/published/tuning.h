@@ -5,10 +5,10 @@
 namespace hrbfnpr::published {
 
 struct PublishedTuning {
-    // A stroke follows a principal direction in full from the confidence `sure` on. At `unsure` and below it keeps its
-    // direction. Larger: strokes are straighter where the curvature hardly has a direction.
-    double unsure = 0.02;
-    double sure = 0.10;
+    // A stroke takes a principal direction in full from `full_confidence` on. At `no_confidence` and below it goes on in
+    // its own direction. Larger: strokes are straighter where the curvature has hardly a direction.
+    double no_confidence = 0.02;
+    double full_confidence = 0.10;
     // The depth map of the visibility test has at most this many texels, so it is coarser for larger viewports. Larger:
     // more memory, at 4 bytes each.
     double most_texels = 16777216.0;
