@@ -134,7 +134,7 @@ hrbfnpr_drawing_layer_info describe_layer(const drawing::Drawing& from, std::int
     }
     for (int i = 0; i < 4; ++i) info.ink[i] = layer.ink[i];
     const auto is_own = [&](std::uint32_t other) { return other == static_cast<std::uint32_t>(number); };
-    for (const drawing::Piece& piece : from.dot_pieces)
+    for (const drawing::IndexRange& piece : from.dot_ranges)
         for (std::int64_t i = piece.begin; i < piece.end; ++i)
             info.dots += is_own(from.dots[i].layer) && from.dots[i].opacity > 0.0F &&
                                  (from.dots[i].flags & drawing::dot_is_paper) == 0

@@ -130,8 +130,8 @@ io::TrimFile file_of(base::Memory& memory, const generate::FoundTrim& found) {
     file.grid = support.grid();
     pack(file.position, support, support.positions());
     pack(file.normal, support, support.normals());
-    for (const std::uint64_t cell : support.kept().packed()) file.kept.push_back(static_cast<std::int64_t>(cell));
-    for (const std::uint64_t cell : support.ends().packed()) file.ends.push_back(static_cast<std::int64_t>(cell));
+    for (const std::uint64_t cell : support.kept().packed()) file.kept_cells.push_back(static_cast<std::int64_t>(cell));
+    for (const std::uint64_t cell : support.ends().packed()) file.end_cells.push_back(static_cast<std::int64_t>(cell));
     const generate::TrimReport& report = found.report;
     for (const double number : {static_cast<double>(report.parts), static_cast<double>(report.parts_to_end),
                                 report.share, report.farthest, report.spacing})
@@ -143,8 +143,8 @@ generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& fi
     surface::Support support(runtime, unpacked(file.position), unpacked(file.normal), file.closest);
     geometry::CellSet kept(runtime.memory);
     geometry::CellSet ends(runtime.memory);
-    for (const std::int64_t cell : file.kept) kept.insert(static_cast<std::uint64_t>(cell));
-    for (const std::int64_t cell : file.ends) ends.insert(static_cast<std::uint64_t>(cell));
+    for (const std::int64_t cell : file.kept_cells) kept.insert(static_cast<std::uint64_t>(cell));
+    for (const std::int64_t cell : file.end_cells) ends.insert(static_cast<std::uint64_t>(cell));
     support.keep(file.grid, std::move(kept), std::move(ends), file.limit);
     std::array<double, 5> n{};
     std::copy_n(file.report.begin(), std::min<std::int64_t>(file.report.size(), 5), n.begin());

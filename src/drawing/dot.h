@@ -110,6 +110,6 @@ struct Splat {
 
 // The limit for the slope of depth layers, depth per length across the view. Ellipses of steeper splats would fall
 // between pixels.
-inline constexpr float steepest = 4.0F;
+inline constexpr float steepest_slope = 4.0F;
 
 } // namespace hrbfnpr::drawing

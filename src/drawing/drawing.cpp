@@ -27,7 +27,7 @@ constexpr std::int64_t digits = std::int64_t{1} << digit_bits;
 
 // Returns the linear part of a matrix, scaled so that vectors it transforms can be squared in floats. The caller
 // ignores their lengths.
-[[nodiscard]] glm::mat3 of_moderate_scale(const glm::dmat4& m) noexcept {
+[[nodiscard]] glm::mat3 with_moderate_scale(const glm::dmat4& m) noexcept {
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(m))));
     return glm::mat3(glm::dmat3(m) / geometry::unit_for(scale));
 }
@@ -44,8 +44,8 @@ Counts& Counts::operator+=(const Counts& other) noexcept {
 }
 
 Drawing::Drawing(base::Memory& memory) noexcept
-    : layers(memory), dots(memory), dot_pieces(memory), strokes(memory), points(memory), splats(memory),
-      splat_pieces(memory), dot_tiles(memory, tile_size), splat_tiles(memory, tile_size),
+    : layers(memory), dots(memory), dot_ranges(memory), strokes(memory), points(memory), splats(memory),
+      splat_ranges(memory), dot_tiles(memory, tile_size), splat_tiles(memory, tile_size),
       segment_tiles(memory, tile_size), items(memory), runs(memory), posed_position(memory), posed_normal(memory),
       posed_direction(memory) {}
 
@@ -104,13 +104,13 @@ MarkSource Drawing::source(std::uint32_t id) const noexcept {
     MarkSource source;
     source.position = glm::vec3(item.to_world * glm::dvec4(glm::vec3(glm::dvec3(place) / item.unit), 1.0));
     source.normal = unit_or_zero(item.normal_to_world * normal);
-    source.direction = unit_or_zero(of_moderate_scale(item.to_world) * direction);
+    source.direction = unit_or_zero(with_moderate_scale(item.to_world) * direction);
     return source;
 }
 
 void bin_segments(const base::Parallel& parallel, Drawing& drawing) {
     const Tiles& like = drawing.dot_tiles;
-    const std::array all = {Piece{0, std::max<std::int64_t>(drawing.points.size() - 1, 0)}};
+    const std::array all = {IndexRange{0, std::max<std::int64_t>(drawing.points.size() - 1, 0)}};
     const glm::vec2 origin(drawing.first_pixel);
     const bool pointed = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
         return stroke.cap_begin == Cap::pointed || stroke.cap_end == Cap::pointed;
@@ -134,16 +134,16 @@ void bin_segments(const base::Parallel& parallel, Drawing& drawing) {
                                 });
 }
 
-void FarToNear::sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys) {
+void DepthSort::sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys) {
     base::resize_scratch(other_, keys.size());
     for (unsigned shift = 32; shift < 64; shift += digit_bits) {
-        if (pass(parallel, keys, other_, shift)) std::swap(keys, other_);
+        if (sort_by_digit(parallel, keys, other_, shift)) std::swap(keys, other_);
     }
 }
 
 // Sorts by one digit. Returns false, with `to` untouched, if all keys share it.
-bool FarToNear::pass(const base::Parallel& parallel, const base::Array<std::uint64_t>& from,
-                     base::Array<std::uint64_t>& to, unsigned shift) {
+bool DepthSort::sort_by_digit(const base::Parallel& parallel, const base::Array<std::uint64_t>& from,
+                              base::Array<std::uint64_t>& to, unsigned shift) {
     HRBFNPR_ASSERT(to.size() == from.size());
     const std::int64_t count = from.size();
     const std::int64_t chunks = (count + keys_a_task - 1) / keys_a_task;

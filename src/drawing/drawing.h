@@ -101,13 +101,13 @@ struct Drawing {
     glm::vec4 ink_color{0.0F}; // the colour of all inks, if one_color
 
     base::Array<Dot> dots;
-    base::Array<Piece> dot_pieces; // the ranges of `dots` that hold dots
-    std::int64_t dot_count = 0;    // number of dots of ink that are drawn
-    base::Array<Stroke> strokes;   // far to near
+    base::Array<IndexRange> dot_ranges; // the ranges of `dots` that hold dots
+    std::int64_t dot_count = 0;         // number of dots of ink that are drawn
+    base::Array<Stroke> strokes;        // far to near
     base::Array<StrokePoint> points;
     base::Array<Splat> splats; // the splats from which the depth layers were found
-    bool has_splats = false;   // if false, nothing is hidden by depth layers
-    base::Array<Piece> splat_pieces;
+    bool has_splats = false;   // false: nothing hides anything
+    base::Array<IndexRange> splat_ranges;
 
     // Spatial indexes over the viewport, whose top-left pixel is `first_pixel`. Only Painting::transmittance has them.
     glm::ivec2 first_pixel{0};
@@ -143,7 +143,7 @@ private:
     // Calls f for each array of the drawing. The tiles are not arrays.
     template <class Self, class F>
     static void for_arrays(Self& d, const F& f) {
-        f(d.layers), f(d.dots), f(d.dot_pieces), f(d.strokes), f(d.points), f(d.splats), f(d.splat_pieces), f(d.items);
+        f(d.layers), f(d.dots), f(d.dot_ranges), f(d.strokes), f(d.points), f(d.splats), f(d.splat_ranges), f(d.items);
         f(d.runs), f(d.posed_position), f(d.posed_normal), f(d.posed_direction);
     }
     // Returns the index of the last run that begins at or before the id.
@@ -214,15 +214,15 @@ void bin_segments(const base::Parallel& parallel, Drawing& drawing);
 }
 
 // Sorts keys by their upper halves. The sort is stable, and its result does not depend on the number of threads.
-class FarToNear {
+class DepthSort {
 public:
-    explicit FarToNear(base::Memory& memory) noexcept : other_(memory), histogram_(memory) {}
+    explicit DepthSort(base::Memory& memory) noexcept : other_(memory), histogram_(memory) {}
     void sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys);
     [[nodiscard]] std::int64_t bytes() const noexcept { return other_.bytes() + histogram_.bytes(); }
 
 private:
-    bool pass(const base::Parallel& parallel, const base::Array<std::uint64_t>& from, base::Array<std::uint64_t>& to,
-              unsigned shift);
+    bool sort_by_digit(const base::Parallel& parallel, const base::Array<std::uint64_t>& from,
+                       base::Array<std::uint64_t>& to, unsigned shift);
 
     base::Array<std::uint64_t> other_;
     base::Array<std::int64_t> histogram_; // one count for each digit of each chunk, chunk by chunk

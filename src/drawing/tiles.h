@@ -18,7 +18,7 @@
 namespace hrbfnpr::drawing {
 
 // A range of consecutive elements in an array that has gaps.
-struct Piece {
+struct IndexRange {
     std::int64_t begin = 0, end = 0;
 };
 
@@ -39,24 +39,24 @@ public:
 
     Tiles(base::Memory& memory, std::int32_t tile_size) noexcept
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
-          pieces_(memory), starts_(memory) {}
+          ranges_(memory), starts_(memory) {}
 
     // Fills the tiles with the elements i of the pieces, which ascend. footprint(i, out) is called once for each i and
     // returns false to leave i out.
     template <class F>
-    void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
-               const F& footprint) {
+    void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height,
+               std::span<const IndexRange> ranges, const F& footprint) {
         columns_ = (width + tile_size_ - 1) / tile_size_;
         rows_ = (height + tile_size_ - 1) / tile_size_;
         HRBFNPR_ASSERT(width >= 0 && height >= 0);
-        pieces_.clear();
+        ranges_.clear();
         starts_.clear();
         total_ = 0;
-        for (const Piece& piece : pieces) {
-            HRBFNPR_ASSERT(piece.begin <= piece.end && (pieces_.empty() || piece.begin >= pieces_.back().end));
-            pieces_.push_back(piece);
+        for (const IndexRange& range : ranges) {
+            HRBFNPR_ASSERT(range.begin <= range.end && (ranges_.empty() || range.begin >= ranges_.back().end));
+            ranges_.push_back(range);
             starts_.push_back(total_);
-            total_ += piece.end - piece.begin;
+            total_ += range.end - range.begin;
         }
         starts_.push_back(total_);
         base::resize_scratch(rects_, total_);
@@ -87,7 +87,7 @@ public:
     [[nodiscard]] std::int32_t rows() const noexcept { return rows_; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return std::int64_t{columns_} * rows_; }
     // Returns an upper bound for the number of discs of a tile.
-    [[nodiscard]] std::int64_t most_of_a_tile() const noexcept {
+    [[nodiscard]] std::int64_t largest_tile_count() const noexcept {
         std::int64_t most = 0;
         for (std::int64_t tile = 0; tile < tiles(); ++tile)
             most = std::max<std::int64_t>(most, offsets_[tile + 1] - offsets_[tile]);
@@ -95,7 +95,7 @@ public:
     }
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return rects_.bytes() + counts_.bytes() + offsets_.bytes() + entries_.bytes() + large_.bytes() +
-               pieces_.bytes() + starts_.bytes();
+               ranges_.bytes() + starts_.bytes();
     }
 
     // Sorts the discs of each tile by `before` instead of by their numbers.
@@ -104,7 +104,8 @@ public:
         parallel.for_each(tiles(), [&](std::int64_t tile) {
             std::sort(entries_.data() + offsets_[tile], entries_.data() + offsets_[tile + 1], before);
         });
-        std::sort(large_.begin(), large_.end(), [&](const Large& a, const Large& b) { return before(a.disc, b.disc); });
+        std::sort(large_.begin(), large_.end(),
+                  [&](const LargeDisc& a, const LargeDisc& b) { return before(a.disc, b.disc); });
     }
     // The places to which a tile is nearest. For tiles at the border they extend beyond the picture.
     struct Extent {
@@ -141,7 +142,7 @@ public:
         const auto row = static_cast<std::uint16_t>(tile / columns_);
         const std::uint32_t* own = entries_.data() + offsets_[tile];
         const std::uint32_t* const own_end = entries_.data() + offsets_[tile + 1];
-        for (const Large& large : large_) {
+        for (const LargeDisc& large : large_) {
             const Rect& rect = large.rect;
             if (column < rect.left || column >= rect.right || row < rect.top || row >= rect.bottom) continue;
             const std::uint32_t* const stop =
@@ -165,7 +166,7 @@ private:
             return std::int64_t{right - left} * std::int64_t{bottom - top};
         }
     };
-    struct Large {
+    struct LargeDisc {
         std::uint32_t disc;
         Rect rect;
     };
@@ -192,7 +193,7 @@ private:
         const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
         for (std::int64_t p = after - starts_.begin() - 1; begin < end; ++p) {
             const std::int64_t stop = std::min(end, starts_[p + 1]);
-            const std::int64_t shift = pieces_[p].begin - starts_[p];
+            const std::int64_t shift = ranges_[p].begin - starts_[p];
             for (; begin < stop; ++begin) f(begin, begin + shift);
         }
     }
@@ -241,8 +242,8 @@ private:
     base::Array<std::uint32_t> counts_;  // for each part of the discs: the number of its discs in each tile
     base::Array<std::int64_t> offsets_;  // the index of each tile's first entry, and the end
     base::Array<std::uint32_t> entries_; // the discs of each tile, tile after tile
-    base::Array<Large> large_;           // discs that touch too many tiles; they are not in `entries_`
-    base::Array<Piece> pieces_;
+    base::Array<LargeDisc> large_;       // discs that touch too many tiles; they are not in `entries_`
+    base::Array<IndexRange> ranges_;
     base::Array<std::int64_t> starts_; // the number of each piece's first disc, and the end
 };
 

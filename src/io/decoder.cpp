@@ -74,7 +74,7 @@ void Decoder::read_exactly(std::span<std::uint8_t> bytes) {
     position_ += got;
 }
 
-void Decoder::take(std::span<std::uint8_t> bytes) {
+void Decoder::read_payload(std::span<std::uint8_t> bytes) {
     read_exactly(bytes);
     crc_.add(bytes);
     remaining_ -= bytes.size();
@@ -84,7 +84,7 @@ std::int64_t Decoder::begin_section(std::uint32_t tag, ElementType type, std::ui
     const TagText name(tag);
     if (remaining_ < section_header_size) damaged("it ends before section '%s'", name.text);
     std::array<std::uint8_t, section_header_size> header{};
-    take(header);
+    read_payload(header);
     if (const auto found = fetch<std::uint32_t>(header.data()); found != tag)
         damaged("section '%s' is where section '%s' should be", TagText(found).text, name.text);
     if (fetch<std::uint32_t>(&header[4]) != static_cast<std::uint32_t>(type))

@@ -53,7 +53,7 @@ public:
     }
 
     // Tells whether more sections follow. Optional sections are at the end of a file.
-    [[nodiscard]] bool more() const noexcept { return remaining_ >= section_header_size; }
+    [[nodiscard]] bool has_more() const noexcept { return remaining_ >= section_header_size; }
 
     // Checks, after the last section, that the payload ends and that its checksum is right.
     void finish();
@@ -71,7 +71,7 @@ private:
         std::uint8_t buffer[buffer_size];
         for (std::size_t begin = 0; begin < elements.size(); begin += piece) {
             const std::size_t count = std::min(piece, elements.size() - begin);
-            take({buffer, count * sizeof(T)});
+            read_payload({buffer, count * sizeof(T)});
             for (std::size_t i = 0; i < count; ++i) elements[begin + i] = fetch<T>(buffer + i * sizeof(T));
         }
     }
@@ -81,7 +81,7 @@ private:
     void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind, std::uint32_t oldest,
                       std::uint32_t newest);
     void read_exactly(std::span<std::uint8_t> bytes);
-    void take(std::span<std::uint8_t> bytes);
+    void read_payload(std::span<std::uint8_t> bytes);
 
     Reader& reader_;
     const char* what_;

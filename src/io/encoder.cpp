@@ -8,10 +8,10 @@ void Encoder::begin_section(std::uint32_t tag, ElementType type, std::uint64_t c
     store(bytes, tag);
     store(bytes + 4, static_cast<std::uint32_t>(type));
     store(bytes + 8, count);
-    put(bytes);
+    write_bytes(bytes);
 }
 
-void Encoder::put(std::span<const std::uint8_t> bytes) {
+void Encoder::write_bytes(std::span<const std::uint8_t> bytes) {
     length_ += bytes.size();
     if (writer_ == nullptr) return;
     crc_.add(bytes);

@@ -29,7 +29,7 @@ public:
         for (std::size_t begin = 0; begin < elements.size(); begin += piece) {
             const std::size_t count = std::min(piece, elements.size() - begin);
             for (std::size_t i = 0; i < count; ++i) store(buffer + i * sizeof(T), elements[begin + i]);
-            put({buffer, count * sizeof(T)});
+            write_bytes({buffer, count * sizeof(T)});
         }
     }
 
@@ -40,7 +40,7 @@ private:
     static constexpr std::size_t buffer_size = 8192;
 
     void begin_section(std::uint32_t tag, ElementType type, std::uint64_t count);
-    void put(std::span<const std::uint8_t> bytes);
+    void write_bytes(std::span<const std::uint8_t> bytes);
 
     Writer* writer_;
     Crc32 crc_;

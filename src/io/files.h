@@ -18,12 +18,12 @@ namespace hrbfnpr::io {
 // The end of a trimmed model's surface (surface/support_domain.h).
 struct TrimFile {
     explicit TrimFile(base::Memory& memory) noexcept
-        : report(memory), position(memory), normal(memory), kept(memory), ends(memory) {}
+        : report(memory), position(memory), normal(memory), kept_cells(memory), end_cells(memory) {}
     double limit = 0.0, closest = 0.0;
     geometry::CellGrid grid;
     base::Array<double> report; // not interpreted here
     base::Array<double> position, normal;
-    base::Array<std::int64_t> kept, ends; // cells, packed
+    base::Array<std::int64_t> kept_cells, end_cells; // cells, packed
 };
 
 // A single fit, or a model of sheets.

@@ -29,7 +29,7 @@ constexpr std::int64_t longest_report = 1024;
 // Limits for the inputs and results of a fit. A fit merges samples closer to each other than 1e-9 diagonals, which
 // bounds its scale.
 constexpr double smallest_side = 1e-110;
-constexpr double most_scales = 1e12; // the largest ratio of the bounds' longest side to the scale
+constexpr double most_scale_ratio = 1e12; // the largest ratio of the bounds' longest side to the scale
 constexpr double radius_limit = 1e30;
 constexpr double weight_limit = 1e120; // the cube of the largest radius, times 1e30, which a solver still resolves
 
@@ -93,8 +93,8 @@ void encode(Encoder& encoder, const TrimFile& trim) {
     encoder.section(tag_trim_report, trim.report.span());
     encoder.section(tag_trim_position, trim.position.span());
     encoder.section(tag_trim_normal, trim.normal.span());
-    encoder.section(tag_trim_kept, trim.kept.span());
-    encoder.section(tag_trim_ends, trim.ends.span());
+    encoder.section(tag_trim_kept, trim.kept_cells.span());
+    encoder.section(tag_trim_ends, trim.end_cells.span());
 }
 
 void decode(Decoder& decoder, TrimFile& trim) {
@@ -106,8 +106,8 @@ void decode(Decoder& decoder, TrimFile& trim) {
     decoder.section(tag_trim_report, trim.report);
     decoder.section(tag_trim_position, trim.position);
     decoder.section(tag_trim_normal, trim.normal, trim.position.size());
-    decoder.section(tag_trim_kept, trim.kept);
-    decoder.section(tag_trim_ends, trim.ends);
+    decoder.section(tag_trim_kept, trim.kept_cells);
+    decoder.section(tag_trim_ends, trim.end_cells);
 }
 
 void set_kind(const Decoder& decoder, const ModelKind& kind, implicit::HrbfData& data) {
@@ -144,7 +144,7 @@ void check_extent(const Decoder& decoder, const implicit::HrbfData& data) {
     if (side > 0.0 && side < smallest_side) decoder.damaged("its bounds are smaller than 1e-110");
     if (data.spacing > 2.0 * side) decoder.damaged("its sample spacing is larger than its bounds");
     // A fit to a single sample has the scale 1, whatever its bounds are.
-    if (data.count() > 1 ? data.scale > 2.0 * side || data.scale < side / most_scales : data.scale != 1.0)
+    if (data.count() > 1 ? data.scale > 2.0 * side || data.scale < side / most_scale_ratio : data.scale != 1.0)
         decoder.damaged("its scale does not fit its bounds");
 }
 
@@ -214,7 +214,7 @@ void check(const Decoder& decoder, const TrimFile& trim) {
     for (const double x : trim.position)
         if (std::abs(x) > coordinate_limit) decoder.damaged("its trim has a sample beyond 1e100");
     check_unit(decoder, "trim.normal", trim.normal.span());
-    for (const auto* cells : {&trim.kept, &trim.ends})
+    for (const auto* cells : {&trim.kept_cells, &trim.end_cells})
         for (const std::int64_t cell : *cells)
             if (cell < 0) decoder.damaged("its trim has an invalid cell");
 }
@@ -289,7 +289,7 @@ ModelFile load_model(base::Memory& memory, Reader& reader) {
         decode_csg(decoder, kind, file);
     else
         decode_fit(decoder, kind, file);
-    const bool trimmed = decoder.more();
+    const bool trimmed = decoder.has_more();
     if (trimmed) decode(decoder, file.trim);
     decoder.finish();
     if (is_tree)

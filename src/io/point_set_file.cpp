@@ -184,7 +184,7 @@ void decode_layer(Decoder& decoder, marks::PointSet& set) {
 
 // Reads the normals for tone, if the file has any.
 void decode_tone_normals(Decoder& decoder, marks::PointSet& set) {
-    if (!decoder.more()) return;
+    if (!decoder.has_more()) return;
     for (marks::Layer& layer : set.layers) {
         decoder.section(tag_tone_normal, layer.tone_normal);
         if (!layer.tone_normal.empty() && layer.tone_normal.size() != layer.normal.size())

@@ -217,7 +217,7 @@ void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene, co
         occluders_[place] = {(mark.x - left_) * texels_per_pixel_, (mark.y - top_) * texels_per_pixel_,
                              radius * texels_per_pixel_, paper_depth(mark, radius)};
     });
-    const std::array all = {Piece{0, occluders_.size()}};
+    const std::array all = {IndexRange{0, occluders_.size()}};
     bins_.build(parallel, width_, height_, all, [this](std::int64_t i, drawing::Tiles::Footprint& print) {
         const Occluder& disc = occluders_[i];
         print = drawing::Tiles::Footprint::of_disc(disc.x, disc.y, disc.radius);
@@ -291,7 +291,7 @@ void PublishedFrame::run(const Scene& scene, drawing::Drawing& drawing) {
     find_keys(scene);
     order_.sort(parallel, keys_);
     base::resize_scratch(drawing.dots, keys_.size());
-    drawing.dot_pieces.push_back({0, keys_.size()});
+    drawing.dot_ranges.push_back({0, keys_.size()});
     drawing.dot_count = all.shown;
     parallel.for_chunks(keys_.size(), marks_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {

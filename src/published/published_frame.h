@@ -83,7 +83,7 @@ private:
     base::Array<Mark> marks_; // one for each mark of the scene's runs
     ToneCalls tone_calls_;
     VisibilityMap visibility_;
-    drawing::FarToNear order_;
+    drawing::DepthSort order_;
     base::Array<std::int64_t> next_key_; // where each task's next key goes
     base::Array<Counts> counts_;         // one for each task
     base::Array<std::uint64_t> keys_;    // one for each disc: its depth, its mark's place, and whether it is paper

@@ -14,7 +14,7 @@
 namespace hrbfnpr::testing::order_test {
 namespace {
 
-using drawing::FarToNear;
+using drawing::DepthSort;
 using drawing::Tiles;
 
 TEST(FarFirstKey, RisesAsDepthFalls) {
@@ -29,7 +29,7 @@ TEST(FarToNearSort, IsAStableSort) {
     base::Memory memory;
     for (const int threads : {1, 3}) {
         const base::Parallel parallel(threads, nullptr, nullptr);
-        FarToNear order(memory);
+        DepthSort order(memory);
         for (const std::int64_t count : {0, 1, 2, 1000, 100000}) {
             base::Array<std::uint64_t> keys(memory);
             for (std::int64_t i = 0; i < count; ++i) {
@@ -68,11 +68,11 @@ TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     const std::int32_t height = 700;
     const std::vector<Round> discs = random_discs(20000);
     // The pieces have gaps between them, and some are empty.
-    const std::array<drawing::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
+    const std::array<drawing::IndexRange, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
     const auto taken = [&](std::size_t i) {
         const auto at = static_cast<std::int64_t>(i);
         return i % 3 != 0 && std::any_of(pieces.begin(), pieces.end(),
-                                         [&](const drawing::Piece& p) { return p.begin <= at && at < p.end; });
+                                         [&](const drawing::IndexRange& p) { return p.begin <= at && at < p.end; });
     };
     for (const int threads : {1, 2, 7}) {
         Tiles bins(memory, 32);
@@ -118,7 +118,7 @@ TEST(Tiles, AcceptInvalidFootprints) {
                            {infinity, 1, 1},
                            {infinity, 1, infinity}};
     Tiles bins(memory, 32);
-    const std::array pieces{drawing::Piece{0, std::size(discs)}};
+    const std::array pieces{drawing::IndexRange{0, std::size(discs)}};
     bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, Tiles::Footprint& print) {
         print = Tiles::Footprint::of_disc(discs[i].x, discs[i].y, discs[i].radius);
         return true;

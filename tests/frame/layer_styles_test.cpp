@@ -152,7 +152,7 @@ TEST_F(LayerStyles, EveryLayerOfAKindHasItsOwnDirections) {
 // The layers whose marks made the splats.
 std::vector<std::int32_t> splat_layers(const drawing::Drawing& drawing) {
     std::vector<std::int32_t> found;
-    for (const drawing::Piece& piece : drawing.splat_pieces) {
+    for (const drawing::IndexRange& piece : drawing.splat_ranges) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
             const drawing::Run* const run = drawing.run_of(drawing.splats[i].id);
             if (run == nullptr) {
@@ -238,7 +238,7 @@ TEST_F(SplatLayer, IsUsedEvenIfItsInkIsHidden) {
 // The dots of one layer, in the order of their ids.
 std::vector<drawing::Dot> dots_of(const drawing::Drawing& drawing, std::int32_t layer) {
     std::vector<drawing::Dot> dots;
-    for (const drawing::Piece& piece : drawing.dot_pieces)
+    for (const drawing::IndexRange& piece : drawing.dot_ranges)
         for (std::int64_t i = piece.begin; i < piece.end; ++i)
             if (const drawing::Dot& dot = drawing.dots[i];
                 dot.opacity > 0.0F && drawing.layers[dot.layer].layer == layer)

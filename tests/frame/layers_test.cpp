@@ -30,7 +30,7 @@ protected:
         const drawing::Drawing& drawing = frame.drawing();
         std::int64_t at_rim = 0;
         std::int64_t lost = 0;
-        for (const drawing::Piece& piece : drawing.dot_pieces) {
+        for (const drawing::IndexRange& piece : drawing.dot_ranges) {
             for (std::int64_t i = piece.begin; i < piece.end; ++i) {
                 const drawing::Dot& dot = drawing.dots[i];
                 const glm::dvec3 place(drawing.source(dot.id).position);

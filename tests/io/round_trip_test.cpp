@@ -63,8 +63,8 @@ TEST(ModelFile, StoresTheEndOfATrimmedModel) {
     EXPECT_EQ(loaded.trim.closest, 0.25);
     EXPECT_EQ(loaded.trim.grid.origin, glm::dvec3(1.0, 2.0, 3.0));
     EXPECT_EQ(loaded.trim.grid.side, 0.5);
-    EXPECT_EQ(loaded.trim.ends.size(), 2);
-    EXPECT_EQ(loaded.trim.kept.size(), 1);
+    EXPECT_EQ(loaded.trim.end_cells.size(), 2);
+    EXPECT_EQ(loaded.trim.kept_cells.size(), 1);
 
     const auto is_refused = [&](double& number, double wrong) {
         const double right = std::exchange(number, wrong);

@@ -140,8 +140,8 @@ inline TrimFile& fill(TrimFile& trim) {
     for (const double number : {4.0, 5.0}) trim.report.push_back(number);
     for (const double number : {0.0, 1.0, 2.0}) trim.position.push_back(number);
     for (const double number : {0.0, 0.0, 1.0}) trim.normal.push_back(number);
-    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) trim.ends.push_back(cell);
-    trim.kept.push_back(3);
+    for (const std::int64_t cell : {std::int64_t{7}, std::int64_t{1} << 60}) trim.end_cells.push_back(cell);
+    trim.kept_cells.push_back(3);
     return trim;
 }
 

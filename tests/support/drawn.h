@@ -96,7 +96,7 @@ private:
             return;
         }
         keys_.clear();
-        for (const drawing::Piece& piece : drawing_.dot_pieces) {
+        for (const drawing::IndexRange& piece : drawing_.dot_ranges) {
             for (std::int64_t i = piece.begin; i < piece.end; ++i) {
                 const drawing::Dot& dot = drawing_.dots[i];
                 if (dot.opacity > 0.0F)

@@ -276,7 +276,7 @@ TEST_F(Strips, DotsAreNumberedInPaintingOrder) {
         dot.mark_class = drawing::MarkClass::front;
         drawing.dots.push_back(dot);
     }
-    drawing.dot_pieces.push_back({0, 4});
+    drawing.dot_ranges.push_back({0, 4});
     drawing.dot_count = 3;
     write(Primitive::points);
     ASSERT_EQ(vertices.size(), 3U);

@@ -337,7 +337,8 @@ void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int
         const float x = seen.side_x[i] * turn;
         const float y = -seen.side_y[i] * turn;
         const float slope = std::sqrt(x * x + y * y);
-        const float shrink = (slope > drawing::steepest ? drawing::steepest / slope : 1.0F) / c.pixels_per_unit;
+        const float shrink =
+            (slope > drawing::steepest_slope ? drawing::steepest_slope / slope : 1.0F) / c.pixels_per_unit;
         c.slope_x = x * shrink;
         c.slope_y = y * shrink;
         c.transmittance = v.transmittance.at(nu);
@@ -458,8 +459,8 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
     ask_tones(scene, loops, all);
     base::resize_scratch(drawing.dots, scene.place_count());
     base::resize_scratch(drawing.splats, scene.place_count());
-    base::resize_scratch(drawing.dot_pieces, all.tasks.size());
-    base::resize_scratch(drawing.splat_pieces, all.tasks.size());
+    base::resize_scratch(drawing.dot_ranges, all.tasks.size());
+    base::resize_scratch(drawing.splat_ranges, all.tasks.size());
     base::resize_scratch(all.counts, all.tasks.size());
     runtime.parallel.for_each(all.tasks.size(), [&](std::int64_t i) {
         const GatherTask& task = all.tasks[i];
@@ -479,8 +480,8 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
             if (c + 4 < clusters.cluster.size()) base::prefetch(&clusters.block[clusters.cluster[c + 4].block], 1);
             gather_cluster(view, clusters.cluster[c], loops, out);
         }
-        drawing.dot_pieces[i] = {place, out.dot - drawing.dots.data()};
-        drawing.splat_pieces[i] = {place, out.splat - drawing.splats.data()};
+        drawing.dot_ranges[i] = {place, out.dot - drawing.dots.data()};
+        drawing.splat_ranges[i] = {place, out.splat - drawing.splats.data()};
         all.counts[i] = out.counts;
     });
     drawing.counts = {};

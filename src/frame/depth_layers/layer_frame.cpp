@@ -37,7 +37,7 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
 }
 
 // Puts all dots except those of hatching into tiles.
-void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<const Piece> pieces,
+void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<const IndexRange> pieces,
               drawing::Drawing& drawing) {
     const glm::vec4& v = scene.lens.viewport;
     drawing.first_pixel = glm::ivec2(std::floor(v.x), std::floor(v.y));
@@ -275,7 +275,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
         if (scene.items[i].both_sides) by.ends |= 1U << bits_of_item(static_cast<std::int32_t>(i));
     if (by.ends != 0) by.apron = wide_apron;
     drawing.splat_tiles.build(runtime.parallel, tiles.columns() * tile_size, tiles.rows() * tile_size,
-                              drawing.splat_pieces.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                              drawing.splat_ranges.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                                   const Splat& c = drawing.splats[i];
                                   const float reach = std::max(c.radius, c.halo) + static_cast<float>(by.apron) + 1.0F;
                                   print = drawing::Tiles::Footprint::of_disc(c.x - origin.x, c.y - origin.y, reach);
@@ -311,7 +311,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
     const auto flush = [&] {
         if (!scratch.asked.empty()) hidden += cast(runtime, scene, *item, scratch, drawing);
     };
-    for (const Piece& piece : drawing.dot_pieces) {
+    for (const IndexRange& piece : drawing.dot_ranges) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
             const Dot& ink = drawing.dots[i];
             const Run& run = scene.runs[ink.layer];
@@ -351,13 +351,13 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     find_color(scene, drawing);
     base::Stopwatch watch;
     gather(runtime_, scene, gathering_, drawing);
-    const std::int64_t gathered = drawing.dot_pieces.size();
+    const std::int64_t gathered = drawing.dot_ranges.size();
     hatch_points_.run({scene, gathering_.sights.span(), gathering_.frustum, gathering_.tau.span()}, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
     progress.update(layer_tuning.gathered);
     watch.restart();
-    bin_dots(runtime_.parallel, scene, drawing.dot_pieces.span().first(static_cast<std::size_t>(gathered)), drawing);
+    bin_dots(runtime_.parallel, scene, drawing.dot_ranges.span().first(static_cast<std::size_t>(gathered)), drawing);
     hatch_tiles_.build(hatch_points_.batches(), drawing);
     drawing.counts.nanoseconds_sort = watch.nanoseconds();
 
@@ -379,7 +379,7 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
 
 void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     std::int64_t dots = 0;
-    for (const Piece& piece : drawing.dot_pieces) dots += piece.end - piece.begin;
+    for (const IndexRange& piece : drawing.dot_ranges) dots += piece.end - piece.begin;
     drawing.has_splats = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.splats; });
     drawing.dot_count = drawing.has_splats ? dim_by_layers(runtime_, scene, hatch_tiles_, layers_, drawing) : dots;
     if (std::any_of(scene.items.begin(), scene.items.end(), [](const ItemView& i) { return i.model != nullptr; }))
@@ -399,7 +399,7 @@ void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
         const marks::Layer& layer = *run.marks;
         base::resize_scratch(dot_of_, run.count);
         std::fill(dot_of_.begin(), dot_of_.end(), -1);
-        for (const Piece& piece : drawing.dot_pieces) {
+        for (const IndexRange& piece : drawing.dot_ranges) {
             if (piece.begin < run.first_place || piece.begin >= run.first_place + run.places()) continue;
             for (std::int64_t i = piece.begin; i < piece.end; ++i)
                 if (drawing.dots[i].opacity > 0.0F) dot_of_[drawing.dots[i].id - run.first_id] = i;

@@ -70,7 +70,7 @@ private:
     LineStrokes joined_;
     base::Array<Ready> ready_;
     base::Array<std::uint64_t> keys_;
-    drawing::FarToNear order_;
+    drawing::DepthSort order_;
 };
 
 } // namespace hrbfnpr::frame

@@ -108,7 +108,7 @@ HWY_INLINE void lay_next(const LayerPlanes& p, const LayerDisc& disc, const Spla
 void lay_all_next(const LayerPlanes& p, const SplatList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const Splat& c = list.splats[list.numbers[i]];
-        const float reach = drawing::steepest * c.radius / c.pixels_per_unit;
+        const float reach = drawing::steepest_slope * c.radius / c.pixels_per_unit;
         if (c.depth + reach < list.nearest || c.depth - reach > list.farthest) continue;
         lay_next(p, disc_of(list, c), c);
     }

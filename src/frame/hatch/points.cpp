@@ -73,7 +73,7 @@ void HatchPoints::run(const Seen& seen, drawing::Drawing& drawing) {
     for (Batch& batch : batches()) {
         batch.first_dot = dots;
         dots += batch.samples.sample.size();
-        if (dots > batch.first_dot) drawing.dot_pieces.push_back({batch.first_dot, dots});
+        if (dots > batch.first_dot) drawing.dot_ranges.push_back({batch.first_dot, dots});
     }
     drawing.dots.resize_for_overwrite(dots);
     runtime_.parallel.for_each(count_, [&](std::int64_t i) {

@@ -284,7 +284,7 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
     const bool published = drawing.painting == drawing::Painting::published;
     if (published)
         published_tiles_.build(runtime_.parallel, drawn.right - drawn.left, drawn.bottom - drawn.top,
-                               drawing.dot_pieces.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                               drawing.dot_ranges.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                                    const Dot& dot = drawing.dots[i];
                                    print = drawing::Tiles::Footprint::of_disc(
                                        dot.x - static_cast<float>(drawn.left), dot.y - static_cast<float>(drawn.top),
@@ -297,7 +297,7 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
     if (!drawing.strokes.empty()) {
         while (unions_.size() < workers) unions_.add(runtime_.memory);
         // Any worker may get the fullest tile, so all reserve room for it.
-        const std::int64_t most = drawing.dot_tiles.most_of_a_tile() + drawing.segment_tiles.most_of_a_tile();
+        const std::int64_t most = drawing.dot_tiles.largest_tile_count() + drawing.segment_tiles.largest_tile_count();
         for (std::int64_t worker = 0; worker < workers; ++worker) numbers_[worker].of_tile.reserve(most);
     }
     const glm::vec4 paper = image.format == Format::coverage8 ? glm::vec4(0.0F) : premultiplied(drawing.paper);

@@ -44,7 +44,7 @@ std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept 
 template <class F>
 void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f) {
     Looks looks(progress, steps_a_look);
-    for (const drawing::Piece& piece : drawing.dot_pieces)
+    for (const drawing::IndexRange& piece : drawing.dot_ranges)
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
             looks.count();
             if (drawing.dots[i].opacity >= drawing::faintest_ink) f(drawing.dots[i], i);

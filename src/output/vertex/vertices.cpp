@@ -200,7 +200,7 @@ void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScra
     }
     scratch.keys.clear();
     scratch.keys.reserve(drawing.dot_count);
-    for (const drawing::Piece& piece : drawing.dot_pieces)
+    for (const drawing::IndexRange& piece : drawing.dot_ranges)
         for (std::int64_t i = piece.begin; i < piece.end; ++i)
             if (const Dot& dot = drawing.dots[i]; dot.opacity > 0.0F)
                 scratch.keys.push_back(drawing::far_first_key(dot.depth, static_cast<std::uint32_t>(i)));
@@ -286,7 +286,7 @@ void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f)
     const auto is_own = [&](std::uint32_t layer) {
         return drawing.layers[layer].item == run.item && drawing.layers[layer].layer == run.layer;
     };
-    for (const drawing::Piece& piece : drawing.dot_pieces) {
+    for (const drawing::IndexRange& piece : drawing.dot_ranges) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
             const Dot& dot = drawing.dots[i];
             if (!(dot.opacity > 0.0F) || (dot.flags & drawing::dot_is_paper) != 0 || !is_own(dot.layer)) continue;

@@ -59,7 +59,7 @@ struct VertexScratch {
     explicit VertexScratch(const base::Runtime& runtime) noexcept
         : order(runtime.memory), keys(runtime.memory), shown(runtime.memory), indices(runtime.memory) {}
 
-    drawing::FarToNear order;
+    drawing::DepthSort order;
     base::Array<std::uint64_t> keys; // depth and number of each dot or mark that is shown
     base::Array<std::uint8_t> shown; // one for each mark of a run: 1 if it is shown, else 0
     base::Array<std::uint32_t> indices;
