@@ -34,10 +34,10 @@ void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& 
 // Returns the radius of the largest disc that the mark can paint, which decides whether it can reach the viewport.
 [[nodiscard]] float reach(const Run& run, float pixels_per_unit) noexcept {
     float radius = 0.0F;
-    if (run.draws_front) radius = run.pen.front_ink(pixels_per_unit);
-    if (run.draws_silhouettes) radius = std::max(radius, run.pen.silhouette_ink(pixels_per_unit));
+    if (run.draws_front) radius = run.discs.front_ink(pixels_per_unit);
+    if (run.draws_silhouettes) radius = std::max(radius, run.discs.silhouette_ink(pixels_per_unit));
     if (run.paints_paper || run.occludes)
-        radius = std::max({radius, run.pen.front_splat(pixels_per_unit), run.pen.back_splat(pixels_per_unit)});
+        radius = std::max({radius, run.discs.front_splat(pixels_per_unit), run.discs.back_splat(pixels_per_unit)});
     return radius + 0.5F; // half a pixel for the soft rim
 }
 
@@ -98,13 +98,13 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
 // ---- Discs of a mark: their radii, and where they are painted, eye units along the view
 
 [[nodiscard]] float ink_radius(const Run& run, const Mark& mark, std::int64_t number) noexcept {
-    return mark.mark_class == MarkClass::silhouette ? run.pen.silhouette_ink(mark.pixels_per_unit)
+    return mark.mark_class == MarkClass::silhouette ? run.discs.silhouette_ink(mark.pixels_per_unit)
                                                     : run.front_ink(number, mark.pixels_per_unit);
 }
 
 [[nodiscard]] float splat_radius(const Run& run, const Mark& mark) noexcept {
-    return mark.mark_class == MarkClass::back ? run.pen.back_splat(mark.pixels_per_unit)
-                                              : run.pen.front_splat(mark.pixels_per_unit);
+    return mark.mark_class == MarkClass::back ? run.discs.back_splat(mark.pixels_per_unit)
+                                              : run.discs.front_splat(mark.pixels_per_unit);
 }
 
 [[nodiscard]] float paper_depth(const Mark& mark, float radius) noexcept {
@@ -124,11 +124,11 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
 // nothing hides marks.
 [[nodiscard]] bool is_ink(const Run& run, const Mark& mark, std::int64_t number, const VisibilityMap* visibility,
                           Counts& counts) noexcept {
-    const ToneRule rule = run.pen.style->tone_rule;
+    const ToneRule rule = run.discs.style->tone_rule;
     const float rank = run.marks->rank[number];
     if (mark.mark_class == MarkClass::front) {
         if (!may_be_ink(run, number)) return false;
-        const ToneTerms terms{mark.tau, mark.tau_depth, run.pen.scale(mark.pixels_per_unit), run.style->share};
+        const ToneTerms terms{mark.tau, mark.tau_depth, run.discs.scale(mark.pixels_per_unit), run.style->share};
         switch (front_verdict(rank, terms, rule)) {
         case Verdict::shown: break;
         case Verdict::tone: ++counts.dropped_tone; return false;
@@ -151,9 +151,9 @@ void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
 [[nodiscard]] bool is_paper(const Run& run, const Mark& mark) noexcept {
     if (!run.paints_paper) return false;
     if (mark.mark_class == MarkClass::front)
-        return front_alpha(mark.nu, static_cast<float>(run.pen.style->attenuation_front)) > 0.0F;
+        return front_alpha(mark.nu, static_cast<float>(run.discs.style->attenuation_front)) > 0.0F;
     return mark.mark_class == MarkClass::back &&
-           back_alpha(mark.nu, static_cast<float>(run.pen.style->attenuation_back)) > 0.0F;
+           back_alpha(mark.nu, static_cast<float>(run.discs.style->attenuation_back)) > 0.0F;
 }
 
 void decide(const Run& run, std::int64_t number, const VisibilityMap* visibility, Mark& mark, Counts& counts) noexcept {
@@ -187,8 +187,8 @@ void decide(const Run& run, std::int64_t number, const VisibilityMap* visibility
     dot.radius = is_paper ? splat_radius(run, mark) : ink_radius(run, mark, number);
     dot.opacity = !is_paper ? 1.0F
                   : mark.mark_class == MarkClass::back
-                      ? run.pen.back_opacity(mark.nu, dot.radius, mark.pixels_per_unit)
-                      : run.pen.front_opacity(mark.nu, dot.radius, mark.pixels_per_unit);
+                      ? run.discs.back_opacity(mark.nu, dot.radius, mark.pixels_per_unit)
+                      : run.discs.front_opacity(mark.nu, dot.radius, mark.pixels_per_unit);
     if (is_paper) dot.flags = dot_is_paper;
     return dot;
 }
@@ -213,7 +213,7 @@ void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene, co
         const Mark& mark = marks[place];
         occluders_[place].radius = -1.0F;
         if (!run.occludes || (mark.mark_class != MarkClass::front && mark.mark_class != MarkClass::back)) return;
-        const float radius = run.pen.front_splat(mark.pixels_per_unit);
+        const float radius = run.discs.front_splat(mark.pixels_per_unit);
         occluders_[place] = {(mark.x - left_) * texels_per_pixel_, (mark.y - top_) * texels_per_pixel_,
                              radius * texels_per_pixel_, paper_depth(mark, radius)};
     });

@@ -78,11 +78,11 @@ TEST(HeldLength, ChangesSmoothlyWithThePresence) {
 }
 
 TEST(Risen, RisesFromZeroToOne) {
-    EXPECT_EQ(frame::risen(1.0F, 1.0F, 3.0F), 0.0F);
-    EXPECT_EQ(frame::risen(2.0F, 1.0F, 3.0F), 0.5F);
-    EXPECT_EQ(frame::risen(5.0F, 1.0F, 3.0F), 1.0F);
-    EXPECT_EQ(frame::risen(1.0F, 1.0F, 1.0F), 0.0F) << "a step";
-    EXPECT_EQ(frame::risen(1.1F, 1.0F, 1.0F), 1.0F);
+    EXPECT_EQ(frame::ramp_between(1.0F, 1.0F, 3.0F), 0.0F);
+    EXPECT_EQ(frame::ramp_between(2.0F, 1.0F, 3.0F), 0.5F);
+    EXPECT_EQ(frame::ramp_between(5.0F, 1.0F, 3.0F), 1.0F);
+    EXPECT_EQ(frame::ramp_between(1.0F, 1.0F, 1.0F), 0.0F) << "a step";
+    EXPECT_EQ(frame::ramp_between(1.1F, 1.0F, 1.0F), 1.0F);
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 // 1. set_up_items: how each item is seen, how much ink it has, and what its layers let through
 // 2. add_tasks: tasks of several clusters of a run
 // 3. ask_tones: tau of the marks whose tone a callback gives
-// 4. gather_cluster, on threads: skips clusters that are outside; makes splats of a cluster's first marks
-//    (put_splats), and ink of the marks that its tone shows (put_ink)
+// 4. gather_cluster, on threads: passes over clusters that are outside; makes splats of a cluster's first marks
+//    (add_splats), and ink of the marks that its tone shows (add_dots)
 #include "frame/depth_layers/gather.h"
 
 #include "base/prefetch.h"
@@ -35,8 +35,8 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
     return table;
 }
 
-// Whether two items get the same table of transmittances.
-[[nodiscard]] bool are_alike(const ItemView& one, const ItemView& other) noexcept {
+// Whether two items have the same table.
+[[nodiscard]] bool have_same_transmittance(const ItemView& one, const ItemView& other) noexcept {
     const Style& a = one.style;
     const Style& b = other.style;
     return one.both_sides == other.both_sides && a.hidden_lines == b.hidden_lines &&
@@ -57,11 +57,11 @@ constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
         // Blue-noise hatching has lines of one direction. Other strokes have two directions with half of the marks
         // each.
         const bool has_one = run.is_scattered() || (run.is_even() && run.marks->kind == marks::Kind::hatch);
-        const float spacing = run.pen.spacing;
-        ItemInk::Term term{&run.pen,
+        const float spacing = run.discs.spacing;
+        ItemInk::Term term{&run.discs,
                            (has_one || run.directions == 3U ? 1.0F : 0.5F) * run.style->share / (spacing * spacing)};
         // Lines of one direction are one separation apart.
-        if (run.pen.separation > 0.0F) term.step = (has_one ? 1.0F : 2.0F) * spacing * spacing / run.pen.separation;
+        if (run.discs.separation > 0.0F) term.step = (has_one ? 1.0F : 2.0F) * spacing * spacing / run.discs.separation;
         if (!run.is_scattered()) lines += has_one || run.directions != 3U ? 1.0F : 2.0F;
         terms.push_back(term);
         even = even && run.is_even();
@@ -83,7 +83,7 @@ void set_up_items(const Scene& scene, Gathering& all) {
     all.transmittances.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
         all.sights[i] = sight_of(scene.items[i], scene.lens, all.frustum);
-        if (i == 0 || !are_alike(scene.items[i], scene.items[i - 1]))
+        if (i == 0 || !have_same_transmittance(scene.items[i], scene.items[i - 1]))
             all.transmittances.push_back(transmittance_table(scene.items[i]));
         all.transmittance_of[i] = static_cast<std::int32_t>(all.transmittances.size() - 1);
     }
@@ -103,7 +103,7 @@ void set_up_items(const Scene& scene, Gathering& all) {
 [[nodiscard]] float ink_per_pixel(std::span<const ItemInk::Term> terms, float pixels_per_unit) noexcept {
     float ink = 0.0F;
     for (const ItemInk::Term& t : terms) {
-        const float radius = t.pen->front_ink(pixels_per_unit);
+        const float radius = t.discs->front_ink(pixels_per_unit);
         float area = disc_ink(radius);
         // The discs of a stroke overlap and form a line.
         if (t.step > 0.0F) area = std::min(area, 2.0F * radius * t.step * pixels_per_unit);
@@ -131,16 +131,16 @@ std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
 }
 
 // Asks for the tones of a cluster's marks that may be seen as ink.
-void ask_cluster(const Scene& scene, const SeeLoops& loops, const Run& run, const marks::Cluster& cluster,
+void ask_cluster(const Scene& scene, const ProjectionLoops& loops, const Run& run, const marks::Cluster& cluster,
                  Gathering& all) {
     const ItemSight& sight = all.sights[run.item];
     const ClusterView view = view_cluster(cluster, sight, scene.lens, all.frustum);
     if (!run.draws_direction(cluster.direction) || view.beyond > scene.lens.diagonal || view.nu_min > 0.0F) return;
     const MarkBlock* const blocks = run.clusters->block.data() + cluster.block;
-    Seen seen;
-    loops.see(sight.seer, {blocks, cluster.count}, seen);
+    ProjectedMarks projected;
+    loops.project(sight.view_transform, {blocks, cluster.count}, projected);
     for (std::int64_t i = 0; i < cluster.count; ++i) {
-        if (!(seen.pixels_per_unit[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
+        if (!(projected.pixels_per_unit[i] > 0.0F && projected.nu[i] < 0.0F)) continue;
         const MarkBlock& m = blocks[i / MarkBlock::size];
         const std::int64_t at = i % MarkBlock::size;
         all.tone_calls.add(m.place_at(at), run.tone_normal_of(m.mark[at]),
@@ -148,7 +148,7 @@ void ask_cluster(const Scene& scene, const SeeLoops& loops, const Run& run, cons
     }
 }
 
-void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
+void ask_tones(const Scene& scene, const ProjectionLoops& loops, Gathering& all) {
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
     base::resize_scratch(all.tau, scene.place_count());
@@ -177,19 +177,19 @@ struct RunView {
 };
 
 // The places of the next dot and splat, and the counts of those before.
-struct Gathered {
+struct GatherOutput {
     Dot* dot;
     Splat* splat;
     Counts counts;
 };
 
-// A cluster that is not skipped.
-struct Local {
+// A cluster that is not passed over.
+struct VisibleCluster {
     const marks::Cluster& cluster;
     const MarkBlock* blocks;
     ClusterView view;
     float pixel_curvature; // the factor from a curvature in the set's unit to one per pixel
-    bool whole;            // no mark is near a contour, and all face alike
+    bool is_uniform;       // no mark is near a contour, and all face alike
 
     [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
         return blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
@@ -197,9 +197,10 @@ struct Local {
 };
 
 // An upper bound of the share of front marks that select() shows.
-[[nodiscard]] float most_shown(const RunView& v, const Selection& selection, const ClusterView& view) noexcept {
+[[nodiscard]] float largest_shown_share(const RunView& v, const Selection& selection,
+                                        const ClusterView& view) noexcept {
     const Style& style = v.item.style;
-    if (selection.by_published || style.tone == Tone::callback) return 1.0F;
+    if (selection.is_published || style.tone == Tone::callback) return 1.0F;
     // The cone of normals does not bound normals for tone.
     const bool is_bounded = style.tone == Tone::light && !v.run.has_tone_normals();
     float shown = 1.0F - (is_bounded ? LightTone(style).least(view.lit_min) : 0.0F);
@@ -209,21 +210,21 @@ struct Local {
         const float needed = v.ink.needed[std::min<std::size_t>(cell + 1, needed_steps)];
         shown = std::min(1.0F, needed * nu * selection.per_ink);
     }
-    return 1.001F * selection.share * selection.more * shown + 1e-5F;
+    return 1.001F * selection.share * selection.fade_factor * shown + 1e-5F;
 }
 
 // `reach` is the radius of the largest disc of a mark, with its rim.
-[[nodiscard]] Selection selection_of(const RunView& v, const Local& local, float reach) noexcept {
+[[nodiscard]] Selection selection_of(const RunView& v, const VisibleCluster& visible, float reach) noexcept {
     const glm::vec4& viewport = v.scene.lens.viewport;
-    const float pixels_per_unit = local.view.pixels_per_unit;
+    const float pixels_per_unit = visible.view.pixels_per_unit;
     const Style& style = v.item.style;
     Selection selection{};
     selection.left = viewport.x - reach;
     selection.right = viewport.x + viewport.z + reach;
     selection.top = viewport.y - reach;
     selection.bottom = viewport.y + viewport.w + reach;
-    selection.all_inside = local.view.inside;
-    selection.by_published = style.tone_rule == ToneRule::published;
+    selection.all_inside = visible.view.inside;
+    selection.is_published = style.tone_rule == ToneRule::published;
     selection.coverage = style.tone_curve == ToneCurve::coverage;
     selection.needed = v.ink.needed.data();
     constexpr auto darkest = static_cast<std::size_t>(layer_tuning.darkest * needed_steps);
@@ -232,22 +233,22 @@ struct Local {
         selection.per_ink = 1.0F / std::max(ink_per_pixel(terms, pixels_per_unit), v.ink.needed[darkest]);
     selection.share = v.run.style->share;
     selection.fade = style.tone_fade;
-    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small, so more are shown
-    selection.scale = v.run.pen.scale(pixels_per_unit);
+    selection.fade_factor = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small, so more are shown
+    selection.scale = v.run.discs.scale(pixels_per_unit);
     // Coverage accounts for foreshortening. Without it, ink of the front fades where the front turns away.
-    const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.by_published;
-    selection.turn = vanishes ? layer_tuning.front_fade : 0.0F;
+    const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.is_published;
+    selection.vanishing_nu = vanishes ? layer_tuning.front_fade : 0.0F;
     return selection;
 }
 
-// Returns how many of a cluster's first marks belong to the share `shown` of all marks.
-[[nodiscard]] std::int64_t count_shown(const Local& local, float shown) noexcept {
+// How many of a cluster's first marks belong to the share `shown` of all marks.
+[[nodiscard]] std::int64_t count_shown(const VisibleCluster& visible, float shown) noexcept {
     if (!(shown > 0.0F)) return 0;
     std::int64_t low = 0;
-    std::int64_t high = local.cluster.count;
+    std::int64_t high = visible.cluster.count;
     while (low < high) {
         const std::int64_t middle = (low + high) / 2;
-        if (1.0F - local.blocks[middle / MarkBlock::size].rank[middle % MarkBlock::size] <= shown)
+        if (1.0F - visible.blocks[middle / MarkBlock::size].rank[middle % MarkBlock::size] <= shown)
             low = middle + 1;
         else
             high = middle;
@@ -257,52 +258,53 @@ struct Local {
 
 // ---- Splats
 
-[[nodiscard]] float least_splat_spacing(const Local& local) noexcept {
-    return local.whole ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
+[[nodiscard]] float least_splat_spacing(const VisibleCluster& visible) noexcept {
+    return visible.is_uniform ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
 }
 
-// Returns how many of a cluster's first marks are splats.
-[[nodiscard]] std::int64_t count_splats(const Run& run, const Local& local) noexcept {
+// How many of a cluster's first marks are splats.
+[[nodiscard]] std::int64_t count_splats(const Run& run, const VisibleCluster& visible) noexcept {
     if (!run.splats) return 0;
-    // The first lines of a nested set leave gaps where the other lines lie, so all marks are needed.
-    if (run.marks->kind == marks::Kind::hatch || (!run.is_even() && !run.is_scattered())) return local.cluster.count;
-    const float pixels = run.pen.spacing * local.view.pixels_per_unit / least_splat_spacing(local);
-    if (!(pixels < 1.0F)) return local.cluster.count; // also for NaN, if a float does not hold the spacing
+    // The first lines of a nested set leave the places of the others open, so all marks are needed.
+    if (run.marks->kind == marks::Kind::hatch || (!run.is_even() && !run.is_scattered())) return visible.cluster.count;
+    const float pixels = run.discs.spacing * visible.view.pixels_per_unit / least_splat_spacing(visible);
+    if (!(pixels < 1.0F)) return visible.cluster.count; // also for NaN, if a float does not hold the spacing
     // The first marks of a cluster are spread as evenly as the first marks of the layer.
-    return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster.count)));
+    return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(visible.cluster.count)));
 }
 
 // Sets the halo of a splat near the contour. The halo starts at the contour, and must nowhere lie before the contour's
 // own line, which may run into the depth. The contour's direction is conjugate to the line of sight, since along the
 // contour the normal stays perpendicular to the line of sight.
 // [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
-void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64_t i, Splat& c) noexcept {
-    const float nu = seen.nu[i];
+void set_halo(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected, std::int64_t i,
+              Splat& c) noexcept {
+    const float nu = projected.nu[i];
     const float width = v.item.style.halo_width;
     c.halo = 0.0F;
-    if (!(width > 0.0F) || local.cluster.max_curvature < 0.0F) return;
-    const MarkBlock& m = local.blocks[i / MarkBlock::size];
+    if (!(width > 0.0F) || visible.cluster.max_curvature < 0.0F) return;
+    const MarkBlock& m = visible.blocks[i / MarkBlock::size];
     const std::int64_t at = i % MarkBlock::size;
     const glm::vec3 n = m.normal_at(at);
-    const glm::vec3 sight = v.sight.seer.parallel ? v.sight.eye : m.place_at(at) - v.sight.eye;
+    const glm::vec3 sight = v.sight.view_transform.parallel ? v.sight.eye : m.place_at(at) - v.sight.eye;
     const glm::vec3 w = sight - glm::dot(sight, n) * n; // the line of sight along the surface
-    const auto& s = local.cluster.shape;
+    const auto& s = visible.cluster.shape;
     const glm::vec3 turn(s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
                          s[2] * w.x + s[4] * w.y + s[5] * w.z); // the change of the normal for the step w
     const float curvature = glm::dot(w, turn) / glm::dot(w, w); // radial, object space; positive where convex
     // The mark lies at the angle nu from the contour on a circle of this curvature; a flat surface gives infinity.
-    const float bend = std::abs(curvature) * local.pixel_curvature;
+    const float bend = std::abs(curvature) * visible.pixel_curvature;
     const float away = nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * bend);
     if (!(away <= layer_tuning.contour_band)) return;
     const glm::vec3 along = v.item.to_eye * glm::cross(n, turn);
     const float across = std::sqrt(along.x * along.x + along.y * along.y);
     const float slope = -along.z / across;
-    const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
+    const float side = std::sqrt(projected.side_x[i] * projected.side_x[i] + projected.side_y[i] * projected.side_y[i]);
     if (!(std::abs(slope) <= layer_tuning.steepest_contour) || !(side > 0.0F)) return; // the contour ends here
     c.halo = width;
     c.halo_transmittance = v.transmittance.halo;
-    c.halo_x = c.x + away * seen.side_x[i] / side;
-    c.halo_y = c.y - away * seen.side_y[i] / side;
+    c.halo_x = c.x + away * projected.side_x[i] / side;
+    c.halo_y = c.y - away * projected.side_y[i] / side;
     // Where a surface bends little, its marks say little about the distance to the contour. The slack keeps the
     // contour's own line before the halo, and also things that are hardly farther.
     const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
@@ -311,31 +313,33 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     c.halo_slope_y = -slope * along.y / (across * c.pixels_per_unit);
 }
 
-void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int64_t count, Gathered& out) noexcept {
-    HRBFNPR_ASSERT(v.run.splats && count > 0 && count <= local.cluster.count);
-    const Pen& pen = v.run.pen;
-    const float own = pen.spacing * local.view.pixels_per_unit;
-    const float spacing = v.run.is_scattered() ? std::max(own, least_splat_spacing(local)) : own;
+void add_splats(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected, std::int64_t count,
+                GatherOutput& out) noexcept {
+    HRBFNPR_ASSERT(v.run.splats && count > 0 && count <= visible.cluster.count);
+    const DiscSizes& discs = v.run.discs;
+    const float own = discs.spacing * visible.view.pixels_per_unit;
+    const float spacing = v.run.is_scattered() ? std::max(own, least_splat_spacing(visible)) : own;
     const bool even = v.run.is_even() && v.run.is_scattered();
-    const float own_radius = (even ? layer_tuning.even_splat : layer_tuning.random_splat) * spacing + 0.5F;
+    const float own_radius =
+        (even ? layer_tuning.even_splat_radius : layer_tuning.random_splat_radius) * spacing + 0.5F;
     const float given = v.item.style.splat_radius;
-    const float radius = std::min(given > 0.0F ? given : own_radius, pen.largest_splat);
+    const float radius = std::min(given > 0.0F ? given : own_radius, discs.largest_splat);
     const bool has_items = v.scene.items.size() > 1;
     for (std::int64_t i = 0; i < count; ++i) {
-        const float nu = seen.nu[i];
+        const float nu = projected.nu[i];
         // The comparisons are false for NaN.
-        if (!(seen.pixels_per_unit[i] > 0.0F) || !(std::abs(nu) <= 1.001F) ||
-            !(seen.window[i] >= 0.0F && seen.window[i] <= 1.0F))
+        if (!(projected.pixels_per_unit[i] > 0.0F) || !(std::abs(nu) <= 1.001F) ||
+            !(projected.window[i] >= 0.0F && projected.window[i] <= 1.0F))
             continue;
         Splat& c = *out.splat++;
-        c.x = seen.x[i];
-        c.y = seen.y[i];
+        c.x = projected.x[i];
+        c.y = projected.y[i];
         c.radius = radius;
-        c.depth = seen.depth[i];
-        c.pixels_per_unit = seen.pixels_per_unit[i];
-        const float turn = -seen.along[i] / (std::abs(nu) > 1e-3F ? nu : 1e-3F);
-        const float x = seen.side_x[i] * turn;
-        const float y = -seen.side_y[i] * turn;
+        c.depth = projected.depth[i];
+        c.pixels_per_unit = projected.pixels_per_unit[i];
+        const float turn = -projected.along[i] / (std::abs(nu) > 1e-3F ? nu : 1e-3F);
+        const float x = projected.side_x[i] * turn;
+        const float y = -projected.side_y[i] * turn;
         const float slope = std::sqrt(x * x + y * y);
         const float shrink =
             (slope > drawing::steepest_slope ? drawing::steepest_slope / slope : 1.0F) / c.pixels_per_unit;
@@ -343,9 +347,9 @@ void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int
         c.slope_y = y * shrink;
         c.transmittance = v.transmittance.at(nu);
         if (has_items) c.transmittance = with_item(c.transmittance, v.run.item);
-        c.window = seen.window[i];
-        set_halo(v, local, seen, i, c);
-        c.id = v.run.first_id + local.mark(i);
+        c.window = projected.window[i];
+        set_halo(v, visible, projected, i, c);
+        c.id = v.run.first_id + visible.mark(i);
         c.faces_back = nu > 0.0F;
         ++out.counts.splats;
     }
@@ -354,33 +358,34 @@ void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int
 // ---- Ink
 
 // Returns tau of marks. It is computed into `scratch` unless a callback gave it.
-[[nodiscard]] const float* taus(const RunView& v, const Local& local, const Seen& seen, std::int64_t count,
-                                float* scratch) noexcept {
+[[nodiscard]] const float* tones_of(const RunView& v, const VisibleCluster& visible, const ProjectedMarks& projected,
+                                    std::int64_t count, float* scratch) noexcept {
     const Style& style = v.item.style;
     if (style.tone == Tone::callback)
-        return v.all.tau.data() + v.run.first_place + local.cluster.block * MarkBlock::size;
+        return v.all.tau.data() + v.run.first_place + visible.cluster.block * MarkBlock::size;
     const LightTone tone(style);
-    const Light& light = v.sight.seer.light;
+    const Light& light = v.sight.view_transform.light;
     const bool soft = v.run.has_tone_normals();
     for (std::int64_t i = 0; i < count; ++i)
         scratch[i] = style.tone != Tone::light
                          ? 0.0F
-                         : tone(soft ? lit(light, v.run.tone_normal_of(local.mark(i))) : seen.lit[i]);
+                         : tone(soft ? lit(light, v.run.tone_normal_of(visible.mark(i))) : projected.lit[i]);
     return scratch;
 }
 
-void put_ink(const RunView& v, const Local& local, const Selection& selection, const Seen& seen, std::int64_t count,
-             const SeeLoops& loops, Gathered& out) noexcept {
-    HRBFNPR_ASSERT(v.run.draws_front && count > 0 && count <= local.cluster.count);
-    std::array<float, Seen::most> tau;
-    std::array<float, Seen::most> tau_depth;
+void add_dots(const RunView& v, const VisibleCluster& visible, const Selection& selection,
+              const ProjectedMarks& projected, std::int64_t count, const ProjectionLoops& loops,
+              GatherOutput& out) noexcept {
+    HRBFNPR_ASSERT(v.run.draws_front && count > 0 && count <= visible.cluster.count);
+    std::array<float, ProjectedMarks::most> tau;
+    std::array<float, ProjectedMarks::most> tau_depth;
     const DepthTone depth_tone(v.item.style, v.scene.lens.eye_per_world);
     for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i)
-        tau_depth[static_cast<std::size_t>(i)] = depth_tone(seen.distance[i]);
+        tau_depth[static_cast<std::size_t>(i)] = depth_tone(projected.distance[i]);
     Selected selected;
-    loops.select(selection, {local.blocks, count}, seen, taus(v, local, seen, count, tau.data()),
+    loops.select(selection, {visible.blocks, count}, projected, tones_of(v, visible, projected, count, tau.data()),
                  depth_tone.is_on ? tau_depth.data() : nullptr, selected);
-    if (!local.whole) {
+    if (!visible.is_uniform) {
         out.counts.outside += selected.outside;
         out.counts.front += selected.fronts;
         out.counts.back += selected.backs;
@@ -392,20 +397,20 @@ void put_ink(const RunView& v, const Local& local, const Selection& selection, c
     for (std::int64_t first = 0, word = 0; first < count; first += selected.lanes, ++word) {
         for (unsigned bits = selected.drawn[word]; bits != 0; bits &= bits - 1) {
             const std::int64_t i = first + std::countr_zero(bits);
-            const float radius = v.run.pen.front_ink(seen.pixels_per_unit[i]) *
-                                 (width.empty() ? 1.0F : width[local.cluster.block * MarkBlock::size + i]);
-            // The dot is on the same side as the splats.
-            const bool faces_back = (seen.nu[i] > 0.0F) != v.run.turned;
+            const float radius = v.run.discs.front_ink(projected.pixels_per_unit[i]) *
+                                 (width.empty() ? 1.0F : width[visible.cluster.block * MarkBlock::size + i]);
+            // The dot's side is that of the splats.
+            const bool faces_back = (projected.nu[i] > 0.0F) != v.run.turned;
             const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
                                                          (v.item.model != nullptr ? dot_is_exact : 0));
-            *out.dot++ = {seen.x[i],
-                          seen.y[i],
+            *out.dot++ = {projected.x[i],
+                          projected.y[i],
                           std::sqrt(radius * radius * selected.front[i]),
                           1.0F,
-                          seen.depth[i],
-                          seen.window[i],
-                          seen.pixels_per_unit[i],
-                          v.run.first_id + local.mark(i),
+                          projected.depth[i],
+                          projected.window[i],
+                          projected.pixels_per_unit[i],
+                          v.run.first_id + visible.mark(i),
                           v.layer,
                           MarkClass::front,
                           flags};
@@ -413,47 +418,48 @@ void put_ink(const RunView& v, const Local& local, const Selection& selection, c
     }
 }
 
-void gather_cluster(const RunView& v, const marks::Cluster& cluster, const SeeLoops& loops, Gathered& out) noexcept {
-    HRBFNPR_ASSERT(cluster.count > 0 && cluster.count <= Seen::most);
+void gather_cluster(const RunView& v, const marks::Cluster& cluster, const ProjectionLoops& loops,
+                    GatherOutput& out) noexcept {
+    HRBFNPR_ASSERT(cluster.count > 0 && cluster.count <= ProjectedMarks::most);
     const std::int64_t marks = cluster.count;
     Counts& counts = out.counts;
     counts.marks += marks;
-    Local local{cluster, v.run.clusters->block.data() + cluster.block,
-                view_cluster(cluster, v.sight, v.scene.lens, v.all.frustum), 0.0F, false};
-    const ClusterView& view = local.view;
-    const float reach = (v.run.draws_front ? v.run.pen.front_ink(view.pixels_per_unit) : 0.0F) + soft_rim;
+    VisibleCluster visible{cluster, v.run.clusters->block.data() + cluster.block,
+                           view_cluster(cluster, v.sight, v.scene.lens, v.all.frustum), 0.0F, false};
+    const ClusterView& view = visible.view;
+    const float reach = (v.run.draws_front ? v.run.discs.front_ink(view.pixels_per_unit) : 0.0F) + soft_rim;
     if (view.beyond > reach) {
         counts.outside += marks;
         return;
     }
-    local.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
+    visible.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
     // Marks up to this |nu| may be near the contour, since no curvature exceeds the cluster's bound.
-    const float q = layer_tuning.contour_band * (cluster.max_curvature * local.pixel_curvature);
+    const float q = layer_tuning.contour_band * (cluster.max_curvature * visible.pixel_curvature);
     const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
-    const float band = cluster.max_curvature >= 0.0F ? rim : layer_tuning.unknown_rim;
+    const float band = cluster.max_curvature >= 0.0F ? rim : layer_tuning.unknown_rim_nu;
     if (view.inside && view.nu_max < -band) counts.front += marks;
     if (view.inside && view.nu_min > band) counts.back += marks;
-    local.whole = view.inside && (view.nu_max < -band || view.nu_min > band);
-    const Selection selection = selection_of(v, local, reach);
+    visible.is_uniform = view.inside && (view.nu_max < -band || view.nu_min > band);
+    const Selection selection = selection_of(v, visible, reach);
     const bool tone = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_direction(cluster.direction) &&
                       view.nu_min < 0.0F;
-    const std::int64_t inks = tone ? count_shown(local, most_shown(v, selection, view)) : 0;
-    if (!local.whole)
+    const std::int64_t inks = tone ? count_shown(visible, largest_shown_share(v, selection, view)) : 0;
+    if (!visible.is_uniform)
         counts.culled += marks - inks;
     else if (tone)
         counts.dropped_tone += marks - inks;
-    const std::int64_t splats = count_splats(v.run, local);
+    const std::int64_t splats = count_splats(v.run, visible);
     if (std::max(splats, inks) == 0) return;
-    Seen seen;
-    loops.see(v.sight.seer, {local.blocks, std::max(splats, inks)}, seen);
-    if (splats > 0) put_splats(v, local, seen, splats, out);
-    if (inks > 0) put_ink(v, local, selection, seen, inks, loops, out);
+    ProjectedMarks projected;
+    loops.project(v.sight.view_transform, {visible.blocks, std::max(splats, inks)}, projected);
+    if (splats > 0) add_splats(v, visible, projected, splats, out);
+    if (inks > 0) add_dots(v, visible, selection, projected, inks, loops, out);
 }
 
 } // namespace
 
 void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, drawing::Drawing& drawing) {
-    const SeeLoops loops = see_loops(runtime.instruction_set);
+    const ProjectionLoops loops = projection_loops(runtime.instruction_set);
     set_up_items(scene, all);
     const std::int64_t unused = add_tasks(scene, all.tasks);
     ask_tones(scene, loops, all);
@@ -475,7 +481,7 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
                            all,
                            static_cast<std::uint32_t>(task.run)};
         const std::int64_t place = run.first_place + clusters.cluster[task.begin].block * MarkBlock::size;
-        Gathered out{drawing.dots.data() + place, drawing.splats.data() + place, {}};
+        GatherOutput out{drawing.dots.data() + place, drawing.splats.data() + place, {}};
         for (std::int64_t c = task.begin; c < task.end; ++c) {
             if (c + 4 < clusters.cluster.size()) base::prefetch(&clusters.block[clusters.cluster[c + 4].block], 1);
             gather_cluster(view, clusters.cluster[c], loops, out);

@@ -50,7 +50,7 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
 // The ink per area of an item's image if all marks of the item are shown.
 struct ItemInk {
     struct Term {
-        const Pen* pen = nullptr;
+        const DiscSizes* discs = nullptr;
         float marks_per_area = 0.0F; // marks per square eye unit
         float step = 0.0F;           // distance of marks along a stroke, eye units; 0: the marks form no strokes
     };

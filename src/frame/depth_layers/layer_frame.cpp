@@ -62,7 +62,7 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
 // A mark that faces the eye is never hidden by its own layer. Another layer of its item that faces the eye hides it
 // only if a layer that faces away lies between them. Solids have both kinds, in turn.
 
-constexpr float nothing = std::numeric_limits<float>::infinity();
+constexpr float no_depth = std::numeric_limits<float>::infinity();
 
 // Planes reach some pixels beyond their tile. Dots just outside the picture need these pixels, and so does the test of
 // how far a surface continues where an item ends.
@@ -78,11 +78,11 @@ constexpr std::int64_t rays_at_a_time = 16384;
 constexpr std::int32_t most_layers = 8; // a ray finds at most this many
 
 // The surfaces and tables that dim the tiles of a drawing.
-struct Dimming {
+struct DimmingInput {
     const Scene& scene;
     const HatchTiles& hatching;
     LayerLoops loops;
-    std::uint32_t ends; // a bit for each item that may end in the open, at the lowest bits of its number
+    std::uint32_t open_item_bits; // a bit for each item that may end in the open, at the lowest bits of its number
     std::int32_t apron;
 };
 
@@ -104,14 +104,14 @@ struct Dimming {
     return row * p.stride + column;
 }
 
-// Whether the layer continues in all directions. In each direction it must be visible, or something nearer must cover
-// the place to which its slope leads.
-[[nodiscard]] bool goes_on(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
+// Whether the layer goes on in all directions. In each it must be seen, or something nearer must lie where its slope
+// leads.
+[[nodiscard]] bool continues_around(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
     const float reach = layer_tuning.border_reach * p.largest_splat;
     const std::int32_t here = pixel_at(p, place);
     const float* const depth = p.depth[layer];
     const auto is_same = [&](std::int32_t at) {
-        return depth[at] < nothing && item_of(p.transmittance[layer][at]) == item_of(p.transmittance[layer][here]);
+        return depth[at] < no_depth && item_of(p.transmittance[layer][at]) == item_of(p.transmittance[layer][here]);
     };
     for (const glm::vec2& to : {glm::vec2(reach, 0.0F), {-reach, 0.0F}, {0.0F, reach}, {0.0F, -reach}}) {
         const std::int32_t there = pixel_at(p, place + to);
@@ -123,16 +123,17 @@ struct Dimming {
 }
 
 // The layers that a dot is seen through.
-struct Dimmed {
+struct DimResult {
     float transmittance = 1.0F;
     // Other layers may lie between the ink and this depth; nothing: none can.
-    float more_from = nothing;
+    float more_from = no_depth;
 };
 
 // Dims ink by the nearest layers and the halo or, if `next`, by the next layers. `place` is in pixels of the planes.
-Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place, bool next) noexcept {
+DimResult dim(const DimmingInput& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place,
+              bool next) noexcept {
     HRBFNPR_ASSERT(ink.layer < by.scene.runs.size() && ink.pixels_per_unit > 0.0F);
-    Dimmed result;
+    DimResult result;
     const std::int32_t at = pixel_at(p, place);
     if (!next && p.halo[at] + scene_tuning.halo_gap / ink.pixels_per_unit < ink.depth)
         result.transmittance = p.halo_transmittance[at];
@@ -147,11 +148,11 @@ Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::v
         const float depth = p.depth[layer][at];
         const std::uint32_t its = item_of(p.transmittance[layer][at]);
         // A layer of another item is never the ink's own layer.
-        const bool is_other = has_items && depth < nothing && its != item;
+        const bool is_other = has_items && depth < no_depth && its != item;
         if (alike && !is_other) return depth + own < ink.depth;
         if (!(depth + other < ink.depth)) return false;
-        const bool may_end = is_other && alike && (by.ends >> its & 1U) != 0;
-        return !may_end || depth + border < ink.depth || goes_on(p, layer, place);
+        const bool may_end = is_other && alike && (by.open_item_bits >> its & 1U) != 0;
+        return !may_end || depth + border < ink.depth || continues_around(p, layer, place);
     };
     const std::int64_t first = next ? std::int64_t{LayerPlanes::next_front} : std::int64_t{LayerPlanes::front};
     const float front = p.depth[first][at];
@@ -161,14 +162,13 @@ Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::v
     if (after_front) result.transmittance *= p.transmittance[first][at];
     if (after_back) result.transmittance *= p.transmittance[first + 1][at];
     // In solids, a layer that faces away lies between two that face the eye.
-    if (after_back || (after_front && back == nothing)) result.more_from = std::min(front, back);
+    if (after_back || (after_front && back == no_depth)) result.more_from = std::min(front, back);
     return result;
 }
 
-// Dims the dots whose centres lie in a tile: first through the nearest layers and then, if any ink is still seen
-// through these layers, through the next layers. Returns how many dots are drawn. Sets `largest` to the radius of the
-// largest splat.
-std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile,
+// Dims the dots whose centres lie in a tile: first through the nearest layers and then, if any ink is still seen behind
+// those, through the next ones. Returns how many dots are drawn. Sets `largest` to the radius of the largest splat.
+std::int64_t dim_tile(const DimmingInput& by, LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile,
                       float& largest) noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     HRBFNPR_ASSERT(tile >= 0 && tile < tiles.tiles());
@@ -187,43 +187,43 @@ std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& 
         return dim(by, planes, ink, glm::vec2(ink.x, ink.y) - corner, next);
     };
     const auto clear = [](std::initializer_list<float*> depths) {
-        for (float* const depth : depths) std::fill_n(depth, plane, nothing);
+        for (float* const depth : depths) std::fill_n(depth, plane, no_depth);
     };
     const std::span<const Splat> splats = drawing.splats.span();
     const auto list_of = [&](std::span<const std::uint32_t> numbers, float nearest, float farthest) {
         return SplatList{splats.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y,
                          nearest,       farthest};
     };
-    const auto lay = [&] {
+    const auto draw_nearest = [&] {
         clear({planes.depth[LayerPlanes::front], planes.depth[LayerPlanes::back], planes.halo});
         planes.largest_splat = 0.0F;
         drawing.splat_tiles.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
             for (const std::uint32_t number : numbers)
                 planes.largest_splat = std::max(planes.largest_splat, splats[number].radius);
-            const SplatList list = list_of(numbers, -nothing, nothing);
-            by.loops.lay(planes, list);
-            by.loops.lay_halos(planes, list);
+            const SplatList list = list_of(numbers, -no_depth, no_depth);
+            by.loops.draw_nearest(planes, list);
+            by.loops.draw_halos(planes, list);
         });
         largest = planes.largest_splat;
     };
     std::int64_t seen = 0;
     bool laid = false;
-    float nearest = nothing;
-    float farthest = -nothing;
+    float nearest = no_depth;
+    float farthest = -no_depth;
     largest = 0.0F;
     for_own([&](Dot& ink) {
-        if (!std::exchange(laid, true)) lay();
-        const Dimmed dimmed = dimmed_by(ink, false);
+        if (!std::exchange(laid, true)) draw_nearest();
+        const DimResult dimmed = dimmed_by(ink, false);
         ink.opacity = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
         seen += ink.opacity > 0.0F;
-        if (!(ink.opacity > 0.0F) || dimmed.more_from == nothing) return;
+        if (!(ink.opacity > 0.0F) || dimmed.more_from == no_depth) return;
         nearest = std::min(nearest, dimmed.more_from);
         farthest = std::max(farthest, ink.depth);
     });
-    if (nearest == nothing) return seen;
+    if (nearest == no_depth) return seen;
     clear({planes.depth[LayerPlanes::next_front], planes.depth[LayerPlanes::next_back]});
     drawing.splat_tiles.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
-        by.loops.lay_next(planes, list_of(numbers, nearest, farthest));
+        by.loops.draw_next(planes, list_of(numbers, nearest, farthest));
     });
     seen = 0;
     for_own([&](Dot& ink) {
@@ -236,18 +236,18 @@ std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& 
 
 // ---- Rays
 
-// Multiplies the opacity of the dots in `asked` by the transmittance of the layers that their rays meet. Returns how
+// Multiplies the opacity of the dots in `ray_dots` by the transmittance of the layers that their rays meet. Returns how
 // many dots are no longer drawn.
-std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemView& item, DepthLayers& scratch,
-                  drawing::Drawing& drawing) {
-    HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.asked.size());
+std::int64_t cast_dot_rays(const base::Runtime& runtime, const Scene& scene, const ItemView& item, DepthLayers& scratch,
+                           drawing::Drawing& drawing) {
+    HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.ray_dots.size());
     surface::RaySettings settings;
     settings.maximum_hits = most_layers;
     if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // rays end at the eye
     surface::cast_rays(runtime, *item.model, settings, scratch.rays, scratch.hits);
     std::int64_t hidden = 0;
-    for (std::int64_t i = 0; i < scratch.asked.size(); ++i) {
-        Dot& ink = drawing.dots[scratch.asked[i]];
+    for (std::int64_t i = 0; i < scratch.ray_dots.size(); ++i) {
+        Dot& ink = drawing.dots[scratch.ray_dots[i]];
         const glm::dvec3 sight = scratch.rays.direction[i] / -item.unit;
         for (std::int32_t hit = 0; hit < scratch.hits.count[i]; ++hit) {
             const glm::dvec3 n = scratch.hits.normal[i * most_layers + hit];
@@ -260,7 +260,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
     }
     scratch.rays.origin.clear();
     scratch.rays.direction.clear();
-    scratch.asked.clear();
+    scratch.ray_dots.clear();
     return hidden;
 }
 
@@ -270,10 +270,10 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
                                          DepthLayers& scratch, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
-    Dimming by{scene, hatching, layer_loops(runtime.instruction_set), 0, narrow_apron};
+    DimmingInput by{scene, hatching, layer_loops(runtime.instruction_set), 0, narrow_apron};
     for (std::int64_t i = 0; scene.items.size() > 1 && i < scene.items.size(); ++i)
-        if (scene.items[i].both_sides) by.ends |= 1U << bits_of_item(static_cast<std::int32_t>(i));
-    if (by.ends != 0) by.apron = wide_apron;
+        if (scene.items[i].both_sides) by.open_item_bits |= 1U << bits_of_item(static_cast<std::int32_t>(i));
+    if (by.open_item_bits != 0) by.apron = wide_apron;
     drawing.splat_tiles.build(runtime.parallel, tiles.columns() * tile_size, tiles.rows() * tile_size,
                               drawing.splat_ranges.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                                   const Splat& c = drawing.splats[i];
@@ -301,7 +301,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
                                        drawing::Drawing& drawing) {
     scratch.rays.origin.clear(); // a failed frame leaves rays here
     scratch.rays.direction.clear();
-    scratch.asked.clear();
+    scratch.ray_dots.clear();
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     std::int64_t hidden = 0;
@@ -309,13 +309,13 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
     glm::dmat3 back(1.0);           // from eye space to the item's own
     double scale = 1.0;
     const auto flush = [&] {
-        if (!scratch.asked.empty()) hidden += cast(runtime, scene, *item, scratch, drawing);
+        if (!scratch.ray_dots.empty()) hidden += cast_dot_rays(runtime, scene, *item, scratch, drawing);
     };
     for (const IndexRange& piece : drawing.dot_ranges) {
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
             const Dot& ink = drawing.dots[i];
             const Run& run = scene.runs[ink.layer];
-            if (&scene.item_of(run) != item || scratch.asked.size() == rays_at_a_time) {
+            if (&scene.item_of(run) != item || scratch.ray_dots.size() == rays_at_a_time) {
                 flush();
                 item = &scene.item_of(run);
                 back = glm::inverse(glm::dmat3(item->to_eye));
@@ -326,12 +326,12 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
             HRBFNPR_ASSERT(mark >= 0 && mark < run.count);
             const double pixel = 1.0 / (static_cast<double>(ink.pixels_per_unit) * scale);
             const glm::dvec3 from = glm::dvec3(run.place_of(mark, item->unit)) +
-                                    layer_tuning.off_layer * pixel * glm::dvec3(run.normal_of(mark));
+                                    layer_tuning.ray_offset * pixel * glm::dvec3(run.normal_of(mark));
             // The length does not matter if lines of sight are parallel, since rays end at the model's bounds.
             const glm::dvec3 to = parallel ? from - back * centre : back * (centre - glm::dvec3(item->eye_offset));
             scratch.rays.origin.push_back(item->unit * from + item->origin);
             scratch.rays.direction.push_back(item->unit * (to - from));
-            scratch.asked.push_back(static_cast<std::uint32_t>(i));
+            scratch.ray_dots.push_back(static_cast<std::uint32_t>(i));
         }
     }
     flush();
@@ -355,7 +355,7 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     hatch_points_.run({scene, gathering_.sights.span(), gathering_.frustum, gathering_.tau.span()}, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
-    progress.update(layer_tuning.gathered);
+    progress.update(layer_tuning.gathered_share);
     watch.restart();
     bin_dots(runtime_.parallel, scene, drawing.dot_ranges.span().first(static_cast<std::size_t>(gathered)), drawing);
     hatch_tiles_.build(hatch_points_.batches(), drawing);
@@ -365,7 +365,7 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     dim(scene, drawing);
     drawing.counts.nanoseconds_visibility = watch.nanoseconds();
 
-    progress.update(layer_tuning.dimmed);
+    progress.update(layer_tuning.dimmed_share);
     watch.restart();
     edges_.clear();
     if (!hatch_points_.batches().empty() && !lines.strokes.empty())
@@ -373,7 +373,7 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     const std::span<const float> largest = drawing.has_splats ? layers_.largest.span() : std::span<const float>();
     make_strokes(runtime_, scene, {edges_, drawing, largest}, hatch_points_.batches(), drawing);
     join_dots(scene, drawing);
-    put_strokes(lines, drawing);
+    add_strokes(lines, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
 
@@ -434,7 +434,7 @@ void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
 }
 
 // Puts the strokes of all lists into the drawing, far to near.
-void LayerFrame::put_strokes(const LineStrokes& lines, drawing::Drawing& drawing) {
+void LayerFrame::add_strokes(const LineStrokes& lines, drawing::Drawing& drawing) {
     ready_.clear();
     keys_.clear();
     std::int64_t points = 0;
@@ -454,14 +454,14 @@ void LayerFrame::put_strokes(const LineStrokes& lines, drawing::Drawing& drawing
     base::resize_scratch(drawing.points, points);
     points = 0;
     for (const std::uint64_t key : keys_) {
-        const Ready& ready = ready_[static_cast<std::uint32_t>(key)];
+        const ReadyStroke& ready = ready_[static_cast<std::uint32_t>(key)];
         drawing::Stroke stroke = ready.list->strokes[ready.number];
         stroke.first = std::exchange(points, points + stroke.count);
         drawing.strokes.push_back(stroke);
     }
     runtime_.parallel.for_chunks(keys_.size(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const Ready& ready = ready_[static_cast<std::uint32_t>(keys_[i])];
+            const ReadyStroke& ready = ready_[static_cast<std::uint32_t>(keys_[i])];
             const drawing::Stroke& stroke = drawing.strokes[i];
             std::copy_n(ready.list->points.data() + ready.list->strokes[ready.number].first, stroke.count,
                         drawing.points.data() + stroke.first);

@@ -7,7 +7,7 @@
 // | 3 | bin_dots, HatchTiles | tiles of dots |
 // | 4 | dim_by_layers, dim_by_rays | opacities |
 // | 5 | make_strokes | strokes of hatching |
-// | 6 | join_dots, put_strokes | strokes of the drawing, far to near |
+// | 6 | join_dots, add_strokes | strokes of the drawing, far to near |
 #pragma once
 
 #include "drawing/drawing.h"
@@ -20,7 +20,7 @@ namespace hrbfnpr::frame {
 // Arrays that are kept from frame to frame.
 struct DepthLayers {
     explicit DepthLayers(base::Memory& memory) noexcept
-        : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), asked(memory) {}
+        : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), ray_dots(memory) {}
 
     // The radius of the largest splat in each tile of the drawing's dots, in pixels. Splats hide ink up to this far
     // beyond their surface.
@@ -31,11 +31,11 @@ struct DepthLayers {
     base::Array<std::int64_t> seen; // how many dots of each tile are drawn
     surface::Rays rays;
     surface::RayHits hits;
-    base::Array<std::uint32_t> asked; // the dots where the rays begin
+    base::Array<std::uint32_t> ray_dots; // the dots where the rays begin
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return largest.bytes() + planes.bytes() + seen.bytes() + rays.origin.bytes() + rays.direction.bytes() +
-               hits.t.bytes() + hits.position.bytes() + hits.normal.bytes() + asked.bytes();
+               hits.t.bytes() + hits.position.bytes() + hits.normal.bytes() + ray_dots.bytes();
     }
 };
 
@@ -51,14 +51,14 @@ public:
 
 private:
     // A finished stroke, as its number in a list.
-    struct Ready {
+    struct ReadyStroke {
         const LineStrokes* list;
         std::int64_t number;
     };
 
     void dim(const Scene& scene, drawing::Drawing& drawing);
     void join_dots(const Scene& scene, drawing::Drawing& drawing);
-    void put_strokes(const LineStrokes& lines, drawing::Drawing& drawing);
+    void add_strokes(const LineStrokes& lines, drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
     Gathering gathering_;
@@ -68,7 +68,7 @@ private:
     DepthLayers layers_;
     base::Array<std::int64_t> dot_of_; // the number of the dot of each mark of a run; -1: the mark is not shown
     LineStrokes joined_;
-    base::Array<Ready> ready_;
+    base::Array<ReadyStroke> ready_;
     base::Array<std::uint64_t> keys_;
     drawing::DepthSort order_;
 };

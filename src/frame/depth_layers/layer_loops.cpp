@@ -72,7 +72,7 @@ HWY_INLINE void keep_nearer(float* depths, float* transmittances, W depth, W tra
     hn::StoreU(hn::IfThenElse(take, transmittance, old_transmittance), d, transmittances);
 }
 
-void lay(const LayerPlanes& p, const SplatList& list) {
+void draw_nearest(const LayerPlanes& p, const SplatList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const Splat& c = list.splats[list.numbers[i]];
         const W transmittance = hn::Set(F(), c.transmittance);
@@ -85,7 +85,7 @@ void lay(const LayerPlanes& p, const SplatList& list) {
     }
 }
 
-HWY_INLINE void lay_next(const LayerPlanes& p, const LayerDisc& disc, const Splat& c) {
+HWY_INLINE void draw_next(const LayerPlanes& p, const LayerDisc& disc, const Splat& c) {
     const F d;
     const W transmittance = hn::Set(d, c.transmittance);
     const auto own = c.faces_back ? LayerPlanes::back : LayerPlanes::front;
@@ -105,16 +105,16 @@ HWY_INLINE void lay_next(const LayerPlanes& p, const LayerDisc& disc, const Spla
     });
 }
 
-void lay_all_next(const LayerPlanes& p, const SplatList& list) {
+void draw_all_next(const LayerPlanes& p, const SplatList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const Splat& c = list.splats[list.numbers[i]];
         const float reach = drawing::steepest_slope * c.radius / c.pixels_per_unit;
         if (c.depth + reach < list.nearest || c.depth - reach > list.farthest) continue;
-        lay_next(p, disc_of(list, c), c);
+        draw_next(p, disc_of(list, c), c);
     }
 }
 
-void lay_halos(const LayerPlanes& p, const SplatList& list) {
+void draw_halos(const LayerPlanes& p, const SplatList& list) {
     for (std::int64_t i = 0; i < list.count; ++i) {
         const Splat& c = list.splats[list.numbers[i]];
         if (!(c.halo > 0.0F)) continue;
@@ -129,7 +129,7 @@ void lay_halos(const LayerPlanes& p, const SplatList& list) {
 
 } // namespace
 
-LayerLoops pick_layer_loops() noexcept { return {lay, lay_all_next, lay_halos}; }
+LayerLoops pick_layer_loops() noexcept { return {draw_nearest, draw_all_next, draw_halos}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -31,14 +31,13 @@ struct SplatList {
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    float nearest, farthest; // lay_next() is asked for layers between these depths
+    float nearest, farthest; // draw_next() is asked for layers between these depths
 };
 
 struct LayerLoops {
-    void (*lay)(const LayerPlanes& planes, const SplatList& list); // finds the nearest layers
-    // Finds the next layers, after the nearest layers were found.
-    void (*lay_next)(const LayerPlanes& planes, const SplatList& list);
-    void (*lay_halos)(const LayerPlanes& planes, const SplatList& list);
+    void (*draw_nearest)(const LayerPlanes& planes, const SplatList& list); // the nearest layers
+    void (*draw_next)(const LayerPlanes& planes, const SplatList& list);    // the next ones, once the nearest are laid
+    void (*draw_halos)(const LayerPlanes& planes, const SplatList& list);
 };
 
 [[nodiscard]] LayerLoops layer_loops(base::InstructionSet set) noexcept;

@@ -23,11 +23,11 @@ struct LayerTuning {
     // The radius of splats in spacings, without half a pixel that is added. A blue-noise order leaves no place farther
     // than 0.8 spacings from a mark; random marks leave one place in two thousand uncovered. Larger: fewer holes, but
     // more is hidden beyond a layer's border.
-    float even_splat = 0.85F;
-    float random_splat = 1.6F;
+    float even_splat_radius = 0.85F;
+    float random_splat_radius = 1.6F;
     // Marks whose |n . v| is larger than this are not near a contour, if the curvature is not known. Larger: more
     // splats.
-    float unknown_rim = 0.2F;
+    float unknown_rim_nu = 0.2F;
 
     // ---- Halos
 
@@ -62,13 +62,13 @@ struct LayerTuning {
 
     // Rays start this many pixels off the layer of their mark. Larger: fewer marks are hidden by their own layer, and
     // more shine through surfaces that touch it.
-    double off_layer = 0.5;
+    double ray_offset = 0.5;
 
     // ---- Progress
 
     // The shares of the time after which marks are gathered and dimmed, when there are many marks.
-    double gathered = 0.4;
-    double dimmed = 0.8;
+    double gathered_share = 0.4;
+    double dimmed_share = 0.8;
 };
 inline constexpr LayerTuning layer_tuning;
 

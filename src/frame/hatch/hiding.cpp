@@ -27,7 +27,7 @@ constexpr float most_pieces = 4096.0F;
 // The halo of an edge that is nearer than a line by `before` pixels.
 [[nodiscard]] float halo_of(float before, float halo) noexcept {
     return std::max(
-        hatch_tuning.at_edge,
+        hatch_tuning.edge_gap,
         halo * std::clamp((before - scene_tuning.halo_gap) / ((hatch_tuning.full_halo - 1.0F) * scene_tuning.halo_gap),
                           0.0F, 1.0F));
 }
@@ -83,7 +83,7 @@ constexpr float most_pieces = 4096.0F;
         return (a.depth + share * (b.depth - a.depth) - edge.depth_a - edge_share * (edge.depth_b - edge.depth_a)) *
                a.pixels_per_unit;
     return nearer_at(edge, place(a), a.depth, a.pixels_per_unit) -
-           hatch_tuning.steepest * geometry::distance_to_segment(place(a), edge.a, edge.b);
+           hatch_tuning.steepest_slope * geometry::distance_to_segment(place(a), edge.a, edge.b);
 }
 
 } // namespace
@@ -162,7 +162,7 @@ bool NearerEdges::is_near(const Dot& dot, float reach, float halo) const noexcep
         if (found || square > most * most) return;
         const float nearer = nearer_at(edge, at, dot.depth, dot.pixels_per_unit);
         const float limit = std::max(reach, halo_of(nearer, halo));
-        found = nearer > hatch_tuning.least_before && square <= limit * limit;
+        found = nearer > hatch_tuning.least_depth_gap && square <= limit * limit;
     });
     return found;
 }
@@ -172,25 +172,26 @@ float NearerEdges::entry(const Dot& a, const Dot& b, float halo) const noexcept 
     const glm::vec2 way = place(b) - from;
     const float length = glm::length(way);
     if (!(length > 0.0F)) return nowhere;
-    const float reach = length + std::max(halo, hatch_tuning.at_edge);
+    const float reach = length + std::max(halo, hatch_tuning.edge_gap);
     float first = nowhere;
     for_near(from - reach, from + reach, [&](const NearerEdge& edge) {
         const float square = geometry::squared_distance_to_segment(from, edge.a, edge.b);
         if (square > reach * reach) return;
         const float nearer = nearer_on(edge, a, b);
         const float radius = halo_of(nearer, halo);
-        if (nearer > hatch_tuning.least_before && square > radius * radius)
+        if (nearer > hatch_tuning.least_depth_gap && square > radius * radius)
             first = std::min(first, entry_of_strip(from, way, edge.a, edge.b, radius));
     });
     return first <= 1.0F ? first : nowhere;
 }
 
-float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float radius, float halo) const noexcept {
+float NearerEdges::clear_width(const StrokePoint& point, const glm::vec2& along, float radius,
+                               float halo) const noexcept {
     const float way = glm::length(along);
     if (!(way > 0.0F)) return radius;
     const glm::vec2 at(point.x, point.y);
     const glm::vec2 u = along / way;
-    const float reach = radius + std::max(halo, hatch_tuning.at_edge);
+    const float reach = radius + std::max(halo, hatch_tuning.edge_gap);
     float least = radius;
     for_near(at - reach, at + reach, [&](const NearerEdge& edge) {
         // Only an edge that meets the perpendicular of the line at the point counts.
@@ -200,13 +201,14 @@ float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float 
         const float share = from / (from - to);
         const float aside = std::abs(cross(u, edge.a + share * (edge.b - edge.a) - at));
         if (aside > reach) return;
-        const float own = hatch_tuning.least_before + hatch_tuning.steepest * aside;
+        const float own = hatch_tuning.least_depth_gap + hatch_tuning.steepest_slope * aside;
         const float nearer =
             (point.depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * point.pixels_per_unit;
         if (!(nearer > own) && !(edge.is_crease && nearer > -own)) return;
         const float cosine = std::abs(to - from) / glm::distance(edge.a, edge.b);
-        const float along_edge = std::clamp(
-            (cosine - hatch_tuning.goes_across) / (hatch_tuning.goes_along - hatch_tuning.goes_across), 0.0F, 1.0F);
+        const float along_edge =
+            std::clamp((cosine - hatch_tuning.across_cosine) / (hatch_tuning.along_cosine - hatch_tuning.across_cosine),
+                       0.0F, 1.0F);
         const float free = nearer > own ? aside - halo_of(nearer - own, halo) : aside;
         least = std::min(least, std::lerp(radius, std::max(free, 0.0F), along_edge));
     });
@@ -237,7 +239,7 @@ struct SeenLine {
         const glm::vec2 at = place((*this)[i]) - glm::vec2(hiding.drawing.first_pixel);
         const std::int64_t tile = tile_of(at.y, tiles.rows()) * tiles.columns() + tile_of(at.x, tiles.columns());
         const float splat = hiding.largest_splat.empty() ? 0.0F : hiding.largest_splat[static_cast<std::size_t>(tile)];
-        return std::min(splat + hatch_tuning.beyond_splat, hatch_tuning.farthest_hidden);
+        return std::min(splat + hatch_tuning.splat_margin, hatch_tuning.farthest_hidden);
     }
     // Whether splats may hide the sample by mistake.
     [[nodiscard]] bool may_be_seen(std::int64_t i) const noexcept { return is_near(i, reach_of_splats(i)); }
@@ -259,12 +261,13 @@ struct Gap {
     return true;
 }
 
-// Finds the cut near sample `last`, the last sample that is seen in the direction `way`, 1 or -1. The search begins at
-// a sample that is near no edge, but not before `first_seen`, and ends at `last_hidden`.
+// Finds the cut near sample `last`, the last one that is seen in the direction `way`, 1 or -1. The search
+// begins at a sample that is near no edge, but not before `first_seen`, and ends at `last_hidden`.
 [[nodiscard]] HatchCut search(const SeenLine& line, std::int64_t last, std::int64_t way, std::int64_t first_seen,
                               std::int64_t last_hidden) noexcept {
     std::int64_t i = last;
-    while (i != first_seen && ((last - i) * way < hatch_tuning.samples_back || line.is_near(i, hatch_tuning.off_edge)))
+    while (i != first_seen &&
+           ((last - i) * way < hatch_tuning.samples_back || line.is_near(i, hatch_tuning.edge_reach)))
         i -= way;
     for (; i != last_hidden; i += way) {
         if ((i - last) * way > 0 && !line.may_be_seen(i)) break;

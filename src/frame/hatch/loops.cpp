@@ -81,7 +81,7 @@ std::uint32_t may_draw(const HatchBounds& bounds, const float* normals, const fl
 // along the line and one across it. With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
 HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
     const F d;
-    const Seer& s = *sight.seer;
+    const ViewTransform& s = *sight.view_transform;
     const auto row = [&](HatchRow number, std::int64_t at) HWY_ATTR { return hn::LoadU(d, rows[number] + at); };
     const auto along = [&](HatchRow number) HWY_ATTR { return hn::Sub(row(number, 1), row(number, -1)); };
     const W ax = along(HatchRow::x);
@@ -108,7 +108,7 @@ HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
     return hn::IfThenElseZero(hn::Gt(base, hn::Zero(d)), hn::Div(hn::Mul(set(sight.separation), area), base));
 }
 
-void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
+void project(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
     const F d;
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
@@ -133,28 +133,30 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
 
 // The curve from darkness to coverage, both from 0 to 1, is a little hollow, since ink spreads and dark tones close up.
 // It is x times a polynomial of the root of x, which is within 0.00014 of x^1.1 and takes far less time.
-constexpr float hollow[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
+constexpr float coverage_coefficients[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
 
-HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
+HWY_INLINE W coverage(const HatchWidthLaw& law, W darkness) {
     const LayerStyle& style = *law.style;
     const W begin = set(style.hatch_tone_begin);
     const W at = clamped(hn::Mul(hn::Sub(darkness, begin), set(law.per_tone_span)), 0.0F, 1.0F);
-    const auto line = [&](int from) HWY_ATTR { return hn::Add(set(hollow[from]), hn::Mul(set(hollow[from + 2]), at)); };
-    const W even = hn::Add(line(0), hn::Mul(set(hollow[4]), hn::Mul(at, at)));
+    const auto line = [&](int from) HWY_ATTR {
+        return hn::Add(set(coverage_coefficients[from]), hn::Mul(set(coverage_coefficients[from + 2]), at));
+    };
+    const W even = hn::Add(line(0), hn::Mul(set(coverage_coefficients[4]), hn::Mul(at, at)));
     const W risen = hn::Mul(at, hn::Add(even, hn::Mul(hn::Sqrt(at), line(1))));
     const W rise = set(style.hatch_coverage_end - style.hatch_coverage_begin);
     return hn::Mul(set(style.share), hn::Add(set(style.hatch_coverage_begin), hn::Mul(rise, risen)));
 }
 
-void coverage(const HatchLaw& law, const float* darkness, std::int64_t count, float* to) {
+void coverage(const HatchWidthLaw& law, const float* darkness, std::int64_t count, float* to) {
     const F d;
     for_vectors(count,
                 [&](std::int64_t at) HWY_ATTR { hn::StoreU(coverage(law, hn::LoadU(d, darkness + at)), d, to + at); });
 }
 
-// The widths of lines at one place, in pixels. Lines of levels up to `full` have the width `width`, and lines of the
-// next level have the width `fading`.
-struct Widths {
+// The widths of lines at one place, in pixels. Lines of levels up to `full` have `width`, and those of the next
+// `fading`.
+struct LevelWidths {
     W lambda; // how many levels there is room for
     W full, width, fading;
     W margin; // the fading level is drawn where this is positive, and full where it is 1
@@ -162,12 +164,12 @@ struct Widths {
 
 // `spacing`: of the lines of level 0 in the picture, pixels; lines of levels 0 to k are 2^k times as close. `gap`: the
 // factor by which lines are really farther apart; the levels that are drawn do not depend on it.
-HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
+HWY_INLINE LevelWidths widths(const HatchWidthLaw& law, W coverage, W spacing, W gap) {
     const F d;
     const I i;
     const W one = set(1.0F);
     const W room = hn::Mul(spacing, hn::Min(set(law.per_spacing), hn::Mul(coverage, set(law.per_pen))));
-    Widths w;
+    LevelWidths w;
     w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
     const auto full = hn::ConvertTo(i, w.lambda);
     w.full = hn::ConvertTo(d, full);
@@ -190,9 +192,8 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     return w;
 }
 
-// Fills `reach` numbers before the first mark and after the last one, from a closed stroke's other end or with
-// `otherwise`.
-HWY_INLINE void put_around(float* row, std::int64_t count, bool closed, std::int64_t reach, float otherwise) {
+// Fills `reach` numbers before the first and after the last one, from a closed stroke's other end or with `otherwise`.
+HWY_INLINE void pad_row(float* row, std::int64_t count, bool closed, std::int64_t reach, float otherwise) {
     for (std::int64_t k = 1; k <= reach; ++k) {
         row[-k] = closed && k <= count ? row[count - k] : otherwise;
         row[count + k - 1] = closed && k <= count ? row[k - 1] : otherwise;
@@ -207,21 +208,21 @@ HWY_INLINE W largest_near(const float* row) {
     return hn::Max(hn::LoadU(d, row), hn::Max(pair(1), pair(2)));
 }
 
-// Sets the tone's margin, and sets `least` to the least margin of tone, rim and picture.
-HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
+// Sets the tone's margin, and sets `least_margin` to the least margin of tone, rim and picture.
+HWY_INLINE void set_least_margin(const HatchWidthLaw& law, const HatchRows& rows) {
     const F d;
     const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_tone_begin));
     hn::StoreU(tone, d, rows[HatchRow::tone_margin]);
     const W others = hn::Min(hn::LoadU(d, rows[HatchRow::rim_margin]), hn::LoadU(d, rows[HatchRow::picture_margin]));
-    hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least]);
+    hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least_margin]);
 }
 
-// These rows are not needed yet. They hold the level's margin and the width of each mark before soften().
-constexpr HatchRow own_margin = HatchRow::near;
-constexpr HatchRow own_width = HatchRow::leg;
+// These rows are not needed yet. They hold the level's margin and the width of each mark before smooth_along().
+constexpr HatchRow own_margin = HatchRow::greatest_nearby;
+constexpr HatchRow own_width = HatchRow::distance_before;
 
 // Sets own_margin and own_width. `near` holds the marks that need them, which are the same for each instruction set.
-HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, M near) {
+HWY_INLINE void set_width(const HatchSight& sight, const HatchWidthLaw& law, const HatchRows& rows, M near) {
     const F d;
     const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, rows[number]); };
     const W one = set(1.0F);
@@ -229,7 +230,7 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
     const W level = row(HatchRow::level);
     const W picture = row(HatchRow::picture_margin);
     const W spacing = spacing_at(sight, rows);
-    const Widths w = widths(law, coverage(law, darkness), spacing, row(HatchRow::gap));
+    const LevelWidths w = widths(law, coverage(law, darkness), spacing, row(HatchRow::gap));
     const M full = hn::Le(level, w.full);
     const M fades = hn::Eq(level, hn::Add(w.full, one));
     const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(hatch_tuning.thinnest_fading));
@@ -246,8 +247,8 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
 }
 
 // Makes margins and widths change gradually, since a line may change its level from one mark to the next. Each becomes
-// the sum of half of its value and a quarter of either neighbour's.
-HWY_INLINE void soften(const HatchRows& rows, std::int64_t count, bool closed) {
+// half of its own value and a quarter of either neighbour's.
+HWY_INLINE void smooth_along(const HatchRows& rows, std::int64_t count, bool closed) {
     const F d;
     for (const HatchRow own : {own_margin, own_width}) {
         rows[own][-1] = rows[own][closed ? count - 1 : 0];
@@ -264,16 +265,17 @@ HWY_INLINE void soften(const HatchRows& rows, std::int64_t count, bool closed) {
     });
 }
 
-void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed) {
+void set_widths(const HatchSight& sight, const HatchWidthLaw& law, const HatchRows& rows, std::int64_t count,
+                bool closed) {
     const F d;
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    for_vectors(count, [&](std::int64_t at) HWY_ATTR { set_least(law, rows.from(at)); });
-    put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR { set_least_margin(law, rows.from(at)); });
+    pad_row(rows[HatchRow::least_margin], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
         // The numbers after the last mark are left over from before, so they must have no effect.
         const M marks = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
-        const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)), marks);
+        const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least_margin]), hn::Zero(d)), marks);
         if (!hn::AllFalse(d, near)) {
             set_width(sight, law, own, near);
             return;
@@ -281,14 +283,14 @@ void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, 
         hn::StoreU(set(1.0F), d, own[own_margin]);
         hn::StoreU(hn::Zero(d), d, own[own_width]);
     });
-    soften(rows, count, closed);
+    smooth_along(rows, count, closed);
 }
 
-void measure(const HatchRows& rows, std::int64_t count, bool closed) {
+void measure_distances(const HatchRows& rows, std::int64_t count, bool closed) {
     const F d;
-    put_around(rows[HatchRow::left], count, closed, 1, 0.0F);
-    put_around(rows[HatchRow::top], count, closed, 1, 0.0F);
-    put_around(rows[HatchRow::picture_margin], count, closed, 1, hatch_nowhere);
+    pad_row(rows[HatchRow::left], count, closed, 1, 0.0F);
+    pad_row(rows[HatchRow::top], count, closed, 1, 0.0F);
+    pad_row(rows[HatchRow::picture_margin], count, closed, 1, hatch_nowhere);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
         const auto row = [&](HatchRow number, std::int64_t aside = 0)
@@ -298,20 +300,20 @@ void measure(const HatchRows& rows, std::int64_t count, bool closed) {
             hn::And(hn::Gt(picture, set(hatch_nowhere)), hn::Gt(row(HatchRow::picture_margin, -1), set(hatch_nowhere)));
         const W x = hn::Sub(row(HatchRow::left), row(HatchRow::left, -1));
         const W y = hn::Sub(row(HatchRow::top), row(HatchRow::top, -1));
-        hn::StoreU(hn::IfThenElseZero(both, hn::Sqrt(squared(x, y))), d, own[HatchRow::leg]);
+        hn::StoreU(hn::IfThenElseZero(both, hn::Sqrt(squared(x, y))), d, own[HatchRow::distance_before]);
         hn::StoreU(hn::Min(hn::Min(row(HatchRow::tone_margin), row(HatchRow::level_margin)),
                            hn::Min(row(HatchRow::rim_margin), picture)),
-                   d, own[HatchRow::least]);
+                   d, own[HatchRow::least_margin]);
     });
-    put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
+    pad_row(rows[HatchRow::least_margin], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
-        hn::StoreU(largest_near(rows[HatchRow::least] + at), d, rows[HatchRow::near] + at);
+        hn::StoreU(largest_near(rows[HatchRow::least_margin] + at), d, rows[HatchRow::greatest_nearby] + at);
     });
 }
 
 } // namespace
 
-HatchLoops pick_hatch_loops() noexcept { return {may_draw, coverage, place, widen, measure}; }
+HatchLoops pick_hatch_loops() noexcept { return {may_draw, coverage, project, set_widths, measure_distances}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -3,7 +3,7 @@
 // instruction sets give the same bits.
 #pragma once
 
-#include "frame/scene/see_loops.h"
+#include "frame/scene/projection_loops.h"
 #include "frame/scene/style.h"
 
 #include <cstdint>
@@ -32,15 +32,15 @@ enum class HatchRow : std::int64_t {
     side_x,
     side_y,
     distance,
-    darkness,    // n . l at first, then the darkness
-    width,       // line width, pixels
-    leg,         // distance from the mark before, pixels; 0 if one of the two marks has no place in the picture
-    tone_margin, // the line is drawn where none of the four margins is negative
+    darkness,        // n . l at first, then the darkness
+    width,           // line width, pixels
+    distance_before, // distance from the mark before, pixels; 0 if one of both has no place
+    tone_margin,     // the line is drawn where none of these four is negative
     level_margin,
     rim_margin,
-    picture_margin, // hatch_nowhere: the mark has no place in the picture's plane
-    least,          // the least of the four margins
-    near,           // the greatest of `least` over the marks up to two away
+    picture_margin,  // hatch_nowhere: the mark has no place in the picture's plane
+    least_margin,    // the least of the four margins
+    greatest_nearby, // the greatest of `least_margin` over the marks up to two away
     rows
 };
 
@@ -64,7 +64,7 @@ struct HatchRows {
 
 // The numbers of the view that decide how marks are seen.
 struct HatchSight {
-    const Seer* seer;
+    const ViewTransform* view_transform;
     float separation;               // between lines of level 0 on the surface; 0: not known
     float left, top, right, bottom; // the picture's sides, pixels
     float beyond;                   // the strip around the picture that counts as inside, pixels
@@ -73,7 +73,7 @@ struct HatchSight {
 // How wide the lines of each level of a nested set are, so that together they cover a share of the paper that grows
 // with the darkness.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001,
 // "Real-time hatching": lines of a lighter tone stay in a darker one]
-struct HatchLaw {
+struct HatchWidthLaw {
     const LayerStyle* style;
     float levels;
     float per_tone_span, per_spacing, per_pen; // reciprocals
@@ -90,15 +90,16 @@ struct HatchLoops {
     std::uint32_t (*may_draw)(const HatchBounds& bounds, const float* normals, const float* tone_normals,
                               std::int64_t count);
     // The share of the paper that lines cover at each darkness.
-    void (*coverage)(const HatchLaw& law, const float* darkness, std::int64_t count, float* coverage);
+    void (*coverage)(const HatchWidthLaw& law, const float* darkness, std::int64_t count, float* coverage);
     // Sets the rim's and the picture's margin of marks that have been seen.
-    void (*place)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
+    void (*project)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
     // Sets widths, and the margins of tone and level, from the darkness and the results of place(), for marks that may
     // be drawn and for their neighbours. Rows x, y and z must hold the places before the first and after the last mark,
     // too.
-    void (*widen)(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed);
-    // Sets the distances between consecutive marks, and finds which marks are near a mark that is drawn.
-    void (*measure)(const HatchRows& rows, std::int64_t count, bool closed);
+    void (*set_widths)(const HatchSight& sight, const HatchWidthLaw& law, const HatchRows& rows, std::int64_t count,
+                       bool closed);
+    // Sets the legs, and finds which marks are near a mark that is drawn.
+    void (*measure_distances)(const HatchRows& rows, std::int64_t count, bool closed);
 };
 
 [[nodiscard]] HatchLoops hatch_loops(base::InstructionSet set) noexcept;

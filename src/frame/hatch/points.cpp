@@ -40,7 +40,7 @@ void HatchPoints::add_batches(const Scene& scene) {
 }
 
 // Sorts tones by mark, since clusters hold marks in another order.
-void HatchPoints::take_taus(const Seen& seen) {
+void HatchPoints::take_taus(const Input& seen) {
     const Scene& scene = seen.scene;
     if (std::none_of(scene.runs.begin(), scene.runs.end(), [&](const Run& run) { return asks(scene, run); })) return;
     base::resize_scratch(taus_, scene.mark_count());
@@ -57,7 +57,7 @@ void HatchPoints::take_taus(const Seen& seen) {
     }
 }
 
-void HatchPoints::run(const Seen& seen, drawing::Drawing& drawing) {
+void HatchPoints::run(const Input& seen, drawing::Drawing& drawing) {
     const Scene& scene = seen.scene;
     const HatchView view{see_, loops_, scene, seen.frustum};
     add_batches(scene);

@@ -33,9 +33,9 @@ enum HatchMargin : std::size_t {
 struct HatchMark {
     float x, y; // pixels
     float window, depth;
-    float side_x, side_y; // x and y of the unit normal, eye space
-    float width;          // line width, pixels
-    float way;            // distance from the mark before, pixels
+    float side_x, side_y;  // x and y of the unit normal, eye space
+    float width;           // line width, pixels
+    float distance_before; // distance from the mark before, pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
     float begins_chain; // 1: marks before this mark were left out, and the line does not continue across them; else 0
@@ -81,7 +81,7 @@ struct HatchStroke {
 
 // The data by which marks are seen, the same for all strokes of a frame.
 struct HatchView {
-    const SeeLoops& see;
+    const ProjectionLoops& see;
     const HatchLoops& loops;
     const Scene& scene;
     const Frustum& frustum;
@@ -210,11 +210,11 @@ public:
     };
 
     explicit HatchPoints(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), see_(see_loops(runtime.instruction_set)), loops_(hatch_loops(runtime.instruction_set)),
-          batches_(runtime.memory), taus_(runtime.memory) {}
+        : runtime_(runtime), see_(projection_loops(runtime.instruction_set)),
+          loops_(hatch_loops(runtime.instruction_set)), batches_(runtime.memory), taus_(runtime.memory) {}
 
     // How the other marks of the frame are seen.
-    struct Seen {
+    struct Input {
         const Scene& scene;
         std::span<const ItemSight> sights; // one for each item
         const Frustum& frustum;
@@ -222,7 +222,7 @@ public:
     };
 
     // Adds the samples of all hatching after the drawing's other dots. The drawing must have been gathered.
-    void run(const Seen& seen, drawing::Drawing& drawing);
+    void run(const Input& seen, drawing::Drawing& drawing);
 
     // The batches of the last run, in the order of the strokes.
     [[nodiscard]] std::span<Batch> batches() noexcept { return {batches_.begin(), static_cast<std::size_t>(count_)}; }
@@ -230,10 +230,10 @@ public:
 
 private:
     void add_batches(const Scene& scene);
-    void take_taus(const Seen& seen);
+    void take_taus(const Input& seen);
 
     const base::Runtime& runtime_;
-    SeeLoops see_;
+    ProjectionLoops see_;
     HatchLoops loops_;
     base::List<Batch> batches_; // may hold more than `count_`, if an earlier frame had more
     std::int64_t count_ = 0;

@@ -62,11 +62,11 @@ struct RunSight {
     std::int32_t levels;      // the finest level
     double per_unit;          // 1 / the item's unit, a power of two
     const float* tone_normal; // the normals that light is bounded by: the marks' own, or those for tone
-    bool has_bounds;          // whether marks can be skipped by their normals
-    // The hand is unsteady: a wobble needs the numbers of all marks, and an overshoot runs past the end of the tone.
-    bool is_unsteady;
-    float beyond; // the strip around the picture in which lines may end unseen, pixels
-    HatchLaw law{};
+    bool has_bounds;          // whether marks can be passed over by their normals
+    bool is_unsteady;         // the hand is unsteady: it needs the numbers of all marks, and runs past the end of the
+                              // tone
+    float beyond;             // the strip around the picture in which lines may end unseen, pixels
+    HatchWidthLaw law{};
     float lightest = std::numeric_limits<float>::infinity(); // n . l above which a mark is too light
     float separation = 0.0F;  // between lines of level 0 alone, in the item's unit; 0: not known
     float stretch = 0.0F;     // the longest image of a length of 1 at the distance 1, pixels
@@ -101,7 +101,7 @@ RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& si
                nested ? std::clamp(run.marks->report.levels, 0, marks::most_levels) : 0,
                1.0 / item.unit,
                run.normal,
-               sight.seer.rigid && run.marks->stroke_order.empty(),
+               sight.view_transform.rigid && run.marks->stroke_order.empty(),
                style.hatch_wobble > 0.0F || style.hatch_overshoot > 0.0F,
                std::min(style.hatch_taper + 6.0F * style.hatch_shortest + 4.0F * style.hatch_spacing,
                         view.scene.lens.diagonal)};
@@ -150,13 +150,13 @@ bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept
 // n . (p - e) >= n . (c - e) - |n| r. Where that is positive, the mark faces away.
 std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece) noexcept {
     HatchBounds bounds{};
-    const Seer& seer = v.sight.seer;
+    const ViewTransform& view_transform = v.sight.view_transform;
     for (std::size_t k = 0; k < 3; ++k) {
         const auto i = static_cast<int>(k);
-        bounds.sight[k] = seer.parallel ? v.sight.eye[i] : piece.centre[k] - v.sight.eye[i];
-        bounds.light[k] = seer.light.towards[k];
+        bounds.sight[k] = view_transform.parallel ? v.sight.eye[i] : piece.centre[k] - v.sight.eye[i];
+        bounds.light[k] = view_transform.light.towards[k];
     }
-    bounds.away = seer.parallel ? 0.0F : most_length * piece.radius;
+    bounds.away = view_transform.parallel ? 0.0F : most_length * piece.radius;
     bounds.lightest = v.lightest;
     const std::int64_t first = 3 * std::int64_t{piece.first};
     return v.view.loops.may_draw(bounds, v.run.normal + first, v.tone_normal + first, piece.count);
@@ -178,7 +178,7 @@ void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noex
     const glm::vec3 comes = end - place(seen.first + seen.count - 2);
     const float gap = glm::distance(begin, end);
     const float step = glm::length(leaves);
-    const bool same = gap <= hatch_tuning.same_place * step;
+    const bool same = gap <= hatch_tuning.same_mark * step;
     const auto goes_on = [&](const glm::vec3& way) {
         return glm::dot(way, begin - end) >= hatch_tuning.closed_cosine * gap * glm::length(way);
     };
@@ -326,7 +326,7 @@ void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, con
 void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows) noexcept {
     const auto count = static_cast<std::int64_t>(numbers.size());
     const float* const darkness = rows[HatchRow::darkness];
-    float* const coverage = rows[HatchRow::least]; // not needed yet
+    float* const coverage = rows[HatchRow::least_margin]; // not needed yet
     v.view.loops.coverage(v.law, darkness, count, coverage);
     for (std::int64_t i = 0; i < count; ++i) {
         float& picture = rows[HatchRow::picture_margin][i];
@@ -349,23 +349,24 @@ void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const 
         rows[row][count] = rows[row][closed ? 0 : count - 1];
     }
     const glm::vec4& port = v.view.scene.lens.viewport;
-    const HatchSight how{&v.sight.seer, v.separation, port.x, port.y, port.x + port.z, port.y + port.w, v.beyond};
+    const HatchSight how{&v.sight.view_transform, v.separation,    port.x,  port.y,
+                         port.x + port.z,         port.y + port.w, v.beyond};
     const HatchRow tone = v.run.has_tone_normals() ? HatchRow::tone_x : HatchRow::normal_x;
     const float* const tone_x = rows[tone];
-    v.view.see.see_rows(v.sight.seer,
-                        {rows[HatchRow::x], rows[HatchRow::y], rows[HatchRow::z], rows[HatchRow::normal_x],
-                         rows[HatchRow::normal_y], rows[HatchRow::normal_z], tone_x, tone_x + rows.stride,
-                         tone_x + 2 * rows.stride, count},
-                        {rows[HatchRow::left], rows[HatchRow::top], rows[HatchRow::window], rows[HatchRow::depth],
-                         rows[HatchRow::pixels_per_unit], rows[HatchRow::nu], rows[HatchRow::darkness],
-                         rows[HatchRow::side_x], rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
-    v.view.loops.place(how, rows, count);
+    v.view.see.project_rows(v.sight.view_transform,
+                            {rows[HatchRow::x], rows[HatchRow::y], rows[HatchRow::z], rows[HatchRow::normal_x],
+                             rows[HatchRow::normal_y], rows[HatchRow::normal_z], tone_x, tone_x + rows.stride,
+                             tone_x + 2 * rows.stride, count},
+                            {rows[HatchRow::left], rows[HatchRow::top], rows[HatchRow::window], rows[HatchRow::depth],
+                             rows[HatchRow::pixels_per_unit], rows[HatchRow::nu], rows[HatchRow::darkness],
+                             rows[HatchRow::side_x], rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
+    v.view.loops.project(how, rows, count);
     set_darkness(v, numbers, rows);
     if (v.separation > 0.0F)
-        v.view.loops.widen(how, v.law, rows, count, closed);
+        v.view.loops.set_widths(how, v.law, rows, count, closed);
     else
         set_widths_alone(v, numbers, rows);
-    v.view.loops.measure(rows, count, closed);
+    v.view.loops.measure_distances(rows, count, closed);
 }
 
 // Whether the stroke is closed and its first and last marks, which are neighbours, were both loaded.
@@ -379,8 +380,8 @@ bool has_seam(const HatchStroke& seen) noexcept {
 // after the last form one gap.
 void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
     const std::int64_t count = seen.number.size();
-    float* const near = rows[HatchRow::near];
-    const float* const leg = rows[HatchRow::leg];
+    float* const near = rows[HatchRow::greatest_nearby];
+    const float* const leg = rows[HatchRow::distance_before];
     const float* const width = rows[HatchRow::width];
     const auto is_near = [&](std::int64_t i) { return near[i] >= 0.0F; };
     const auto is_short = [&](float way, float widest) {
@@ -406,17 +407,17 @@ void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
 }
 
 // The numbers of a HatchMark up to `pixels_per_unit`.
-constexpr HatchRow rows_of_mark[] = {HatchRow::left,           HatchRow::top,        HatchRow::window,
-                                     HatchRow::depth,          HatchRow::side_x,     HatchRow::side_y,
-                                     HatchRow::width,          HatchRow::leg,        HatchRow::tone_margin,
-                                     HatchRow::level_margin,   HatchRow::rim_margin, HatchRow::picture_margin,
-                                     HatchRow::pixels_per_unit};
+constexpr HatchRow rows_of_mark[] = {
+    HatchRow::left,           HatchRow::top,          HatchRow::window,     HatchRow::depth,
+    HatchRow::side_x,         HatchRow::side_y,       HatchRow::width,      HatchRow::distance_before,
+    HatchRow::tone_margin,    HatchRow::level_margin, HatchRow::rim_margin, HatchRow::picture_margin,
+    HatchRow::pixels_per_unit};
 static_assert(offsetof(HatchMark, begins_chain) == sizeof(float) * std::size(rows_of_mark));
 
 // Keeps the near marks. Each gap between them begins a new chain.
 void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
     const std::int64_t count = seen.number.size();
-    float* const near = rows[HatchRow::near];
+    float* const near = rows[HatchRow::greatest_nearby];
     const auto is_near = [](float margin) { return margin >= 0.0F; };
     seen.mark.clear();
     seen.ring = false;
@@ -589,13 +590,13 @@ struct Marks {
 };
 
 // A place between mark `mark` and the next one.
-struct Place {
+struct MarkPlace {
     std::int64_t mark;
     float share; // share of the way to the next mark
 };
 
 // The point of Hermite's cubic between two marks.
-[[nodiscard]] glm::vec2 point_at(const Marks& m, const Place& place) noexcept {
+[[nodiscard]] glm::vec2 point_at(const Marks& m, const MarkPlace& place) noexcept {
     const std::int64_t i = place.mark;
     const float t = place.share;
     const glm::vec2 a = place_of(m[i]);
@@ -609,7 +610,7 @@ struct Place {
 }
 
 // The area of the line from the first mark to a place. Widths change evenly from mark to mark.
-[[nodiscard]] float area_to(const Marks& m, const Place& place) noexcept {
+[[nodiscard]] float area_to(const Marks& m, const MarkPlace& place) noexcept {
     const std::int64_t i = place.mark;
     if (place.share == 0.0F) return m.area[i];
     const float way = m.length[i + 1] - m.length[i];
@@ -617,7 +618,7 @@ struct Place {
 }
 
 // Moves a place along the line to `length`. It goes mark by mark, since the place is near.
-void seek(const Marks& m, Place& place, float length) noexcept {
+void seek(const Marks& m, MarkPlace& place, float length) noexcept {
     while (place.mark > 0 && m.length[place.mark] > length) --place.mark;
     while (place.mark < m.size() - 2 && m.length[place.mark + 1] < length) ++place.mark;
     const float way = m.length[place.mark + 1] - m.length[place.mark];
@@ -625,7 +626,7 @@ void seek(const Marks& m, Place& place, float length) noexcept {
 }
 
 // Interpolates all numbers of a sample, except its width, between the marks on either side.
-void see_sample(const Marks& m, const Place& place, HatchSample& sample) noexcept {
+void see_sample(const Marks& m, const MarkPlace& place, HatchSample& sample) noexcept {
     constexpr std::size_t numbers = offsetof(HatchSample, unused) / sizeof(float);
     const std::int64_t i = place.mark;
     const HatchMark& a = m[i];
@@ -649,7 +650,8 @@ void see_sample(const Marks& m, const Place& place, HatchSample& sample) noexcep
 }
 
 // Moves a sample to the side, where the hand draws the line.
-void stray(const Marks& m, const HatchHand& hand, const Place& place, double mark, HatchSample& sample) noexcept {
+void add_wobble(const Marks& m, const HatchHand& hand, const MarkPlace& place, double mark,
+                HatchSample& sample) noexcept {
     if (!(hand.wobble > 0.0F)) return;
     const glm::vec2 along =
         glm::mix(m.tangent[place.mark], m.tangent[std::min(place.mark + 1, m.size() - 1)], place.share);
@@ -670,7 +672,7 @@ void measure(std::span<const HatchMark> marks, bool ring, HatchSamples& to) {
     const auto mark = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
     to.length[0] = to.area[0] = 0.0F;
     for (std::int64_t i = 1; i < count; ++i) {
-        const float way = std::trunc(mark(i).way * length_steps + 0.5F) / length_steps;
+        const float way = std::trunc(mark(i).distance_before * length_steps + 0.5F) / length_steps;
         to.length[i] = to.length[i - 1] + way;
         to.area[i] = to.area[i - 1] + 0.5F * way * (mark(i - 1).width + mark(i).width);
     }
@@ -679,7 +681,8 @@ void measure(std::span<const HatchMark> marks, bool ring, HatchSamples& to) {
         std::int64_t after = i + 1 < count ? i + 1 : ring ? 1 : i;
         if (!mark(before).is_valid()) before = i;
         if (!mark(after).is_valid()) after = i;
-        const float way = (before != i ? mark(i).way : 0.0F) + (after != i ? mark(after).way : 0.0F);
+        const float way =
+            (before != i ? mark(i).distance_before : 0.0F) + (after != i ? mark(after).distance_before : 0.0F);
         to.tangent[i] = way > 0.0F ? (place_of(mark(after)) - place_of(mark(before))) / way : glm::vec2(0.0F);
     }
 }
@@ -713,12 +716,12 @@ constexpr unsigned below_ramp = hatch_margins;
 }
 
 // Places between two marks in rising order, with a bit for the margin that is 0 there.
-struct Turns {
-    struct Turn {
+struct MarginCrossings {
+    struct MarginCrossing {
         float at;
         std::uint8_t ends;
     };
-    std::array<Turn, 2 * hatch_margins> turn;
+    std::array<MarginCrossing, 2 * hatch_margins> turn;
     std::size_t count = 0;
 
     void add(float at, std::uint8_t ends) noexcept {
@@ -730,8 +733,8 @@ struct Turns {
 
 // Finds where the line's presence turns between mark i and the next one: where a margin changes its sign or begins to
 // fade.
-[[nodiscard]] Turns turns_after(const Marks& m, std::int64_t i) noexcept {
-    Turns turns;
+[[nodiscard]] MarginCrossings crossings_after(const Marks& m, std::int64_t i) noexcept {
+    MarginCrossings turns;
     if (!m[i].is_valid() || !m[i + 1].is_valid()) return turns;
     for (std::size_t k = 0; k < hatch_margins; ++k) {
         const float from = m[i].margin[k];
@@ -774,7 +777,7 @@ void place_samples(const Marks& m, std::int64_t steps, HatchSamples& to) {
     for (std::int64_t i = 0; i + 1 < m.size(); ++i) {
         const std::uint8_t before = std::exchange(state, state_of(m[i + 1]));
         if (before != state) {
-            const Turns turns = turns_after(m, i);
+            const MarginCrossings turns = crossings_after(m, i);
             for (std::size_t k = 0; k < turns.count; ++k) {
                 while (next <= steps && next_at < turns.turn[k].at - hatch_tuning.least_step) put_next();
                 put(turns.turn[k].at, turns.turn[k].ends);
@@ -803,8 +806,8 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     const std::int64_t count = at.size();
     const std::int64_t first = to.sample.size();
     to.sample.resize_for_overwrite(first + count);
-    Place place{0, 0.0F};
-    Place edge{0, 0.0F}; // the end of the stretch over which a sample's width is averaged
+    MarkPlace place{0, 0.0F};
+    MarkPlace edge{0, 0.0F}; // the end of the stretch over which a sample's width is averaged
     const float half_step = 0.5F * whole / static_cast<float>(steps);
     float last = 0.0F; // the length up to the last edge, and the area up to it
     float last_area = 0.0F;
@@ -822,7 +825,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
             for (std::size_t k = 0; k < hatch_margins; ++k)
                 if ((static_cast<unsigned>(to.ends[i]) >> k & 1U) != 0) sample.margin[k] = 0.0F;
         const double mark = static_cast<double>(place.mark + first_mark) + static_cast<double>(place.share);
-        stray(m, hand, place, mark, sample);
+        add_wobble(m, hand, place, mark, sample);
         if (hand.overshoot > 0.0F)
             sample.overshoot =
                 hand.overshoot * static_cast<float>(std::clamp(0.5 + noise(hand, mark, hand.end_level, 1), 0.0, 1.0));

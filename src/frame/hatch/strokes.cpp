@@ -21,25 +21,25 @@ namespace {
 // Distances from a tip at which points are added, in pixels. They are close, since the width changes like a root there.
 constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
-// The directions from a point in which its line may continue: those that pass near enough to all points since.
-struct Passage {
+// The directions from a point in which its line may go on, which are those that pass near enough to all points since.
+struct AllowedSlopes {
     // How far x, y and radius of a point may be off.
-    static constexpr std::array<float, 3> even = {hatch_tuning.straight, hatch_tuning.straight,
-                                                  hatch_tuning.even_radius};
+    static constexpr std::array<float, 3> even = {hatch_tuning.place_tolerance, hatch_tuning.place_tolerance,
+                                                  hatch_tuning.radius_tolerance};
 
-    explicit Passage(const StrokePoint& first) noexcept : from(first) {
+    explicit AllowedSlopes(const StrokePoint& first) noexcept : from(first) {
         least.fill(-std::numeric_limits<float>::infinity());
         most.fill(std::numeric_limits<float>::infinity());
     }
-    [[nodiscard]] std::array<float, 3> rise(const StrokePoint& to) const noexcept {
+    [[nodiscard]] std::array<float, 3> difference(const StrokePoint& to) const noexcept {
         return {to.x - from.x, to.y - from.y, to.radius - from.radius};
     }
-    // Whether all points taken are near enough to the line from the first point to `to`, and have the same opacity.
-    [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
+    // Whether all points taken are near enough to the line from the first one to this one, and the opacity is the same.
+    [[nodiscard]] bool allows(const StrokePoint& to) const noexcept {
         const float way = to.length - from.length;
         bool holds = way > 0.0F && to.opacity == from.opacity;
         for (std::size_t k = 0; k < 3; ++k)
-            holds = holds && rise(to)[k] > least[k] * way && rise(to)[k] < most[k] * way;
+            holds = holds && difference(to)[k] > least[k] * way && difference(to)[k] < most[k] * way;
         return holds;
     }
     void take(const StrokePoint& to) noexcept {
@@ -47,8 +47,8 @@ struct Passage {
         if (!(way > 0.0F)) return;
         const float scale = 1.0F / way;
         for (std::size_t k = 0; k < 3; ++k) {
-            least[k] = std::max(least[k], (rise(to)[k] - even[k]) * scale);
-            most[k] = std::min(most[k], (rise(to)[k] + even[k]) * scale);
+            least[k] = std::max(least[k], (difference(to)[k] - even[k]) * scale);
+            most[k] = std::min(most[k], (difference(to)[k] + even[k]) * scale);
         }
     }
 
@@ -69,7 +69,7 @@ enum Presence : std::size_t {
     by_rim = margin_rim,
     by_picture = margin_picture,
     by_hiding,
-    of_all,
+    total,
     scratch,
     beyond_tone,
     full_width, // the line's width; all widths above a limit count alike
@@ -107,10 +107,10 @@ public:
         });
         close_hidden();
         for (std::int64_t i = 0; i < size(); ++i)
-            row(of_all)[i] =
+            row(total)[i] =
                 std::min({row(by_tone)[i], row(by_level)[i], row(by_rim)[i], row(by_picture)[i], row(by_hiding)[i]});
         leave_out_short();
-        put_parts();
+        add_parts();
     }
 
 private:
@@ -200,7 +200,7 @@ private:
         const float length = held_length(line_, i, 1, most, beyond, presence, weight, share).length;
         return length + held_length(line_, i, -1, most, beyond, presence, weight, share).length;
     }
-    static float as_long(std::int64_t) noexcept { return 1.0F; }
+    static float unit_weight(std::int64_t) noexcept { return 1.0F; }
 
     // Closes the gaps of a reason that are shorter than limit(i).first. Gaps up to limit(i).second are partly open, so
     // that gaps open gradually.
@@ -215,7 +215,7 @@ private:
         for (std::int64_t i = 0; i < size(); ++i) {
             if (p[i] > 0.0F) continue;
             const auto [from, to] = limit(i);
-            closed[i] = 1.0F - risen(held_around(i, to, to, absence, as_long, share), from, to);
+            closed[i] = 1.0F - ramp_between(held_around(i, to, to, absence, unit_weight, share), from, to);
         }
         std::copy_n(closed, size(), p);
     }
@@ -226,17 +226,18 @@ private:
         float* const p = row(by_hiding);
         if (std::all_of(p, p + size(), [](float seen) { return seen == 1.0F; })) return;
         close_gaps(by_hiding, [&](std::int64_t i) {
-            const float least = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.halo_alone * halo_);
-            return std::pair(least, least * hatch_tuning.halo_and_more / hatch_tuning.halo_alone);
+            const float least = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.closed_halos * halo_);
+            return std::pair(least, least * hatch_tuning.opened_halos / hatch_tuning.closed_halos);
         });
-        const float shortest = hatch_tuning.between_hidden * style_.hatch_shortest;
+        const float shortest = hatch_tuning.shortest_between_hidden * style_.hatch_shortest;
         if (!(shortest > 0.0F)) return;
         float* const kept = row(scratch); // holds the presences from before
         const auto seen = [&](std::int64_t k) { return p[k]; };
         const auto share = [&](std::int64_t j, std::int64_t k) { return end_share(by_hiding, j, k); };
         for (std::int64_t i = 0; i < size(); ++i)
             if (p[i] > 0.0F)
-                kept[i] *= risen(held_around(i, shortest, shortest, seen, as_long, share), 0.5F * shortest, shortest);
+                kept[i] *= ramp_between(held_around(i, shortest, shortest, seen, unit_weight, share), 0.5F * shortest,
+                                        shortest);
         std::copy_n(kept, size(), p);
     }
 
@@ -251,7 +252,7 @@ private:
     // room count less, too.
     void leave_out_short() {
         const float shortest = style_.hatch_shortest;
-        float* const p = row(of_all);
+        float* const p = row(total);
         if (!(shortest > 0.0F)) {
             for (std::int64_t i = 0; i < size(); ++i) p[i] = p[i] > 0.0F ? ink(i) : 0.0F;
             return;
@@ -283,7 +284,7 @@ private:
             const auto weight = [&](std::int64_t k) { return std::min(width[k] * scale, 1.0F) * level[k]; };
             float length = held_length(line_, i, 1, most, 0.0F, presence, weight, share).length;
             if (length < most) length += held_length(line_, i, -1, most, 0.0F, presence, weight, share).length;
-            kept[i] = risen(length, shortest, most);
+            kept[i] = ramp_between(length, shortest, most);
         }
         // A fading stretch is kept no more than the stronger stretch beside it, so that a part is drawn from end to end
         // or not at all.
@@ -302,21 +303,23 @@ private:
 
     // ---- Tapers
 
-    // The length of the taper before sample k, the first one that a line in the direction `way` does not reach for a
-    // reason.
+    // The length of the taper before sample k, the first one that a line in the direction `way` does not
+    // reach for a reason.
     [[nodiscard]] float taper(Presence reason, std::int64_t k, int way) const noexcept {
         if (reason == by_picture) return 0.0F;
         const float longest = longest_taper(reason);
         if (reason != by_rim) return longest;
-        return longest * (1.0F - risen(sine_at_rim(k, way), hatch_tuning.runs_along, hatch_tuning.crosses));
+        return longest *
+               (1.0F - ramp_between(sine_at_rim(k, way), hatch_tuning.parallel_sine, hatch_tuning.crossing_sine));
     }
 
-    // The sine of the angle between the contour at sample k, where a line in the direction `way` ends, and the last
-    // part of the line.
+    // The sine of the angle between the contour at sample k, where a line in the direction `way` ends, and
+    // the last part of the line.
     [[nodiscard]] float sine_at_rim(std::int64_t k, int way) const noexcept {
         std::int64_t i = k;
         float length = 0.0F;
-        for (std::int64_t steps = 0; steps < size() && length < hatch_tuning.rim_part * style_.hatch_taper; ++steps) {
+        for (std::int64_t steps = 0; steps < size() && length < hatch_tuning.chord_share * style_.hatch_taper;
+             ++steps) {
             float step = 0.0F;
             const std::int64_t next = line_.next(i, -way, step);
             if (next < 0 || !(row(by_rim)[next] > 0.0F)) break;
@@ -331,7 +334,7 @@ private:
 
     // The taper where the stroke itself ends.
     [[nodiscard]] float taper(StrokeEnd end, float width) const noexcept {
-        const float blunt = hatch_tuning.blunt * style_.hatch_taper;
+        const float blunt = hatch_tuning.blunt_taper * style_.hatch_taper;
         return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
     }
 
@@ -346,7 +349,7 @@ private:
     [[nodiscard]] float longest_taper(Presence reason) const noexcept {
         return reason == by_hiding ? hatch_tuning.hidden_taper
                : reason == by_tone ? style_.hatch_taper
-                                   : hatch_tuning.blunt * style_.hatch_taper;
+                                   : hatch_tuning.blunt_taper * style_.hatch_taper;
     }
 
     // Sets a bit of each sample for each reason that may narrow the line there. Most samples lie far from where a line
@@ -389,7 +392,7 @@ private:
             };
             const float most = longest_taper(reason);
             for (const int way : {1, -1}) {
-                const HeldLength held = held_length(line_, i, way, most, most, presence, as_long, share);
+                const HeldLength held = held_length(line_, i, way, most, most, presence, unit_weight, share);
                 if (held.length >= most) continue;
                 const float own = held.stopped_at >= 0 ? taper(reason, held.stopped_at, way) : most;
                 least = std::min(least, narrowed(held.length, own));
@@ -414,8 +417,8 @@ private:
 
     // ---- Strokes
 
-    void put_parts() {
-        const float* const p = row(of_all);
+    void add_parts() {
+        const float* const p = row(total);
         const auto is_drawn = [](float presence) { return presence > 0.0F; };
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding})
             ends_by_[reason] = !std::all_of(row(reason), row(reason) + size(), is_drawn);
@@ -436,7 +439,7 @@ private:
             if (!is_drawn(p[order_[k]])) continue;
             const std::int64_t first = k;
             while (k + 1 < count && is_drawn(p[order_[k + 1]])) ++k;
-            put({first, k, first > 0, k + 1 < count, whole});
+            add_part({first, k, first > 0, k + 1 < count, whole});
         }
     }
 
@@ -447,7 +450,7 @@ private:
         bool closed;
     };
 
-    void put(const Part& drawn) {
+    void add_part(const Part& drawn) {
         take_points(drawn);
         if (raw().size() < 2) return;
         Stroke stroke;
@@ -498,7 +501,7 @@ private:
             const std::int64_t i = order_[k];
             const Dot& own = dot(i);
             if (is_seen(i)) opacity = own.opacity;
-            const float radius = own.radius * row(of_all)[i] * profile(i);
+            const float radius = own.radius * row(total)[i] * profile(i);
             points.push_back({own.x, own.y, radius, opacity, own.depth, own.window, own.pixels_per_unit, 0.0F, own.id});
         }
         if (drawn.ends_after) points.push_back(end_point(order_[drawn.last], order_[drawn.last + 1], 1, opacity));
@@ -525,7 +528,7 @@ private:
             return StrokePoint{d.x, d.y, 0.0F, opacity, d.depth, d.window, d.pixels_per_unit, 0.0F, d.id};
         };
         StrokePoint end = between(point(dot(j)), point(dot(k)), end_share(j, k));
-        end.radius = dot(j).radius * row(of_all)[j] * profile_at_end(j, k, way);
+        end.radius = dot(j).radius * row(total)[j] * profile_at_end(j, k, way);
         return end;
     }
 
@@ -551,8 +554,8 @@ private:
         for (std::int64_t i = first; i < points.size(); ++i) {
             const StrokePoint& before = points[std::max(i - 1, first)];
             const StrokePoint& after = points[std::min(i + 1, points.size() - 1)];
-            points[i].radius = hiding_.edges.room(points[i], glm::vec2(after.x - before.x, after.y - before.y),
-                                                  points[i].radius, std::min(halo_, hatch_tuning.widest_halo));
+            points[i].radius = hiding_.edges.clear_width(points[i], glm::vec2(after.x - before.x, after.y - before.y),
+                                                         points[i].radius, std::min(halo_, hatch_tuning.widest_halo));
         }
     }
 
@@ -561,21 +564,21 @@ private:
         base::Array<StrokePoint>& points = part_.made.points;
         std::int64_t kept = first;
         std::int64_t from = first; // the last point that was kept
-        Passage passage(points[first]);
+        AllowedSlopes passage(points[first]);
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
             passage.take(points[i]);
             if (i < last && i - from <= hatch_tuning.most_left_out && points[i].opacity == points[kept].opacity &&
-                passage.reaches(points[i + 1]))
+                passage.allows(points[i + 1]))
                 continue;
             if (++kept != i) points[kept] = points[i];
             from = i;
-            passage = Passage(points[kept]);
+            passage = AllowedSlopes(points[kept]);
         }
         points.resize(kept + 1);
     }
 
     // The order in which samples are drawn. The order of a ring begins in a gap.
-    struct Order {
+    struct SampleOrder {
         std::int64_t start = 0;
         std::int64_t around = 0; // the number of samples of a ring that is turned; else 0
 
@@ -592,7 +595,7 @@ private:
     std::span<Dot> dots_;
     HatchStrokePart& part_;
     SampledLine line_;
-    Order order_;
+    SampleOrder order_;
     std::array<bool, presences> ends_by_{};
 };
 

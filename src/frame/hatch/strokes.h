@@ -51,9 +51,9 @@ public:
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
     // The largest radius, up to `radius`, with which a line through the point in the direction `along` covers no edge
-    // before it, nor the edge's halo, nor a crease of the point's surface.
-    [[nodiscard]] float room(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
-                             float halo) const noexcept;
+    // before it, nor the edge's halo, nor a crease of its own surface.
+    [[nodiscard]] float clear_width(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
+                                    float halo) const noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return edges_.bytes() + first_.bytes() + numbers_.bytes(); }
 

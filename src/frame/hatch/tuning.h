@@ -47,14 +47,14 @@ struct HatchTuning {
     // light.
     float least_gap_pixels = 1.0F;
     // A gap that something hides is closed if it is no longer than this many halos, since a contour and its halo run
-    // out there. Up to `halo_and_more` it opens gradually. Larger: halos are crossed.
-    float halo_alone = 1.0F;
-    float halo_and_more = 1.5F;
-    // A part between two hidden parts must be at least this many times hatch_shortest long, because it lies in the halo
-    // of a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
-    float between_hidden = 3.0F;
-    // Where short parts are left out, the length of a line counts as this share if its level has hardly any room
-    // between other lines. Smaller: fewer short lines between long ones.
+    // out there. Up to `opened_halos` it opens gradually. Larger: halos are crossed.
+    float closed_halos = 1.0F;
+    float opened_halos = 1.5F;
+    // A part between two hidden ones must be at least this many times hatch_shortest long, since it lies in the halo of
+    // a line that runs along it. Larger: fewer flecks beside contours, and less hatching between close contours.
+    float shortest_between_hidden = 3.0F;
+    // Where short parts are left out, a line between others with hardly any room counts as this share of its length.
+    // Smaller: fewer short lines between long ones.
     float length_of_filling = 1.0F / 3.0F;
     // Widths above this many pens count alike in a part's length. Larger: thin parts must be longer.
     float full_width = 0.5F;
@@ -63,19 +63,19 @@ struct HatchTuning {
 
     // A line's end is this share of hatch_taper long where its stroke or its level ends, or at a contour that the line
     // runs along. Larger: softer ends.
-    float blunt = 0.35F;
+    float blunt_taper = 0.35F;
     // A line's end at a crease rounds off over this many widths, since the face is dark up to its edge. Larger: pointed
     // ends at creases.
     float round_tip = 0.5F;
     // A line narrows over this many pixels where something hides it. Larger: softer ends at contours.
     float hidden_taper = 2.0F;
-    // A line whose angle with a contour has at least the sine `crosses` runs on under the contour. A line with at most
-    // the sine `runs_along` narrows before it. Larger: more lines narrow.
-    float crosses = 0.5F;
-    float runs_along = 0.25F;
-    // The angle between a line and a contour is measured on the chord over this share of hatch_taper, since in the end
-    // all lines touch the contour. Larger: lines that bend count as crossing.
-    float rim_part = 0.5F;
+    // A line whose angle with a contour has at least the sine `crossing_sine` runs on under the contour. A line with at
+    // most the sine `parallel_sine` narrows before it. Larger: more lines narrow.
+    float crossing_sine = 0.5F;
+    float parallel_sine = 0.25F;
+    // That angle is measured on the chord over this share of hatch_taper, since in the end all lines touch the contour.
+    // Larger: lines that bend count as crossing.
+    float chord_share = 0.5F;
     // The first point from a tip is at most this wide, in pens. Larger: blunter tips of wide lines.
     float widest_tip = 0.1F;
 
@@ -99,10 +99,10 @@ struct HatchTuning {
     float tip_reach = 2.5F;
     // At most this many consecutive points are left out. Larger: opacities and ids are coarser.
     std::int64_t most_left_out = 6;
-    // A point is left out if its place differs by less than `straight` from the line between its neighbours, and its
-    // radius by less than `even_radius`, in pixels. Larger: fewer points, corners show.
-    float straight = 0.05F;
-    float even_radius = 0.006F;
+    // A point is left out if its place differs by less than `place_tolerance` from the line between its neighbours, and
+    // its radius by less than `radius_tolerance`, in pixels. Larger: fewer points, corners show.
+    float place_tolerance = 0.05F;
+    float radius_tolerance = 0.006F;
 
     // ---- Closed strokes
 
@@ -112,7 +112,7 @@ struct HatchTuning {
     float closed_gap = 1.5F;
     float closed_cosine = 0.8F;
     // Ends that are nearer to each other than this are one mark, in steps. Larger: a mark is lost.
-    float same_place = 0.1F;
+    float same_mark = 0.1F;
     std::int64_t fewest_of_closed = 4; // a closed stroke has at least this many marks
 
     // ---- An unsteady hand
@@ -130,29 +130,29 @@ struct HatchTuning {
 
     // An edge lies before a line if it is nearer to the eye by more than this, in pixels. Larger: creases of the line's
     // own surface hide less, and so do surfaces just before it.
-    float least_before = 1.0F;
+    float least_depth_gap = 1.0F;
     // Edges that are nearer by this many times halo_gap have their full halo. Larger: halos grow more slowly.
     float full_halo = 3.0F;
     // Without a halo a line ends this far before an edge, in pixels.
-    float at_edge = 0.05F;
+    float edge_gap = 0.05F;
     // Halos are exact up to this width, in pixels; beyond, they are left as depth layers made them. Larger: slower.
     float widest_halo = 32.0F;
     // If a line, continued, would cross an edge within this distance, in pixels, their depths are compared there.
-    // Otherwise surfaces may be as steep as `steepest`, depth over pixels. Larger: fewer edges before a slanted
+    // Otherwise surfaces may be as steep as `steepest_slope`, depth over pixels. Larger: fewer edges before a slanted
     // surface.
     float farthest_crossing = 24.0F;
-    float steepest = 6.0F;
-    // A line whose angle with an edge has at most the cosine `goes_across` ends bluntly there. From the cosine
-    // `goes_along` on, the line is narrowed so that it does not reach over the edge.
-    float goes_across = 0.25F;
-    float goes_along = 0.5F;
+    float steepest_slope = 6.0F;
+    // A line whose angle with an edge has at most the cosine `across_cosine` ends bluntly there. From the cosine
+    // `along_cosine` on, the line is narrowed so that it does not reach over the edge.
+    float across_cosine = 0.25F;
+    float along_cosine = 0.5F;
     // The search for edges begins at least this many samples before the last one that is seen, and farther back until
-    // no edge is within `off_edge` pixels. Larger: slower.
+    // no edge is within `edge_reach` pixels. Larger: slower.
     std::int64_t samples_back = 2;
-    float off_edge = 1.5F;
+    float edge_reach = 1.5F;
     // Samples may be hidden by mistake within a splat's radius and this of an edge, in pixels, but not beyond
     // `farthest_hidden`. Larger: more hidden samples are tested again.
-    float beyond_splat = 1.0F;
+    float splat_margin = 1.0F;
     float farthest_hidden = 24.0F;
 };
 inline constexpr HatchTuning hatch_tuning;

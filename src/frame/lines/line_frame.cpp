@@ -3,9 +3,9 @@
 //
 // 1. camera_off_planes makes a camera that sees no face exactly edge-on. All lines are seen through it.
 // 2. trace_lines traces curves for this camera. For each item with lines, its contours (trace_contours, which begins
-//    with those of the last frame where the camera moved little), its creases that are contours (add_folds) and its
-//    border (add_border) become subjects even if they are not drawn, since they hide other lines. Then the subjects of
-//    each style of lines are found or made (add_style), and the style gets a layer.
+//    with those of the last frame where the camera moved little), its creases that are contours (add_contour_creases)
+//    and its border (add_border) become subjects even if they are not drawn, since they hide other lines. Then the
+//    subjects of each style of lines are found or made (add_style), and the style gets a layer.
 // 3. find_invisibility and find_hidden_by count the sheets before the lines.
 // 4. number_lines gives lines the numbers that they had in the last frame. Points of each line vote for the line of the
 //    last frame that has the nearest point with the same direction (count_votes). Lines with most points in common are
@@ -40,7 +40,8 @@ constexpr double hidden_end = 0.9;
 
 bool draws_lines(const Item& item) noexcept { return item.lines != nullptr && !item.style.lines.empty(); }
 
-void count(const visibility::Invisibility& found, const TracedLines& traced, drawing::LineCounts& counts) noexcept {
+void add_counts(const visibility::Invisibility& found, const TracedLines& traced,
+                drawing::LineCounts& counts) noexcept {
     counts.curves = found.report.lines;
     counts.cusps = found.report.cusps;
     counts.crossings = found.crossings.size();
@@ -53,7 +54,7 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
 
 // An item that has lines, and its subjects. Its contours begin at `contours`, and its creases that are contours are at
 // `folds`. Its border goes from `border` to `end`.
-struct Source {
+struct LineSource {
     const Item& item;
     curves::View view;
     std::int32_t number; // among the occluders
@@ -91,9 +92,9 @@ Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     // x and y shift to one side in proportion to z - middle. For an orthographic camera w changes with z, so that the
     // eye is at a finite distance.
     glm::dmat4 moved(1.0);
-    const double shift = line_tuning.off_planes;
-    const glm::dvec2 to_side =
-        line_tuning.aside * shift * glm::dvec2(std::cos(line_tuning.aside_angle), std::sin(line_tuning.aside_angle));
+    const double shift = line_tuning.camera_offset;
+    const glm::dvec2 to_side = line_tuning.sideways_share * shift *
+                               glm::dvec2(std::cos(line_tuning.sideways_angle), std::sin(line_tuning.sideways_angle));
     for (int axis = 0; axis < 2; ++axis) {
         moved[2][axis] = to_side[axis];
         moved[3][axis] = -to_side[axis] * middle;
@@ -115,7 +116,7 @@ curves::View view_of(const Camera& camera, const Item& item) {
         const geometry::Bounds& region = item.lines->mesh().region;
         const glm::dvec3 size = glm::abs(place); // its squares may overflow
         const double largest = std::max({size.x, size.y, size.z});
-        const bool is_far = !(largest <= line_tuning.parallel_from * glm::distance(region.min, region.max));
+        const bool is_far = !(largest <= line_tuning.parallel_distance * glm::distance(region.min, region.max));
         eye = is_far ? glm::dvec4(glm::normalize(0.5 * (region.min + region.max) / largest - place / largest), 0.0)
                      : glm::dvec4(place, 1.0);
     }
@@ -124,7 +125,7 @@ curves::View view_of(const Camera& camera, const Item& item) {
 
 // ---- Subjects
 
-visibility::Subject& add_subject(const Source& source, const curves::Curves& curves, TracedLines& out) {
+visibility::Subject& add_subject(const LineSource& source, const curves::Curves& curves, TracedLines& out) {
     visibility::Subject subject;
     subject.curves = &curves;
     subject.view = source.view;
@@ -176,7 +177,7 @@ std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::Li
 }
 
 // Traces the contours of an item. Contours of a sheet end at the sheet's creases.
-void trace_contours(const base::Work& work, const Source& source, ContourList& last, TracedLines& out) {
+void trace_contours(const base::Work& work, const LineSource& source, ContourList& last, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
         const implicit::Implicit& surface = lines.parts().empty() ? lines.surface() : lines.parts()[p]->surface;
@@ -191,9 +192,8 @@ void trace_contours(const base::Work& work, const Source& source, ContourList& l
     }
 }
 
-// Adds the creases that are contours. A crease is a contour where one of its two sheets faces the eye and the other
-// faces away.
-void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
+// Adds the creases that are contours: the surface turns over where only one sheet of a crease faces the eye.
+void add_contour_creases(const base::Runtime& runtime, LineSource& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     if (lines.creases().count() == 0) return;
     source.creases = out.creases
@@ -208,7 +208,7 @@ void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
 }
 
 // Adds lines on the surface, cut where they turn away from the eye. `sheets` is Subject::sheet_change.
-void add_lines(const base::Runtime& runtime, const Source& source, const curves::SurfaceLines& lines,
+void add_lines(const base::Runtime& runtime, const LineSource& source, const curves::SurfaceLines& lines,
                const LineStyle* style, std::uint32_t layer, std::int32_t sheets, TracedLines& out) {
     HRBFNPR_ASSERT(style != nullptr || sheets > 0);
     if (lines.curves.count() == 0) return;
@@ -221,7 +221,7 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
         visibility::Subject& subject = add_subject(source, parts.curves, out);
         subject.sheet_change = sheets;
         if (style == nullptr) continue;
-        if (style->kind == LineKind::own) subject.clearance = line_tuning.clear_of_own;
+        if (style->kind == LineKind::own) subject.clearance = line_tuning.caller_line_clearance;
         subject.joined = style->kind == LineKind::section && source.lines().creases().count() > 0;
         out.styles.push_back({style, number, layer, parts.strength.data()});
     }
@@ -229,7 +229,7 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
 
 // Adds the border of an item. A surface hides other things only up to its border, so the border is needed even where it
 // is not drawn.
-void add_border(const base::Runtime& runtime, Source& source, TracedLines& out) {
+void add_border(const base::Runtime& runtime, LineSource& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     source.border = static_cast<std::int32_t>(out.subjects.size());
     add_lines(runtime, source, curves::with_turns(runtime, lines.border(), lines.surface(), source.view), nullptr, 0, 1,
@@ -239,8 +239,8 @@ void add_border(const base::Runtime& runtime, Source& source, TracedLines& out) 
 }
 
 // Adds the creases that are not contours. If no style of the item draws contours, it adds the other creases as well.
-void add_bent(const base::Runtime& runtime, const Source& source, const LineStyle& style, std::uint32_t layer,
-              TracedLines& out) {
+void add_other_creases(const base::Runtime& runtime, const LineSource& source, const LineStyle& style,
+                       std::uint32_t layer, TracedLines& out) {
     HRBFNPR_ASSERT(source.creases != nullptr);
     const curves::CreaseParts& parts = *source.creases;
     const curves::Thresholds by = curves::thresholds_of(style.kind, {style.lower, style.upper});
@@ -269,7 +269,7 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
 
 // Adds feature lines by interpolation on the mesh, which is enough to draw. `towards` is the eye or, for isophotes, the
 // light.
-void add_features(const base::Work& work, const Source& source, const LineStyle& style, std::uint32_t layer,
+void add_features(const base::Work& work, const LineSource& source, const LineStyle& style, std::uint32_t layer,
                   const glm::dvec4& towards, TracedLines& out) {
     curves::FeatureRequest request;
     request.kind = curves::feature_of(style.kind);
@@ -284,14 +284,14 @@ void add_features(const base::Work& work, const Source& source, const LineStyle&
     add_lines(work, source, curves::as_lines(work.memory, lines), &style, layer, 0, out);
 }
 
-void add_style(const base::Work& work, const Scene& scene, const Source& source, const LineStyle& style,
+void add_style(const base::Work& work, const Scene& scene, const LineSource& source, const LineStyle& style,
                std::uint32_t layer, TracedLines& out) {
     const Item& item = source.item;
     switch (style.kind) {
     case LineKind::contour:
         for (std::int32_t s = source.contours; s < source.border; ++s) out.styles.push_back({&style, s, layer});
         break;
-    case LineKind::crease: add_bent(work, source, style, layer, out); break;
+    case LineKind::crease: add_other_creases(work, source, style, layer, out); break;
     case LineKind::border:
         for (std::int32_t s = source.border; s < source.end; ++s) out.styles.push_back({&style, s, layer});
         break;
@@ -323,7 +323,7 @@ void add_style(const base::Work& work, const Scene& scene, const Source& source,
 TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<const Item> items, ContourList& last,
                         drawing::Drawing& drawing) {
     TracedLines out(work.memory);
-    base::List<Source> sources(work.memory);
+    base::List<LineSource> sources(work.memory);
     const Camera camera = camera_off_planes(scene, items);
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Item& item = items[i];
@@ -331,15 +331,15 @@ TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<co
         work.update(static_cast<double>(i) / static_cast<double>(items.size()));
         const bool mirrored = glm::determinant(glm::dmat3(scene.camera.view * item.transform)) < 0.0;
         const auto first = static_cast<std::int32_t>(out.subjects.size());
-        Source& source = sources.add(Source{item, view_of(camera, item), static_cast<std::int32_t>(out.items.size()),
-                                            mirrored, first, first, first});
+        LineSource& source = sources.add(LineSource{
+            item, view_of(camera, item), static_cast<std::int32_t>(out.items.size()), mirrored, first, first, first});
         out.occluders.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
         out.items.push_back(static_cast<std::int32_t>(i));
         trace_contours(work, source, last, out);
-        add_folds(work, source, out);
+        add_contour_creases(work, source, out);
         add_border(work, source, out);
     }
-    for (const Source& source : sources) {
+    for (const LineSource& source : sources) {
         const std::int64_t first = out.styles.size();
         for (const LineStyle& style : source.item.style.lines) {
             if (style.kind == LineKind::crease && source.lines().creases().count() == 0) continue;
@@ -357,7 +357,7 @@ TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<co
             drawing.layers.push_back(layer);
         }
         for (std::int64_t i = first; i < out.styles.size(); ++i) {
-            DrawnAs& as = out.styles[i];
+            DrawnSubject& as = out.styles[i];
             const curves::Thresholds by = curves::thresholds_of(as.style->kind, {as.style->lower, as.style->upper});
             as.lower = static_cast<float>(by.lower);
             as.upper = static_cast<float>(by.upper);
@@ -392,7 +392,7 @@ base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFami
         geometry::VecArray direction(memory);
         base::Array<std::int64_t> owner(memory);
         for (std::int64_t k = 0; k < last.line.size(); ++k) {
-            const KnownLines::Known& known = last.line[k];
+            const KnownLines::KnownLine& known = last.line[k];
             if (!(known.family == families[subject])) continue;
             for (std::int64_t i = known.first; i < known.first + known.count; ++i) {
                 place.push_back(last.place[i]);
@@ -401,7 +401,7 @@ base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFami
             }
         }
         if (place.empty()) continue;
-        const double radius = line_tuning.farthest_number * subjects[subject].side;
+        const double radius = line_tuning.farthest_numbered_move * subjects[subject].side;
         const geometry::PointGrid grid(place, radius);
         for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
             const visibility::Line& line = lines.lines[l];
@@ -450,7 +450,7 @@ LineNumbers number_lines(base::Memory& memory, const base::Array<visibility::Sub
     base::Array<std::uint8_t> taken(memory, last.line.size());
     for (const Vote& vote : votes) {
         if (out.number[vote.line] != 0 || taken[vote.known] != 0) continue;
-        const KnownLines::Known& known = last.line[vote.known];
+        const KnownLines::KnownLine& known = last.line[vote.known];
         out.number[vote.line] = known.number;
         taken[vote.known] = 1;
         std::int64_t& origin = out.origin[vote.line];
@@ -468,7 +468,7 @@ LineNumbers number_lines(base::Memory& memory, const base::Array<visibility::Sub
         const visibility::Line& line = lines.lines[l];
         if (out.number[l] == 0) out.number[l] = ++next.number;
         const std::int64_t first = next.place.size();
-        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += line_tuning.kept_each) {
+        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += line_tuning.points_per_kept) {
             next.place.push_back(position(p));
             next.direction.push_back(point_of(subjects, lines, p).direction());
         }
@@ -507,7 +507,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     }
     visibility::find_hidden_by({runtime_, progress.part(found_end, hidden_end).without_progress()},
                                std::as_const(found.subjects).span(), traced.occluders.span(), found);
-    count(found, traced, drawing.line_counts);
+    add_counts(found, traced, drawing.line_counts);
     const visibility::LineLengths lengths(runtime_.memory, found.lines);
     const LineNumbers numbers = number_lines(runtime_.memory, found.subjects, traced.occluders, found.lines, known_);
     progress.update(hidden_end);

@@ -41,13 +41,13 @@ struct LineFamily {
 struct KnownLines {
     explicit KnownLines(base::Memory& memory) noexcept : line(memory), place(memory), direction(memory) {}
 
-    struct Known {
+    struct KnownLine {
         LineFamily family;
         std::int64_t first, count; // the range of its points
         std::uint32_t number;
         glm::dvec3 origin; // the place where the line's first piece began when the line was new, or a place near it
     };
-    base::Array<Known> line;
+    base::Array<KnownLine> line;
     geometry::VecArray place, direction; // some points of the lines, and the directions there
     std::uint32_t number = 0;            // the last number that was given
 };

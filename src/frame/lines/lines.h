@@ -10,7 +10,7 @@
 namespace hrbfnpr::frame {
 
 // Lines of a subject that are drawn in a layer of the drawing.
-struct DrawnAs {
+struct DrawnSubject {
     const LineStyle* style;
     std::int32_t subject;
     std::uint32_t layer;
@@ -29,10 +29,9 @@ struct TracedLines {
     base::Array<visibility::Subject> subjects;
     base::Array<visibility::Occluder> occluders;
     base::Array<std::int32_t> items; // the number of each occluder's item in the drawing
-    base::Array<DrawnAs> styles;
-    // The number of contours that end inside the surface, and of places where a contour was missed.
-    std::int64_t broken = 0;
-    // The contours. Subjects and styles refer to them.
+    base::Array<DrawnSubject> styles;
+    std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
+    // Subjects and styles refer to these.
     ContourList contours;
     base::List<std::unique_ptr<curves::ContourLevel>> levels;
     base::List<std::unique_ptr<curves::SurfaceLines>> lines;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Makes strokes of lines. At each point of a curve, the factors of depth and light (point_factors) are multiplied by
-// that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a separate
-// factor, which fades out along the line beyond the outline's ends (along). Intervals of a line that look alike form a
-// part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends continue as
-// other lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots between
-// them where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is strong
-// enough (draw), as strokes of points with their widths (add_stroke), which a wobble moves across the line (Wobble).
+// that of curvature (add_curvature), which is smoothed along the image (smooth_along). The outline has a factor of its
+// own, which fades out along the line beyond the outline's ends (outline_factor_at). Intervals of a line that look
+// alike form a part (parts_of), which includes hidden intervals that hug a visible contour (find_hugging); some ends go
+// on as other lines (find_joined). A part has places, which are the points of its polyline (places_of), and knots
+// between them where its width or wobble changes along a chord (knots_of). It is drawn whole, as dashes, or where it is
+// strong enough (draw), as strokes of points with their widths (add_stroke), which a wobble moves across the line
+// (Wobble).
 #include "base/assert.h"
 #include "base/random.h"
 #include "frame/lines/lines.h"
@@ -23,7 +24,7 @@ namespace hrbfnpr::frame {
 namespace {
 
 // A part of a line that the same number of surface layers hides everywhere.
-struct Part {
+struct LinePart {
     visibility::Interval interval; // its `sheets` is not used
     std::int32_t layers;           // number of surface layers before it; each is two sheets
     // The end is free because no other part continues there: at cusps, and at ends of open lines.
@@ -31,22 +32,22 @@ struct Part {
 };
 
 // A place along a line.
-struct Place {
+struct StrokePlace {
     double at; // along the line, pixels
     std::int32_t piece;
     double share;
 };
 
 // A part in a style, with places and knots along it.
-struct Path {
-    const DrawnAs& as;
-    const Part& part;
-    base::Array<Place> place;
+struct PartPath {
+    const DrawnSubject& drawn;
+    const LinePart& part;
+    base::Array<StrokePlace> place;
     base::Array<double> knot; // where the part has points between its places, in order
 };
 
 // A range of shares of the way from one place to the next; it is empty if low > high.
-struct Shares {
+struct ShareRange {
     double low, high;
 };
 
@@ -54,15 +55,16 @@ double length_of(const visibility::Interval& i) noexcept { return i.end_at - i.b
 
 // ---- Widths
 
-float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    return (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+float strength_at(const DrawnSubject& drawn, const visibility::Piece& piece, float share) noexcept {
+    return (1.0F - share) * drawn.strength[piece.a] + share * drawn.strength[piece.b];
 }
 
 // The opacity of a line at a place, from its strength there.
-float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
-    const float full = std::clamp((strength_at(as, piece, share) - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
-    return 1.0F - as.style->fade * (1.0F - full);
+float opacity_at(const DrawnSubject& drawn, const visibility::Piece& piece, float share) noexcept {
+    if (drawn.strength == nullptr || !(drawn.upper > drawn.lower)) return 1.0F;
+    const float full =
+        std::clamp((strength_at(drawn, piece, share) - drawn.lower) / (drawn.upper - drawn.lower), 0.0F, 1.0F);
+    return 1.0F - drawn.style->fade * (1.0F - full);
 }
 
 struct DepthRange {
@@ -70,8 +72,8 @@ struct DepthRange {
     double farthest = -std::numeric_limits<double>::infinity();
 };
 
-// Returns a factor that changes linearly from 1, where the share is 0, to `factor`, where it is 1.
-double by(float factor, double share) noexcept {
+// A factor that changes evenly from 1, where the share is 0, to `factor`, where it is 1.
+double scaled_factor(float factor, double share) noexcept {
     return glm::mix(1.0, static_cast<double>(factor), std::clamp(share, 0.0, 1.0));
 }
 
@@ -79,12 +81,14 @@ bool has_point_law(const LineStyle& style) noexcept {
     return style.far_factor != 1.0F || style.lit_factor != 1.0F || style.curvature_factor != 1.0F;
 }
 
-double fade_of(const DrawnAs& as) noexcept { return line_tuning.fade_widths * static_cast<double>(as.style->width); }
+double fade_length(const DrawnSubject& drawn) noexcept {
+    return line_tuning.fade_widths * static_cast<double>(drawn.style->width);
+}
 
 // Whether a style has another width along the outline.
-bool changes_along(const DrawnAs& as) noexcept {
-    return as.style->outline_factor != 1.0F &&
-           (as.style->kind == LineKind::contour || as.style->kind == LineKind::border);
+bool has_outline_factor(const DrawnSubject& drawn) noexcept {
+    return drawn.style->outline_factor != 1.0F &&
+           (drawn.style->kind == LineKind::contour || drawn.style->kind == LineKind::border);
 }
 
 // The depths of the points of drawn lines that are in the window.
@@ -94,7 +98,7 @@ DepthRange depth_range(const LineInput& in) {
     for (std::int64_t s = 0; s < in.found.subjects.size(); ++s) {
         const visibility::Subject& subject = in.found.subjects[s];
         if (std::none_of(in.traced.styles.begin(), in.traced.styles.end(),
-                         [&](const DrawnAs& as) { return as.subject == s; }))
+                         [&](const DrawnSubject& drawn) { return drawn.subject == s; }))
             continue;
         const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
         for (const curves::CurvePoint& p : subject.curves->point) {
@@ -108,7 +112,7 @@ DepthRange depth_range(const LineInput& in) {
     return range;
 }
 
-base::Array<float> point_factors(const LineInput& in, const Light& light, const DrawnAs& as,
+base::Array<float> point_factors(const LineInput& in, const Light& light, const DrawnSubject& drawn,
                                  const visibility::Subject& subject, const DepthRange& depths) {
     const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
     const double range = depths.farthest - depths.nearest;
@@ -120,7 +124,8 @@ base::Array<float> point_factors(const LineInput& in, const Light& light, const 
         const double facing =
             std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // n . l is NaN if f is constant
         const double far = range > 0.0 ? (depth - depths.nearest) / range : 0.0;
-        factors[i] = static_cast<float>(by(as.style->far_factor, far) * by(as.style->lit_factor, 0.5 + 0.5 * facing));
+        factors[i] = static_cast<float>(scaled_factor(drawn.style->far_factor, far) *
+                                        scaled_factor(drawn.style->lit_factor, 0.5 + 0.5 * facing));
     }
     return factors;
 }
@@ -189,9 +194,9 @@ base::Array<double> smooth_along(const visibility::Subject& subject, double pixe
     return smooth;
 }
 
-void add_curvature(const LineInput& in, const DrawnAs& as, base::Array<float>& factors,
+void add_curvature(const LineInput& in, const DrawnSubject& drawn, base::Array<float>& factors,
                    const base::Progress& progress) {
-    const visibility::Subject& subject = in.found.subjects[as.subject];
+    const visibility::Subject& subject = in.found.subjects[drawn.subject];
     const implicit::Implicit& surface = *in.traced.occluders[subject.item].surface;
     base::Array<double> curvature(in.runtime.memory, factors.size());
     if (subject.level != nullptr)
@@ -200,29 +205,29 @@ void add_curvature(const LineInput& in, const DrawnAs& as, base::Array<float>& f
         find_curvature_across({in.runtime, progress}, surface, subject.curves->point, curvature);
     for (double& c : curvature)
         if (!std::isfinite(c)) c = 0.0;
-    curvature = smooth_along(subject, line_tuning.smooth_widths * static_cast<double>(as.style->width), curvature);
-    const double bent = static_cast<double>(as.style->curvature_radius) * surface.diagonal();
+    curvature = smooth_along(subject, line_tuning.smooth_widths * static_cast<double>(drawn.style->width), curvature);
+    const double bent = static_cast<double>(drawn.style->curvature_radius) * surface.diagonal();
     for (std::int64_t i = 0; i < curvature.size(); ++i)
-        factors[i] *=
-            static_cast<float>(by(as.style->curvature_factor, 1.0 - std::min(1.0, 1.0 / (bent * curvature[i]))));
+        factors[i] *= static_cast<float>(
+            scaled_factor(drawn.style->curvature_factor, 1.0 - std::min(1.0, 1.0 / (bent * curvature[i]))));
 }
 
 // Sets the factors of styles at the points of their subjects. Returns the outline if styles ask for it.
 visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress) {
-    base::Array<DrawnAs>& styles = in.traced.styles;
-    const auto is_by_depth = [](const DrawnAs& as) { return as.style->far_factor != 1.0F; };
+    base::Array<DrawnSubject>& styles = in.traced.styles;
+    const auto is_by_depth = [](const DrawnSubject& drawn) { return drawn.style->far_factor != 1.0F; };
     const bool by_depth = std::any_of(styles.begin(), styles.end(), is_by_depth);
     const DepthRange depths = by_depth ? depth_range(in) : DepthRange();
     base::Array<std::uint8_t> wanted(in.runtime.memory, in.found.subjects.size());
-    for (DrawnAs& as : styles) {
-        HRBFNPR_ASSERT(as.subject >= 0 && as.subject < wanted.size());
-        if (changes_along(as)) wanted[as.subject] = 1;
-        if (!has_point_law(*as.style)) continue;
-        const Light& light = in.scene.items[drawing.layers[as.layer].item].light;
+    for (DrawnSubject& drawn : styles) {
+        HRBFNPR_ASSERT(drawn.subject >= 0 && drawn.subject < wanted.size());
+        if (has_outline_factor(drawn)) wanted[drawn.subject] = 1;
+        if (!has_point_law(*drawn.style)) continue;
+        const Light& light = in.scene.items[drawing.layers[drawn.layer].item].light;
         base::Array<float>& factors =
-            in.traced.numbers.add(point_factors(in, light, as, in.found.subjects[as.subject], depths));
-        if (as.style->curvature_factor != 1.0F) add_curvature(in, as, factors, progress);
-        as.factor = factors.data();
+            in.traced.numbers.add(point_factors(in, light, drawn, in.found.subjects[drawn.subject], depths));
+        if (drawn.style->curvature_factor != 1.0F) add_curvature(in, drawn, factors, progress);
+        drawn.factor = factors.data();
     }
     if (std::none_of(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }))
         return visibility::Outline(in.runtime.memory);
@@ -235,9 +240,9 @@ struct StrokeInput : LineInput {
     const visibility::Outline& outline;
 
     // The length of a closed line, pixels; 0 for an open one.
-    [[nodiscard]] double round(std::int32_t l) const noexcept { return line(l).closed ? total(l) : 0.0; }
+    [[nodiscard]] double closed_length(std::int32_t l) const noexcept { return line(l).closed ? total(l) : 0.0; }
     // Whether a part is all of a closed line.
-    [[nodiscard]] bool is_whole(const Part& part) const noexcept {
+    [[nodiscard]] bool is_whole(const LinePart& part) const noexcept {
         return line(part.interval.line).closed && !part.free_begin && !part.free_end &&
                length_of(part.interval) >= total(part.interval.line);
     }
@@ -253,35 +258,38 @@ std::span<const visibility::OutlinePart> outline_of(const visibility::Outline& o
 }
 
 // The longest chord of a line where the line's width changes, pixels.
-double step_of(const DrawnAs& as) noexcept {
-    return changes_along(as) ? fade_of(as) / line_tuning.fade_steps : std::numeric_limits<double>::infinity();
+double longest_chord(const DrawnSubject& drawn) noexcept {
+    return has_outline_factor(drawn) ? fade_length(drawn) / line_tuning.fade_steps
+                                     : std::numeric_limits<double>::infinity();
 }
 
 // The factor of the width at a place along a line, apart from the factors of its points.
-double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double at) noexcept {
-    if (!changes_along(as)) return 1.0;
+double outline_factor_at(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, double at) noexcept {
+    if (!has_outline_factor(drawn)) return 1.0;
     const std::span<const visibility::OutlinePart> parts = outline_of(in.outline, line);
     double nearest = std::numeric_limits<double>::infinity();
-    for (const double here : {at, at - in.round(line), at + in.round(line)}) {
+    for (const double here : {at, at - in.closed_length(line), at + in.closed_length(line)}) {
         const auto begins = [](double place, const visibility::OutlinePart& part) { return place < part.begin_at; };
         const auto next = std::upper_bound(parts.begin(), parts.end(), here, begins);
         if (next != parts.end()) nearest = std::min(nearest, next->begin_at - here);
         if (next != parts.begin()) nearest = std::min(nearest, std::max(0.0, here - std::prev(next)->end_at));
     }
-    // falls from 1 to 0, with slope 0 at either end
-    const double u = std::clamp(1.0 - nearest / fade_of(as), 0.0, 1.0);
-    return by(as.style->outline_factor, u * u * (3.0 - 2.0 * u));
+    // Falls from 1 to 0, with slope 0 at either end.
+    const double u = std::clamp(1.0 - nearest / fade_length(drawn), 0.0, 1.0);
+    return scaled_factor(drawn.style->outline_factor, u * u * (3.0 - 2.0 * u));
 }
 
-// Whether the factor of the width changes between two places along a line.
-bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double from, double to) noexcept {
+// Whether that factor changes between two places along a line.
+bool outline_factor_changes(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, double from,
+                            double to) noexcept {
     HRBFNPR_ASSERT(!(from > to));
-    if (!changes_along(as)) return false;
+    if (!has_outline_factor(drawn)) return false;
     for (const visibility::OutlinePart& part : outline_of(in.outline, line))
-        for (const double turn : {-in.round(line), 0.0, in.round(line)}) {
+        for (const double turn : {-in.closed_length(line), 0.0, in.closed_length(line)}) {
             const double begin = part.begin_at + turn;
             const double end = part.end_at + turn;
-            if (to > begin - fade_of(as) && from < end + fade_of(as) && !(from >= begin && to <= end)) return true;
+            if (to > begin - fade_length(drawn) && from < end + fade_length(drawn) && !(from >= begin && to <= end))
+                return true;
         }
     return false;
 }
@@ -292,25 +300,25 @@ bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
 // is bounded by these numbers. Around a closed line it repeats.
 class Wobble {
 public:
-    // `line` is the line's number, and `total` is its length, pixels.
+    // `line` is the line's number, and `whole` is its length, pixels.
     Wobble(const LineStyle& style, std::uint32_t line, double whole, bool closed) noexcept
-        : aside_(static_cast<double>(style.wobble) * static_cast<double>(style.width)),
+        : offset_(static_cast<double>(style.wobble) * static_cast<double>(style.width)),
           width_(static_cast<double>(style.wobble_width)),
-          between_(static_cast<double>(style.wobble_length) * static_cast<double>(style.width) /
-                   line_tuning.knots_a_swing),
+          knot_distance_(static_cast<double>(style.wobble_length) * static_cast<double>(style.width) /
+                         line_tuning.knots_a_swing),
           seed_(style.wobble_seed | std::uint64_t{static_cast<std::uint32_t>(style.kind)} << 32U), line_(line) {
         if (!closed || !(whole > 0.0)) return;
-        const double knots = std::max(line_tuning.fewest_knots, std::round(whole / between_));
-        between_ = whole / knots;
+        const double knots = std::max(line_tuning.fewest_knots, std::round(whole / knot_distance_));
+        knot_distance_ = whole / knots;
         knots_ = static_cast<std::int64_t>(knots);
     }
     // How far the line moves to the left at a place along it, pixels.
-    [[nodiscard]] double aside(double at) const noexcept { return aside_ * noise(at, 0); }
+    [[nodiscard]] double aside(double at) const noexcept { return offset_ * noise(at, 0); }
     // The factor of the width at a place along the line.
     [[nodiscard]] double factor(double at) const noexcept { return 1.0 + width_ * noise(at, 1); }
     // The longest chord of a line that follows the wobble, pixels.
     [[nodiscard]] double step() const noexcept {
-        return std::max(line_tuning.shortest_step, between_ / line_tuning.steps_a_knot);
+        return std::max(line_tuning.shortest_step, knot_distance_ / line_tuning.steps_a_knot);
     }
 
 private:
@@ -321,7 +329,7 @@ private:
         return 2.0 * base::uniform4(seed_, index, base::Purpose::wobble)[which] - 1.0;
     }
     [[nodiscard]] double noise(double at, std::size_t which) const noexcept {
-        const double place = std::clamp(at / between_, -line_tuning.farthest_knot, line_tuning.farthest_knot);
+        const double place = std::clamp(at / knot_distance_, -line_tuning.farthest_knot, line_tuning.farthest_knot);
         const double knot = std::floor(place);
         const double u = place - knot;
         const double v = 1.0 - u;
@@ -332,32 +340,32 @@ private:
         return sum / 6.0;
     }
 
-    double aside_, width_;
-    double between_;            // distance between knots, pixels
+    double offset_, width_;
+    double knot_distance_;      // distance between knots, pixels
     std::int64_t knots_ = 0;    // number of knots around a closed line; 0: it is open
     std::uint64_t seed_, line_; // the seeds of the random numbers
 };
 
-Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) noexcept {
-    return {*as.style, in.numbers.number[line], in.total(line), in.line(line).closed};
+Wobble wobble_of(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line) noexcept {
+    return {*drawn.style, in.numbers.number[line], in.total(line), in.line(line).closed};
 }
 
 // ---- Parts
 
-// Whether a place of the image is near a place of a grid, except the place with the number `but`.
+// Whether a place of the image is near a place of a grid, except the place with the number `except`.
 bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, const glm::dvec2& place, double radius,
-             std::int64_t but) {
+             std::int64_t except) {
     bool found = false;
     grid.around({place, 0.0}, [&](std::int64_t at) {
         const std::int64_t i = grid.index(at);
-        found = found || (i != but && glm::distance(places[i], glm::dvec3(place, 0.0)) <= radius);
+        found = found || (i != except && glm::distance(places[i], glm::dvec3(place, 0.0)) <= radius);
     });
     return found;
 }
 
 // Calls f for places of the image along an interval until it returns false.
 template <class F>
-void walk(const LineInput& in, const visibility::Interval& interval, double step, const F& f) {
+void for_places_along(const LineInput& in, const visibility::Interval& interval, double step, const F& f) {
     const visibility::Line& line = in.line(interval.line);
     const double whole = in.lengths.total(line);
     std::int64_t i = line.first_point;
@@ -389,21 +397,21 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
                is_contour(interval);
     };
     if (!(width > 0.0) || std::none_of(intervals.begin(), intervals.end(), may_hug)) return hugs;
-    const double step = line_tuning.beside * width;
+    const double step = line_tuning.hugging_distance * width;
     geometry::VecArray seen(memory);
     for (const visibility::Interval& interval : intervals)
         if (interval.invisibility <= 0 && is_contour(interval))
-            walk(in, interval, step, [&](const glm::dvec2& place) {
+            for_places_along(in, interval, step, [&](const glm::dvec2& place) {
                 seen.push_back({place, 0.0});
                 return true;
             });
-    const double radius = line_tuning.beside * width;
+    const double radius = line_tuning.hugging_distance * width;
     const geometry::PointGrid grid(seen, radius);
     for (std::int64_t i = 0; i < intervals.size(); ++i) {
         bool all = may_hug(intervals[i]);
         if (all)
-            walk(in, intervals[i], step,
-                 [&](const glm::dvec2& place) { return all = is_near(grid, seen, place, radius, -1); });
+            for_places_along(in, intervals[i], step,
+                             [&](const glm::dvec2& place) { return all = is_near(grid, seen, place, radius, -1); });
         hugs[i] = all ? 1 : 0;
     }
     return hugs;
@@ -427,16 +435,16 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
             if (beside >= 0 && beside < intervals.size() && intervals[beside].line == number) continue;
             const visibility::Piece& piece = in.piece(line.first_piece + at_end * (line.pieces - 1));
             float opacity = 0.0F;
-            for (const DrawnAs& as : in.traced.styles)
-                if (as.subject == line.subject)
-                    opacity = std::max(opacity, faded(as, piece, static_cast<float>(at_end)));
+            for (const DrawnSubject& drawn : in.traced.styles)
+                if (drawn.subject == line.subject)
+                    opacity = std::max(opacity, opacity_at(drawn, piece, static_cast<float>(at_end)));
             const std::int64_t point = line.first_point + at_end * (line.points - 1);
             if (opacity < line_tuning.least_opacity) continue;
             seen.push_back({in.found.lines.points[point].place, 0.0});
             ends.push_back(2 * std::int64_t{number} + at_end);
         }
     }
-    const double radius = std::max(1e-6, line_tuning.together * width); // above 0 even if pens have no width
+    const double radius = std::max(1e-6, line_tuning.same_end_distance * width); // above 0 even if pens have no width
     const geometry::PointGrid grid(seen, radius);
     base::Array<std::uint8_t> goes_on(memory, 2 * in.found.lines.lines.size());
     std::fill(goes_on.begin(), goes_on.end(), std::uint8_t{1});
@@ -449,15 +457,15 @@ base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in,
 // Makes a part of consecutive intervals of a line that look alike. On a closed line the last and the first are
 // consecutive.
 void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const base::Array<std::uint8_t>& hugs,
-              const base::Array<std::uint8_t>& goes_on, base::Array<Part>& parts) {
+              const base::Array<std::uint8_t>& goes_on, base::Array<LinePart>& parts) {
     HRBFNPR_ASSERT(first < end && end <= in.found.intervals.size() && hugs.size() >= end);
     parts.clear();
     const std::int32_t number = in.found.intervals[first].line;
     const visibility::Line& line = in.line(number);
-    const auto are_alike = [](const Part& a, const Part& b) {
+    const auto are_alike = [](const LinePart& a, const LinePart& b) {
         return a.layers == b.layers && a.interval.hidden_by == b.interval.hidden_by;
     };
-    const auto extend = [](Part& part, const Part& next, double beyond) {
+    const auto extend = [](LinePart& part, const LinePart& next, double beyond) {
         part.interval.end_piece = next.interval.end_piece;
         part.interval.end_share = next.interval.end_share;
         part.interval.end_at = next.interval.end_at + beyond;
@@ -468,8 +476,8 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
         visibility::Interval its = in.found.intervals[i];
         if (hugs[i] != 0) its.hidden_by = -1;
         const std::int32_t layers = hugs[i] != 0 ? 0 : std::max(0, (its.invisibility + 1) / 2);
-        const Part next{its, layers, its.begins_at_cusp, its.ends_at_cusp};
-        if (!parts.empty() && (are_alike(parts.back(), next) || length_of(its) < line_tuning.unseen))
+        const LinePart next{its, layers, its.begins_at_cusp, its.ends_at_cusp};
+        if (!parts.empty() && (are_alike(parts.back(), next) || length_of(its) < line_tuning.shortest_part))
             extend(parts.back(), next, 0.0);
         else
             parts.push_back(next);
@@ -486,7 +494,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
 }
 
 // Finds the points of the image along a part, with its ends.
-void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& places) {
+void places_of(const StrokeInput& in, const LinePart& part, base::Array<StrokePlace>& places) {
     const visibility::Interval& its = part.interval;
     const visibility::Line& line = in.line(its.line);
     const double whole = in.total(its.line);
@@ -510,7 +518,7 @@ void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& plac
 
 // ---- Points
 
-glm::dvec2 seen_at(const StrokeInput& in, const Place& place) {
+glm::dvec2 seen_at(const StrokeInput& in, const StrokePlace& place) {
     const visibility::Piece& piece = in.piece(place.piece);
     return in.found.subjects[piece.subject]
         .view.see(visibility::cubic(in.found.subjects.span(), piece).at(place.share))
@@ -518,12 +526,12 @@ glm::dvec2 seen_at(const StrokeInput& in, const Place& place) {
 }
 
 // The factor of a style's width at a place, from the curve's points on either side.
-float factor_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    return as.factor == nullptr ? 1.0F : (1.0F - share) * as.factor[piece.a] + share * as.factor[piece.b];
+float factor_at(const DrawnSubject& drawn, const visibility::Piece& piece, float share) noexcept {
+    return drawn.factor == nullptr ? 1.0F : (1.0F - share) * drawn.factor[piece.a] + share * drawn.factor[piece.b];
 }
 
 // Makes a point at a place. Its radius is still a factor of the style's width.
-drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Place& place) {
+drawing::StrokePoint point_at(const StrokeInput& in, const DrawnSubject& drawn, const StrokePlace& place) {
     const visibility::Piece& piece = in.piece(place.piece);
     const visibility::Subject& subject = in.found.subjects[piece.subject];
     const glm::dvec3 p = visibility::cubic(in.found.subjects.span(), piece).at(place.share);
@@ -535,20 +543,20 @@ drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Pl
     point.window = static_cast<float>(q.z / q.w);
     point.depth = static_cast<float>(-eye.z);
     point.pixels_per_unit = in.scene.lens.pixels / static_cast<float>(q.w);
-    point.opacity = faded(as, piece, static_cast<float>(place.share));
-    point.radius = factor_at(as, piece, static_cast<float>(place.share));
+    point.opacity = opacity_at(drawn, piece, static_cast<float>(place.share));
+    point.radius = factor_at(drawn, piece, static_cast<float>(place.share));
     return point;
 }
 
-// Makes a point on the chord from a place to the next. It uses double, since a chord may begin far outside the window.
-drawing::StrokePoint point_between(const StrokeInput& in, const Path& path, std::int64_t i, double at) {
+// The same on the chord from a place to the next. It uses double, since a chord may begin far outside of the window.
+drawing::StrokePoint point_between(const StrokeInput& in, const PartPath& path, std::int64_t i, double at) {
     HRBFNPR_ASSERT(i >= 0 && i + 1 < path.place.size());
     const double span = path.place[i + 1].at - path.place[i].at;
     const double share = span > 0.0 ? (at - path.place[i].at) / span : 0.0;
-    const drawing::StrokePoint b = point_at(in, path.as, path.place[i + 1]);
+    const drawing::StrokePoint b = point_at(in, path.drawn, path.place[i + 1]);
     const glm::dvec2 seen = glm::mix(seen_at(in, path.place[i]), seen_at(in, path.place[i + 1]), share);
     const auto u = static_cast<float>(share);
-    drawing::StrokePoint point = point_at(in, path.as, path.place[i]);
+    drawing::StrokePoint point = point_at(in, path.drawn, path.place[i]);
     point.x = static_cast<float>(seen.x);
     point.y = static_cast<float>(seen.y);
     point.window += u * (b.window - point.window);
@@ -559,11 +567,11 @@ drawing::StrokePoint point_between(const StrokeInput& in, const Path& path, std:
 }
 
 // The shares of the chord from a place to the next that are in the window, or at most `beside` pixels outside of it.
-Shares in_window(const StrokeInput& in, const Place& from, const Place& to, double beside) {
+ShareRange in_window(const StrokeInput& in, const StrokePlace& from, const StrokePlace& to, double beside) {
     const glm::dvec2 a = seen_at(in, from);
     const glm::dvec2 b = seen_at(in, to);
     const glm::dvec4 window(in.scene.lens.viewport);
-    Shares shares{0.0, 1.0};
+    ShareRange shares{0.0, 1.0};
     for (const int axis : {0, 1}) {
         const double way = b[axis] - a[axis];
         const double low = window[axis] - beside;
@@ -580,21 +588,22 @@ Shares in_window(const StrokeInput& in, const Place& from, const Place& to, doub
 
 // Finds knots between the places of a part, so that widths and opacities change evenly from one to the next. Chords
 // that are not seen need no knots.
-void knots_of(const StrokeInput& in, Path& path) {
+void knots_of(const StrokeInput& in, PartPath& path) {
     path.knot.clear();
-    const DrawnAs& as = path.as;
-    const bool wobbles = as.style->wobbles();
-    if (!wobbles && !changes_along(as)) return;
+    const DrawnSubject& drawn = path.drawn;
+    const bool wobbles = drawn.style->wobbles();
+    if (!wobbles && !has_outline_factor(drawn)) return;
     const std::int32_t line = path.part.interval.line;
-    const double step = wobbles ? std::min(wobble_of(in, as, line).step(), step_of(as)) : step_of(as);
+    const double step =
+        wobbles ? std::min(wobble_of(in, drawn, line).step(), longest_chord(drawn)) : longest_chord(drawn);
     for (std::int64_t i = 0; i + 1 < path.place.size(); ++i) {
         const double begin = path.place[i].at;
         const double span = path.place[i + 1].at - begin;
-        const Shares seen = in_window(in, path.place[i], path.place[i + 1], line_tuning.steps_beside * step);
+        const ShareRange seen = in_window(in, path.place[i], path.place[i + 1], line_tuning.steps_beside * step);
         if (!(seen.low < seen.high)) continue;
         double low = begin + seen.low * span;
         double high = begin + seen.high * span;
-        if (!wobbles && !changes(in, as, line, low, high)) continue;
+        if (!wobbles && !outline_factor_changes(in, drawn, line, low, high)) continue;
         if (low < begin + step) low = begin;
         if (high > begin + span - step) high = begin + span;
         const double count = std::ceil((high - low) / step);
@@ -608,11 +617,11 @@ void knots_of(const StrokeInput& in, Path& path) {
 // Moves the points of a stroke across the line. The direction of the line at a point is the mean of the chords on
 // either side. The noise stays in place on a line from frame to frame, wherever the line begins. `at` holds the places
 // of the points along the line, pixels.
-void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Array<double>& at,
+void wobble(const StrokeInput& in, const PartPath& path, bool closed, const base::Array<double>& at,
             std::span<drawing::StrokePoint> points) {
     HRBFNPR_ASSERT(points.size() > 1 && static_cast<std::size_t>(at.size()) == points.size());
     const std::int32_t number = path.part.interval.line;
-    const Wobble hand = wobble_of(in, path.as, number);
+    const Wobble hand = wobble_of(in, path.drawn, number);
     const visibility::Line& line = in.line(number);
     const double origin = in.lengths.at(line, in.numbers.origin[number], 0.0);
     const auto place = [&](std::size_t i) { return glm::dvec2(points[i].x, points[i].y); };
@@ -633,13 +642,13 @@ void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Ar
     }
 }
 
-// Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse. A short
-// part with a free end, for example between a cusp and a line beside it, would look like a bead, so it is thinner.
-void add_stroke(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
-    const DrawnAs& as = path.as;
-    const Part& part = path.part;
-    const base::Array<Place>& place = path.place;
-    const LineStyle& style = *as.style;
+// Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse; a short
+// part with a free end, as between a cusp and a line beside it, would be a bead, and is thinner.
+void add_stroke(const StrokeInput& in, const PartPath& path, double from, double to, LineStrokes& out) {
+    const DrawnSubject& drawn = path.drawn;
+    const LinePart& part = path.part;
+    const base::Array<StrokePlace>& place = path.place;
+    const LineStyle& style = *drawn.style;
     const bool hidden = part.layers > 0;
     const bool dashed = hidden && style.hidden == HiddenParts::dashed;
     const double opacity = hidden && style.hidden == HiddenParts::attenuated
@@ -658,7 +667,7 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     };
     drawing::Stroke stroke;
     stroke.first = out.points.size();
-    stroke.layer = as.layer;
+    stroke.layer = drawn.layer;
     stroke.line = in.numbers.number[part.interval.line];
     stroke.hidden_layers = part.layers;
     stroke.hidden_by = part.interval.hidden_by < 0 ? -1 : in.traced.items[part.interval.hidden_by];
@@ -670,21 +679,22 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     const auto put = [&](drawing::StrokePoint point, double here) {
         const double narrow = std::min(tapered(part.free_begin, here - part.interval.begin_at),
                                        tapered(part.free_end, part.interval.end_at - here));
-        const double factor = static_cast<double>(point.radius) * along(in, as, part.interval.line, here);
+        const double factor =
+            static_cast<double>(point.radius) * outline_factor_at(in, drawn, part.interval.line, here);
         point.radius = static_cast<float>(0.5 * width * narrow * factor);
         point.opacity *= static_cast<float>(opacity);
         out.points.push_back(point);
         at.push_back(here);
     };
     const auto put_between = [&](std::int64_t i, double here) { put(point_between(in, path, i, here), here); };
-    const auto before = [](const Place& p, double here) { return p.at < here; };
+    const auto before = [](const StrokePlace& p, double here) { return p.at < here; };
     const double* knot = std::upper_bound(path.knot.begin(), path.knot.end(), from);
     for (std::int64_t i = std::lower_bound(place.begin(), place.end(), from, before) - place.begin(); i < place.size();
          ++i) {
         const double here = place[i].at;
         if (i > 0 && place[i - 1].at < from && here > from) put_between(i - 1, from);
         for (; knot != path.knot.end() && *knot < std::min(here, to); ++knot) put_between(i - 1, *knot);
-        if (here <= to) put(point_at(in, as, place[i]), here);
+        if (here <= to) put(point_at(in, drawn, place[i]), here);
         if (i > 0 && place[i - 1].at < to && here > to) put_between(i - 1, to);
         if (here > to) break;
     }
@@ -705,15 +715,15 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
 }
 
 // Adds strokes from one place along a part to another, except where the line is too weak.
-void add_strong(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
-    if (!path.as.cut) return add_stroke(in, path, from, to, out);
-    const base::Array<Place>& place = path.place;
+void add_strong_parts(const StrokeInput& in, const PartPath& path, double from, double to, LineStrokes& out) {
+    if (!path.drawn.cut) return add_stroke(in, path, from, to, out);
+    const base::Array<StrokePlace>& place = path.place;
     const auto strength = [&](std::int64_t i) {
-        return static_cast<double>(strength_at(path.as, in.piece(place[i].piece), static_cast<float>(place[i].share)) -
-                                   path.as.lower);
+        return static_cast<double>(
+            strength_at(path.drawn, in.piece(place[i].piece), static_cast<float>(place[i].share)) - path.drawn.lower);
     };
     double begin = from; // where the current strong or weak stretch begins, pixels along the line
-    HRBFNPR_ASSERT(path.as.strength != nullptr);
+    HRBFNPR_ASSERT(path.drawn.strength != nullptr);
     bool strong = strength(0) >= 0.0;
     for (std::int64_t i = 1; i < place.size() && place[i - 1].at < to; ++i) {
         const double a = strength(i - 1);
@@ -729,10 +739,10 @@ void add_strong(const StrokeInput& in, const Path& path, double from, double to,
 
 // Adds only the dashes that are seen, since a line that passes beside the eye may be immensely long. The more layers
 // lie before the line, the shorter its dashes are.
-void add_dashes(const StrokeInput& in, const Path& path, LineStrokes& out) {
+void add_dashes(const StrokeInput& in, const PartPath& path, LineStrokes& out) {
     const double begin = path.part.interval.begin_at;
     const double whole = length_of(path.part.interval);
-    const LineStyle& style = *path.as.style;
+    const LineStyle& style = *path.drawn.style;
     const auto width = static_cast<double>(style.hidden_width);
     const double dash = std::max(1.0, width * static_cast<double>(style.dash) / path.part.layers);
     const double period = dash + std::max(1.0, width * static_cast<double>(style.gap));
@@ -740,7 +750,7 @@ void add_dashes(const StrokeInput& in, const Path& path, LineStrokes& out) {
     const double step = whole / dashes;
     double next = 0.0;
     for (std::int64_t i = 0; i + 1 < path.place.size(); ++i) {
-        const Shares seen = in_window(in, path.place[i], path.place[i + 1], dash + width);
+        const ShareRange seen = in_window(in, path.place[i], path.place[i + 1], dash + width);
         if (!(seen.low <= seen.high)) continue;
         const double at = path.place[i].at - begin;
         const double span = path.place[i + 1].at - path.place[i].at;
@@ -748,23 +758,25 @@ void add_dashes(const StrokeInput& in, const Path& path, LineStrokes& out) {
         next = std::max(next, std::floor((at + seen.low * span) / step));
         for (; next <= last; next += 1.0) {
             const double middle = begin + (next + 0.5) * step;
-            add_strong(in, path, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period, out);
+            add_strong_parts(in, path, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period, out);
         }
     }
 }
 
 // The distance between the end of a part and the middle of the nearer line that crosses there: the halo and half of the
 // width of each line.
-double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const Place& end, float sine) noexcept {
+double gap_at(const StrokeInput& in, const DrawnSubject& drawn, std::int32_t line, const StrokePlace& end,
+              float sine) noexcept {
     HRBFNPR_ASSERT(end.share >= 0.0 && end.share <= 1.0);
-    const double joins = line_tuning.joins;
-    const double share = std::clamp((static_cast<double>(sine) - joins) / (line_tuning.ends_before - joins), 0.0, 1.0);
+    const double joins = line_tuning.joining_sine;
+    const double share =
+        std::clamp((static_cast<double>(sine) - joins) / (line_tuning.full_gap_sine - joins), 0.0, 1.0);
     if (!(share > 0.0)) return 0.0;
-    const auto width_at = [&](const DrawnAs& style, std::int32_t l, const Place& p) {
+    const auto width_at = [&](const DrawnSubject& style, std::int32_t l, const StrokePlace& p) {
         const float factor = factor_at(style, in.piece(p.piece), static_cast<float>(p.share));
-        return style.style->width * factor * static_cast<float>(along(in, style, l, p.at));
+        return style.style->width * factor * static_cast<float>(outline_factor_at(in, style, l, p.at));
     };
-    const auto before = [](const visibility::Crossing& c, const Place& p) {
+    const auto before = [](const visibility::Crossing& c, const StrokePlace& p) {
         return c.far_piece != p.piece ? c.far_piece < p.piece : c.far_share < p.share;
     };
     const base::Array<visibility::Crossing>& crossings = in.found.crossings;
@@ -772,19 +784,19 @@ double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const
     float near_width = 0.0F;
     if (c != crossings.end() && c->far_piece == end.piece && c->far_share == end.share) {
         const visibility::Piece& piece = in.piece(c->near_piece);
-        const Place near{in.lengths.at(in.line(piece.line), c->near_piece, c->near_share), c->near_piece,
-                         c->near_share};
-        for (const DrawnAs& other : in.traced.styles)
+        const StrokePlace near{in.lengths.at(in.line(piece.line), c->near_piece, c->near_share), c->near_piece,
+                               c->near_share};
+        for (const DrawnSubject& other : in.traced.styles)
             if (other.subject == piece.subject) near_width = std::max(near_width, width_at(other, piece.line, near));
     }
-    return static_cast<double>(as.halo + 0.5F * (width_at(as, line, end) + near_width)) * share;
+    return static_cast<double>(drawn.halo + 0.5F * (width_at(drawn, line, end) + near_width)) * share;
 }
 
 // Draws a part in a style.
-void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
-    const DrawnAs& as = path.as;
-    const Part& part = path.part;
-    const LineStyle& style = *as.style;
+void draw(const StrokeInput& in, PartPath& path, LineStrokes& out) {
+    const DrawnSubject& drawn = path.drawn;
+    const LinePart& part = path.part;
+    const LineStyle& style = *drawn.style;
     const visibility::Interval& its = part.interval;
     const bool hidden = part.layers > 0;
     if (hidden && style.hidden == HiddenParts::none) return;
@@ -792,12 +804,12 @@ void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
     double end = its.end_at;
     // A visible line ends before a nearer line that crosses it, rather than under that line, where its end would be
     // seen.
-    if (!hidden && as.halo > 0.0F && !in.is_whole(part)) {
-        begin += gap_at(in, as, its.line, {its.begin_at, its.begin_piece, its.begin_share}, its.begin_sine);
-        end -= gap_at(in, as, its.line, {its.end_at, its.end_piece, its.end_share}, its.end_sine);
+    if (!hidden && drawn.halo > 0.0F && !in.is_whole(part)) {
+        begin += gap_at(in, drawn, its.line, {its.begin_at, its.begin_piece, its.begin_share}, its.begin_sine);
+        end -= gap_at(in, drawn, its.line, {its.end_at, its.end_piece, its.end_share}, its.end_sine);
     }
     // A short visible part between hidden parts would be a dot, so it is left out.
-    const bool is_dot = !hidden && length_of(its) < line_tuning.dot * static_cast<double>(style.width) &&
+    const bool is_dot = !hidden && length_of(its) < line_tuning.shortest_dot * static_cast<double>(style.width) &&
                         length_of(its) < in.total(its.line);
     if (!(end > begin) || is_dot) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
@@ -806,7 +818,7 @@ void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
     if (hidden && style.hidden == HiddenParts::dashed)
         add_dashes(in, path, out);
     else
-        add_strong(in, path, begin, end, out);
+        add_strong_parts(in, path, begin, end, out);
 }
 
 } // namespace
@@ -816,23 +828,24 @@ void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const 
     HRBFNPR_ASSERT(input.traced.items.size() == input.traced.occluders.size());
     base::Memory& memory = input.runtime.memory;
     double widest = 0.0;
-    for (const DrawnAs& as : input.traced.styles) widest = std::max(widest, static_cast<double>(as.style->width));
+    for (const DrawnSubject& drawn : input.traced.styles)
+        widest = std::max(widest, static_cast<double>(drawn.style->width));
     const visibility::Outline outline = find_widths(input, drawing, progress);
     const base::Array<std::uint8_t> hugs = find_hugging(memory, input, widest);
     const base::Array<std::uint8_t> goes_on = find_joined(memory, input, hugs, widest);
     const StrokeInput in{input, outline};
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
-    base::Array<Part> parts(memory);
-    base::Array<Place> places(memory);
+    base::Array<LinePart> parts(memory);
+    base::Array<StrokePlace> places(memory);
     base::Array<double> knots(memory);
     for (std::int64_t first = 0; first < intervals.size();) {
         std::int64_t end = first;
         while (end < intervals.size() && intervals[end].line == intervals[first].line) ++end;
         parts_of(in, first, end, hugs, goes_on, parts);
-        for (const DrawnAs& as : in.traced.styles) {
-            if (as.subject != in.line(intervals[first].line).subject) continue;
-            for (const Part& part : parts) {
-                Path path{as, part, std::move(places), std::move(knots)};
+        for (const DrawnSubject& drawn : in.traced.styles) {
+            if (drawn.subject != in.line(intervals[first].line).subject) continue;
+            for (const LinePart& part : parts) {
+                PartPath path{drawn, part, std::move(places), std::move(knots)};
                 draw(in, path, strokes);
                 places = std::move(path.place);
                 knots = std::move(path.knot);

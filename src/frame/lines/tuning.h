@@ -17,54 +17,53 @@ struct LineTuning {
     double moved_tolerance = 1e-3;
     // Lines of the caller's own may lie this deep inside the surface, in sides of the mesh. Larger: surface just before
     // such lines does not hide them.
-    double clear_of_own = 1.0;
+    double caller_line_clearance = 1.0;
     // Feature lines shorter than this are noise, in diagonals of the model.
     double shortest_feature = 0.01;
     // Apparent ridges are refined this many times.
     int ridge_rounds = 2;
-    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. The contours found are then
-    // the same to the last digit.
-    double parallel_from = 1e9;
+    // If the eye is farther away than this, in diagonals, lines of sight count as parallel. Contours are the same then,
+    // to all digits that they are found to.
+    double parallel_distance = 1e9;
     // The camera of models with creases moves by this share of the scene's radius, so that no face is seen exactly
     // edge-on. Larger: lines move visibly.
-    double off_planes = 2e-5;
-    // This share of the camera's move off the planes of faces goes to one side, at an angle that a plane of symmetry is
-    // unlikely to have.
-    double aside = 0.05;
-    double aside_angle = 0.9;
+    double camera_offset = 2e-5;
+    // This share of that move goes to one side, at an angle that a plane of symmetry is unlikely to have.
+    double sideways_share = 0.05;
+    double sideways_angle = 0.9;
 
     // ---- Numbers of lines
 
     // At most this many points of a line are compared with the last frame. Larger: more time, and fewer wrong numbers.
     int most_points = 16;
     // One in this many points of a line is kept for the next frame.
-    int kept_each = 4;
-    // A contour keeps its number from frame to frame if it moves on its surface by at most this many sides of the mesh.
-    // Larger: lines take the numbers of other lines.
-    double farthest_number = 3.0;
+    int points_per_kept = 4;
+    // A contour moves by at most this on its surface between frames, in sides of the mesh. Larger: lines take the
+    // numbers of other lines.
+    double farthest_numbered_move = 3.0;
 
     // ---- Parts
 
     // A part shorter than this belongs to the part before it, in pixels, since a gap would be seen. Larger: lines are
     // drawn through narrow things that hide them.
-    double unseen = 0.35;
+    double shortest_part = 0.35;
     // A visible part between hidden ones that is shorter than this many widths is left out. Larger: fewer dots.
-    double dot = 0.5;
+    double shortest_dot = 0.5;
     // A hidden part of a contour is drawn if it is shorter than `longest_hugging` widths of the widest lines, and if
-    // all of it, tested every `beside` widths, is within `beside` widths of a contour that is seen. A face that is seen
-    // edge-on is not quite flat where it is fitted, and bulges a tenth of a pixel high hide some of its edge. Larger:
-    // more hidden parts are drawn.
+    // all of it, tested every `hugging_distance` widths, is within `hugging_distance` widths of a contour that is seen.
+    // A face that is seen edge-on is not quite flat where it is fitted, and bulges a tenth of a pixel high hide some of
+    // its edge. Larger: more hidden parts are drawn.
     double longest_hugging = 5.0;
-    double beside = 0.3;
+    double hugging_distance = 0.3;
     // Ends of lines that are nearer to each other than this many widths are one end. Sheets that nearly coincide have
     // such ends.
-    double together = 0.4;
+    double same_end_distance = 0.4;
     // A line that is less opaque than this does not continue another line.
     float least_opacity = 0.5F;
     // A line that runs into a nearer line joins it. If it crosses the nearer line at an angle with a sine above
-    // `joins`, it ends before that line, with the full gap from the sine `ends_before` on.
-    double joins = 0.35;
-    double ends_before = 0.6;
+    // `joining_sine`, it ends before that line, with the full gap from the sine `full_gap_sine` on.
+    double joining_sine = 0.35;
+    double full_gap_sine = 0.6;
 
     // ---- Widths and places along a line
 

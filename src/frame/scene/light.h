@@ -2,8 +2,8 @@
 // The light on a surface, the tones that follow from light, distance and zoom, and the marks that are drawn for a tone.
 // Dots, hatching, lines and published marks all use these functions.                                        [NPAR 6.2]
 //
-// 1. lit: n . l of a normal; see_loops.cpp has a version for vectors.
-// 2. LightTone: tau of n . l, and a bound by which clusters are skipped.
+// 1. lit: n . l of a normal; projection_loops.cpp has a version for vectors.
+// 2. LightTone: tau of n . l, and a bound by which clusters are passed over.
 // 3. DepthTone, zoom_scale: the share of the marks that is left at a distance and a zoom.
 // 4. front_verdict, silhouette_shown: whether a mark is drawn.
 // 5. front_alpha, back_alpha, layer_transmittance: how much marks and layers hide.
@@ -11,7 +11,7 @@
 
 #include "base/assert.h"
 #include "base/bits.h"
-#include "frame/scene/see_loops.h"
+#include "frame/scene/projection_loops.h"
 #include "frame/scene/style.h"
 #include "frame/scene/tuning.h"
 
@@ -23,7 +23,7 @@
 
 namespace hrbfnpr::frame {
 
-// n . l of a unit normal. The function of see_loops.cpp gives the same bits.
+// n . l of a unit normal. The function of projection_loops.cpp gives the same bits.
 [[nodiscard]] inline float lit(const Light& light, const glm::vec3& n) noexcept {
     const auto dot = [](const float(&row)[3], const glm::vec3& v) {
         return row[0] * v.x + row[1] * v.y + row[2] * v.z;

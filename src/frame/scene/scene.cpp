@@ -5,8 +5,8 @@
 // 2. view_of: the matrices of each item
 // 3. note_layers: the ids of the marks of all layers
 // 4. add_runs: a run for each layer that takes part, and the drawing's layers of ink; once more for the other sides
-// 5. take_pose, pose_runs: places and clusters of marks that have moved
-// 6. turn_runs: normals and clusters of the other sides
+// 5. read_pose, pose_runs: places and clusters of marks that have moved
+// 6. add_turned_runs: normals and clusters of the other sides
 #include "frame/scene/scene.h"
 
 #include "geometry/unit.h"
@@ -201,12 +201,12 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     // counts.
     const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.count());
     const double eye_per_object = mean_scale(item.transform) * static_cast<double>(lens.eye_per_world);
-    run.pen = {&style, &own, static_cast<float>(item.set->spacing * std::sqrt(ratio) * eye_per_object)};
+    run.discs = {&style, &own, static_cast<float>(item.set->spacing * std::sqrt(ratio) * eye_per_object)};
     if (run.is_even() && !run.is_scattered())
-        run.pen.separation = static_cast<float>(layer.report.step * eye_per_object);
+        run.discs.separation = static_cast<float>(layer.report.step * eye_per_object);
     if (style.zoom_reference > 0.0)
-        run.pen.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
-    run.pen.largest_splat = lens.diagonal;
+        run.discs.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
+    run.discs.largest_splat = lens.diagonal;
     return run;
 }
 
@@ -250,7 +250,7 @@ void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t 
 // ---- Poses and other sides
 
 // Checks a pose of an item, and copies it into the drawing.
-void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, drawing::Drawing& drawing) {
+void read_pose(const Item& item, std::int64_t number, std::int64_t pose_number, drawing::Drawing& drawing) {
     const Pose& pose = item.poses[static_cast<std::size_t>(pose_number)];
     const auto refuse = [&](const char* why) {
         fail(Status::invalid_argument, "items[%lld].poses[%lld].layer is %lld, which %s", ll{number}, ll{pose_number},
@@ -317,7 +317,7 @@ void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
 }
 
 // Gives the runs of the other sides opposite normals. Poses may have moved their marks.
-void turn_runs(Scene& scene) {
+void add_turned_runs(Scene& scene) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
     if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to elements of this list
@@ -374,9 +374,9 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
     std::int64_t posed = 0;
     for (std::size_t i = 0; i < items.size(); ++i)
         for (std::size_t p = 0; p < items[i].poses.size(); ++p, ++posed)
-            take_pose(items[i], static_cast<std::int64_t>(i), static_cast<std::int64_t>(p), drawing);
+            read_pose(items[i], static_cast<std::int64_t>(i), static_cast<std::int64_t>(p), drawing);
     if (posed > 0) pose_runs(scene, drawing);
-    turn_runs(scene);
+    add_turned_runs(scene);
     std::int64_t places = 0;
     for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
 }
@@ -438,7 +438,7 @@ void ToneCalls::end() {
 
 namespace {
 
-constexpr float anywhere = std::numeric_limits<float>::infinity();
+constexpr float infinite_distance = std::numeric_limits<float>::infinity();
 
 [[nodiscard]] glm::vec3 vector(const std::array<float, 3>& a) noexcept { return {a[0], a[1], a[2]}; }
 
@@ -447,22 +447,22 @@ void set_rows(float (&to)[3][3], const glm::mat3& from) noexcept {
         for (int c = 0; c < 3; ++c) to[r][c] = from[c][r];
 }
 
-Seer seer_of(const ItemView& item, const Lens& lens) noexcept {
-    Seer seer{};
+ViewTransform view_transform_of(const ItemView& item, const Lens& lens) noexcept {
+    ViewTransform view_transform{};
     glm::mat4 to_eye(item.to_eye);
     to_eye[3] = glm::vec4(item.eye_offset, 1.0F);
     const glm::mat4 to_clip(glm::dmat4(lens.window) * glm::dmat4(to_eye));
     for (int r = 0; r < 4; ++r)
         for (int c = 0; c < 4; ++c) {
-            seer.clip[r][c] = to_clip[c][r];
-            if (r < 3) seer.eye[r][c] = to_eye[c][r];
+            view_transform.clip[r][c] = to_clip[c][r];
+            if (r < 3) view_transform.eye[r][c] = to_eye[c][r];
         }
-    set_rows(seer.normal, item.normal_to_eye);
-    seer.light = item.light;
-    for (int k = 0; k < 3; ++k) seer.centre[k] = lens.centre[k];
-    seer.parallel = lens.centre.w == 0.0F;
-    seer.pixels = lens.pixels;
-    return seer;
+    set_rows(view_transform.normal, item.normal_to_eye);
+    view_transform.light = item.light;
+    for (int k = 0; k < 3; ++k) view_transform.centre[k] = lens.centre[k];
+    view_transform.parallel = lens.centre.w == 0.0F;
+    view_transform.pixels = lens.pixels;
+    return view_transform;
 }
 
 // The cosine and sine of an angle in [0, pi].
@@ -492,18 +492,20 @@ struct Range {
 
 // Where a ball lies. The ball surely lies farther than `beyond` outside of a side of the picture, in pixels times w;
 // `beyond` is infinite if the ball lies outside of the range of depths.
-struct Sides {
-    float beyond = -anywhere;
+struct FrustumSides {
+    float beyond = -infinite_distance;
     bool inside = true; // the ball surely lies in the picture
 };
 
-[[nodiscard]] Sides sides_of(const glm::vec4& eye, float radius, const Frustum& frustum) noexcept {
-    Sides sides;
+[[nodiscard]] FrustumSides frustum_sides_of(const glm::vec4& eye, float radius, const Frustum& frustum) noexcept {
+    FrustumSides sides;
     for (std::size_t k = 0; k < frustum.plane.size(); ++k) {
         const float distance = glm::dot(frustum.plane[k], eye);
         const float slack = radius * frustum.norm[k];
         const float outside = -slack - distance;
-        sides.beyond = std::max(sides.beyond, k < 4 ? outside : outside > 0.0F ? anywhere : -anywhere);
+        sides.beyond = std::max(sides.beyond, k < 4            ? outside
+                                              : outside > 0.0F ? infinite_distance
+                                                               : -infinite_distance);
         sides.inside = sides.inside && distance > slack;
     }
     return sides;
@@ -512,7 +514,7 @@ struct Sides {
 } // namespace
 
 ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept {
-    ItemSight sight{seer_of(item, lens)};
+    ItemSight sight{view_transform_of(item, lens)};
     const glm::mat3 square = glm::transpose(item.to_eye) * item.to_eye;
     const float mean = (square[0][0] + square[1][1] + square[2][2]) / 3.0F;
     float largest = 0.0F;
@@ -523,21 +525,22 @@ ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustu
     }
     sight.scale = std::sqrt(largest);
     const glm::vec4 middle(item.to_eye * item.centre + item.eye_offset, 1.0F);
-    sight.inside = sides_of(middle, item.radius * sight.scale * scene_tuning.rounding, frustum).inside;
+    sight.inside = frustum_sides_of(middle, item.radius * sight.scale * scene_tuning.rounding, frustum).inside;
     const glm::dmat3 back = glm::inverse(glm::dmat3(item.to_eye));
     const glm::dvec3 centre(lens.centre);
-    sight.eye = sight.seer.parallel ? glm::vec3(glm::normalize(back * centre))
-                                    : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
+    sight.eye = sight.view_transform.parallel ? glm::vec3(glm::normalize(back * centre))
+                                              : glm::vec3(back * (centre - glm::dvec3(item.eye_offset)));
     if (!(off <= scene_tuning.angle_tolerance * mean)) return sight;
     // Normals keep their lengths, and the direction of the light is taken to their space.
-    set_rows(sight.seer.normal, item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
-    Light& light = sight.seer.light;
+    set_rows(sight.view_transform.normal,
+             item.normal_to_eye / std::cbrt(std::abs(glm::determinant(item.normal_to_eye))));
+    Light& light = sight.view_transform.light;
     glm::vec3 towards(0.0F);
     for (int k = 0; k < 3; ++k)
         for (int r = 0; r < 3; ++r) towards[k] += light.normal[r][k] * light.towards[r];
     if (glm::length(towards) > 0.0F) sight.light = glm::normalize(towards);
     for (int k = 0; k < 3; ++k) light.towards[k] = sight.light[k];
-    sight.seer.rigid = light.rigid = true;
+    sight.view_transform.rigid = light.rigid = true;
     return sight;
 }
 
@@ -559,25 +562,26 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
     HRBFNPR_ASSERT(extent.radius >= 0.0F);
     ClusterView view;
     const glm::vec3 own = vector(extent.centre);
-    const Seer& seer = sight.seer;
+    const ViewTransform& view_transform = sight.view_transform;
     const auto dot_row = [&](const float(&r)[4]) { return r[0] * own.x + r[1] * own.y + r[2] * own.z + r[3]; };
-    const glm::vec4 eye(dot_row(seer.eye[0]), dot_row(seer.eye[1]), dot_row(seer.eye[2]), 1.0F);
+    const glm::vec4 eye(dot_row(view_transform.eye[0]), dot_row(view_transform.eye[1]), dot_row(view_transform.eye[2]),
+                        1.0F);
     const float radius = extent.radius * sight.scale * scene_tuning.rounding;
-    const float w = dot_row(seer.clip[3]);
+    const float w = dot_row(view_transform.clip[3]);
     const float w_most = w + radius * frustum.w_norm;
     if (w_most > 0.0F) view.pixels_per_unit = lens.pixels / (w > 0.0F ? w : w_most);
     if (!(w - radius * frustum.w_norm > 0.0F)) return view; // some marks may be behind the camera's plane
     view.nearest = w - radius * frustum.w_norm;
-    const Sides sides = sight.inside ? Sides{} : sides_of(eye, radius, frustum);
+    const FrustumSides sides = sight.inside ? FrustumSides{} : frustum_sides_of(eye, radius, frustum);
     view.beyond = sides.beyond / w_most;
     view.inside = sides.inside;
-    if (!seer.rigid) return view;
+    if (!view_transform.rigid) return view;
     const glm::vec3 axis = vector(extent.cone.axis);
     const Angle cone{extent.cone.cosine, extent.cone.sine};
     view.lit_min = cosines(glm::dot(axis, sight.light), cone).least;
     Angle spread = cone;
     glm::vec3 sight_line = sight.eye;
-    if (!seer.parallel) {
+    if (!view_transform.parallel) {
         sight_line = own - sight.eye;
         const float distance = glm::length(sight_line);
         if (!(distance > extent.radius)) return view;
@@ -596,9 +600,9 @@ ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, co
 // no root.
 bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept {
     HRBFNPR_ASSERT(extent.radius >= 0.0F);
-    if (!sight.seer.rigid || !(extent.cone.cosine > 0.0F)) return false;
-    const glm::vec3 v = sight.seer.parallel ? sight.eye : vector(extent.centre) - sight.eye;
-    const float radius = sight.seer.parallel ? 0.0F : extent.radius;
+    if (!sight.view_transform.rigid || !(extent.cone.cosine > 0.0F)) return false;
+    const glm::vec3 v = sight.view_transform.parallel ? sight.eye : vector(extent.centre) - sight.eye;
+    const float radius = sight.view_transform.parallel ? 0.0F : extent.radius;
     const float along = glm::dot(vector(extent.cone.axis), v);
     const float least = along * extent.cone.cosine - radius;
     const float across = glm::dot(v, v) - along * along;
@@ -607,7 +611,7 @@ bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept {
 }
 
 float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept {
-    if (!sight.seer.rigid) return -1.0F;
+    if (!sight.view_transform.rigid) return -1.0F;
     return cosines(glm::dot(vector(piece.tone.axis), sight.light), {piece.tone.cosine, piece.tone.sine}).least;
 }
 

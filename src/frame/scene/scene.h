@@ -13,7 +13,7 @@
 #include "features/line_set.h"
 #include "frame/scene/camera.h"
 #include "frame/scene/light.h"
-#include "frame/scene/see_loops.h"
+#include "frame/scene/projection_loops.h"
 #include "frame/scene/style.h"
 #include "frame/scene/tuning.h"
 #include "implicit/implicit.h"
@@ -60,8 +60,8 @@ struct Item {
 
 // Sizes and opacities of the discs of one group of marks, as functions of the place on the screen. All lengths are in
 // pixels; `pixels_per_unit` is pixels per eye unit at the mark.
-struct Pen {
-    const Style* style = nullptr; // the caller keeps the style and the layer style
+struct DiscSizes {
+    const Style* style = nullptr; // the caller keeps both
     const LayerStyle* layer = nullptr;
     float spacing = 0.0F;     // a mark represents spacing^2 of surface; eye units
     float separation = 0.0F;  // distance between neighbouring strokes of the group, eye units; 0: not known
@@ -129,7 +129,7 @@ struct ItemView {
 struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
-    Pen pen;
+    DiscSizes discs;
     // Three numbers for each mark; positions are relative to the set's origin. The arrays belong to the layer, to the
     // item's pose, or to the other side.
     const float* position = nullptr;
@@ -173,7 +173,7 @@ struct Run {
     [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
     // Radius of the ink of a front mark, by its number in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
-        const float radius = pen.front_ink(pixels_per_unit);
+        const float radius = discs.front_ink(pixels_per_unit);
         return marks->width.empty() ? radius : radius * marks->width[mark];
     }
 
@@ -249,11 +249,11 @@ private:
 
 // One item seen from its own space.
 struct ItemSight {
-    Seer seer;             // `rigid` if the transform keeps angles, so that cones of normals stay cones
-    float scale = 1.0F;    // the largest number of eye units per object unit
-    bool inside = false;   // the whole item surely lies in the picture
-    glm::vec3 eye{0.0F};   // centre of projection, object space; or the unit direction of all lines of sight
-    glm::vec3 light{0.0F}; // unit, object space, if the transform is rigid
+    ViewTransform view_transform; // `rigid` if the transform keeps angles, so that cones of normals stay cones
+    float scale = 1.0F;           // the largest number of eye units per object unit
+    bool inside = false;          // the whole item surely lies in the picture
+    glm::vec3 eye{0.0F};          // centre of projection, object space; or the unit direction of all lines of sight
+    glm::vec3 light{0.0F};        // unit, object space, if the transform is rigid
 };
 
 // The sides of the frustum in eye space: plane . (eye, 1) >= 0 inside.

@@ -65,14 +65,15 @@ TEST(Light, GivesTheSameBitsAloneAndOnVectors) {
     const auto row = [&](std::size_t k) { return to[k].data(); };
     const float* const n[3] = {normal[0].data(), normal[1].data(), normal[2].data()};
     for (const bool rigid : {false, true}) {
-        Seer seer{};
-        seer.light = {rigid, {{0.9F, 0.1F, -0.3F}, {0.2F, 1.4F, 0.0F}, {0.3F, -0.2F, 0.7F}}, {0.48F, 0.6F, 0.64F}};
+        ViewTransform view_transform{};
+        view_transform.light = {
+            rigid, {{0.9F, 0.1F, -0.3F}, {0.2F, 1.4F, 0.0F}, {0.3F, -0.2F, 0.7F}}, {0.48F, 0.6F, 0.64F}};
         for (const base::InstructionSet set : test::instruction_sets()) {
-            see_loops(set).see_rows(
-                seer, {n[0], n[1], n[2], n[0], n[1], n[2], n[0], n[1], n[2], count},
+            projection_loops(set).project_rows(
+                view_transform, {n[0], n[1], n[2], n[0], n[1], n[2], n[0], n[1], n[2], count},
                 {row(0), row(1), row(2), row(3), row(4), row(5), row(6), row(7), row(8), row(9), nullptr});
             for (std::size_t i = 0; i < count; ++i)
-                EXPECT_EQ(to[6][i], lit(seer.light, {n[0][i], n[1][i], n[2][i]})) << rigid << " " << i;
+                EXPECT_EQ(to[6][i], lit(view_transform.light, {n[0][i], n[1][i], n[2][i]})) << rigid << " " << i;
         }
     }
 }
@@ -165,37 +166,37 @@ TEST(PublishedRule, TestsToneDepthAndZoomSeparately) {
 struct PenTest : ::testing::Test {
     Style style; // its halo_width is 2
     LayerStyle layer;
-    Pen pen{&style, &layer, 0.1F, 0.0F, 0.0F, 1000.0F};
+    DiscSizes discs{&style, &layer, 0.1F, 0.0F, 0.0F, 1000.0F};
 };
 
 TEST_F(PenTest, FollowsTheZoom) {
     layer.radius = 2.0F;
-    EXPECT_EQ(pen.front_ink(10.0F), 2.0F); // without a reference the zoom is 1
+    EXPECT_EQ(discs.front_ink(10.0F), 2.0F); // without a reference the zoom is 1
     layer.radius_zoom = 1.0F;
-    EXPECT_EQ(pen.front_ink(10.0F), 2.0F);
-    pen.zoom_at_one = 1.0F / 40.0F;
-    EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 0.5F);
-    EXPECT_FLOAT_EQ(pen.front_ink(80.0F), 4.0F); // also beyond the reference
+    EXPECT_EQ(discs.front_ink(10.0F), 2.0F);
+    discs.zoom_at_one = 1.0F / 40.0F;
+    EXPECT_FLOAT_EQ(discs.front_ink(10.0F), 0.5F);
+    EXPECT_FLOAT_EQ(discs.front_ink(80.0F), 4.0F); // also beyond the reference
     layer.radius_zoom = 0.5F;
-    EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 1.0F);
+    EXPECT_FLOAT_EQ(discs.front_ink(10.0F), 1.0F);
 }
 
 TEST_F(PenTest, ScalesTheAreaOfBackPaper) {
     style.splat_radius = 6.0F;
-    EXPECT_EQ(pen.front_splat(10.0F), 6.0F);
-    EXPECT_EQ(pen.back_splat(10.0F), 8.0F);
-    pen.zoom_at_one = 1.0F / 40.0F;
+    EXPECT_EQ(discs.front_splat(10.0F), 6.0F);
+    EXPECT_EQ(discs.back_splat(10.0F), 8.0F);
+    discs.zoom_at_one = 1.0F / 40.0F;
     style.zoom_exponent = 2.0;
-    EXPECT_EQ(pen.front_splat(10.0F), 6.0F);
-    EXPECT_FLOAT_EQ(pen.back_splat(10.0F), 2.0F); // area times 1/16
-    EXPECT_FLOAT_EQ(pen.back_splat(80.0F), 8.0F);
+    EXPECT_EQ(discs.front_splat(10.0F), 6.0F);
+    EXPECT_FLOAT_EQ(discs.back_splat(10.0F), 2.0F); // area times 1/16
+    EXPECT_FLOAT_EQ(discs.back_splat(80.0F), 8.0F);
 }
 
 TEST_F(PenTest, CoversBySpacingWithNoGaps) {
-    EXPECT_FLOAT_EQ(pen.front_splat(100.0F), scene_tuning.splat_spacings * 10.0F);
-    EXPECT_FLOAT_EQ(pen.back_splat(100.0F), scene_tuning.splat_spacings * 10.0F + 2.0F);
-    EXPECT_EQ(pen.front_splat(1.0F), 1.0F); // at least a pixel
-    EXPECT_EQ(pen.front_splat(1e9F), 1000.0F);
+    EXPECT_FLOAT_EQ(discs.front_splat(100.0F), scene_tuning.splat_spacings * 10.0F);
+    EXPECT_FLOAT_EQ(discs.back_splat(100.0F), scene_tuning.splat_spacings * 10.0F + 2.0F);
+    EXPECT_EQ(discs.front_splat(1.0F), 1.0F); // at least a pixel
+    EXPECT_EQ(discs.front_splat(1e9F), 1000.0F);
 }
 
 TEST(PaperPush, GrowsWithTheTilt) {

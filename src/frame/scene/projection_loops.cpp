@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "frame/scene/see_loops.cpp"
+#define HWY_TARGET_INCLUDE "frame/scene/projection_loops.cpp"
 #include "base/simd.h"
 
 #include "base/assert.h"
-#include "frame/scene/see_loops.h"
+#include "frame/scene/projection_loops.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::frame::HWY_NAMESPACE {
@@ -37,17 +37,18 @@ HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
 // Sees the vector of marks at `at`. load(0) to load(8) give x, y and z of the place, the normal, and the normal for
 // tone.
 template <class Load>
-HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen, const Load& load) {
+HWY_INLINE void project_vector(const ViewTransform& s, std::int64_t at, const ProjectedRows& projected,
+                               const Load& load) {
     const F d;
     const W one = hn::Set(d, 1.0F);
     const W px = load(0);
     const W py = load(1);
     const W pz = load(2);
     const W per_w = hn::Div(one, affine(s.clip[3], px, py, pz));
-    hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), per_w), d, seen.x + at);
-    hn::StoreU(hn::Mul(affine(s.clip[1], px, py, pz), per_w), d, seen.y + at);
-    hn::StoreU(hn::Mul(affine(s.clip[2], px, py, pz), per_w), d, seen.window + at);
-    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), per_w), d, seen.pixels_per_unit + at);
+    hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), per_w), d, projected.x + at);
+    hn::StoreU(hn::Mul(affine(s.clip[1], px, py, pz), per_w), d, projected.y + at);
+    hn::StoreU(hn::Mul(affine(s.clip[2], px, py, pz), per_w), d, projected.window + at);
+    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), per_w), d, projected.pixels_per_unit + at);
     const W depth = hn::Neg(affine(s.eye[2], px, py, pz));
     W vx = hn::Set(d, s.centre[0]);
     W vy = hn::Set(d, s.centre[1]);
@@ -72,37 +73,39 @@ HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen,
         tz = hn::Mul(tz, unit);
     }
     const W facing = hn::Add(hn::Add(hn::Mul(tx, vx), hn::Mul(ty, vy)), hn::Mul(tz, vz));
-    hn::StoreU(hn::Mul(facing, inverse), d, seen.nu + at);
-    hn::StoreU(tx, d, seen.side_x + at);
-    hn::StoreU(ty, d, seen.side_y + at);
-    if (seen.along != nullptr) hn::StoreU(hn::Mul(hn::Neg(vz), inverse), d, seen.along + at);
-    hn::StoreU(depth, d, seen.depth + at);
-    hn::StoreU(s.parallel ? depth : length, d, seen.distance + at);
-    hn::StoreU(lit(s.light, load(6), load(7), load(8)), d, seen.lit + at);
+    hn::StoreU(hn::Mul(facing, inverse), d, projected.nu + at);
+    hn::StoreU(tx, d, projected.side_x + at);
+    hn::StoreU(ty, d, projected.side_y + at);
+    if (projected.along != nullptr) hn::StoreU(hn::Mul(hn::Neg(vz), inverse), d, projected.along + at);
+    hn::StoreU(depth, d, projected.depth + at);
+    hn::StoreU(s.parallel ? depth : length, d, projected.distance + at);
+    hn::StoreU(lit(s.light, load(6), load(7), load(8)), d, projected.lit + at);
 }
 
-void see(const Seer& s, const MarkRange& range, Seen& seen) {
-    HRBFNPR_ASSERT(range.count >= 0 && range.count <= Seen::most);
+void project(const ViewTransform& s, const MarkRange& range, ProjectedMarks& projected) {
+    HRBFNPR_ASSERT(range.count >= 0 && range.count <= ProjectedMarks::most);
     const F d;
-    const SeenRows to = {seen.x,      seen.y,      seen.window,   seen.depth, seen.pixels_per_unit, seen.nu, seen.lit,
-                         seen.side_x, seen.side_y, seen.distance, seen.along};
+    const ProjectedRows to = {
+        projected.x,    projected.y,   projected.window, projected.depth,  projected.pixels_per_unit,
+        projected.nu,   projected.lit, projected.side_x, projected.side_y, projected.distance,
+        projected.along};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < range.count; at += lanes) {
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
         const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.nx, m.ny, m.nz};
         const std::int64_t in_block = at % marks::MarkBlock::size;
-        see_vector(s, at, to, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + in_block); });
+        project_vector(s, at, to, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + in_block); });
     }
 }
 
-void see_rows(const Seer& seer, const MarkRows& m, const SeenRows& to) {
+void project_rows(const ViewTransform& view_transform, const MarkRows& m, const ProjectedRows& to) {
     const F d;
-    const Seer s = seer; // a copy that no store can change
-    const SeenRows seen = to;
+    const ViewTransform s = view_transform; // a copy that no store can change
+    const ProjectedRows projected = to;
     const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.tone_x, m.tone_y, m.tone_z};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < m.count; at += lanes)
-        see_vector(s, at, seen, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
+        project_vector(s, at, projected, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
 }
 
 // The share of a mark's area that is drawn. `place` is 1 - rank. The area grows from 0 as `shown` rises above `place`.
@@ -114,16 +117,16 @@ HWY_INLINE W grown(W place, W shown, float fade) {
     return hn::IfThenElseZero(is_shown, hn::Min(hn::Set(d, 1.0F), hn::Div(rest, hn::Mul(hn::Set(d, fade), shown))));
 }
 
-HWY_INLINE M inside(const Selection& j, const Seen& seen, std::int64_t at) {
+HWY_INLINE M inside(const Selection& j, const ProjectedMarks& projected, std::int64_t at) {
     const F d;
     const auto between = [&](const float* from, float low, float high) HWY_ATTR {
         const W value = hn::LoadU(d, from + at);
         return hn::And(hn::Ge(value, hn::Set(d, low)), hn::Le(value, hn::Set(d, high)));
     };
     // Each comparison is false for NaN, so NaN counts as outside.
-    return hn::And(hn::And(hn::And(between(seen.x, j.left, j.right), between(seen.y, j.top, j.bottom)),
-                           hn::And(between(seen.window, 0.0F, 1.0F), between(seen.nu, -1.001F, 1.001F))),
-                   hn::Gt(hn::LoadU(d, seen.pixels_per_unit + at), hn::Zero(d)));
+    return hn::And(hn::And(hn::And(between(projected.x, j.left, j.right), between(projected.y, j.top, j.bottom)),
+                           hn::And(between(projected.window, 0.0F, 1.0F), between(projected.nu, -1.001F, 1.001F))),
+                   hn::Gt(hn::LoadU(d, projected.pixels_per_unit + at), hn::Zero(d)));
 }
 
 // The share of the marks that is shown for a tone.
@@ -141,7 +144,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
         const W needed = hn::Add(below, hn::Mul(hn::Sub(above, below), hn::Sub(at, hn::ConvertTo(d, cell))));
         shown = hn::Min(one, hn::Mul(hn::Mul(needed, hn::Abs(nu)), hn::Set(d, j.per_ink)));
     }
-    return hn::Mul(shown, hn::Set(d, j.share * j.more));
+    return hn::Mul(shown, hn::Set(d, j.share * j.fade_factor));
 }
 
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
@@ -154,7 +157,7 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
     W by_tone;
     W by_zoom;
     W area;
-    if (j.by_published) {
+    if (j.is_published) {
         const W rank = hn::Sub(hn::Set(d, 1.0F), place);
         const W one = hn::Set(d, 1.0F);
         by_tone = hn::IfThenElseZero(hn::And(hn::Ge(rank, tau), hn::Lt(rank, hn::Set(d, j.share))), one);
@@ -165,8 +168,8 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
         by_tone = grown(place, shown, j.fade);
         by_zoom = j.scale < 1.0F ? grown(place, hn::Mul(shown, scale), j.fade) : by_tone;
         area = grown(place, hn::Mul(hn::Mul(shown, scale), tau_depth), j.fade);
-        if (j.turn > 0.0F)
-            area = hn::Mul(area, hn::Min(hn::Set(d, 1.0F), hn::Mul(hn::Abs(nu), hn::Set(d, 1.0F / j.turn))));
+        if (j.vanishing_nu > 0.0F)
+            area = hn::Mul(area, hn::Min(hn::Set(d, 1.0F), hn::Mul(hn::Abs(nu), hn::Set(d, 1.0F / j.vanishing_nu))));
     }
     const M tone = hn::And(front, hn::Eq(by_tone, zero));
     const M zoom = hn::AndNot(tone, hn::And(front, hn::Eq(by_zoom, zero)));
@@ -176,9 +179,9 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
     return hn::IfThenElseZero(front, area);
 }
 
-void select(const Selection& j, const MarkRange& range, const Seen& seen, const float* taus, const float* tau_depths,
-            Selected& selected) {
-    HRBFNPR_ASSERT(range.count >= 0 && range.count <= Seen::most && taus != nullptr);
+void select(const Selection& j, const MarkRange& range, const ProjectedMarks& projected, const float* taus,
+            const float* tau_depths, Selected& selected) {
+    HRBFNPR_ASSERT(range.count >= 0 && range.count <= ProjectedMarks::most && taus != nullptr);
     const F d;
     const W zero = hn::Zero(d);
     const W one = hn::Set(d, 1.0F);
@@ -189,9 +192,9 @@ void select(const Selection& j, const MarkRange& range, const Seen& seen, const 
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
         const std::int64_t in_block = at % marks::MarkBlock::size;
         const M all = hn::FirstN(d, static_cast<size_t>(range.count - at < lanes ? range.count - at : lanes));
-        const M valid = j.all_inside ? all : hn::And(all, inside(j, seen, at));
+        const M valid = j.all_inside ? all : hn::And(all, inside(j, projected, at));
         selected.outside += count(hn::AndNot(valid, all));
-        const W nu = hn::LoadU(d, seen.nu + at);
+        const W nu = hn::LoadU(d, projected.nu + at);
         const W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
         const W tau_depth = tau_depths == nullptr ? one : hn::LoadU(d, tau_depths + at);
         const M faces = hn::And(valid, hn::Lt(nu, zero));
@@ -212,9 +215,9 @@ void select(const Selection& j, const MarkRange& range, const Seen& seen, const 
 
 } // namespace
 
-SeeLoops pick_see_loops() noexcept { return {see, see_rows, select}; }
+ProjectionLoops pick_projection_loops() noexcept { return {project, project_rows, select}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::frame, SeeLoops, see_loops, pick_see_loops)
+HRBFNPR_CHOOSE(hrbfnpr::frame, ProjectionLoops, projection_loops, pick_projection_loops)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds where marks are on the screen (see, see_rows) and how much of each is drawn (select). There is a version for
-// each instruction set, and all give the same bits.
+// Finds where marks are on the screen (project, project_rows) and how much of each is drawn (select). There is a version
+// for each instruction set, and all give the same bits.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -18,8 +18,8 @@ struct Light {
 };
 
 // The matrices that take the positions and normals of a set to the picture, as rows.
-struct Seer {
-    float clip[4][4];   // to (x w, y w, window depth w, w)
+struct ViewTransform {
+    float clip[4][4];   // to x w, y w, window depth w, w
     float eye[3][4];    // to eye space
     bool rigid;         // the matrix `normal` keeps lengths
     float normal[3][3]; // to eye space
@@ -32,7 +32,7 @@ struct Seer {
 // The first marks of a cluster.
 struct MarkRange {
     const marks::MarkBlock* blocks;
-    std::int64_t count; // <= Seen::most
+    std::int64_t count; // <= ProjectedMarks::most
 };
 
 // Marks with an array for each of their numbers. A vector may read beyond the last mark.
@@ -43,11 +43,11 @@ struct MarkRows {
 };
 
 // The numbers of Seen for any number of marks. `along` may be NULL.
-struct SeenRows {
+struct ProjectedRows {
     float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance, *along;
 };
 
-struct Seen {
+struct ProjectedMarks {
     static constexpr std::int64_t most = marks::most_in_cluster;
     float x[most], y[most];           // pixels
     float window[most];               // depth in the camera's convention
@@ -67,33 +67,34 @@ struct Selection {
     float left, right, top, bottom;
     bool all_inside;
 
-    // By the share rule, a mark is shown where 1 - rank <= min(1, needed(1 - tau) |nu| per_ink) share more scale
+    // By the share rule, a mark is shown where 1 - rank <= min(1, needed(1 - tau) |nu| per_ink) share fade_factor scale
     // tau_depth. By the published rule, a mark is shown if it passes one test after the other.
-    bool by_published;
+    bool is_published;
     bool coverage;       // false: `needed` and |nu| are left out
     const float* needed; // ink per area needed for each coverage k / needed_steps, k from 0 to needed_steps
-    float per_ink, share, more, scale;
-    float fade; // 0: a mark is shown in full or not at all
-    float turn; // if > 0: ink fades out where |nu| is below this
+    float per_ink, share, fade_factor, scale;
+    float fade;         // 0: a mark is shown in full or not at all
+    float vanishing_nu; // > 0: ink vanishes where |nu| falls below it
 };
 inline constexpr int needed_steps = 64;
 
 struct Selected {
-    float front[Seen::most];         // the share of each mark's area that is drawn
-    std::uint16_t drawn[Seen::most]; // a bit for each mark whose share is not 0; an element holds `lanes` marks
+    float front[ProjectedMarks::most]; // the share of each mark's area that is drawn
+    std::uint16_t
+        drawn[ProjectedMarks::most]; // a bit for each mark whose share is not 0; an element holds `lanes` marks
     std::int32_t lanes;
     std::int32_t outside, fronts, backs;
     std::int32_t dropped_tone, dropped_zoom, dropped_depth;
 };
 
-struct SeeLoops {
-    void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
-    void (*see_rows)(const Seer& seer, const MarkRows& marks, const SeenRows& seen);
+struct ProjectionLoops {
+    void (*project)(const ViewTransform& view_transform, const MarkRange& marks, ProjectedMarks& projected);
+    void (*project_rows)(const ViewTransform& view_transform, const MarkRows& marks, const ProjectedRows& projected);
     // tau and tau_depth hold a number for each mark; tau_depth may be NULL, which means 1 for all.
-    void (*select)(const Selection& selection, const MarkRange& marks, const Seen& seen, const float* tau,
-                   const float* tau_depth, Selected& selected);
+    void (*select)(const Selection& selection, const MarkRange& marks, const ProjectedMarks& projected,
+                   const float* tau, const float* tau_depth, Selected& selected);
 };
 
-[[nodiscard]] SeeLoops see_loops(base::InstructionSet set) noexcept;
+[[nodiscard]] ProjectionLoops projection_loops(base::InstructionSet set) noexcept;
 
 } // namespace hrbfnpr::frame
