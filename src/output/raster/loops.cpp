@@ -59,14 +59,14 @@ HWY_INLINE void for_pixels(const DiscTile& t, const InkDisc& disc, Blend&& blend
 }
 
 // Returns 0 where the host's picture is nearer than the disc.
-HWY_INLINE W before_host(const DiscTile& t, const InkDisc& disc, std::int32_t at, W cover) {
+HWY_INLINE W disc_before_host(const DiscTile& t, const InkDisc& disc, std::int32_t at, W cover) {
     const F d;
     if (t.host == nullptr) return cover;
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.host + at), hn::Set(d, disc.depth)), cover);
 }
 
 // Blends ink over the paper and the inks below it. color: NULL if all inks have one colour.
-HWY_INLINE void take(const DiscTile& t, const float* color, std::int32_t at, W ink) {
+HWY_INLINE void add_ink(const DiscTile& t, const float* color, std::int32_t at, W ink) {
     const F d;
     const W left = hn::Sub(hn::Set(d, 1.0F), ink);
     hn::StoreU(hn::Mul(hn::LoadU(d, t.transmittance + at), left), d, t.transmittance + at);
@@ -78,29 +78,32 @@ HWY_INLINE void take(const DiscTile& t, const float* color, std::int32_t at, W i
 }
 
 // Blends paper over the inks below it.
-HWY_INLINE void bring_back(const DiscTile& t, std::int32_t at, W paper) {
+HWY_INLINE void add_paper(const DiscTile& t, std::int32_t at, W paper) {
     const F d;
     const W left = hn::Sub(hn::Set(d, 1.0F), paper);
     hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.transmittance + at), left), paper), d, t.transmittance + at);
     for (int c = 0; c < 3; ++c) hn::StoreU(hn::Mul(hn::LoadU(d, t.color[c] + at), left), d, t.color[c] + at);
 }
 
-void lay_discs(const DiscTile& t, const InkList& list) {
+void draw_discs(const DiscTile& t, const InkList& list) {
     HRBFNPR_ASSERT(t.stride >= t.width + 8);
     for (std::int64_t i = 0; i < list.count; ++i) {
         const drawing::Dot& ink = list.inks[list.numbers[i]];
         if (!(ink.opacity > 0.0F)) continue;
         const float* const color = t.color[0] != nullptr ? list.colors + 4 * std::int64_t{ink.layer} : nullptr;
         InkDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius,
-                        ink.opacity * (color != nullptr ? color[3] : list.one_alpha), ink.window * list.toward};
+                        ink.opacity * (color != nullptr ? color[3] : list.one_alpha),
+                        ink.window * list.host_depth_sign};
         if ((ink.flags & drawing::dot_is_paper) != 0) {
             HRBFNPR_ASSERT(color != nullptr);
             disc.alpha = ink.opacity;
-            for_pixels(t, disc,
-                       [&](std::int32_t at, W cover) HWY_ATTR { bring_back(t, at, before_host(t, disc, at, cover)); });
+            for_pixels(t, disc, [&](std::int32_t at, W cover) HWY_ATTR {
+                add_paper(t, at, disc_before_host(t, disc, at, cover));
+            });
         } else {
-            for_pixels(t, disc,
-                       [&](std::int32_t at, W cover) HWY_ATTR { take(t, color, at, before_host(t, disc, at, cover)); });
+            for_pixels(t, disc, [&](std::int32_t at, W cover) HWY_ATTR {
+                add_ink(t, color, at, disc_before_host(t, disc, at, cover));
+            });
         }
     }
 }
@@ -152,7 +155,7 @@ struct Edge {
 
 // The part of an edge in a row. The area that it covers to its right in a pixel column is the mean of clamp(right - x,
 // 0, 1) over the height of the part. With F the integral of clamp, this is a difference of F over the range of x.
-struct Part {
+struct EdgePart {
     float x, way; // x at the part's upper end, and the change of x
     float scale;  // signed height divided by way; the signed height alone if steep
     bool steep;
@@ -164,13 +167,13 @@ struct Spans {
     std::int32_t left[most_rows], right[most_rows];
 };
 
-struct Target {
+struct StrokeTarget {
     const DiscTile& tile;
     const StrokePlanes& planes;
     Spans& spans;
     bool even;          // all segments have one opacity, so the `ink` plane is unused
-    float alpha;        // the opacity of the segments times the alpha of the stroke's ink, if `even`
-    bool at_once;       // there is only one outline; it is blended directly, without the planes
+    float alpha;        // that opacity times the alpha of the stroke's ink
+    bool is_direct;     // there is only one outline; it is blended directly, without the planes
     const float* color; // the ink's colour; NULL if all inks have one colour
 };
 
@@ -211,7 +214,7 @@ HWY_INLINE void find_edges(const Outline& outline, std::int32_t rows, Edges& edg
 // The edges that cross a row, their parts there, and the range of columns between them.
 struct Row {
     std::int32_t edges[Outline::most];
-    Part parts[Outline::most];
+    EdgePart parts[Outline::most];
     std::int32_t edge_count, count;
     std::int32_t left, right;
 };
@@ -239,7 +242,7 @@ HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t widt
         if (low >= wide) continue;
         const float tall = static_cast<float>(lower - upper) * e.sign;
         const float way = static_cast<float>(x1 - x0);
-        Part& part = row.parts[row.count++];
+        EdgePart& part = row.parts[row.count++];
         part = {static_cast<float>(x0), way, tall, high <= 0.0 || (way < 1.0F / 128.0F && way > -1.0F / 128.0F)};
         if (!part.steep)
             part.scale = tall / way;
@@ -267,7 +270,7 @@ HWY_INLINE W covered(const Row& row, W right) {
     const W one = hn::Set(d, 1.0F);
     W sum = zero;
     for (std::int32_t i = 0; i < row.count; ++i) {
-        const Part& part = row.parts[i];
+        const EdgePart& part = row.parts[i];
         const W u = hn::Sub(right, hn::Set(d, part.x));
         const W mean = part.steep ? hn::Min(hn::Max(u, zero), one)
                                   : hn::Sub(integral(u), integral(hn::Sub(u, hn::Set(d, part.way))));
@@ -285,7 +288,7 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
 }
 
 // Adds the cover of a row's pixels to the cover and ink planes.
-HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
+HWY_INLINE void add(const StrokeTarget& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     const std::int32_t at = y * t.tile.stride + x;
     hn::StoreU(hn::Add(hn::LoadU(d, t.planes.cover + at), cover), d, t.planes.cover + at);
@@ -298,7 +301,7 @@ HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::in
 }
 
 // Returns 0 where the host's picture is nearer than the segment.
-HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
+HWY_INLINE W segment_before_host(const StrokeTarget& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     if (t.tile.host == nullptr) return cover;
     const W center = hn::Add(hn::Set(d, static_cast<float>(x)), hn::Iota(d, 0.5F));
@@ -307,31 +310,31 @@ HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int
     return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.tile.host + std::int64_t{y} * t.tile.stride + x), window), cover);
 }
 
-HWY_INLINE void reach(const Target& t, std::int32_t y, std::int32_t left, std::int32_t right) {
+HWY_INLINE void extend_span(const StrokeTarget& t, std::int32_t y, std::int32_t left, std::int32_t right) {
     t.spans.left[y] = left < t.spans.left[y] ? left : t.spans.left[y];
     t.spans.right[y] = right > t.spans.right[y] ? right : t.spans.right[y];
 }
 
-HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Row& row, std::int32_t y) {
+HWY_INLINE void draw_row(const StrokeTarget& t, const Shade& shade, const Row& row, std::int32_t y) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     for (std::int32_t x = row.left; x < row.right; x += lanes) {
         const W inside = hn::Iota(d, static_cast<float>(x));
         const W cover = hn::IfThenElseZero(hn::Lt(inside, hn::Set(d, static_cast<float>(row.right))),
                                            covered(row, hn::Add(inside, hn::Set(d, 1.0F))));
-        if (t.at_once)
-            take(t.tile, t.color, y * t.tile.stride + x, hn::Mul(cover, hn::Set(d, t.alpha)));
+        if (t.is_direct)
+            add_ink(t.tile, t.color, y * t.tile.stride + x, hn::Mul(cover, hn::Set(d, t.alpha)));
         else
-            add(t, shade, y, x, shown(t, shade, y, x, cover));
+            add(t, shade, y, x, segment_before_host(t, shade, y, x, cover));
     }
-    if (!t.at_once) reach(t, y, row.left, row.right);
+    if (!t.is_direct) extend_span(t, y, row.left, row.right);
 }
 
-void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
+void draw_outline(const StrokeTarget& t, const Outline& outline, const Shade& shade) {
     if (outline.count == 0) return;
     Edges edges;
     find_edges(outline, t.tile.height, edges);
-    if (!t.at_once) {
+    if (!t.is_direct) {
         t.spans.top = edges.top < t.spans.top ? edges.top : t.spans.top;
         t.spans.bottom = edges.bottom > t.spans.bottom ? edges.bottom : t.spans.bottom;
     }
@@ -339,7 +342,7 @@ void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
     row.edge_count = 0;
     for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
         find_parts(edges, y, t.tile.width, row);
-        if (row.left < row.right) lay_row(t, shade, row, y);
+        if (row.left < row.right) draw_row(t, shade, row, y);
     }
 }
 
@@ -356,8 +359,8 @@ HWY_INLINE Shade shade_of(const SegmentList& list, const drawing::StrokePoint& a
             static_cast<float>(y * scale),
             a.opacity,
             b.opacity - a.opacity,
-            a.window * list.toward,
-            (b.window - a.window) * list.toward};
+            a.window * list.host_depth_sign,
+            (b.window - a.window) * list.host_depth_sign};
 }
 
 HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
@@ -368,7 +371,7 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
 }
 
 // Draws outlines that do not overlap. Returns false at the first overlap; the parts drawn until then must be cleared.
-HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
+HWY_INLINE bool draw_segments(StrokeTarget& t, const SegmentList& list) {
     Outliner outliner(list, false);
     Outline outline;
     const bool single = t.tile.host != nullptr;
@@ -378,9 +381,9 @@ HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
         if (outliner.overlaps()) return false;
         Shade shade = shade_of(list, p[0], p[1]);
         if (segments > 1) shade.more_opacity = 0.0F;
-        t.at_once = t.even && !single && segments == list.count;
-        if (i == 0 && !t.at_once) clear_spans(t.tile, t.spans);
-        lay_outline(t, outline, shade);
+        t.is_direct = t.even && !single && segments == list.count;
+        if (i == 0 && !t.is_direct) clear_spans(t.tile, t.spans);
+        draw_outline(t, outline, shade);
         i += segments;
     }
     return true;
@@ -401,7 +404,7 @@ HWY_INLINE void add_outlines(StrokeUnion& all, const SegmentList& list, bool sin
 }
 
 // Adds the union of all outlines to the planes.
-HWY_INLINE void lay_union(const Target& t, const SegmentList& list) {
+HWY_INLINE void draw_union(const StrokeTarget& t, const SegmentList& list) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     StrokeUnion& all = *t.planes.overlaps;
@@ -418,14 +421,14 @@ HWY_INLINE void lay_union(const Target& t, const SegmentList& list) {
             const Shade& shade = all.cover(i, buffer, left, right);
             for (std::int32_t x = right; x < right + lanes; ++x) buffer[x - left] = 0.0F;
             for (std::int32_t x = left; x < right; x += lanes)
-                add(t, shade, y, x, shown(t, shade, y, x, hn::LoadU(d, buffer + (x - left))));
-            reach(t, y, left, right);
+                add(t, shade, y, x, segment_before_host(t, shade, y, x, hn::LoadU(d, buffer + (x - left))));
+            extend_span(t, y, left, right);
         }
     }
 }
 
 // Clears the planes where the stroke covered pixels.
-HWY_INLINE void clear(const Target& t) {
+HWY_INLINE void clear(const StrokeTarget& t) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     for (std::int32_t y = t.spans.top; y < t.spans.bottom; ++y)
@@ -437,7 +440,7 @@ HWY_INLINE void clear(const Target& t) {
 }
 
 // Blends the stroke's ink over the paper, and clears the planes where the stroke covered pixels.
-HWY_INLINE void blend(const Target& t, float ink_alpha) {
+HWY_INLINE void blend(const StrokeTarget& t, float ink_alpha) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     const W alpha = hn::Set(d, ink_alpha);
@@ -452,7 +455,7 @@ HWY_INLINE void blend(const Target& t, float ink_alpha) {
                 ink = hn::Mul(hn::Div(hn::LoadU(d, t.planes.ink + at), hn::Max(cover, one)), alpha);
                 hn::StoreU(hn::Zero(d), d, t.planes.ink + at);
             }
-            take(t.tile, t.color, at, ink);
+            add_ink(t.tile, t.color, at, ink);
         }
     }
 }
@@ -466,32 +469,32 @@ HWY_INLINE bool has_one_opacity(const SegmentList& list) {
     return true;
 }
 
-void lay_stroke(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
+void draw_stroke(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
     HRBFNPR_ASSERT(tile.width <= most_rows && tile.height <= most_rows && tile.stride >= tile.width + 8);
     if (list.count == 0) return;
     Spans spans;
     spans.top = tile.height;
     spans.bottom = 0;
     const float opacity = list.points[list.numbers[0]].opacity;
-    Target target{tile,
-                  planes,
-                  spans,
-                  has_one_opacity(list),
-                  opacity * list.color[3],
-                  false,
-                  tile.color[0] != nullptr ? list.color : nullptr};
+    StrokeTarget target{tile,
+                        planes,
+                        spans,
+                        has_one_opacity(list),
+                        opacity * list.color[3],
+                        false,
+                        tile.color[0] != nullptr ? list.color : nullptr};
     const bool apart = !may_overlap(list);
-    if (!apart || !lay_segments(target, list)) {
+    if (!apart || !draw_segments(target, list)) {
         if (apart) clear(target);
         clear_spans(tile, spans);
-        lay_union(target, list);
+        draw_union(target, list);
     }
-    if (!target.at_once) blend(target, list.color[3]);
+    if (!target.is_direct) blend(target, list.color[3]);
 }
 
 } // namespace
 
-RasterLoops pick_raster_loops() noexcept { return {lay_discs, lay_stroke, store}; }
+RasterLoops pick_raster_loops() noexcept { return {draw_discs, draw_stroke, store}; }
 
 } // namespace hrbfnpr::output::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -38,14 +38,14 @@ struct Job {
     bool one_color;      // all inks have one colour, so their order does not matter
     glm::vec4 paper;     // premultiplied, in the colour space of blending
 
-    [[nodiscard]] float toward() const noexcept {
+    [[nodiscard]] float host_depth_sign() const noexcept {
         return drawing.window.depth == drawing::DepthConvention::reversed ? -1.0F : 1.0F;
     }
-    [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
+    [[nodiscard]] glm::vec4 in_blend_space(const glm::vec4& color) const noexcept {
         return settings.linear_light ? to_linear(color) : color;
     }
     // The colour of all inks as opaque ink: the transmittance plane accounts for their alpha.
-    [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_light({glm::vec3(drawing.ink_color), 1.0F}); }
+    [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_blend_space({glm::vec3(drawing.ink_color), 1.0F}); }
     [[nodiscard]] std::int64_t element(std::int32_t x, std::int32_t y) const noexcept {
         return std::int64_t{y} * image.width + x;
     }
@@ -79,7 +79,7 @@ DiscTile prepare(const Job& job, const Canvas& canvas) noexcept {
     for (std::int32_t y = canvas.rect.top; y < canvas.rect.bottom; ++y) {
         float* const row = canvas.planes + host * plane + canvas.row_begin(y);
         for (std::int32_t x = canvas.rect.left; x < canvas.rect.right; ++x)
-            row[x] = job.toward() * static_cast<float>(job.settings.host_depth.get(job.element(x, y), 0));
+            row[x] = job.host_depth_sign() * static_cast<float>(job.settings.host_depth.get(job.element(x, y), 0));
     }
     return tile;
 }
@@ -88,12 +88,12 @@ DiscTile prepare(const Job& job, const Canvas& canvas) noexcept {
 
 // Draws dots and strokes from far to near. If all inks have one colour the order does not matter: dots follow the
 // strokes.
-void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
+void draw_tile(const Job& job, const Canvas& canvas, const DiscTile& target) {
     const Drawing& drawing = job.drawing;
     const auto left = static_cast<float>(canvas.first.x), top = static_cast<float>(canvas.first.y);
-    const auto lay_dots = [&](std::span<const std::uint32_t> numbers) {
+    const auto draw_dots = [&](std::span<const std::uint32_t> numbers) {
         job.loops.discs(target, {drawing.dots.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), left,
-                                 top, job.colors, drawing.ink_color.w, job.toward()});
+                                 top, job.colors, drawing.ink_color.w, job.host_depth_sign()});
     };
     const bool in_order = job.published || job.one_color;
     const auto for_dots = [&](const auto& f) {
@@ -101,7 +101,7 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
                             [&](std::uint32_t a, std::uint32_t b) { return in_order ? a < b : drawing.before(a, b); });
     };
     if (job.published || drawing.strokes.empty()) {
-        for_dots(lay_dots);
+        for_dots(draw_dots);
         return;
     }
     base::Array<std::uint32_t>& numbers = canvas.numbers; // dots, then segments
@@ -112,10 +112,11 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
         });
     const std::int64_t dots = numbers.size();
     drawing.segment_tiles.for_tile(canvas.number, [&](std::uint32_t segment) { numbers.push_back(segment); });
-    std::int64_t laid = 0; // the number of dots that were laid
-    const auto lay_dots_to = [&](std::int64_t end) {
-        lay_dots(numbers.span().subspan(static_cast<std::size_t>(laid), static_cast<std::size_t>(end - laid)));
-        laid = end;
+    std::int64_t drawn_dots = 0; // the number of dots that were drawn
+    const auto draw_dots_to = [&](std::int64_t end) {
+        draw_dots(
+            numbers.span().subspan(static_cast<std::size_t>(drawn_dots), static_cast<std::size_t>(end - drawn_dots)));
+        drawn_dots = end;
     };
     const Stroke* stroke = drawing.strokes.begin();
     for (std::int64_t i = dots, end = 0; i < numbers.size(); i = end) {
@@ -124,16 +125,16 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
         end = i;
         while (end < numbers.size() && numbers[end] < stroke->first + stroke->count) ++end;
         if (end < numbers.size()) base::prefetch(drawing.points.data() + numbers[end], points_ahead);
-        std::int64_t before = laid;
+        std::int64_t before = drawn_dots;
         while (before < dots && drawing.dots[numbers[before]].depth > stroke->depth) ++before;
-        lay_dots_to(before);
+        draw_dots_to(before);
         job.loops.stroke(target,
                          {drawing.points.data(), stroke, numbers.data() + i, end - i, left, top,
-                          job.colors + 4 * std::int64_t{stroke->layer}, job.toward()},
+                          job.colors + 4 * std::int64_t{stroke->layer}, job.host_depth_sign()},
                          canvas.strokes);
     }
-    lay_dots_to(dots);
-    if (job.one_color) for_dots(lay_dots);
+    draw_dots_to(dots);
+    if (job.one_color) for_dots(draw_dots);
 }
 
 // ---- Pixels
@@ -170,7 +171,7 @@ void store(const Job& job, const Canvas& canvas) noexcept {
             else
                 color += glm::vec4(at[red * plane], at[green * plane], at[blue * plane], 1.0F - left);
             std::byte* const pixel = image.pixel(x, y);
-            if (job.settings.over) color += job.in_light(load_pixel(pixel, image.format)) * (1.0F - color.w);
+            if (job.settings.over) color += job.in_blend_space(load_pixel(pixel, image.format)) * (1.0F - color.w);
             store_pixel(pixel, job.settings.linear_light ? from_linear(color) : color, image.format);
         }
 }
@@ -328,7 +329,7 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
                            std::min(canvas.first.x + side, job.drawn.right),
                            std::min(canvas.first.y + side, job.drawn.bottom)};
             if (canvas.rect.empty()) continue;
-            lay(job, canvas, prepare(job, canvas));
+            draw_tile(job, canvas, prepare(job, canvas));
             store(job, canvas);
             if (job.settings.depth || job.settings.id || job.settings.mark_class) store_outputs(job, canvas);
         }

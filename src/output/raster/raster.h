@@ -172,9 +172,9 @@ struct InkList {
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    const float* colors; // four numbers for each layer: RGB, and an alpha that multiplies the alpha of the ink
-    float one_alpha;     // replaces that alpha where all inks have one colour
-    float toward;        // -1 if the host's depth rises towards the eye, else 1
+    const float* colors;   // four numbers for each layer: RGB, and an alpha that multiplies the alpha of the ink
+    float one_alpha;       // replaces that alpha where all inks have one colour
+    float host_depth_sign; // -1 if the host's depth rises towards the eye, else 1
 };
 
 // Working planes with the tile's stride. They are zero before and after each call.

@@ -26,9 +26,9 @@ struct SegmentList {
     const drawing::Stroke* stroke;
     const std::uint32_t* numbers;
     std::int64_t count;
-    float left, top;    // the tile's first pixel
-    const float* color; // RGB and alpha of the ink; the RGB is not read if the tile has no colour planes
-    float toward;       // see InkList
+    float left, top;       // the tile's first pixel
+    const float* color;    // RGB and alpha of the ink; the RGB is not read if the tile has no colour planes
+    float host_depth_sign; // see InkList
 };
 
 struct Place {
@@ -44,22 +44,22 @@ inline Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a)))
 
 // ---- Whether parts overlap
 
-// Consecutive segments whose directions are within 60 degrees of the direction of the first, and their bounding box.
-struct Stretch {
+// Consecutive segments whose directions are within 60 degrees of the first segment's, and their bounding box.
+struct SegmentGroup {
     float along_x, along_y, square; // the first segment's vector, pixels, and its squared length
     float left, top, right, bottom;
     std::int64_t begin, end; // numbers of segments
 
-    [[nodiscard]] bool takes(float x, float y, std::int64_t number) const noexcept {
+    [[nodiscard]] bool accepts(float x, float y, std::int64_t number) const noexcept {
         const float cosine = x * along_x + y * along_y;
         return number == end && cosine >= 0.0F && cosine * cosine >= 0.25F * square * (x * x + y * y);
     }
     // Whether the directions of the two first segments differ by less than 120 degrees.
-    [[nodiscard]] bool goes_on_in(const Stretch& next) const noexcept {
+    [[nodiscard]] bool continues_in(const SegmentGroup& next) const noexcept {
         const float cosine = along_x * next.along_x + along_y * next.along_y;
         return cosine > 0.0F || cosine * cosine < 0.25F * square * next.square;
     }
-    [[nodiscard]] bool is_apart_from(const Stretch& other) const noexcept {
+    [[nodiscard]] bool is_apart_from(const SegmentGroup& other) const noexcept {
         return right < other.left || other.right < left || bottom < other.top || other.bottom < top;
     }
     void reach(const drawing::StrokePoint& p, float radius) noexcept {
@@ -70,15 +70,15 @@ struct Stretch {
     }
 };
 
-inline bool follow(const Stretch& a, const Stretch& b, const drawing::Stroke& stroke) noexcept {
+inline bool are_consecutive(const SegmentGroup& a, const SegmentGroup& b, const drawing::Stroke& stroke) noexcept {
     const bool around = stroke.closed && a.begin == stroke.first && b.end == stroke.first + stroke.count - 1;
-    return a.end == b.begin ? a.goes_on_in(b) : around && b.goes_on_in(a);
+    return a.end == b.begin ? a.continues_in(b) : around && b.continues_in(a);
 }
 
-using Stretches = std::array<Stretch, 12>;
+using SegmentGroups = std::array<SegmentGroup, 12>;
 
 // Returns the number of stretches in the list, or size() + 1 if the array is too small.
-inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches) noexcept {
+inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& groups) noexcept {
     std::size_t count = 0;
     for (std::int64_t i = 0; i < list.count; ++i) {
         const std::int64_t number = list.numbers[i];
@@ -86,11 +86,11 @@ inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches)
         const drawing::StrokePoint& b = list.points[number + 1];
         const float x = b.x - a.x;
         const float y = b.y - a.y;
-        if (count == 0 || !stretches[count - 1].takes(x, y, number)) {
-            if (count == stretches.size()) return count + 1;
-            stretches[count++] = {x, y, x * x + y * y, a.x, a.y, a.x, a.y, number, number};
+        if (count == 0 || !groups[count - 1].accepts(x, y, number)) {
+            if (count == groups.size()) return count + 1;
+            groups[count++] = {x, y, x * x + y * y, a.x, a.y, a.x, a.y, number, number};
         }
-        Stretch& last = stretches[count - 1];
+        SegmentGroup& last = groups[count - 1];
         if (last.square == 0.0F) std::tie(last.along_x, last.along_y, last.square) = std::tuple(x, y, x * x + y * y);
         last.end = number + 1;
     }
@@ -99,19 +99,18 @@ inline std::size_t find_stretches(const SegmentList& list, Stretches& stretches)
 
 // Whether parts of the stroke that do not follow each other may overlap in the tile.
 [[nodiscard]] inline bool may_overlap(const SegmentList& list) noexcept {
-    Stretches stretches;
-    const std::size_t count = find_stretches(list, stretches);
-    if (count <= 1 || count > stretches.size()) return count > 1;
+    SegmentGroups groups;
+    const std::size_t count = find_segment_groups(list, groups);
+    if (count <= 1 || count > groups.size()) return count > 1;
     const bool pointed =
         list.stroke->cap_begin == drawing::Cap::pointed || list.stroke->cap_end == drawing::Cap::pointed;
     const float widest = pointed ? std::max(1.0F, 2.0F * drawing::point_length) : 1.0F; // a pointed tip reaches farther
-    for (Stretch& stretch : std::span(stretches).first(count))
-        for (std::int64_t i = stretch.begin; i <= stretch.end; ++i)
-            // So that no pixel meets two stretches.
-            stretch.reach(list.points[i], widest * list.points[i].radius + 1.0F);
+    for (SegmentGroup& group : std::span(groups).first(count))
+        for (std::int64_t i = group.begin; i <= group.end; ++i)
+            group.reach(list.points[i], widest * list.points[i].radius + 1.0F); // so that no pixel meets two of them
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = i + 1; j < count; ++j)
-            if (!follow(stretches[i], stretches[j], *list.stroke) && !stretches[i].is_apart_from(stretches[j]))
+            if (!are_consecutive(groups[i], groups[j], *list.stroke) && !groups[i].is_apart_from(groups[j]))
                 return true;
     return false;
 }
@@ -210,7 +209,7 @@ class Outliner {
 public:
     // overlap: whether outlines may overlap each other.
     Outliner(const SegmentList& list, bool overlap) noexcept
-        : list_(list), arcs_(overlap ? raster_tuning.finer : 1.0), first_(list.stroke->first),
+        : list_(list), arcs_(overlap ? raster_tuning.overlap_factor : 1.0), first_(list.stroke->first),
           last_(list.stroke->first + list.stroke->count - 2) {}
 
     // Makes the outline of the list's segment i with its share of joins and caps. Unless `single` is set, segments that
@@ -223,7 +222,7 @@ public:
         outline.clear();
         if (!start(number)) {
             if (number == first_) find_next(number, 1, next_);
-            if (number == first_ && next_.number < 0) disc(outline);
+            if (number == first_ && next_.number < 0) add_disc(outline);
             return 1;
         }
         const Leg first = leg_;
@@ -234,8 +233,8 @@ public:
         std::int64_t end = i + 1;
         for (;; ++end) {
             for (const bool left : {false, true}) add_side(leg_, true, left, outline);
-            if (single || begin.kind == Kind::open || !outline.has_room() || !goes_on(end, first)) break;
-            go_on();
+            if (single || begin.kind == Kind::open || !outline.has_room() || !continues_outline(end, first)) break;
+            advance();
             for (const bool left : {false, true})
                 if (begin_.kind == Kind::round) add_side(leg_, false, left, outline);
         }
@@ -296,7 +295,7 @@ private:
         const Place along = leg.b - leg.a;
         leg.length = std::sqrt(dot(along, along));
         leg.number = -1;
-        if (!(leg.length > raster_tuning.nowhere)) return false;
+        if (!(leg.length > raster_tuning.same_point)) return false;
         const double scale = 1.0 / leg.length;
         leg.along = scale * along;
         leg.taper = scale * std::abs(leg.radius_b - leg.radius_a);
@@ -316,7 +315,7 @@ private:
     // Finds where the inner edges of two legs meet. If the width changes, the edges may miss each other; then the end
     // of the wider leg meets the edge of the other. Returns false if they do not meet within the adjacent halves of the
     // legs.
-    static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
+    static bool find_inner_corner(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
         const Place from = a.a + side * a.radius_a * a.left();
         const Place corner_a = a.b + side * a.radius_b * a.left();
         const Place corner_b = b.a + side * b.radius_a * b.left();
@@ -374,12 +373,12 @@ private:
         const double side = joint.left_outside ? 1.0 : -1.0;
         joint.middle = cosine > 0.0 ? unit(side * (a.left() + b.left())) : unit(a.along - b.along);
         joint.outer = b.a + radius * joint.middle;
-        joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
+        joint.kind = fits && find_inner_corner(a, b, -side, joint) ? Kind::round : Kind::open;
     }
     // Returns false if the segment has length 0.
     bool start(std::int64_t number) noexcept {
         if (leg_.number >= 0 && next_.number == number) {
-            go_on();
+            advance();
             return true;
         }
         begin_.kind = end_.kind = Kind::cap;
@@ -390,7 +389,7 @@ private:
         find_joint(leg_, next_, end_);
         return true;
     }
-    void go_on() noexcept {
+    void advance() noexcept {
         previous_ = leg_;
         leg_ = next_;
         begin_ = end_;
@@ -399,7 +398,7 @@ private:
     }
     // Whether the list's segment i continues an outline that began with `from`: its opacity is the same up to
     // same_opacity, and its direction is within 60 degrees.
-    bool goes_on(std::int64_t i, const Leg& from) const noexcept {
+    bool continues_outline(std::int64_t i, const Leg& from) const noexcept {
         if (i == list_.count || std::int64_t{list_.numbers[i]} != next_.number || end_.kind == Kind::open) return false;
         const float opacity = list_.points[from.number].opacity;
         return std::abs(list_.points[next_.number].opacity - opacity) <= raster_tuning.same_opacity &&
@@ -435,7 +434,7 @@ private:
         }
     }
     // Adds a disc for a stroke whose points all coincide, if it has round ends.
-    void disc(Outline& outline) const noexcept {
+    void add_disc(Outline& outline) const noexcept {
         const drawing::Stroke& stroke = *list_.stroke;
         if (!stroke.closed && stroke.cap_begin != drawing::Cap::round && stroke.cap_end != drawing::Cap::round) return;
         double radius = 0.0;
@@ -473,11 +472,11 @@ public:
 
     explicit StrokeUnion(base::Memory& memory)
         : edges_(memory), shades_(memory), winding_(memory), active_(memory), pieces_(memory), breaks_(memory),
-          order_(memory), inside_(memory), spans_(memory), found_(memory) {
+          order_(memory), inside_(memory), spans_(memory), row_shades_(memory) {
         // Few drawings need more room than this.
         edges_.reserve(2048);
         spans_.reserve(1024);
-        for (base::Array<std::int32_t>* const numbers : {&winding_, &active_, &order_, &inside_, &found_})
+        for (base::Array<std::int32_t>* const numbers : {&winding_, &active_, &order_, &inside_, &row_shades_})
             numbers->reserve(512);
         shades_.reserve(512);
         pieces_.reserve(512);
@@ -537,18 +536,18 @@ public:
     std::int32_t cut(std::int32_t y) {
         HRBFNPR_ASSERT(y >= 0 && y < height_);
         spans_.clear();
-        found_.clear();
+        row_shades_.clear();
         find_pieces(y);
         find_breaks(y);
         for (std::int64_t i = 0; i + 1 < breaks_.size(); ++i)
-            if (breaks_[i + 1] - breaks_[i] > raster_tuning.flat) add_slab(breaks_[i], breaks_[i + 1]);
-        std::sort(found_.begin(), found_.end());
-        return static_cast<std::int32_t>(found_.size());
+            if (breaks_[i + 1] - breaks_[i] > raster_tuning.least_slab_height) add_slab(breaks_[i], breaks_[i + 1]);
+        std::sort(row_shades_.begin(), row_shades_.end());
+        return static_cast<std::int32_t>(row_shades_.size());
     }
     // Writes the share of each pixel from `left` to `right` that belongs to the row's i-th shade.
     const Shade& cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept {
-        HRBFNPR_ASSERT(i >= 0 && i < found_.size());
-        const std::int32_t shade = found_[i];
+        HRBFNPR_ASSERT(i >= 0 && i < row_shades_.size());
+        const std::int32_t shade = row_shades_[i];
         std::fill_n(steps_, width_ + 2, 0.0);
         double low = static_cast<double>(width_);
         double high = 0.0;
@@ -583,7 +582,7 @@ private:
         double upper, lower, x, slope; // x: at height 0 of the tile
         double low, high;              // the range of x in the row
         std::int32_t winding, shade;
-        double here; // x in the current slab
+        double slab_x; // x in the current slab
         [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
     };
     // A trapezoid between two edges, from one height to another.
@@ -652,7 +651,7 @@ private:
         std::sort(breaks_.begin(), breaks_.end());
     }
     // Chooses the shade that owns a place among the shades that cover it.
-    std::int32_t owner(double x, double y) const noexcept {
+    std::int32_t owning_shade(double x, double y) const noexcept {
         std::int32_t best = inside_[0];
         float nearest = 0.0F;
         for (std::int64_t i = 0; i < inside_.size(); ++i) {
@@ -672,7 +671,7 @@ private:
     }
     void add_span(const Piece& left, const Piece& right, double from, double to, std::int32_t shade) {
         spans_.push_back({left.at(from), left.at(to), right.at(from), right.at(to), to - from, shade});
-        if (std::find(found_.begin(), found_.end(), shade) == found_.end()) found_.push_back(shade);
+        if (std::find(row_shades_.begin(), row_shades_.end(), shade) == row_shades_.end()) row_shades_.push_back(shade);
     }
     // Orders the pieces of a slab from left to right by insertion. They are sorted by their leftmost places already, so
     // that an insertion moves few others.
@@ -681,15 +680,15 @@ private:
         for (std::int32_t number = 0; number < pieces_.size(); ++number) {
             Piece& piece = pieces_[number];
             if (!(piece.upper <= y && y < piece.lower)) continue;
-            piece.here = piece.at(y);
+            piece.slab_x = piece.at(y);
             order_.push_back(number);
             std::int64_t k = order_.size() - 1;
-            for (; k > 0 && pieces_[order_[k - 1]].here > piece.here; --k) order_[k] = order_[k - 1];
+            for (; k > 0 && pieces_[order_[k - 1]].slab_x > piece.slab_x; --k) order_[k] = order_[k - 1];
             order_[k] = number;
         }
     }
     // Updates the winding number of a shade when an edge of its outline is crossed.
-    void turn(std::int32_t shade, std::int32_t by) {
+    void update_winding(std::int32_t shade, std::int32_t by) {
         const bool was_inside = winding_[shade] != 0;
         winding_[shade] += by;
         const bool is_inside = winding_[shade] != 0;
@@ -710,8 +709,8 @@ private:
         std::int32_t whose = -1;
         for (const std::int32_t number : order_) {
             const Piece& piece = pieces_[number];
-            turn(piece.shade, piece.winding);
-            const std::int32_t now = inside_.empty() ? -1 : owner(piece.here, middle);
+            update_winding(piece.shade, piece.winding);
+            const std::int32_t now = inside_.empty() ? -1 : owning_shade(piece.slab_x, middle);
             if (now == whose) continue;
             if (whose >= 0) add_span(*left, piece, from, to, whose);
             left = &piece;
@@ -771,8 +770,8 @@ private:
     base::Array<std::int32_t> order_;  // the numbers of the pieces in a slab, from left to right
     base::Array<std::int32_t> inside_; // shades whose winding number is not 0
     base::Array<Span> spans_;
-    base::Array<std::int32_t> found_; // the shades of the row
-    double steps_[most_side + 2];     // the cover of each pixel minus that of the pixel to its left
+    base::Array<std::int32_t> row_shades_; // the shades of the row
+    double steps_[most_side + 2];          // the cover of each pixel minus that of the pixel to its left
 };
 
 } // namespace hrbfnpr::output

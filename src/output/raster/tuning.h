@@ -9,7 +9,7 @@ struct RasterTuning {
     // ---- Outlines of strokes
 
     // Points closer than this count as one, in pixels.
-    double nowhere = 1e-6;
+    double same_point = 1e-6;
     // The greatest error of an edge, in pixels. Larger: fewer edges, less exact.
     double edge_tolerance = 0.0007;
     // The greatest error of an arc's chords, in pixels; it is multiplied by the chord's length if that is below a
@@ -17,8 +17,8 @@ struct RasterTuning {
     double arc_tolerance = 0.006;
     // The greatest error of an arc of one chord, in pixels; its error is all on one side.
     double chord_tolerance = 0.0008;
-    // The tolerances of arcs and chords are multiplied by this where arcs may overlap, since their errors add up.
-    double finer = 0.2;
+    // Both are multiplied by this where arcs may overlap, since their errors add up.
+    double overlap_factor = 0.2;
     // A quarter circle has at most two to the power of this many chords.
     int most_halvings = 6;
     // Consecutive segments whose opacities differ by no more than this share an outline. Larger: fewer outlines,
@@ -31,7 +31,7 @@ struct RasterTuning {
     // cut into this many slabs of equal height. Larger: very tangled strokes are more exact, more time.
     int most_breaks = 256;
     // Slabs lower than this are skipped, in pixels.
-    double flat = 1e-12;
+    double least_slab_height = 1e-12;
 };
 inline constexpr RasterTuning raster_tuning;
 

@@ -216,18 +216,18 @@ class PenTrack;
 // ---- Cancellation
 
 // Checks for cancellation: calls the caller's callback without reporting more progress.
-inline void look(const base::Progress& progress) { progress.update(0.0); }
+inline void check_cancel(const base::Progress& progress) { progress.update(0.0); }
 
 // Checks for cancellation each time that `steps` steps were counted.
-class Looks {
+class CancelChecks {
 public:
-    Looks(const base::Progress& progress, std::int64_t steps) noexcept : progress_(progress), steps_(steps) {
+    CancelChecks(const base::Progress& progress, std::int64_t steps) noexcept : progress_(progress), steps_(steps) {
         HRBFNPR_ASSERT(steps > 0);
     }
     void count(std::int64_t steps = 1) {
         if ((counted_ += steps) < steps_) return;
         counted_ = 0;
-        look(progress_);
+        check_cancel(progress_);
     }
 
 private:

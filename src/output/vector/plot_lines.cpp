@@ -24,7 +24,7 @@ using glm::dvec2;
 
 // ---- Joining
 
-struct End {
+struct LineEnd {
     dvec2 place, outward; // outward: the direction out of the line
 };
 
@@ -42,12 +42,12 @@ dvec2 outward_of(std::span<const PagePoint> points, bool at_end, double width) n
 }
 
 // Ends 2 i and 2 i + 1 are the begin and end of line i.
-base::Array<End> ends_of(const PlotLines& lines, const base::Progress& progress) {
-    base::Array<End> ends(lines.points.memory());
+base::Array<LineEnd> ends_of(const PlotLines& lines, const base::Progress& progress) {
+    base::Array<LineEnd> ends(lines.points.memory());
     ends.reserve(2 * lines.lines.size());
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     for (const PlotLine& line : lines.lines) {
-        looks.count();
+        checks.count();
         const std::span<const PagePoint> points = lines.points_of(line);
         ends.push_back({place_of(points.front()), outward_of(points, false, line.width)});
         ends.push_back({place_of(points.back()), outward_of(points, true, line.width)});
@@ -61,12 +61,12 @@ struct EndPair {
 };
 
 // The cost of joining end a of a line to end b of another one; -1: they must not be joined.
-double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const End& b, double most) noexcept {
+double cost_of(const PlotLine& line, const PlotLine& other, const LineEnd& a, const LineEnd& b, double most) noexcept {
     const double distance = glm::distance(a.place, b.place);
     if (distance > most) return -1.0;
     const double turn = std::acos(std::clamp(-glm::dot(a.outward, b.outward), -1.0, 1.0));
     if (turn > plot_tuning.sharpest_join) return -1.0;
-    if (distance > plot_tuning.seen_link * std::min(line.width, other.width)) {
+    if (distance > plot_tuning.longest_free_link * std::min(line.width, other.width)) {
         const dvec2 link = (b.place - a.place) / distance;
         const double least = std::cos(plot_tuning.sharpest_join);
         if (glm::dot(a.outward, link) < least || glm::dot(b.outward, -link) < least) return -1.0;
@@ -77,13 +77,13 @@ double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const 
 // Returns the pairs that may be joined, cheapest first. Sets goes_on for lines that a line of another opacity
 // continues.
 base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity, const base::Progress& progress) {
-    const base::Array<End> ends = ends_of(lines, progress);
+    const base::Array<LineEnd> ends = ends_of(lines, progress);
     base::Memory& memory = lines.points.memory();
     geometry::VecArray places(memory);
     base::Array<std::int32_t> free(memory); // the ends of open lines
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     for (std::int32_t end = 0; end < ends.size(); ++end) {
-        looks.count();
+        checks.count();
         if (lines.lines[end / 2].closed) continue;
         places.push_back({ends[end].place, 0.0});
         free.push_back(end);
@@ -92,13 +92,13 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
     const auto any = [](std::int64_t) { return true; };
     base::Array<EndPair> pairs(memory);
     for (std::int64_t at = 0; at < tree.size(); ++at) {
-        looks.count();
+        checks.count();
         const std::int32_t a = free[tree.index(at)];
         PlotLine& line = lines.lines[a / 2];
         const double reach = given > 0.0 ? given : line.width;
-        std::array<std::int64_t, plot_tuning.most_near + 1> near; // the end itself is among them
+        std::array<std::int64_t, plot_tuning.most_neighbours + 1> near; // the end itself is among them
         const std::int64_t count =
-            tree.nearest(tree.points()[at], plot_tuning.most_near + 1, any, any, near.data(), reach);
+            tree.nearest(tree.points()[at], plot_tuning.most_neighbours + 1, any, any, near.data(), reach);
         for (std::int64_t i = 0; i < count; ++i) {
             const std::int32_t b = free[tree.index(near[static_cast<std::size_t>(i)])];
             if (!(glm::distance(ends[a].place, ends[b].place) < reach)) break;
@@ -114,7 +114,7 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
                 line.goes_on = true;
         }
     }
-    Looks comparisons(progress, comparisons_a_look);
+    CancelChecks comparisons(progress, comparisons_per_check);
     std::sort(pairs.begin(), pairs.end(), [&](const EndPair& p, const EndPair& q) {
         comparisons.count();
         if (p.cost != q.cost) return p.cost < q.cost;
@@ -136,9 +136,9 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
     std::fill(result.partner.begin(), result.partner.end(), -1);
     base::Array<std::int32_t> chain(memory, count); // for each line, another line of its chain, or the line itself
     base::Array<double> length(memory, count);      // the length of each chain, mm, stored at the chain's root
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     for (std::int32_t i = 0; i < count; ++i) {
-        looks.count();
+        checks.count();
         chain[i] = i;
         length[i] = length_of(lines.points_of(lines.lines[i]));
     }
@@ -147,7 +147,7 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
         return line;
     };
     for (const EndPair& pair : pairs) {
-        looks.count();
+        checks.count();
         HRBFNPR_ASSERT(pair.a < pair.b && pair.b < 2 * count);
         if (result.partner[pair.a] >= 0 || result.partner[pair.b] >= 0) continue;
         const std::int32_t a = chain_of(pair.a / 2), b = chain_of(pair.b / 2);
@@ -291,7 +291,7 @@ void find_nodes(Filling& f, std::span<const PagePoint> points, const PlotLine& l
     for (const PagePoint& p : points) {
         const double reach = p.radius - 0.5 * f.pen;
         const double way = f.nodes.empty() ? 1.0 : glm::distance(f.nodes.back().place, place_of(p));
-        if (way <= plot_tuning.nowhere)
+        if (way <= plot_tuning.same_point)
             f.nodes.back().reach = std::max(f.nodes.back().reach, reach);
         else
             f.nodes.push_back({place_of(p), dvec2(0.0), reach, f.nodes.empty() ? 0.0 : f.nodes.back().at + way});
@@ -299,8 +299,8 @@ void find_nodes(Filling& f, std::span<const PagePoint> points, const PlotLine& l
     f.closed = line.closed && f.nodes.size() > 3;
     if (f.nodes.size() == 1) { // a disc, if the ends are round
         Node other = f.nodes[0];
-        other.place.x += plot_tuning.nowhere;
-        other.at += plot_tuning.nowhere;
+        other.place.x += plot_tuning.same_point;
+        other.at += plot_tuning.same_point;
         f.nodes.push_back(other);
     }
     if (f.closed)
@@ -368,7 +368,7 @@ void find_passes(Filling& f) {
     f.passes.clear();
     double most = 0.0;
     for (const Node& node : f.nodes) most = std::max(most, node.reach);
-    const double least = plot_tuning.left_out * f.pen, spacing = f.spacing;
+    const double least = plot_tuning.unfilled_strip * f.pen, spacing = f.spacing;
     const auto steps = [&](double reach) { return reach > least ? std::ceil((reach - least) / spacing) : 0.0; };
     double single = 0.0, pairs = 0.0;
     for (std::int64_t i = 1; i < f.nodes.size(); ++i) {
@@ -442,9 +442,9 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
     joined.points.reserve(lines.points.size());
     PlotLine chain; // the joined line that is being built
     double length = 0.0, ink = 0.0;
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     const auto enter = [&](std::int32_t end) {
-        looks.count();
+        checks.count();
         const PlotLine& line = lines.lines[end / 2];
         const bool reversed = end % 2 != 0;
         const std::int64_t before = joined.points.size();
@@ -484,7 +484,7 @@ std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, con
 }
 
 bool is_wider_than(double pen, std::span<const PagePoint> points) noexcept {
-    const double widest = (0.5 + plot_tuning.left_out) * pen;
+    const double widest = (0.5 + plot_tuning.unfilled_strip) * pen;
     return std::any_of(points.begin(), points.end(), [&](const PagePoint& p) { return p.radius > widest; });
 }
 
@@ -493,7 +493,7 @@ std::int64_t fill_lines(PlotLines& lines, double tolerance, const base::Progress
     PlotLines filled(lines.points.memory());
     Filling f(lines.points.memory());
     for (const PlotLine& line : lines.lines) {
-        look(progress);
+        check_cancel(progress);
         const std::span<const PagePoint> points = lines.points_of(line);
         if (!is_wider_than(line.width, points)) {
             filled.add(line, points);

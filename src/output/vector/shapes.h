@@ -36,7 +36,7 @@ inline bool is_even(const PagePath& path) noexcept {
     const auto [least, most] =
         std::minmax_element(path.points.begin(), path.points.end(),
                             [](const PagePoint& a, const PagePoint& b) { return a.radius < b.radius; });
-    return most->radius - least->radius <= shape_tuning.even * most->radius;
+    return most->radius - least->radius <= shape_tuning.even_width * most->radius;
 }
 
 inline constexpr double unit_radius = 0.1; // the radius of class 0, mm
@@ -62,7 +62,7 @@ inline bool turns_sharply(const PagePoint& a, const PagePoint& b, const PagePoin
     const double sine = std::abs(before.x * after.y - before.y * after.x);
     const double reach = b.radius * sine / (1.0 + cosine); // the turn shortens the inner side by this
     const double shorter = std::min(glm::distance(place_of(a), place_of(b)), glm::distance(place_of(b), place_of(c)));
-    return 2.0 * reach > (1.0 - shape_tuning.left_inside) * shorter;
+    return 2.0 * reach > (1.0 - shape_tuning.least_inner_share) * shorter;
 }
 
 // Adds an end from the corner on the left of the direction `out` to the corner on its right.
@@ -137,7 +137,7 @@ public:
     void outline(const PagePath& path, ShapeSink& sink) {
         part_.clear(); // without coincident points; the widest of these is kept
         for (const PagePoint& p : path.points) {
-            if (!part_.empty() && std::hypot(p.x - part_.back().x, p.y - part_.back().y) <= plot_tuning.nowhere)
+            if (!part_.empty() && std::hypot(p.x - part_.back().x, p.y - part_.back().y) <= plot_tuning.same_point)
                 part_.back().radius = std::max(part_.back().radius, p.radius);
             else
                 part_.push_back(p);

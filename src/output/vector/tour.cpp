@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds a short tour through the 2 n ends of n stops, in which the two ends of a stop are always adjacent [Johnson and
 // McGeoch 1997, "The traveling salesman problem: a case study in local optimization"]:
-// 1. go_greedily starts at the pen and goes to the nearest end, then from that stop's other end to the next nearest.
+// 1. build_greedy_tour starts at the pen and goes to the nearest end, then from that stop's other end to the next
+// nearest.
 // 2. improve makes 2-opt and Or-opt moves that link a node to one of its neighbours, until none shortens the tour.
 // 3. kick does the same after small random changes, and keeps those that shorten the tour.
 // 4. turn_closed moves the start of each closed line to its best point; then step 2 is repeated.
@@ -20,29 +21,29 @@ namespace {
 
 using glm::dvec2;
 
-// `order_` and `position_` are inverse permutations. Only put() changes them, and kick() when it undoes a change.
+// `order_` and `position_` are inverse permutations. Only set_entry() changes them, and kick() when it undoes a change.
 class Tour {
 public:
     Tour(base::Memory& memory, std::span<const Stop> stops, const dvec2& from, const base::Progress& progress)
         : stops_(stops), progress_(progress), pen_(static_cast<std::int32_t>(stops.size())), count_(pen_ + 1),
           place_(memory, 2 * std::int64_t{count_}), start_(memory, pen_), order_(memory, count_),
-          position_(memory, count_), near_(memory, std::int64_t{plot_tuning.most_near} * 2 * count_),
-          queue_(memory, count_), waits_(memory, count_), log_(memory), swapped_(memory) {
+          position_(memory, count_), neighbours_(memory, std::int64_t{plot_tuning.most_neighbours} * 2 * count_),
+          queue_(memory, count_), is_queued_(memory, count_), log_(memory), swapped_(memory) {
         set_places(pen_, from, from);
         for (std::int32_t i = 0; i < pen_; ++i)
             set_places(i, place_of(stop(i).points.front()), place_of(stop(i).points.back()));
     }
 
     base::Array<Leg> find() {
-        look(progress_);
-        go_greedily();
+        check_cancel(progress_);
+        build_greedy_tour();
         for (int round = 0; round < plot_tuning.most_rounds; ++round) {
             find_neighbours();
             improve();
             if (round == 0) kick();
             if (!turn_closed()) break;
         }
-        look(progress_);
+        check_cancel(progress_);
         return legs();
     }
 
@@ -77,62 +78,63 @@ private:
         place_[2 * std::int64_t{number}] = first;
         place_[2 * std::int64_t{number} + 1] = last;
     }
-    void put(std::int64_t position, Node entry) {
+    void set_entry(std::int64_t position, Node entry) {
         const std::int32_t place = at(position);
         if (keeps_log_) log_.push_back({place, order_[place]});
         order_[place] = entry;
         position_[entry / 2] = place;
     }
 
-    void go_greedily() {
-        struct Door { // a point at which a stop may be entered
+    void build_greedy_tour() {
+        struct EntryPoint { // a point at which a stop may be entered
             std::int32_t stop, point;
         };
         base::Memory& memory = place_.memory();
-        base::Array<Door> doors(memory);
-        base::Array<std::int64_t> first_door(memory);
+        base::Array<EntryPoint> entry_points(memory);
+        base::Array<std::int64_t> first_entry_point(memory);
         geometry::VecArray places(memory);
         for (std::int32_t i = 0; i < pen_; ++i) {
-            if (i % steps_a_look == 0) look(progress_);
+            if (i % steps_per_check == 0) check_cancel(progress_);
             const bool closed = stop(i).closed;
-            first_door.push_back(doors.size());
+            first_entry_point.push_back(entry_points.size());
             const auto last = static_cast<std::int64_t>(stop(i).points.size()) - 1;
-            const std::int64_t step = closed ? last / plot_tuning.most_doors + 1 : std::max<std::int64_t>(last, 1);
+            const std::int64_t step =
+                closed ? last / plot_tuning.most_entry_points + 1 : std::max<std::int64_t>(last, 1);
             for (std::int64_t p = 0; p <= (closed ? last - 1 : last); p += step) {
                 places.push_back({place_of(stop(i).points[static_cast<std::size_t>(p)]), 0.0});
-                doors.push_back({i, static_cast<std::int32_t>(p)});
+                entry_points.push_back({i, static_cast<std::int32_t>(p)});
             }
         }
-        first_door.push_back(doors.size());
+        first_entry_point.push_back(entry_points.size());
         const geometry::PointTree tree(places, progress_);
         base::Array<std::int64_t> left(memory, tree.nodes()); // for each tree node, the doors of unvisited stops
         base::Array<std::int64_t> at_of(memory, tree.size()); // the index of each door in the tree
         base::Array<std::uint8_t> visited(memory, pen_);
         for (std::int64_t at = 0; at < tree.size(); ++at) {
-            if (at % steps_a_look == 0) look(progress_);
+            if (at % steps_per_check == 0) check_cancel(progress_);
             at_of[tree.index(at)] = at;
             tree.for_nodes_of(at, [&](std::int64_t node) { ++left[node]; });
         }
-        put(0, free_end());
+        set_entry(0, free_end());
         dvec2 from = place_[free_end() + 1];
         for (std::int32_t next = 1; next < count_; ++next) {
-            if (next % steps_a_look == 0) look(progress_);
+            if (next % steps_per_check == 0) check_cancel(progress_);
             std::int64_t found = -1;
             tree.nearest(
                 {from, 0.0}, 1, [&](std::int64_t node) { return left[node] > 0; },
-                [&](std::int64_t at) { return visited[doors[tree.index(at)].stop] == 0; }, &found);
+                [&](std::int64_t at) { return visited[entry_points[tree.index(at)].stop] == 0; }, &found);
             HRBFNPR_ASSERT(found >= 0);
-            const Door door = doors[tree.index(found)];
-            const bool closed = stop(door.stop).closed;
+            const EntryPoint entry_point = entry_points[tree.index(found)];
+            const bool closed = stop(entry_point.stop).closed;
             if (closed) {
-                start_[door.stop] = door.point;
+                start_[entry_point.stop] = entry_point.point;
                 const dvec2 place(tree.points()[found]);
-                set_places(door.stop, place, place);
+                set_places(entry_point.stop, place, place);
             }
-            put(next, 2 * door.stop + (closed || door.point == 0 ? 0 : 1));
+            set_entry(next, 2 * entry_point.stop + (closed || entry_point.point == 0 ? 0 : 1));
             from = place_[exit(next)];
-            visited[door.stop] = 1;
-            for (std::int64_t d = first_door[door.stop]; d < first_door[door.stop + 1]; ++d)
+            visited[entry_point.stop] = 1;
+            for (std::int64_t d = first_entry_point[entry_point.stop]; d < first_entry_point[entry_point.stop + 1]; ++d)
                 tree.for_nodes_of(at_of[d], [&](std::int64_t node) { --left[node]; });
         }
     }
@@ -148,26 +150,26 @@ private:
         }
         const geometry::PointTree tree(places, progress_);
         const auto any = [](std::int64_t) { return true; };
-        std::array<std::int64_t, plot_tuning.most_near> found;
+        std::array<std::int64_t, plot_tuning.most_neighbours> found;
         for (Node node = 0; node < 2 * count_; ++node) {
-            if (node % steps_a_look == 0) look(progress_);
+            if (node % steps_per_check == 0) check_cancel(progress_);
             std::int64_t count = 0;
             if (node != free_end())
                 count = tree.nearest(
-                    {place_[node], 0.0}, plot_tuning.most_near, any,
+                    {place_[node], 0.0}, plot_tuning.most_neighbours, any,
                     [&](std::int64_t at) { return node_of[tree.index(at)] / 2 != node / 2; }, found.data());
-            for (std::int64_t i = 0; i < plot_tuning.most_near; ++i)
-                near_[std::int64_t{plot_tuning.most_near} * node + i] =
+            for (std::int64_t i = 0; i < plot_tuning.most_neighbours; ++i)
+                neighbours_[std::int64_t{plot_tuning.most_neighbours} * node + i] =
                     i < count ? node_of[tree.index(found[static_cast<std::size_t>(i)])] : -1;
         }
     }
 
     // ---- Moves
 
-    void wake(Node node) {
+    void enqueue(Node node) {
         const std::int32_t number = node / 2;
-        if (waits_[number] != 0) return;
-        waits_[number] = 1;
+        if (is_queued_[number] != 0) return;
+        is_queued_[number] = 1;
         std::int64_t last = queue_first_ + queue_size_++;
         if (last >= count_) last -= count_;
         queue_[last] = number;
@@ -176,22 +178,22 @@ private:
     void improve() {
         work_ = checked_ = plot_tuning.work_of_stop * count_;
         longest_ = plot_tuning.longest_reversed;
-        for (std::int32_t p = 0; p < count_; ++p) wake(order_[p]);
-        settle();
+        for (std::int32_t p = 0; p < count_; ++p) enqueue(order_[p]);
+        run_moves();
     }
 
     // Makes moves until none shortens the tour, or the work is used up.
-    void settle() {
-        constexpr std::int64_t work_a_look = 100000;
+    void run_moves() {
+        constexpr std::int64_t work_per_check = 100000;
         while (queue_size_ > 0) {
-            if (checked_ - work_ > work_a_look) {
-                look(progress_);
+            if (checked_ - work_ > work_per_check) {
+                check_cancel(progress_);
                 checked_ = work_;
             }
             const std::int32_t number = queue_[queue_first_];
             if (++queue_first_ == count_) queue_first_ = 0;
             --queue_size_;
-            waits_[number] = 0;
+            is_queued_[number] = 0;
             while (work_ > 0 && (improve_at(2 * number) || improve_at(2 * number + 1))) {
             }
         }
@@ -212,7 +214,7 @@ private:
                                                  static_cast<std::uint64_t>(count));
             };
             gained_ = -swap_segments(one_of(1, count_), 1 + one_of(2, most), 1 + one_of(3, most));
-            settle();
+            run_moves();
             if (gained_ < plot_tuning.least_gain)
                 for (std::int64_t i = log_.size(); i > 0; --i) { // undo the change
                     order_[log_[i - 1].position] = log_[i - 1].node;
@@ -236,9 +238,9 @@ private:
                               entry(at(first + length + other))};
         swapped_.clear();
         for (std::int64_t i = 0; i < length; ++i) swapped_.push_back(entry(first + i));
-        for (std::int64_t i = 0; i < other; ++i) put(first + i, entry(first + length + i));
-        for (std::int64_t i = 0; i < length; ++i) put(first + other + i, swapped_[i]);
-        for (const Node end : ends) wake(end);
+        for (std::int64_t i = 0; i < other; ++i) set_entry(first + i, entry(first + length + i));
+        for (std::int64_t i = 0; i < length; ++i) set_entry(first + other + i, swapped_[i]);
+        for (const Node end : ends) enqueue(end);
         return distance(ends[0], ends[3]) + distance(ends[4], ends[1]) + distance(ends[2], ends[5]) -
                distance(ends[0], ends[1]) - distance(ends[2], ends[3]) - distance(ends[4], ends[5]);
     }
@@ -247,8 +249,8 @@ private:
     bool improve_at(Node node) {
         if (node == free_end()) return false;
         const double link = distance(node, linked(node));
-        const Node* const near = near_.data() + std::int64_t{plot_tuning.most_near} * node;
-        for (int i = 0; i < plot_tuning.most_near && near[i] >= 0; ++i) {
+        const Node* const near = neighbours_.data() + std::int64_t{plot_tuning.most_neighbours} * node;
+        for (int i = 0; i < plot_tuning.most_neighbours && near[i] >= 0; ++i) {
             const double nearer = distance(node, near[i]);
             if (nearer >= link) break;
             work_ -= 20;
@@ -275,7 +277,7 @@ private:
         else
             reverse(a, b - 1);
         gained_ += gain;
-        for (const Node end : {node, to, next, beyond}) wake(end);
+        for (const Node end : {node, to, next, beyond}) enqueue(end);
         return true;
     }
 
@@ -298,7 +300,7 @@ private:
             if (gain <= plot_tuning.least_gain || std::min(way, count_ - way) > longest_) continue;
             gained_ += gain;
             shift(at(first), length, gap, at_exit == is_exit(to));
-            for (const Node end : {node, to, next, beyond, other, before}) wake(end);
+            for (const Node end : {node, to, next, beyond, other, before}) enqueue(end);
             return true;
         }
         return false;
@@ -318,8 +320,8 @@ private:
         work_ -= length;
         for (std::int64_t left = length; left > 0; left -= 2) {
             const Node a = order_[first], b = order_[last];
-            put(first, b ^ 1);
-            put(last, a ^ 1);
+            set_entry(first, b ^ 1);
+            set_entry(last, a ^ 1);
             first = at(first + 1);
             last = at(last - 1);
         }
@@ -334,12 +336,12 @@ private:
         const std::int64_t behind = count_ - length - ahead;
         work_ -= std::min(ahead, behind);
         if (ahead <= behind) {
-            for (std::int64_t i = 0; i < ahead; ++i) put(at(first + i), entry(at(first + i) + length));
+            for (std::int64_t i = 0; i < ahead; ++i) set_entry(at(first + i), entry(at(first + i) + length));
         } else {
-            for (std::int64_t i = 1; i <= behind; ++i) put(at(first - i) + length, order_[at(first - i)]);
+            for (std::int64_t i = 1; i <= behind; ++i) set_entry(at(first - i) + length, order_[at(first - i)]);
         }
         const std::int64_t to = at(ahead <= behind ? first + ahead : first - behind);
-        for (std::int32_t i = 0; i < length; ++i) put(at(to + i), moved[i]);
+        for (std::int32_t i = 0; i < length; ++i) set_entry(at(to + i), moved[i]);
     }
 
     // ---- Closed lines, and the result
@@ -347,10 +349,10 @@ private:
     // Moves closed lines to their best starting points. Returns false if all of them already start there.
     bool turn_closed() {
         bool turned = false;
-        Looks looks(progress_, steps_a_look);
+        CancelChecks checks(progress_, steps_per_check);
         for (std::int32_t i = 0; i < pen_; ++i) {
             const std::span<const PagePoint> points = stop(i).points;
-            looks.count(stop(i).closed ? static_cast<std::int64_t>(points.size()) : 1);
+            checks.count(stop(i).closed ? static_cast<std::int64_t>(points.size()) : 1);
             if (!stop(i).closed) continue;
             const std::int64_t p = position_[i];
             const Node before = exit(p - 1), after = entry(p + 1);
@@ -402,12 +404,13 @@ private:
     base::Array<std::int32_t> start_;    // the starting point of each closed stop
     base::Array<Node> order_;            // the tour: the node at which each stop is entered
     base::Array<std::int32_t> position_; // the index of each stop in `order_`
-    base::Array<Node> near_; // for each node the `most_near` nearest nodes of other stops, nearest first; -1: no more
+    base::Array<Node>
+        neighbours_; // for each node the `most_neighbours` nearest nodes of other stops, nearest first; -1: no more
     base::Array<std::int32_t> queue_; // stops whose ends are to be examined; a ring buffer
     std::int64_t queue_first_ = 0, queue_size_ = 0;
-    base::Array<std::uint8_t> waits_; // whether a stop is in the queue
-    base::Array<Entry> log_;          // overwritten entries of `order_`
-    base::Array<Node> swapped_;       // copy of the first of the two swapped parts
+    base::Array<std::uint8_t> is_queued_; // whether a stop is in the queue
+    base::Array<Entry> log_;              // overwritten entries of `order_`
+    base::Array<Node> swapped_;           // copy of the first of the two swapped parts
 };
 
 } // namespace

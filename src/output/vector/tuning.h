@@ -26,17 +26,17 @@ struct PlotTuning {
     // ---- Joining lines
 
     // Points closer than this count as one, mm.
-    double nowhere = 1e-6;
+    double same_point = 1e-6;
     // The greatest angle between two joined lines, and between a line and the link to the next one, radians. Larger:
     // more joins, with corners.
     double sharpest_join = 1.04719755;
     // The number of nearest other ends that an end is compared with, for joins and for moves of a tour. Larger: more
     // time.
-    std::int32_t most_near = 8;
+    std::int32_t most_neighbours = 8;
     // Chains shorter than this are not closed to rings, in widths of the line.
     double shortest_ring = 4.0;
     // A link longer than this share of the thinner line's width must run in about the direction of both lines.
-    double seen_link = 0.5;
+    double longest_free_link = 0.5;
 
     // ---- Lines and dots that are too fine for the pen
 
@@ -49,7 +49,7 @@ struct PlotTuning {
     double most_spacing = 0.8;
     double least_spacing = 0.4;
     // No pass is added for a strip narrower than this on each side of the line. Larger: fewer passes, narrower lines.
-    double left_out = 0.1;
+    double unfilled_strip = 0.1;
     // Shorter passes are dropped. Larger: fewer passes.
     double shortest_pass = 0.5;
     // A pass continues across gaps up to this long. Larger: fewer passes.
@@ -74,7 +74,7 @@ struct PlotTuning {
     // An Or-opt move takes at most this many stops.
     static constexpr std::int32_t longest_moved = 3;
     // A closed line may be entered at this many points in the first tour; the best point is found later.
-    std::int64_t most_doors = 32;
+    std::int64_t most_entry_points = 32;
     // The number of steps for each stop that moves may take; the second is for moves after kicks. Larger: shorter
     // tours, more time.
     std::int64_t work_of_stop = 8000;
@@ -97,18 +97,18 @@ inline constexpr PlotTuning plot_tuning;
 
 struct ShapeTuning {
     // A line has constant width if its widths differ by at most this share of the greatest. Larger: fewer outlines.
-    double even = 0.02;
+    double even_width = 0.02;
     // Smaller radii count as this when widths are put into classes, mm.
     double least_radius = 0.005;
     // Outlines are cut at turns above the angle with this cosine, 30 degrees. Larger: more cuts.
     double sharp_cosine = 0.866;
-    // Outlines are also cut where a turn leaves less than this share of a segment at its inner side.
-    double left_inside = 0.1;
+    // They are also cut where a turn leaves less than this share of a segment at its inner side.
+    double least_inner_share = 0.1;
 };
 inline constexpr ShapeTuning shape_tuning;
 
 // The number of steps between two checks for cancellation: of points, lines or dots, and of comparisons of a sort.
-inline constexpr std::int64_t steps_a_look = 512;
-inline constexpr std::int64_t comparisons_a_look = 65536;
+inline constexpr std::int64_t steps_per_check = 512;
+inline constexpr std::int64_t comparisons_per_check = 65536;
 
 } // namespace hrbfnpr::output

@@ -4,8 +4,8 @@
 //    far to near, as in the raster.
 // 2. lay_out makes a group with a name and a pen for each run, layer and number of hiding surfaces, and adds its dots
 //    or strokes.
-// 3. LineTypes is a filter that cuts lines into dashes [ISO 128-2].
-// 4. PlotOrder is a filter that clips, joins, drops, fills and sorts the lines and dots of a group for a pen.
+// 3. DashFilter is a filter that cuts lines into dashes [ISO 128-2].
+// 4. PlotOrderFilter is a filter that clips, joins, drops, fills and sorts the lines and dots of a group for a pen.
 // 5. write_page makes the writer and the filters before it, and passes drawings and annotations to them.
 #include "geometry/point_tree.h"
 #include "marks/point_set.h"
@@ -43,10 +43,10 @@ std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept 
 // Calls f(dot, number) for the visible dots.
 template <class F>
 void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f) {
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     for (const drawing::IndexRange& piece : drawing.dot_ranges)
         for (std::int64_t i = piece.begin; i < piece.end; ++i) {
-            looks.count();
+            checks.count();
             if (drawing.dots[i].opacity >= drawing::faintest_ink) f(drawing.dots[i], i);
         }
 }
@@ -151,16 +151,16 @@ void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progres
     base::Array<std::uint32_t> order(memory); // the numbers of the dots, far to near
     for_dots(drawing, progress,
              [&](const Dot&, std::int64_t number) { order.push_back(static_cast<std::uint32_t>(number)); });
-    Looks comparisons(progress, comparisons_a_look);
+    CancelChecks comparisons(progress, comparisons_per_check);
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         comparisons.count();
         return drawing.before(a, b);
     });
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     std::int64_t painted = 0; // the number of dots painted
     const auto paint_dots = [&](const auto& comes_before) {
         for (; painted < order.size() && comes_before(drawing.dots[order[painted]]); ++painted) {
-            looks.count();
+            checks.count();
             const Dot& dot = drawing.dots[order[painted]];
             runs.of_dot[order[painted]] =
                 paint(cells, runs, dot.layer, group_of_dots(dot.layer), [&](const auto& visit) {
@@ -171,7 +171,7 @@ void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progres
     };
     for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
         const Stroke& stroke = drawing.strokes[i];
-        looks.count(1 + stroke.count);
+        checks.count(1 + stroke.count);
         paint_dots([&](const Dot& dot) { return dot.depth > stroke.depth; });
         runs.of_stroke[i] = paint(cells, runs, stroke.layer, group_of_strokes(stroke.layer, hidden_layers(stroke)),
                                   [&](const auto& visit) { cells.for_stroke(drawing, stroke, visit); });
@@ -349,9 +349,9 @@ static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
 // A line with more periods is drawn solid: the dashes would be invisible, and writing them would never end.
 constexpr double most_periods = 1e5;
 
-class LineTypes final : public PageFilter {
+class DashFilter final : public PageFilter {
 public:
-    LineTypes(base::Memory& memory, PageSink& next) noexcept : PageFilter(next), part_(memory) {}
+    DashFilter(base::Memory& memory, PageSink& next) noexcept : PageFilter(next), part_(memory) {}
 
     void begin_group(const PageGroup& group) override {
         group_ = group;
@@ -431,14 +431,14 @@ bool find_within(const PagePoint& a, const PagePoint& b, const Frame& frame, dou
 
 // ---- The order of a pen
 
-constexpr std::int64_t lines_a_look = 64;
+constexpr std::int64_t lines_per_check = 64;
 
-class PlotOrder final : public PageFilter {
+class PlotOrderFilter final : public PageFilter {
 public:
-    PlotOrder(base::Memory& memory, PageSink& next, const PageSettings& settings, PageCounts& counts, PenTrack* track,
-              const base::Progress& progress)
+    PlotOrderFilter(base::Memory& memory, PageSink& next, const PageSettings& settings, PageCounts& counts,
+                    PenTrack* track, const base::Progress& progress)
         : PageFilter(next), memory_(memory), settings_(settings), counts_(counts), track_(track), progress_(progress),
-          looks_(progress, lines_a_look), frame_{0.0, 0.0, settings.width, settings.height}, lines_(memory),
+          checks_(progress, lines_per_check), frame_{0.0, 0.0, settings.width, settings.height}, lines_(memory),
           dots_(memory), ring_(memory), part_(memory), pen_lines_(memory), turned_(memory), pen_(0.0, settings.height) {
     }
     void begin_view(const PageView& view) override {
@@ -461,7 +461,7 @@ public:
         clip(path, like, lines_);
     }
     void dot(const PageDot& dot) override {
-        looks_.count();
+        checks_.count();
         if (frame_.contains(dot.x, dot.y)) dots_.push_back(dot);
     }
     void end_group() override {
@@ -477,7 +477,7 @@ public:
             std::swap(lines_, within);
         }
         drop_near_dots();
-        hand_on();
+        forward_lines();
         next_.end_group();
     }
     void end_view() override {
@@ -489,7 +489,7 @@ private:
     // Adds each part of the path whose centre line is within the frame, in order, to the lines. Cut ends are flat. A
     // closed path becomes open if any part of it is cut off.
     void clip(const PagePath& path, const PlotLine& like, PlotLines& out) {
-        looks_.count();
+        checks_.count();
         const auto take = [&](const PagePath& part) {
             PlotLine line = like;
             line.width = like.width > 0.0 ? like.width : mean_width(part.points);
@@ -547,7 +547,7 @@ private:
     }
     void drop_short() {
         const auto is_short = [&](const PlotLine& line) {
-            looks_.count();
+            checks_.count();
             const double least =
                 settings_.plot.shortest > 0.0 ? settings_.plot.shortest : plot_tuning.shortest_line * line.width;
             const std::span<const PagePoint> points = lines_.points_of(line);
@@ -566,7 +566,7 @@ private:
         base::Array<std::uint8_t> taken(memory_, dots_.size());
         std::int64_t kept = 0;
         for (std::int64_t i = 0; i < dots_.size(); ++i) {
-            looks_.count();
+            checks_.count();
             if (taken[i] != 0) continue;
             const PageDot dot = dots_[i];
             const double least = settings_.plot.dot_distance > 0.0 ? settings_.plot.dot_distance
@@ -579,8 +579,8 @@ private:
         counts_.dropped_dots += dots_.size() - kept;
         dots_.resize(kept);
     }
-    void hand_on() {
-        look(progress_);
+    void forward_lines() {
+        check_cancel(progress_);
         base::Array<PagePoint> places(memory_);
         for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, dot.radius});
         base::Array<Stop> stops(memory_); // lines, then dots
@@ -588,9 +588,9 @@ private:
         for (std::int64_t i = 0; i < places.size(); ++i)
             stops.push_back({places.span().subspan(static_cast<std::size_t>(i), 1), false});
         for (const Leg& leg : find_tour(memory_, stops.span(), pen_, progress_)) {
-            looks_.count();
+            checks_.count();
             if (leg.stop < lines_.lines.size()) {
-                put(lines_.path_of(lines_.lines[leg.stop]), leg);
+                forward_line(lines_.path_of(lines_.lines[leg.stop]), leg);
                 continue;
             }
             const PageDot& dot = dots_[leg.stop - lines_.lines.size()];
@@ -599,7 +599,7 @@ private:
             next_.dot(dot);
         }
     }
-    void put(PagePath path, const Leg& leg) {
+    void forward_line(PagePath path, const Leg& leg) {
         const std::size_t count = path.points.size();
         turned_.clear();
         if (path.closed) {
@@ -621,7 +621,7 @@ private:
     PageCounts& counts_;
     PenTrack* track_;
     const base::Progress& progress_;
-    Looks looks_;
+    CancelChecks checks_;
     Frame frame_; // the drawable part of the page, mm; within a view also clipped to the view's frame
     PageGroup group_;
     PlotLines lines_;
@@ -638,9 +638,9 @@ private:
 void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
     base::Array<PagePoint> points(memory);
     const Annotation* open = nullptr;
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     for (const Annotation& annotation : page.annotations) {
-        looks.count(1 + static_cast<std::int64_t>(annotation.points.size()));
+        checks.count(1 + static_cast<std::int64_t>(annotation.points.size()));
         if (open == nullptr || open->group != annotation.group) {
             if (open != nullptr) sink.end_group();
             PageGroup group;
@@ -684,7 +684,7 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
     }
     const Runs runs = find_runs(memory, drawing, placement.far_to_near, progress);
     base::Array<PagePoint> page(memory);
-    Looks looks(progress, steps_a_look);
+    CancelChecks checks(progress, steps_per_check);
     for (std::int32_t run = 0; run < runs.count; ++run)
         for (std::int64_t layer = 0; layer < drawing.layers.size(); ++layer) {
             if (runs.has(run, group_of_dots(layer))) {
@@ -700,7 +700,7 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
                 for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
                     const Stroke& stroke = drawing.strokes[i];
                     const bool is_here = stroke.layer == layer && hidden_layers(stroke) == hidden;
-                    looks.count(is_here ? 1 + stroke.count : 1);
+                    checks.count(is_here ? 1 + stroke.count : 1);
                     if (is_here && runs.of_stroke[i] == run) add_stroke(map, stroke, page, sink);
                 }
                 sink.end_group();
@@ -710,12 +710,12 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
 }
 
 std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next) {
-    return std::make_unique<LineTypes>(memory, next);
+    return std::make_unique<DashFilter>(memory, next);
 }
 
 std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
                                      PageCounts& counts, PenTrack* track, const base::Progress& progress) {
-    return std::make_unique<PlotOrder>(memory, next, settings, counts, track, progress);
+    return std::make_unique<PlotOrderFilter>(memory, next, settings, counts, track, progress);
 }
 
 glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept {
@@ -742,7 +742,7 @@ PageCounts write_page(const base::Work& work, const Page& page, const PageSettin
     // Plotter writers track the pen themselves, in their own rounded units.
     if (settings.in_plot_order || settings.for_plotter())
         sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, work);
-    LineTypes dashed(memory, sorted ? *sorted : *file);
+    DashFilter dashed(memory, sorted ? *sorted : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
     const bool filled = !settings.without_paper;
