@@ -41,7 +41,7 @@ glm::dvec3 vector(const double* components, const char* name) {
 
 // Calls body(full) on a copy of the camera, so that a failure changes nothing.
 template <class F>
-hrbfnpr_status change(hrbfnpr_camera* camera, hrbfnpr_error* error, F&& body) noexcept {
+hrbfnpr_status change_camera(hrbfnpr_camera* camera, hrbfnpr_error* error, F&& body) noexcept {
     return guarded(error, [&] {
         hrbfnpr_camera full = read_struct(camera, "camera");
         body(full);
@@ -75,7 +75,7 @@ hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size)
 
 hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye, const double* target, const double* up,
                                       hrbfnpr_error* error) {
-    return api::change(camera, error, [&](hrbfnpr_camera& full) {
+    return api::change_camera(camera, error, [&](hrbfnpr_camera& full) {
         api::from_matrix(full.view,
                          frame::look_at(api::vector(eye, "eye"), api::vector(target, "target"), api::vector(up, "up")));
     });
@@ -83,7 +83,7 @@ hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye,
 
 hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle, double width, double height,
                                           double near_plane, double far_plane, hrbfnpr_error* error) {
-    return api::change(camera, error, [&](hrbfnpr_camera& full) {
+    return api::change_camera(camera, error, [&](hrbfnpr_camera& full) {
         const glm::dmat4 projection =
             frame::perspective(vertical_angle, width, height, near_plane, far_plane, api::depth_of(full));
         api::set_projection(full, projection, width, height);
@@ -92,7 +92,7 @@ hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertica
 
 hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height, double width, double height,
                                            double near_plane, double far_plane, hrbfnpr_error* error) {
-    return api::change(camera, error, [&](hrbfnpr_camera& full) {
+    return api::change_camera(camera, error, [&](hrbfnpr_camera& full) {
         const glm::dmat4 projection =
             frame::orthographic(view_height, width, height, near_plane, far_plane, api::depth_of(full));
         api::set_projection(full, projection, width, height);
@@ -102,7 +102,7 @@ hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_h
 hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* bounds_min, const double* bounds_max,
                                          const double* direction, const double* up, double vertical_angle, double width,
                                          double height, double margin, hrbfnpr_error* error) {
-    return api::change(camera, error, [&](hrbfnpr_camera& full) {
+    return api::change_camera(camera, error, [&](hrbfnpr_camera& full) {
         const geometry::Bounds bounds{api::vector(bounds_min, "bounds_min"), api::vector(bounds_max, "bounds_max")};
         api::set_camera(full, frame::fit_bounds(bounds, api::vector(direction, "direction"), api::vector(up, "up"),
                                                 vertical_angle, width, height, margin, api::depth_of(full)));
@@ -112,7 +112,7 @@ hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* b
 hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points, const double* origin,
                                          const double* direction, const double* up, double vertical_angle, double width,
                                          double height, double margin, hrbfnpr_error* error) {
-    return api::change(camera, error, [&](hrbfnpr_camera& full) {
+    return api::change_camera(camera, error, [&](hrbfnpr_camera& full) {
         const base::InView view = api::in_view(api::deref(points, "points"), "points", api::points_type);
         if (view.empty()) fail(Status::invalid_argument, "points is empty; give at least one point");
         const glm::dvec3 from = origin != nullptr ? api::vector(origin, "origin") : glm::dvec3(0.0);

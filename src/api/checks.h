@@ -31,7 +31,7 @@ public:
         if (!(value >= low && value <= high))
             fail(Status::invalid_argument, "%s.%s is %g; it must be from %g to %g", owner_, field, value, low, high);
     }
-    void inside(const char* field, double value, double low, double high) const {
+    void strictly_between(const char* field, double value, double low, double high) const {
         if (!(value > low && value < high))
             fail(Status::invalid_argument, "%s.%s is %g; it must be above %g and below %g", owner_, field, value, low,
                  high);
@@ -56,7 +56,7 @@ public:
     void zero(const char* field, std::uint32_t value) const {
         if (value != 0) fail(Status::invalid_argument, "%s.%s is %u; it must be 0", owner_, field, value);
     }
-    void given(const char* field, bool is_given) const {
+    void not_null(const char* field, bool is_given) const {
         if (!is_given) fail(Status::invalid_argument, "%s.%s is NULL", owner_, field);
     }
 

@@ -82,7 +82,7 @@ namespace {
 
 void check_backend(const hrbfnpr_context_desc& desc) {
     const bool hosted = desc.run_tasks != nullptr;
-    if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_RUN_TASKS) Checks("context_desc").given("run_tasks", hosted);
+    if (desc.thread_backend == HRBFNPR_THREAD_BACKEND_RUN_TASKS) Checks("context_desc").not_null("run_tasks", hosted);
     if (hosted && desc.thread_backend != HRBFNPR_THREAD_BACKEND_AUTO &&
         desc.thread_backend != HRBFNPR_THREAD_BACKEND_RUN_TASKS)
         fail(Status::invalid_argument,

@@ -27,7 +27,7 @@ constexpr auto node_fields() noexcept {
     return FieldTable{field("kind", &Node::kind, &CsgNode::kind, rule::OneOf{HRBFNPR_CSG_TORUS, "HRBFNPR_CSG_*"}),
                       field("parent", &Node::parent, &CsgNode::parent, rule::Any{}),
                       field("model", &Node::model, rule::Any{}),
-                      field("transform", &Node::transform, rule::All{rule::Finite{}}),
+                      field("transform", &Node::transform, rule::AllNumbers{rule::Finite{}}),
                       field("size", &Node::size, &CsgNode::size, rule::Any{}),
                       field("radius", &Node::radius, &CsgNode::radius, rule::Any{}),
                       field("second_radius", &Node::second_radius, &CsgNode::second_radius, rule::Any{}),
@@ -43,8 +43,8 @@ constexpr auto desc_fields() noexcept {
                       field("nodes", &Desc::nodes, rule::Any{}),
                       field("node_count", &Desc::node_count, rule::Any{}),
                       field("node_stride", &Desc::node_stride, rule::Any{}),
-                      field("bounds_min", &Desc::bounds_min, rule::All{rule::Finite{}}),
-                      field("bounds_max", &Desc::bounds_max, rule::All{rule::Finite{}})};
+                      field("bounds_min", &Desc::bounds_min, rule::AllNumbers{rule::Finite{}}),
+                      field("bounds_max", &Desc::bounds_max, rule::AllNumbers{rule::Finite{}})};
 }
 static_assert(desc_fields().covers<Desc>());
 
@@ -124,7 +124,7 @@ private:
         CsgNode node = given_[i];
         if (i > 0) node.parent = number_[node.parent];
         if (node.kind != CsgKind::model) return solid_.add(node);
-        const hrbfnpr_model& model = list_[i].model->whole();
+        const hrbfnpr_model& model = list_[i].model->untrimmed();
         if (const CsgSolid* const tree = model.csg()) return solid_.add(*tree, node);
         node.model = solid_.leaf(model);
         return solid_.add(node);
@@ -188,13 +188,13 @@ hrbfnpr_model* create(hrbfnpr_context& context, const Desc& desc) {
 
 hrbfnpr_csg_info describe_csg(const hrbfnpr_model& model) {
     hrbfnpr_csg_info info{};
-    const CsgSolid* const solid = model.whole().csg();
+    const CsgSolid* const solid = model.untrimmed().csg();
     if (solid == nullptr) return info;
     info.nodes = solid->tree().size();
     info.depth = solid->depth();
     info.models = solid->models().size();
     info.sheets = solid->planned().root().sheets;
-    info.lipschitz = solid->own().lipschitz();
+    info.lipschitz = solid->function().lipschitz();
     return info;
 }
 

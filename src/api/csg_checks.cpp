@@ -59,7 +59,7 @@ void check_node(const char* name, const CsgNode& node) {
     case CsgKind::torus: break;
     }
     check_radii(checks, name, node);
-    checks.inside("second_radius", node.second_radius, 0.0, node.radius);
+    checks.strictly_between("second_radius", node.second_radius, 0.0, node.radius);
 }
 
 } // namespace

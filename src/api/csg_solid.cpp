@@ -10,7 +10,7 @@ CsgSolid::~CsgSolid() {
     for (const hrbfnpr_model* model : models_) release_handle(model);
 }
 
-void CsgSolid::need_room(std::int64_t more) const {
+void CsgSolid::require_room(std::int64_t more) const {
     if (tree_.size() + more > implicit::most_csg_nodes)
         fail(Status::invalid_argument,
              "csg_desc has more than %lld nodes, with those of the trees in its models; remove nodes, or fit one model "
@@ -27,13 +27,13 @@ std::int64_t CsgSolid::leaf(const hrbfnpr_model& model) {
 }
 
 std::int64_t CsgSolid::add(const implicit::CsgNode& node) {
-    need_room(1);
+    require_room(1);
     tree_.push_back(node);
     return tree_.size() - 1;
 }
 
 std::int64_t CsgSolid::add(const CsgSolid& of, const implicit::CsgNode& in_place_of) {
-    need_room(of.tree_.size());
+    require_room(of.tree_.size());
     const std::int64_t first = tree_.size();
     base::Array<std::int64_t> number(runtime_.memory);
     for (const hrbfnpr_model* model : of.models_) number.push_back(leaf(*model));
@@ -63,7 +63,7 @@ void CsgSolid::plan() {
 void CsgSolid::finish(const geometry::Bounds& bounds) {
     base::Array<const implicit::Implicit*> leaves(runtime_.memory);
     for (const hrbfnpr_model* model : models_) leaves.push_back(&model->implicit());
-    own_ = std::make_unique<implicit::Csg>(runtime_, *plan_, std::move(leaves), bounds);
+    function_ = std::make_unique<implicit::Csg>(runtime_, *plan_, std::move(leaves), bounds);
 }
 
 const implicit::Implicit& CsgSolid::implicit_for(double evaluations, const base::Progress& progress) const {
@@ -72,11 +72,11 @@ const implicit::Implicit& CsgSolid::implicit_for(double evaluations, const base:
     const auto has = [&](const implicit::Csg& csg) {
         return std::equal(leaves.begin(), leaves.end(), csg.leaves().begin());
     };
-    if (has(*own_)) return *own_;
+    if (has(*function_)) return *function_;
     const std::scoped_lock lock(preparing_);
     for (const auto& csg : prepared_)
         if (has(*csg)) return *csg;
-    prepared_.push_back(std::make_unique<implicit::Csg>(runtime_, *plan_, std::move(leaves), own_->bounds()));
+    prepared_.push_back(std::make_unique<implicit::Csg>(runtime_, *plan_, std::move(leaves), function_->bounds()));
     return *prepared_.back();
 }
 

@@ -39,7 +39,7 @@ public:
     void finish(const geometry::Bounds& bounds);
 
     // These are valid after finish():
-    [[nodiscard]] const implicit::Csg& own() const noexcept { return *own_; }
+    [[nodiscard]] const implicit::Csg& function() const noexcept { return *function_; }
     [[nodiscard]] const implicit::Implicit& implicit_for(double evaluations, const base::Progress& progress) const;
     [[nodiscard]] const implicit::CsgTree& tree() const noexcept { return tree_; }
     [[nodiscard]] const base::Array<const hrbfnpr_model*>& models() const noexcept { return models_; }
@@ -47,13 +47,13 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes() + models_.bytes() + plan_->bytes(); }
 
 private:
-    void need_room(std::int64_t more) const;
+    void require_room(std::int64_t more) const;
 
     const base::Runtime& runtime_;
     implicit::CsgTree tree_;
     base::Array<const hrbfnpr_model*> models_;
     std::unique_ptr<implicit::CsgPlan> plan_;
-    std::unique_ptr<implicit::Csg> own_;
+    std::unique_ptr<implicit::Csg> function_;
     mutable std::mutex preparing_;
     mutable std::vector<std::unique_ptr<implicit::Csg>> prepared_; // functions with some leaves prepared
 };

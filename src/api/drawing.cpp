@@ -205,7 +205,7 @@ struct VertexOut {
     std::int64_t* index_count;
 };
 
-void tell(const VertexOut& out, const output::VertexBound& bound) noexcept {
+void write_bound(const VertexOut& out, const output::VertexBound& bound) noexcept {
     if (out.vertex_count != nullptr) *out.vertex_count = bound.vertices;
     if (out.index_count != nullptr) *out.index_count = bound.indices;
 }
@@ -217,9 +217,8 @@ void write_vertices(const hrbfnpr_drawing& handle, const hrbfnpr_vertex_layout& 
     check_capacity("index_capacity", out.index_capacity, out.indices, "indices");
     const output::VertexBound bound = output::vertex_bound(handle.drawing, primitive);
     if (out.vertex_capacity < bound.vertices || (out.indices != nullptr && out.index_capacity < bound.indices)) {
-        tell(out, bound);
-        fail(Status::buffer_too_small,
-             "vertex_capacity is %lld and index_capacity is %lld; they must be at least %lld and %lld",
+        write_bound(out, bound);
+        fail(Status::buffer_too_small, "vertex_capacity is %lld and index_capacity %lld; %lld and %lld are needed",
              static_cast<long long>(out.vertex_capacity), static_cast<long long>(out.index_capacity),
              static_cast<long long>(bound.vertices), static_cast<long long>(bound.indices));
     }
@@ -228,11 +227,11 @@ void write_vertices(const hrbfnpr_drawing& handle, const hrbfnpr_vertex_layout& 
         static_cast<std::uint64_t>(fields.stride) > room / static_cast<std::uint64_t>(bound.vertices))
         fail(Status::invalid_argument, "layout.stride: %lld vertices of %lld bytes exceed the address space",
              static_cast<long long>(bound.vertices), static_cast<long long>(fields.stride));
-    const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().readers.vertices);
+    const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().drawing_scratch.vertices);
     output::write_vertices(handle.runtime(), handle.drawing, *scratch,
                            {primitive, std::span(fields.field).first(fields.count), fields.stride},
                            static_cast<std::byte*>(out.vertices), out.indices);
-    tell(out, bound);
+    write_bound(out, bound);
 }
 
 // ---- Marks ---------------------------------------------------------------------------------
@@ -275,7 +274,7 @@ void write_indices(const hrbfnpr_drawing& handle, std::int64_t run, std::uint32_
         fail(Status::invalid_argument, "mark_class is %u; it must be HRBFNPR_CLASS_FRONT or _SILHOUETTE", mark_class);
     check_capacity("capacity", out.capacity, out.indices, "indices");
     require_pointer(out.count, "count");
-    const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().readers.vertices);
+    const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().drawing_scratch.vertices);
     const auto found =
         output::mark_indices(handle.context().runtime, handle.drawing, run, static_cast<drawing::MarkClass>(mark_class),
                              checked_primitive(primitive, "primitive"), *scratch);

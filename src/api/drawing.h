@@ -9,9 +9,9 @@
 struct hrbfnpr_drawing : hrbfnpr::api::Child {
     explicit hrbfnpr_drawing(hrbfnpr_context& context)
         : Child(context), drawing(context.runtime.memory), sets(context.runtime.memory) {}
-    ~hrbfnpr_drawing() { let_go(); }
+    ~hrbfnpr_drawing() { release_owners(); }
 
-    void let_go() noexcept {
+    void release_owners() noexcept {
         for (const hrbfnpr_point_set* set : sets) hrbfnpr::api::release_handle(set);
         sets.clear();
     }

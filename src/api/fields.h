@@ -72,11 +72,11 @@ struct Between { // both ends are allowed
     }
 };
 
-struct Inside { // neither end is allowed
+struct StrictlyBetween { // neither end is allowed
     double low, high;
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {
-        checks.inside(field, static_cast<double>(value), low, high);
+        checks.strictly_between(field, static_cast<double>(value), low, high);
     }
 };
 
@@ -105,15 +105,15 @@ struct Zero {
     void operator()(const Checks& checks, const char* field, std::uint32_t value) const { checks.zero(field, value); }
 };
 
-struct Given { // a pointer that must not be NULL
+struct NotNull { // a pointer that must not be NULL
     template <class T>
     void operator()(const Checks& checks, const char* field, T* value) const {
-        checks.given(field, value != nullptr);
+        checks.not_null(field, value != nullptr);
     }
 };
 
 template <class Rule>
-struct All { // the numbers of an array, all under the field's name
+struct AllNumbers { // the numbers of an array, all under the field's name
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
@@ -121,10 +121,10 @@ struct All { // the numbers of an array, all under the field's name
     }
 };
 template <class Rule>
-All(Rule) -> All<Rule>;
+AllNumbers(Rule) -> AllNumbers<Rule>;
 
 template <class Rule>
-struct Each { // the numbers of an array, each under its own name, "field[2]"
+struct IndexedNumbers { // the numbers of an array, each under its own name, "field[2]"
     Rule rule;
     template <class T, std::size_t count>
     void operator()(const Checks& checks, const char* field, const T (&values)[count]) const {
@@ -136,7 +136,7 @@ struct Each { // the numbers of an array, each under its own name, "field[2]"
     }
 };
 template <class Rule>
-Each(Rule) -> Each<Rule>;
+IndexedNumbers(Rule) -> IndexedNumbers<Rule>;
 
 } // namespace rule
 

@@ -104,7 +104,7 @@ void check(const hrbfnpr_layer_desc& desc, const char* owner) {
     hatch_fields().check(owner, desc);
     guide_fields().check(owner, desc);
     const Checks checks(owner);
-    if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
+    if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.not_null("density_function", desc.density_function != nullptr);
 }
 
 generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owner) {

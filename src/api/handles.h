@@ -40,8 +40,8 @@ private:
 };
 
 // Scratch of the calls that read a drawing. They take a const handle, and may run on several threads at once.
-struct Readers {
-    explicit Readers(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime) {}
+struct DrawingScratch {
+    explicit DrawingScratch(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime) {}
 
     base::ScratchPool<output::Raster> rasters;
     base::ScratchPool<output::VertexScratch> vertices;
@@ -57,7 +57,7 @@ struct hrbfnpr_context : hrbfnpr::api::Counted {
     hrbfnpr::base::DeallocateFn deallocate;
     void* allocator_user;
     hrbfnpr::base::Runtime runtime;
-    mutable hrbfnpr::api::Readers readers{runtime};
+    mutable hrbfnpr::api::DrawingScratch drawing_scratch{runtime};
 };
 
 namespace hrbfnpr::api {
@@ -102,14 +102,14 @@ void release_handle(const T* handle) noexcept {
 
 // Keeps a handle alive while a call uses it.
 template <class T>
-class Hold {
+class HandleHold {
 public:
-    explicit Hold(T* handle) noexcept : handle_(handle) {
+    explicit HandleHold(T* handle) noexcept : handle_(handle) {
         if (handle_ != nullptr) handle_->add_reference();
     }
-    ~Hold() { release_handle(handle_); }
-    Hold(const Hold&) = delete;
-    Hold& operator=(const Hold&) = delete;
+    ~HandleHold() { release_handle(handle_); }
+    HandleHold(const HandleHold&) = delete;
+    HandleHold& operator=(const HandleHold&) = delete;
 
 private:
     T* handle_;

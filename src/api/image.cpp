@@ -65,7 +65,7 @@ output::Image checked(const hrbfnpr_image& image) {
     const auto format = static_cast<output::Format>(image.format);
     checks.between("width", image.width, 1, largest_side);
     checks.between("height", image.height, 1, largest_side);
-    checks.given("pixels", image.pixels != nullptr);
+    checks.not_null("pixels", image.pixels != nullptr);
     return {format, image.width, image.height, static_cast<std::byte*>(image.pixels),
             checked_row_stride(image, output::bytes_of_pixel(format))};
 }
@@ -102,7 +102,7 @@ hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const h
         const auto& handle = api::deref(drawing, "drawing");
         const output::Image target = api::checked(api::read_struct(image, "image"));
         const output::DrawSettings settings = api::checked(api::read_optional_struct(desc, "raster_desc"), target);
-        const base::ScratchPool<output::Raster>::Lease raster(handle.context().readers.rasters);
+        const base::ScratchPool<output::Raster>::Lease raster(handle.context().drawing_scratch.rasters);
         raster->draw(handle.drawing, target, settings);
     });
 }

@@ -25,32 +25,33 @@ static_assert(static_cast<std::uint32_t>(fit::Repair::reorient) == HRBFNPR_REPAI
 static_assert(static_cast<std::uint32_t>(fit::RegularizationMode::automatic) == HRBFNPR_REGULARIZATION_AUTO);
 
 hrbfnpr_model::hrbfnpr_model(hrbfnpr_context& context, const hrbfnpr_model& of, generate::FoundTrim&& found)
-    : Child(context), surface(std::in_place_type<std::monostate>), history(context.runtime.memory), whole_(&of.whole()),
-      trim_(std::move(found)) {
-    if (trim_.trim != nullptr) trimmed_.emplace(whole_->implicit(), *trim_.trim);
-    whole_->add_reference();
+    : Child(context), surface(std::in_place_type<std::monostate>), history(context.runtime.memory),
+      untrimmed_(&of.untrimmed()), trim_(std::move(found)) {
+    if (trim_.trim != nullptr) trimmed_.emplace(untrimmed_->implicit(), *trim_.trim);
+    untrimmed_->add_reference();
 }
 
-hrbfnpr_model::~hrbfnpr_model() { api::release_handle(whole_); }
+hrbfnpr_model::~hrbfnpr_model() { api::release_handle(untrimmed_); }
 
 const implicit::Implicit& hrbfnpr_model::trimmed(const implicit::Implicit& prepared) const {
     if (!trimmed_) return prepared;
-    if (&prepared == &whole_->implicit()) return *trimmed_;
-    const auto is_prepared = [&](const Ready& ready) { return ready.implicit.get() == &prepared; };
+    if (&prepared == &untrimmed_->implicit()) return *trimmed_;
+    const auto is_prepared = [&](const Preparation& ready) { return ready.implicit.get() == &prepared; };
     std::size_t way = 0;
     {
-        const std::scoped_lock lock(whole_->preparing_);
-        way = static_cast<std::size_t>(std::find_if(whole_->ready_.begin(), whole_->ready_.end(), is_prepared) -
-                                       whole_->ready_.begin());
+        const std::scoped_lock lock(untrimmed_->preparing_);
+        way = static_cast<std::size_t>(
+            std::find_if(untrimmed_->preparations_.begin(), untrimmed_->preparations_.end(), is_prepared) -
+            untrimmed_->preparations_.begin());
     }
     const std::scoped_lock lock(preparing_);
     if (!ready_trimmed_[way]) ready_trimmed_[way].emplace(prepared, *trim_.trim);
     return *ready_trimmed_[way];
 }
 
-std::size_t hrbfnpr_model::way_for(double evaluations) const noexcept {
-    if (const auto* made = std::get_if<implicit::SheetTree>(&surface)) {
-        const auto scope = implicit::PreparedSheetTree::pays(made->data(), evaluations);
+std::size_t hrbfnpr_model::preparation_for(double evaluations) const noexcept {
+    if (const auto* made = std::get_if<implicit::Pieces>(&surface)) {
+        const auto scope = implicit::PreparedPieces::pays(made->data(), evaluations);
         return scope ? static_cast<std::size_t>(*scope) : ways;
     }
     const implicit::HrbfData* const hrbf = data();
@@ -65,11 +66,11 @@ std::unique_ptr<implicit::Implicit> hrbfnpr_model::prepare(std::size_t way, cons
 }
 
 const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
-    if (whole_ != nullptr) return trimmed(whole_->implicit_for(evaluations, progress));
+    if (untrimmed_ != nullptr) return trimmed(untrimmed_->implicit_for(evaluations, progress));
     if (const api::CsgSolid* const solid = csg()) return solid->implicit_for(evaluations, progress);
-    const std::size_t way = way_for(evaluations);
+    const std::size_t way = preparation_for(evaluations);
     if (way == ways) return implicit();
-    Ready& ready = ready_[way];
+    Preparation& ready = preparations_[way];
     {
         const std::scoped_lock lock(preparing_);
         if (ready.tried) return ready.implicit != nullptr ? *ready.implicit : implicit();
@@ -130,11 +131,11 @@ constexpr auto custom_fields() noexcept {
     return FieldTable{
         field("flags", &Custom::flags,
               rule::Flags{HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN | HRBFNPR_CUSTOM_THREAD_SAFE}),
-        field("function", &Custom::function, &implicit::CustomFunction::function, rule::Given{}),
+        field("function", &Custom::function, &implicit::CustomFunction::function, rule::NotNull{}),
         field("user", &Custom::user, &implicit::CustomFunction::user, rule::Any{}),
         field("release", &Custom::release, &implicit::CustomFunction::release, rule::Any{}),
-        field("bounds_min", &Custom::bounds_min, rule::All{rule::Finite{}}),
-        field("bounds_max", &Custom::bounds_max, rule::All{rule::Finite{}}),
+        field("bounds_min", &Custom::bounds_min, rule::AllNumbers{rule::Finite{}}),
+        field("bounds_max", &Custom::bounds_max, rule::AllNumbers{rule::Finite{}}),
         field("difference_step", &Custom::difference_step, &implicit::CustomFunction::difference_step,
               rule::not_negative)};
 }
@@ -224,8 +225,9 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
 }
 
 // Returns the fitted model with a box that also holds its surface where that closes around samples along curves.
-hrbfnpr_model* reaching_all(hrbfnpr_model* fitted, const geometry::VecArray& samples, const base::Progress& progress) {
-    const Hold<hrbfnpr_model> whole(fitted); // owns the model from here on
+hrbfnpr_model* with_closed_bounds(hrbfnpr_model* fitted, const geometry::VecArray& samples,
+                                  const base::Progress& progress) {
+    const HandleHold<hrbfnpr_model> whole(fitted); // owns the model from here on
     release_handle(fitted);
     auto& surface = *std::get_if<implicit::Hrbf>(&fitted->surface);
     surface.set_bounds(generate::closed_bounds({fitted->runtime(), progress}, surface, samples));
@@ -245,8 +247,8 @@ hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc,
     const std::optional<fit::Samples> samples = std::exchange(result.samples, std::nullopt);
     generate::TrimSettings settings;
     settings.off = result.report.input_distance_max;
-    hrbfnpr_model* const fitted = reaching_all(make_handle<hrbfnpr_model>(context, std::move(result)),
-                                               samples->position, progress.part(end_of_fit, end_of_bounds));
+    hrbfnpr_model* const fitted = with_closed_bounds(make_handle<hrbfnpr_model>(context, std::move(result)),
+                                                     samples->position, progress.part(end_of_fit, end_of_bounds));
     if (desc.trim != HRBFNPR_TRIM_NEVER)
         return ended_model(fitted, samples->position, samples->normal, settings, progress.part(end_of_bounds, 1.0));
     use.finish();
@@ -325,13 +327,13 @@ void describe_fit(hrbfnpr_model_info& info, const fit::FitReport& report) noexce
 
 hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     hrbfnpr_model_info info{};
-    const CsgSolid* const solid = model.whole().csg();
+    const CsgSolid* const solid = model.untrimmed().csg();
     info.kernel = solid != nullptr ? HRBFNPR_KERNEL_CSG : HRBFNPR_KERNEL_CUSTOM;
     info.polynomial_degree = -1;
     info.bytes = static_cast<std::int64_t>(sizeof(hrbfnpr_model)) + (solid != nullptr ? solid->bytes() : 0);
     set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
-    if (const implicit::SheetTreeData* pieces = model.pieces()) {
-        describe_fit(info, model.whole().report);
+    if (const implicit::PiecesData* pieces = model.pieces()) {
+        describe_fit(info, model.untrimmed().report);
         info.kernel = static_cast<std::uint32_t>(pieces->sheet[0].kernel);
         info.polynomial_degree = pieces->sheet[0].polynomial_degree;
         info.centres = pieces->centres();
@@ -340,7 +342,7 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     }
     const implicit::HrbfData* data = model.data();
     if (data == nullptr) return info;
-    describe_fit(info, model.whole().report);
+    describe_fit(info, model.untrimmed().report);
     info.kernel = static_cast<std::uint32_t>(data->kernel);
     info.polynomial_degree = data->polynomial_degree;
     info.centres = data->count();
@@ -354,7 +356,8 @@ hrbfnpr_array view_of(const hrbfnpr_model& model, std::uint32_t attribute) {
         fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MODEL_ATTRIBUTE_* (0 to 2)",
              attribute);
     if (attribute == HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY)
-        return {model.whole().history.data(), model.whole().history.size(), sizeof(double), HRBFNPR_SCALAR_FLOAT64, 1};
+        return {model.untrimmed().history.data(), model.untrimmed().history.size(), sizeof(double),
+                HRBFNPR_SCALAR_FLOAT64, 1};
     hrbfnpr_array view{nullptr, 0, 3 * sizeof(double), HRBFNPR_SCALAR_FLOAT64, 3};
     const std::span<const double> samples =
         attribute == HRBFNPR_MODEL_ATTRIBUTE_POSITION ? model.samples().position : model.sample_normals();

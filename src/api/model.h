@@ -41,10 +41,10 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
 
     [[nodiscard]] const hrbfnpr::implicit::Implicit& implicit() const noexcept {
         if (trimmed_) return *trimmed_;
-        if (whole_ != nullptr) return whole_->implicit();
+        if (untrimmed_ != nullptr) return untrimmed_->implicit();
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
-        if (const hrbfnpr::api::CsgSolid* solid = csg()) return solid->own();
-        if (const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&surface)) return *made;
+        if (const hrbfnpr::api::CsgSolid* solid = csg()) return solid->function();
+        if (const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&surface)) return *made;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
     // nullptr for a model that is no tree, and for a trimmed one.
@@ -52,11 +52,12 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         const auto* solid = std::get_if<std::unique_ptr<hrbfnpr::api::CsgSolid>>(&surface);
         return solid != nullptr ? solid->get() : nullptr;
     }
-    // The model without its trim; an untrimmed model returns itself.
-    [[nodiscard]] const hrbfnpr_model& whole() const noexcept { return whole_ != nullptr ? *whole_ : *this; }
-    // Records that no end of the surface was found, for example because the surface is closed. Call it before other
-    // threads know the model.
-    void looked_for_end(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
+    // The model without the trim: itself, if it is not trimmed.
+    [[nodiscard]] const hrbfnpr_model& untrimmed() const noexcept {
+        return untrimmed_ != nullptr ? *untrimmed_ : *this;
+    }
+    // Records that no end of the surface was found, as for a closed one.  Call it before other threads know the model.
+    void set_trim_report(const hrbfnpr::generate::TrimReport& found) noexcept { trim_.report = found; }
     [[nodiscard]] const hrbfnpr::generate::FoundTrim& trim() const noexcept { return trim_; }
     // Returns the same function, prepared if that saves time for this number of evaluations. The first such call
     // prepares it.  Any thread may call this.
@@ -64,12 +65,12 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
                                                                   const hrbfnpr::base::Progress& progress) const;
     // nullptr for a model that is not one fit.
     [[nodiscard]] const hrbfnpr::implicit::HrbfData* data() const noexcept {
-        const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&whole().surface);
+        const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&untrimmed().surface);
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
     // nullptr for a model without sheets.
-    [[nodiscard]] const hrbfnpr::implicit::SheetTreeData* pieces() const noexcept {
-        const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&whole().surface);
+    [[nodiscard]] const hrbfnpr::implicit::PiecesData* pieces() const noexcept {
+        const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&untrimmed().surface);
         return made != nullptr ? &made->data() : nullptr;
     }
     // Empty for a custom model and a tree.
@@ -86,8 +87,8 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
 
     std::variant<hrbfnpr::implicit::Hrbf, hrbfnpr::implicit::SheetTree, hrbfnpr::implicit::Custom,
                  std::unique_ptr<hrbfnpr::api::CsgSolid>, std::monostate>
-        surface; // std::monostate in a trimmed model: see whole()
-    // These two are valid in whole() only.
+        surface; // std::monostate in a trimmed model: see untrimmed()
+    // These two are valid in untrimmed() only.
     hrbfnpr::fit::FitReport report;
     hrbfnpr::base::Array<double> history; // the residuals of a fit's iterations; empty if the model is not a fit
 
@@ -95,20 +96,20 @@ private:
     // The number of ways to prepare. Way 0 prepares an HRBF, or the zones of pieces; way 1 their zones and sheets.
     static constexpr std::size_t ways = 2;
     // Returns the way that saves time for this number of evaluations, or `ways` if none does.
-    [[nodiscard]] std::size_t way_for(double evaluations) const noexcept;
+    [[nodiscard]] std::size_t preparation_for(double evaluations) const noexcept;
     [[nodiscard]] std::unique_ptr<hrbfnpr::implicit::Implicit> prepare(std::size_t way,
                                                                        const hrbfnpr::base::Progress& progress) const;
     [[nodiscard]] const hrbfnpr::implicit::Implicit& trimmed(const hrbfnpr::implicit::Implicit& prepared) const;
 
-    const hrbfnpr_model* whole_ = nullptr; // the model that this one trims; null: not trimmed
+    const hrbfnpr_model* untrimmed_ = nullptr; // the model that this one trims; null: not trimmed
     hrbfnpr::generate::FoundTrim trim_;
     std::optional<hrbfnpr::implicit::Trimmed> trimmed_;
     mutable std::mutex preparing_;
-    struct Ready {
+    struct Preparation {
         bool tried = false;
         std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null: it would not be accurate
     };
-    mutable std::array<Ready, ways> ready_;
-    // The prepared functions of whole(), each with this model's trim, at the same index as in ready_.
+    mutable std::array<Preparation, ways> preparations_;
+    // The prepared functions of untrimmed(), each with this model's trim, at the same index as in preparations_.
     mutable std::array<std::optional<hrbfnpr::implicit::Trimmed>, ways> ready_trimmed_;
 };

@@ -166,18 +166,18 @@ void save_csg(const CsgSolid& solid, const io::TrimFile& trim, io::Writer& write
         report = numbers_of(leaf->report);
         leaves.push_back({leaf->data(), leaf->pieces(), report});
     }
-    io::save_csg(solid.tree(), solid.own().bounds(), leaves.span(), &trim, writer);
+    io::save_csg(solid.tree(), solid.function().bounds(), leaves.span(), &trim, writer);
 }
 
 void save(const hrbfnpr_model& model, io::Writer& writer) {
     const io::TrimFile trim = file_of(model.runtime().memory, model.trim());
-    if (const CsgSolid* const solid = model.whole().csg()) return save_csg(*solid, trim, writer);
+    if (const CsgSolid* const solid = model.untrimmed().csg()) return save_csg(*solid, trim, writer);
     const implicit::HrbfData* data = model.data();
     const implicit::SheetTreeData* pieces = model.pieces();
     if (data == nullptr && pieces == nullptr)
         fail(Status::invalid_argument,
-             "model is a custom model, and its function cannot be saved; save a fit, or a CSG tree of fits");
-    io::save_model({data, pieces, numbers_of(model.whole().report)}, &trim, writer);
+             "model is a custom one: its function cannot be saved; only fits can, and trees of them");
+    io::save_model({data, pieces, numbers_of(model.untrimmed().report)}, &trim, writer);
 }
 
 // Makes a model of the file's data, and moves the data out of the file.
@@ -195,7 +195,7 @@ hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
         auto solid = std::make_unique<CsgSolid>(context.runtime);
         for (std::int64_t i = 0; i < file.leaves.size(); ++i) {
             const hrbfnpr_model* const model = model_of(context, file.leaves[i]);
-            const Hold<const hrbfnpr_model> hold(model);
+            const HandleHold<const hrbfnpr_model> hold(model);
             release_handle(model);
             static_cast<void>(solid->leaf(*model));
         }
@@ -211,7 +211,7 @@ hrbfnpr_model* read_model(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
     auto* const model = file.tree.empty() ? model_of(context, file) : tree_of(context, file);
     if (file.trim.position.empty()) return model;
-    const Hold<hrbfnpr_model> whole(model); // owns the model from here on
+    const HandleHold<hrbfnpr_model> whole(model); // owns the model from here on
     release_handle(model);
     return make_handle<hrbfnpr_model>(context, *model, trim_of(context.runtime, file.trim));
 }

@@ -25,12 +25,13 @@ using Project = hrbfnpr_project_desc;
 using surface::ProjectionSettings;
 
 constexpr auto project_fields() noexcept {
-    return FieldTable{
-        field("evaluation_limit", &Project::evaluation_limit, &ProjectionSettings::evaluation_limit,
-              rule::Between{1.0, 1000.0}),
-        field("tolerance", &Project::tolerance, &ProjectionSettings::tolerance, rule::Positive{}),
-        field("armijo_slope", &Project::armijo_slope, &ProjectionSettings::armijo_slope, rule::Inside{0.0, 0.5}),
-        field("armijo_factor", &Project::armijo_factor, &ProjectionSettings::armijo_factor, rule::Inside{0.0, 1.0})};
+    return FieldTable{field("evaluation_limit", &Project::evaluation_limit, &ProjectionSettings::evaluation_limit,
+                            rule::Between{1.0, 1000.0}),
+                      field("tolerance", &Project::tolerance, &ProjectionSettings::tolerance, rule::Positive{}),
+                      field("armijo_slope", &Project::armijo_slope, &ProjectionSettings::armijo_slope,
+                            rule::StrictlyBetween{0.0, 0.5}),
+                      field("armijo_factor", &Project::armijo_factor, &ProjectionSettings::armijo_factor,
+                            rule::StrictlyBetween{0.0, 1.0})};
 }
 static_assert(project_fields().covers<Project>());
 
@@ -80,9 +81,9 @@ public:
 
     // Element `from` of the block is element first + from of the outputs.
     void write(std::int64_t from, std::int64_t to, std::int64_t first) const {
-        const Answer value("value");
-        const Answer gradient("gradient");
-        const Answer hessian("hessian");
+        const CheckedOutput value("value");
+        const CheckedOutput gradient("gradient");
+        const CheckedOutput hessian("hessian");
         for (std::int64_t i = from; i < to; ++i) {
             if (out_.value) value.set(out_.value, first + i, 0, fields_.value[i]);
             for (std::uint32_t c = 0; out_.gradient && c < 3; ++c)
@@ -139,7 +140,7 @@ std::int64_t write(const surface::Projection& block, const ProjectionOutputs& ou
         const glm::dvec3 gradient = block.gradient[i];
         const double length = glm::length(gradient);
         const bool has_normal = std::isfinite(length) && length > 0.0;
-        if (out.position) Answer("projection.position").set(out.position, first + i, block.position[i]);
+        if (out.position) CheckedOutput("projection.position").set(out.position, first + i, block.position[i]);
         if (out.normal) set_vector(out.normal, first + i, has_normal ? gradient / length : glm::dvec3(0.0));
         if (out.status) out.status.set(first + i, 0, static_cast<double>(block.status[i]));
         converged += block.status[i] == surface::ProjectionStatus::converged ? 1 : 0;
@@ -179,8 +180,8 @@ void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs&
            const base::Progress& progress) {
     for (const std::int64_t i : progress.over(block.size())) {
         const surface::Curvature& c = block[i];
-        if (out.k1) Answer("curvature.k1").set(out.k1, first + i, 0, c.k1);
-        if (out.k2) Answer("curvature.k2").set(out.k2, first + i, 0, c.k2);
+        if (out.k1) CheckedOutput("curvature.k1").set(out.k1, first + i, 0, c.k1);
+        if (out.k2) CheckedOutput("curvature.k2").set(out.k2, first + i, 0, c.k2);
         if (out.d1) set_vector(out.d1, first + i, c.d1);
         if (out.d2) set_vector(out.d2, first + i, c.d2);
         if (out.confidence) out.confidence.set(first + i, 0, c.confidence);

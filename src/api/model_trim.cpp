@@ -113,7 +113,7 @@ hrbfnpr_model* trim(const hrbfnpr_model& given, const hrbfnpr_trim_desc& desc, h
     trim_fields().check("trim_desc", desc);
     generate::TrimSettings settings;
     trim_fields().copy(desc, settings);
-    const hrbfnpr_model& whole = given.whole();
+    const hrbfnpr_model& whole = given.untrimmed();
     const OperationUse use(operation);
     const geometry::VecArray points = points_of(whole, desc);
     const geometry::VecArray normals = normals_of(whole, desc, points, use.progress().part(0.0, 0.1));
@@ -160,13 +160,13 @@ generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::Vec
 
 hrbfnpr_model* ended_model(hrbfnpr_model* fitted, const geometry::VecArray& position, const geometry::VecArray& normal,
                            const generate::TrimSettings& settings, const base::Progress& progress) {
-    const Hold<hrbfnpr_model> whole(fitted); // owns the model from here on
+    const HandleHold<hrbfnpr_model> whole(fitted); // owns the model from here on
     release_handle(fitted);
     generate::FoundTrim found = trim_of_fit(*fitted, position, normal, settings, progress);
     progress.update(1.0);
     log_trim(fitted->runtime(), found.report);
     if (found.trim != nullptr) return make_handle<hrbfnpr_model>(fitted->context(), *fitted, std::move(found));
-    fitted->looked_for_end(found.report);
+    fitted->set_trim_report(found.report);
     fitted->add_reference();
     return fitted;
 }

@@ -41,7 +41,7 @@ public:
 
 private:
     hrbfnpr_operation* handle_;
-    Hold<hrbfnpr_operation> hold_;
+    HandleHold<hrbfnpr_operation> hold_;
 };
 
 } // namespace hrbfnpr::api

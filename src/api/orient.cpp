@@ -34,9 +34,9 @@ constexpr auto orient_fields() noexcept {
         field("mode", &Orient::mode, &OrientInput::mode, rule::OneOf{HRBFNPR_NORMALS_AUTO, "HRBFNPR_NORMALS_*"}),
         field("points", &Orient::points, rule::Any{}),
         field("normals", &Orient::normals, rule::Any{}),
-        field("up", &Orient::up, rule::All{rule::Finite{}}),
-        field("viewpoint", &Orient::viewpoint, rule::All{rule::Finite{}}),
-        field("has_viewpoint", &Orient::has_viewpoint, rule::ZeroOrOne{}),
+        field("up", &Orient::up, rule::AllNumbers{rule::Finite{}}),
+        field("viewpoint", &Orient::viewpoint, rule::AllNumbers{rule::Finite{}}),
+        field("has_viewpoint", &Orient::has_viewpoint, rule::OneOf{1, "0 and 1"}),
         reserved("reserved", &Orient::reserved)};
 }
 static_assert(orient_fields().covers<Orient>());

@@ -37,8 +37,8 @@ using output::ShapeSettings;
 constexpr std::int64_t most_items = 4096;
 constexpr std::int64_t most_pens = 4096;
 constexpr std::int64_t most_annotations = 10000000;
-constexpr double far_away = 1e6; // mm
-constexpr std::int64_t at_a_time = 1024;
+constexpr double farthest_place = 1e6; // mm
+constexpr std::int64_t annotations_per_check = 1024;
 constexpr std::uint32_t known_flags =
     HRBFNPR_PAGE_IN_PLOT_ORDER | HRBFNPR_PAGE_SINGLE_PASS | HRBFNPR_PAGE_WITHOUT_PAPER;
 constexpr std::uint32_t last_line_type = HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_DOTTED;
@@ -51,15 +51,15 @@ constexpr auto page_fields() noexcept {
         field("widths", &PageDesc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_*"}),
         field("dots", &PageDesc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_*"}),
         reserved("reserved", &PageDesc::reserved),
-        field("width", &PageDesc::width, &PageSettings::width, Between{0.0, far_away}),
-        field("height", &PageDesc::height, &PageSettings::height, Between{0.0, far_away}),
+        field("width", &PageDesc::width, &PageSettings::width, Between{0.0, farthest_place}),
+        field("height", &PageDesc::height, &PageSettings::height, Between{0.0, farthest_place}),
         field("tolerance", &PageDesc::tolerance, Between{0.001, 10.0}),
         field("width_step", &PageDesc::width_step, Between{1.01, 4.0}),
-        field("join", &PageDesc::join, Between{0.0, far_away}),
-        field("shortest", &PageDesc::shortest, Between{0.0, far_away}),
-        field("dot_distance", &PageDesc::dot_distance, Between{0.0, far_away}),
-        field("draw_speed", &PageDesc::draw_speed, rule::PositiveUpTo{far_away}),
-        field("travel_speed", &PageDesc::travel_speed, rule::PositiveUpTo{far_away}),
+        field("join", &PageDesc::join, Between{0.0, farthest_place}),
+        field("shortest", &PageDesc::shortest, Between{0.0, farthest_place}),
+        field("dot_distance", &PageDesc::dot_distance, Between{0.0, farthest_place}),
+        field("draw_speed", &PageDesc::draw_speed, rule::PositiveUpTo{farthest_place}),
+        field("travel_speed", &PageDesc::travel_speed, rule::PositiveUpTo{farthest_place}),
         field("pen_seconds", &PageDesc::pen_seconds, Between{0.0, 3600.0}),
         field("pen_down", &PageDesc::pen_down, rule::Any{}),
         field("pen_up", &PageDesc::pen_up, rule::Any{}),
@@ -82,10 +82,10 @@ constexpr auto placement_fields() noexcept {
     using From = hrbfnpr_page_item;
     using To = output::Placement;
     return FieldTable{reserved("reserved", &From::reserved),
-                      field("drawing", &From::drawing, rule::Given{}),
-                      field("x", &From::x, &To::x, rule::Between{-far_away, far_away}),
-                      field("y", &From::y, &To::y, rule::Between{-far_away, far_away}),
-                      field("scale", &From::scale, &To::scale, rule::PositiveUpTo{far_away}),
+                      field("drawing", &From::drawing, rule::NotNull{}),
+                      field("x", &From::x, &To::x, rule::Between{-farthest_place, farthest_place}),
+                      field("y", &From::y, &To::y, rule::Between{-farthest_place, farthest_place}),
+                      field("scale", &From::scale, &To::scale, rule::PositiveUpTo{farthest_place}),
                       field("name", &From::name, rule::Any{})};
 }
 static_assert(placement_fields().covers<hrbfnpr_page_item>());
@@ -96,8 +96,8 @@ constexpr auto pen_fields() noexcept {
     return FieldTable{
         field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_*"}),
         field("groups", &From::groups, rule::Any{}),
-        field("width", &From::width, &To::width, rule::Between{0.0, far_away}),
-        field("ink", &From::ink, &To::ink, rule::Each{rule::Between{0.0, 1.0}}),
+        field("width", &From::width, &To::width, rule::Between{0.0, farthest_place}),
+        field("ink", &From::ink, &To::ink, rule::IndexedNumbers{rule::Between{0.0, 1.0}}),
         field("number", &From::number, &To::number, rule::Between{1.0, 255.0}),
         reserved("reserved", &From::reserved)};
 }
@@ -107,12 +107,12 @@ constexpr auto annotation_fields() noexcept {
     using From = hrbfnpr_annotation;
     using To = output::Annotation;
     return FieldTable{
-        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_*"}),
-        field("group", &From::group, rule::Given{}),
+        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_..."}),
+        field("group", &From::group, rule::NotNull{}),
         field("text", &From::text, rule::Any{}),
         field("points", &From::points, rule::Any{}),
-        field("width", &From::width, &To::width, rule::PositiveUpTo{far_away}),
-        field("ink", &From::ink, &To::ink, rule::Each{rule::Between{0.0, 1.0}})};
+        field("width", &From::width, &To::width, rule::PositiveUpTo{farthest_place}),
+        field("ink", &From::ink, &To::ink, rule::IndexedNumbers{rule::Between{0.0, 1.0}})};
 }
 static_assert(annotation_fields().covers<hrbfnpr_annotation>());
 
@@ -248,7 +248,7 @@ private:
                                             most_annotations, "page_desc.annotations");
         base::Array<std::int64_t> first(memory);
         for (std::int64_t i = 0; i < list.count(); ++i) {
-            if (i % at_a_time == 0) output::look(progress);
+            if (i % annotations_per_check == 0) output::check_cancel(progress);
             const hrbfnpr_annotation given = list[i];
             first.push_back(numbers_.size());
             annotations_.push_back(read(memory, given, list.name(i).text));
@@ -312,11 +312,10 @@ hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::
     const PageReader reader(runtime.memory, desc, use.progress());
     const PageSettings settings = settings_of(desc);
     const glm::dvec2 size = output::page_size(reader.page(), settings);
-    if (!(size.x > 0.0 && size.y > 0.0 && size.x <= far_away && size.y <= far_away))
+    if (!(size.x > 0.0 && size.y > 0.0 && size.x <= farthest_place && size.y <= farthest_place))
         fail(Status::invalid_argument,
-             "the page is %g by %g mm; set page_desc.width and height to sizes above 0 and up to %g, or place drawings "
-             "on the page",
-             size.x, size.y, far_away);
+             "the page is %g by %g mm; give page_desc.width and height, above 0 and up to %g, or place drawings on it",
+             size.x, size.y, farthest_place);
     if (in_plot_order(settings) && reader.has_discs_of_paper())
         fail(Status::invalid_argument, "a drawing with PUBLISHED visibility covers ink with discs of paper, which "
                                        "cannot be plotted or sorted; draw it with DEPTH_LAYERS");

@@ -23,7 +23,7 @@ struct Preset {
 namespace rule {
 
 // The value must be the number of a preset.
-struct OnePreset {
+struct KnownPreset {
     void operator()(const Checks& checks, const char* field, std::int64_t value) const {
         checks.one_of(field, value, static_cast<std::uint32_t>(presets().size()), "HRBFNPR_PRESET_*");
     }

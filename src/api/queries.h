@@ -95,9 +95,9 @@ void for_blocks(std::int64_t count, std::int64_t block_size, const base::Progres
 }
 
 // Writes a number. Throws if it is finite but too large for the caller's float.
-class Answer {
+class CheckedOutput {
 public:
-    explicit Answer(const char* name) noexcept : name_(name) {}
+    explicit CheckedOutput(const char* name) noexcept : name_(name) {}
 
     void set(const base::OutView& out, std::int64_t i, std::uint32_t component, double number) const {
         if (out.scalar == base::Scalar::float32 && std::abs(number) > most && std::isfinite(number))

@@ -92,8 +92,9 @@ void write_ray(const surface::RayHits& block, std::int64_t i, std::int64_t maxim
         if (h < block.count[i] && !std::isfinite(block.t[at]))
             fail(Status::invalid_argument, "directions[%lld] is so short that t overflows; make it longer",
                  static_cast<long long>(first + i));
-        if (out.t) Answer("ray_hits.t").set(out.t, first + i, component, block.t[at]);
-        if (out.position) Answer("ray_hits.position").set(out.position, first + i, block.position[at], 3 * component);
+        if (out.t) CheckedOutput("ray_hits.t").set(out.t, first + i, component, block.t[at]);
+        if (out.position)
+            CheckedOutput("ray_hits.position").set(out.position, first + i, block.position[at], 3 * component);
         if (out.normal) set_vector(out.normal, first + i, block.normal[at], 3 * component);
         if (out.entering) out.entering.set(first + i, component, static_cast<double>(block.entering[at]));
     }

@@ -73,8 +73,8 @@ public:
 private:
     void read(const hrbfnpr_item& given, const char* name) {
         const Checks checks(name);
-        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_*");
-        checks.given("point_set", given.point_set != nullptr);
+        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_...");
+        checks.not_null("point_set", given.point_set != nullptr);
         if (given.model != nullptr && given.pose_count > 0)
             fail(Status::invalid_argument,
                  "%s.model is given together with poses; leave one out, because posed marks do not lie on the model",
@@ -147,7 +147,7 @@ hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     hrbfnpr_drawing* idle = nullptr;
     for (hrbfnpr_drawing* drawing : renderer.drawings) {
         if (!drawing->has_one_reference()) continue;
-        drawing->let_go();
+        drawing->release_owners();
         idle = drawing;
     }
     if (idle != nullptr) {

@@ -24,7 +24,7 @@ void check_between_fields(const Style& style, const char* owner) {
     if (style.tone == HRBFNPR_TONE_LIGHT && style.light[0] == 0.0 && style.light[1] == 0.0 && style.light[2] == 0.0)
         fail(Status::invalid_argument, "%s.light is zero; give it a direction, or set tone to HRBFNPR_TONE_NONE",
              owner);
-    Checks(owner).given("tone_function", style.tone != HRBFNPR_TONE_CALLBACK || style.tone_function != nullptr);
+    Checks(owner).not_null("tone_function", style.tone != HRBFNPR_TONE_CALLBACK || style.tone_function != nullptr);
     const bool off = style.depth_min == 0.0 && style.depth_max == 0.0;
     if (!off && !(style.depth_min > 0.0 && style.depth_min < style.depth_max))
         fail(Status::invalid_argument,

@@ -35,7 +35,7 @@ inline constexpr rule::PositiveUpTo radius{largest_radius};
 inline constexpr rule::Between share{0.0, 1.0};
 inline constexpr rule::PositiveUpTo some{1.0};
 inline constexpr rule::Between factor{0.0, 16.0}; // multiplies a line's or a pen's width
-inline constexpr auto ink = rule::Each{share};
+inline constexpr auto ink = rule::IndexedNumbers{share};
 
 } // namespace style_rule
 
@@ -85,15 +85,16 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("tone_rule", &Given::tone_rule, &To::tone_rule,
               rule::OneOf{HRBFNPR_TONE_RULE_PUBLISHED, "HRBFNPR_TONE_RULE_*"}),
         field("tone_curve", &Given::tone_curve, &To::tone_curve,
-              rule::OneOf{HRBFNPR_TONE_CURVE_LINEAR, "HRBFNPR_TONE_CURVE_*"}),
-        field("light", &Given::light, &To::light, rule::All{rule::Finite{}}),
+              rule::OneOf{HRBFNPR_TONE_CURVE_LINEAR, "HRBFNPR_TONE_CURVE_..."}),
+        field("light", &Given::light, &To::light, rule::AllNumbers{rule::Finite{}}),
         field("tone_exponent", &Given::tone_exponent, &To::tone_exponent, rule::Positive{}),
         field("tone_function", &Given::tone_function, &To::tone_function, rule::Any{}),
         field("tone_user", &Given::tone_user, &To::tone_user, rule::Any{}),
         field("light_space", &Given::light_space, &To::light_space,
               rule::OneOf{HRBFNPR_LIGHT_CAMERA, "HRBFNPR_LIGHT_*"}),
         field("tone_fade", &Given::tone_fade, &To::tone_fade, share),
-        field("silhouette_threshold", &Given::silhouette_threshold, &To::silhouette_threshold, rule::Inside{0.0, 1.0}),
+        field("silhouette_threshold", &Given::silhouette_threshold, &To::silhouette_threshold,
+              rule::StrictlyBetween{0.0, 1.0}),
         field("silhouette_radius", &Given::silhouette_radius, &To::silhouette_radius, radius),
         field("silhouette_radius_zoom", &Given::silhouette_radius_zoom, &To::silhouette_radius_zoom, share),
         field("silhouette_ink", &Given::silhouette_ink, &To::silhouette_ink, ink),

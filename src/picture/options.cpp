@@ -51,7 +51,7 @@ constexpr auto picture_fields() noexcept {
                       field("sources", &D::sources, rule::Any{}),
                       field("source_count", &D::source_count, rule::Any{}),
                       field("source_stride", &D::source_stride, rule::Any{}),
-                      field("preset", &D::preset, rule::OnePreset{}),
+                      field("preset", &D::preset, rule::KnownPreset{}),
                       field("wording", &D::wording, rule::OneOf{HRBFNPR_WORDING_ARGUMENTS, "HRBFNPR_WORDING_..."}),
                       field("style_name", &D::style_name, rule::Any{}),
                       field("style", &D::style, rule::Any{}),
@@ -69,12 +69,12 @@ constexpr auto picture_fields() noexcept {
                       field("pen", &D::pen, OrZero{1e-6, 1e6}),
                       field("line_width", &D::line_width, OrZero{1e-6, 1e6}),
                       field("camera", &D::camera, rule::Any{}),
-                      field("up", &D::up, rule::Each{any_number}),
+                      field("up", &D::up, rule::IndexedNumbers{any_number}),
                       field("azimuth", &D::azimuth, OrNan{any_number}),
                       field("elevation", &D::elevation, OrNan{any_number}),
-                      field("direction", &D::direction, rule::Each{any_number}),
-                      field("eye", &D::eye, rule::Each{OrNan{any_number}}),
-                      field("target", &D::target, rule::Each{OrNan{any_number}}),
+                      field("direction", &D::direction, rule::IndexedNumbers{any_number}),
+                      field("eye", &D::eye, rule::IndexedNumbers{OrNan{any_number}}),
+                      field("target", &D::target, rule::IndexedNumbers{OrNan{any_number}}),
                       field("fov", &D::fov, OrNan{OrZero{0.01, 179.0}}),
                       field("margin", &D::margin, OrNan{rule::Between{0.0, 0.45}}),
                       field("turn", &D::turn, any_number),
@@ -89,7 +89,7 @@ constexpr auto picture_fields() noexcept {
                       field("crease_angle", &D::crease_angle, OrNan{rule::Between{0.0, 180.0}}),
                       field("subdivide", &D::subdivide, rule::Between{-1.0, 6.0}),
                       field("profile", &D::profile, rule::OneOf{HRBFNPR_PROFILE_NO, "HRBFNPR_PROFILE_..."}),
-                      field("viewpoint", &D::viewpoint, rule::Each{OrNan{any_number}}),
+                      field("viewpoint", &D::viewpoint, rule::IndexedNumbers{OrNan{any_number}}),
                       field("depth_smoothing", &D::depth_smoothing, OrNan{rule::Between{0.0, 1e3}}),
                       field("random_seed", &D::random_seed, rule::Any{}),
                       field("mark_kinds", &D::mark_kinds, rule::Any{}),
@@ -104,12 +104,12 @@ static_assert(picture_fields().covers<PictureDesc>());
 
 constexpr auto dab_fields() noexcept {
     return FieldTable{field("map", &Dab::map, rule::OneOf{HRBFNPR_DAB_DIRECTION, "HRBFNPR_DAB_..."}),
-                      field("position", &Dab::position, rule::Each{any_number}),
-                      field("normal", &Dab::normal, rule::Each{any_number}),
+                      field("position", &Dab::position, rule::IndexedNumbers{any_number}),
+                      field("normal", &Dab::normal, rule::IndexedNumbers{any_number}),
                       field("radius", &Dab::radius, rule::Positive{}),
                       field("strength", &Dab::strength, rule::Between{0.0, 1.0}),
                       field("value", &Dab::value, any_number),
-                      field("direction", &Dab::direction, rule::Each{any_number})};
+                      field("direction", &Dab::direction, rule::IndexedNumbers{any_number})};
 }
 static_assert(dab_fields().covers<Dab>());
 
@@ -198,7 +198,7 @@ void keep_text(const char*& text, Vector<String>& texts) {
     text = texts.back().c_str();
 }
 
-bool says_view(const hrbfnpr_picture_desc& desc) noexcept {
+bool gives_view(const hrbfnpr_picture_desc& desc) noexcept {
     return desc.up[0] != 0 || desc.up[1] != 0 || desc.up[2] != 0 || !std::isnan(desc.azimuth) ||
            !std::isnan(desc.elevation) || desc.direction[0] != 0 || desc.direction[1] != 0 || desc.direction[2] != 0 ||
            !std::isnan(desc.eye[0]) || !std::isnan(desc.target[0]) || !std::isnan(desc.fov) || !std::isnan(desc.margin);
@@ -278,7 +278,7 @@ void Options::use_settings() {
     if (desc.profile == HRBFNPR_PROFILE_AUTO) desc.profile = HRBFNPR_PROFILE_NO;
     if (desc.scale_bar == nullptr) desc.scale_bar = "none";
     if (settings->size) set_size(desc, *settings->size);
-    if (camera || says_view(desc)) return;
+    if (camera || gives_view(desc)) return;
     const bool sized = desc.width > 0;
     constexpr std::int32_t usual = 1600;
     const std::int32_t side = desc.size > 0 ? desc.size : usual;

@@ -54,8 +54,8 @@ struct Part {
 };
 
 // Marks and lines that pictures of the same surfaces reuse.
-struct Made {
-    explicit Made(Pool& pool) : lines_key(&pool), parts(&pool) {}
+struct MadeParts {
+    explicit MadeParts(Pool& pool) : lines_key(&pool), parts(&pool) {}
 
     std::optional<Marks> marks; // the marks, as they were planned
     String lines_key;           // the key by which the lines are found
@@ -82,9 +82,9 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
 private:
     // These are destroyed last, because members below use their memory.
     const hrbfnpr_picture* root_;
-    hrbfnpr::api::Hold<const hrbfnpr_picture> root_hold_{root_};
+    hrbfnpr::api::HandleHold<const hrbfnpr_picture> root_hold_{root_};
     const hrbfnpr_settings* settings_;
-    hrbfnpr::api::Hold<const hrbfnpr_settings> settings_hold_{settings_};
+    hrbfnpr::api::HandleHold<const hrbfnpr_settings> settings_hold_{settings_};
 
 public:
     mutable hrbfnpr::picture::Pool pool; // Several threads may allocate from it at the same time.
@@ -104,5 +104,5 @@ public:
 
     // The marks and lines that pictures of the same surfaces have made. The root keeps them.
     mutable std::mutex making;
-    mutable hrbfnpr::picture::Vector<hrbfnpr::picture::Made> made;
+    mutable hrbfnpr::picture::Vector<hrbfnpr::picture::MadeParts> made;
 };
