@@ -72,8 +72,8 @@ Sizes sizes_of(const Labels& labels, const Vector<double>& areas, Pool& pool) {
     return sizes;
 }
 
-// Marks the parts that are too small for a separate surface.
-Vector<std::uint8_t> little_parts(const Sizes& sizes, Pool& pool) {
+// Marks the parts that are too small for a surface of their own.
+Vector<std::uint8_t> small_parts(const Sizes& sizes, Pool& pool) {
     const double area = sum_in_pairs(sizes.area);
     Vector<std::uint8_t> little(&pool);
     for (std::size_t part = 0; part < sizes.area.size(); ++part)
@@ -91,7 +91,7 @@ struct PlacesOnParts {
     Vector<std::int64_t> part;
 };
 
-struct InCell {
+struct CellPlace {
     std::array<std::int64_t, 3> cell;
     std::size_t place;
 };
@@ -102,18 +102,18 @@ std::int64_t cell_number(double x) noexcept {
     return std::abs(lower) < limit ? static_cast<std::int64_t>(lower) : std::numeric_limits<std::int64_t>::min();
 }
 
-// Calls visit(span of InCell) for each grid cell that holds places of several parts. Eight shifted grids of cubes are
-// used. Any two places that are closer than half a side share a cube of at least one grid.
+// Calls visit(span of CellPlace) for each grid cell that holds places of several parts. Eight shifted grids of cubes
+// are used. Any two places that are closer than half a side share a cube of at least one grid.
 template <class Visit>
 void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& visit) {
-    Vector<InCell> cells(places.place.size(), InCell{}, &pool);
+    Vector<CellPlace> cells(places.place.size(), CellPlace{}, &pool);
     for (int shift = 0; shift < 8; ++shift) {
         const glm::dvec3 offset = 0.5 * glm::dvec3(shift & 1, shift >> 1 & 1, shift >> 2);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const glm::dvec3 at_cell = places.place[i] / side + offset;
             cells[i] = {{cell_number(at_cell.x), cell_number(at_cell.y), cell_number(at_cell.z)}, i};
         }
-        std::sort(cells.begin(), cells.end(), [](const InCell& a, const InCell& b) {
+        std::sort(cells.begin(), cells.end(), [](const CellPlace& a, const CellPlace& b) {
             return a.cell < b.cell || (a.cell == b.cell && a.place < b.place);
         });
         for (auto begin = cells.begin(); begin != cells.end();) {
@@ -121,7 +121,7 @@ void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& 
             bool several = false;
             for (; end != cells.end() && end->cell == begin->cell; ++end)
                 several = several || places.part[end->place] != places.part[begin->place];
-            if (several) visit(std::span<const InCell>(&*begin, static_cast<std::size_t>(end - begin)));
+            if (several) visit(std::span<const CellPlace>(&*begin, static_cast<std::size_t>(end - begin)));
             begin = end;
         }
     }
@@ -146,9 +146,9 @@ private:
 };
 
 // Lists the parts in a cell, each once.
-void list_parts(std::span<const InCell> cell, const PlacesOnParts& places, Vector<std::int64_t>& parts) {
+void list_parts(std::span<const CellPlace> cell, const PlacesOnParts& places, Vector<std::int64_t>& parts) {
     parts.clear();
-    for (const InCell& one : cell) parts.push_back(places.part[one.place]);
+    for (const CellPlace& one : cell) parts.push_back(places.part[one.place]);
     std::sort(parts.begin(), parts.end());
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
 }
@@ -181,7 +181,7 @@ PlacesOnParts spread_places(const Points& points, const Vector<Triangle>& faces,
 PairsOfParts near_parts(const PlacesOnParts& places, std::int64_t count, double reach, Pool& pool) {
     PairsOfParts near(count, pool);
     Vector<std::int64_t> parts(&pool);
-    for_meetings(places, 2.0 * reach, pool, [&](std::span<const InCell> cell) {
+    for_meetings(places, 2.0 * reach, pool, [&](std::span<const CellPlace> cell) {
         list_parts(cell, places, parts);
         for (std::size_t i = 0; i < parts.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) near.add(parts[i], parts[j]);
@@ -237,17 +237,18 @@ BorderPlaces places_on_borders(const Points& points, const Vector<Triangle>& fac
 }
 
 // A place on the border of `part` that lies beside the border of `other`.
-struct Beside {
+struct BorderNeighbour {
     std::int64_t part, other;
     std::size_t place;
-    [[nodiscard]] auto operator<=>(const Beside&) const = default;
+    [[nodiscard]] auto operator<=>(const BorderNeighbour&) const = default;
 };
 
-void add_beside(std::span<const InCell> cell, const BorderPlaces& places, Vector<Beside>& found) {
-    for (const InCell& one : cell) {
+void add_border_neighbours(std::span<const CellPlace> cell, const BorderPlaces& places,
+                           Vector<BorderNeighbour>& found) {
+    for (const CellPlace& one : cell) {
         const std::int64_t part = places.on.part[one.place];
         std::int64_t last = part; // The last part found is skipped, because places of one part often follow each other.
-        for (const InCell& two : cell) {
+        for (const CellPlace& two : cell) {
             const std::int64_t other = places.on.part[two.place];
             if (other == part || other == last) continue;
             if (!(std::abs(glm::dot(places.normal[one.place], places.normal[two.place])) > apart_tuning.seam_cosine))
@@ -263,9 +264,9 @@ Vector<Pair> seams_between(const BorderPlaces& places, std::int64_t count, doubl
     Vector<double> border(static_cast<std::size_t>(count), 0.0, &pool); // The border length of each part.
     for (std::size_t i = 0; i < places.weight.size(); ++i)
         border[static_cast<std::size_t>(places.on.part[i])] += places.weight[i];
-    Vector<Beside> beside(&pool);
+    Vector<BorderNeighbour> beside(&pool);
     for_meetings(places.on, 2.0 * std::max(reach, places.step), pool,
-                 [&](std::span<const InCell> cell) { add_beside(cell, places, beside); });
+                 [&](std::span<const CellPlace> cell) { add_border_neighbours(cell, places, beside); });
     std::sort(beside.begin(), beside.end());
     beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
     Vector<Pair> seams(&pool);
@@ -359,7 +360,7 @@ std::optional<FaceGroups> find_groups(const Mesh& mesh, Pool& pool) {
     const PairsOfParts near =
         near_parts(spread_places(points, faces, areas, labels, pool), labels.count, apart_tuning.near * across, pool);
     const Sizes sizes = sizes_of(labels, areas, pool);
-    const Vector<std::int64_t> group = groups_of_parts(sizes.area, near, little_parts(sizes, pool), pool);
+    const Vector<std::int64_t> group = groups_of_parts(sizes.area, near, small_parts(sizes, pool), pool);
     FaceGroups found{faces_of_groups(group, labels, areas, pool), labels.count};
     if (found.groups.size() < 2) return std::nullopt;
     return found;
@@ -372,7 +373,7 @@ FaceNumbers find_flaps(const Mesh& mesh, Pool& pool) {
     const Vector<Triangle> faces = triangles_of(mesh, pool);
     const FaceEdges edges = find_edges(faces, points.size(), pool);
     const Labels labels = labels_of_faces(edges, pool);
-    const Vector<std::uint8_t> little = little_parts(sizes_of(labels, areas_of(points, faces, pool), pool), pool);
+    const Vector<std::uint8_t> little = small_parts(sizes_of(labels, areas_of(points, faces, pool), pool), pool);
     Vector<std::uint8_t> hangs(little.size(), 0, &pool);
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const auto sides = edges.sides_of(e);

@@ -111,7 +111,7 @@ hrbfnpr_camera orbit(const hrbfnpr_picture& picture, double degrees) {
                            degrees);
 }
 
-void give_camera(const hrbfnpr_camera& made, hrbfnpr_camera* to) {
+void copy_camera(const hrbfnpr_camera& made, hrbfnpr_camera* to) {
     check_output_struct(to, "camera");
     write_struct(to, made);
 }
@@ -258,20 +258,20 @@ hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnp
     return api::guarded(error, [&] {
         const hrbfnpr_picture& handle = api::deref(picture, "picture");
         picture::require_planned(handle);
-        api::give_camera(handle.camera, camera);
+        api::copy_camera(handle.camera, camera);
     });
 }
 
 hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction, double azimuth,
                                     double elevation, hrbfnpr_camera* camera, hrbfnpr_error* error) {
     return api::guarded(error, [&] {
-        api::give_camera(api::look(api::deref(picture, "picture"), direction, azimuth, elevation), camera);
+        api::copy_camera(api::look(api::deref(picture, "picture"), direction, azimuth, elevation), camera);
     });
 }
 
 hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees, hrbfnpr_camera* camera,
                                      hrbfnpr_error* error) {
-    return api::guarded(error, [&] { api::give_camera(api::orbit(api::deref(picture, "picture"), degrees), camera); });
+    return api::guarded(error, [&] { api::copy_camera(api::orbit(api::deref(picture, "picture"), degrees), camera); });
 }
 
 hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,

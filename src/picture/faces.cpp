@@ -9,7 +9,7 @@ namespace hrbfnpr::picture {
 namespace {
 
 // A side in the list of its lower vertex.
-struct SideThere {
+struct SideOfVertex {
     std::int64_t high; // The higher vertex of the side.
     std::int64_t side;
 };
@@ -48,7 +48,7 @@ FaceEdges find_edges(const Vector<Triangle>& triangles, std::size_t vertices, Po
             ++begin[static_cast<std::size_t>(ends[0]) + 1];
         }
     for (std::size_t v = 0; v < vertices; ++v) begin[v + 1] += begin[v];
-    Vector<SideThere> there(3 * faces, SideThere{}, &pool);
+    Vector<SideOfVertex> there(3 * faces, SideOfVertex{}, &pool);
     {
         Vector<std::size_t> next(begin.begin(), begin.end() - 1, &pool);
         for (std::size_t k = 0; k < 3; ++k)
@@ -62,7 +62,7 @@ FaceEdges find_edges(const Vector<Triangle>& triangles, std::size_t vertices, Po
     for (std::size_t v = 0; v < vertices; ++v) {
         const auto from = there.begin() + static_cast<std::ptrdiff_t>(begin[v]);
         const auto to = there.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
-        std::sort(from, to, [](const SideThere& a, const SideThere& b) {
+        std::sort(from, to, [](const SideOfVertex& a, const SideOfVertex& b) {
             return a.high < b.high || (a.high == b.high && a.side < b.side);
         });
         for (auto side = from; side != to; ++side) {

@@ -37,13 +37,13 @@ bool has_finite_place(const glm::dvec3& p) noexcept {
 
 double as_figure(std::int64_t count) noexcept { return static_cast<double>(count); }
 
-void give_vector(const glm::dvec3& from, double (&to)[3]) noexcept {
+void copy_vector(const glm::dvec3& from, double (&to)[3]) noexcept {
     for (glm::length_t axis = 0; axis < 3; ++axis) to[axis] = from[axis];
 }
 
-void give_bounds(const geometry::Bounds& bounds, hrbfnpr_source_info& info) noexcept {
-    give_vector(bounds.min, info.bounds_min);
-    give_vector(bounds.max, info.bounds_max);
+void copy_bounds(const geometry::Bounds& bounds, hrbfnpr_source_info& info) noexcept {
+    copy_vector(bounds.min, info.bounds_min);
+    copy_vector(bounds.max, info.bounds_max);
     info.diagonal = glm::length(bounds.max - bounds.min);
 }
 
@@ -77,7 +77,7 @@ void inspect_places(const Call& call, const Shape& shape, hrbfnpr_source_info& i
     }
     const std::int64_t lost = info.points_not_finite;
     if (bounds.empty()) report.refuse("no point is finite");
-    give_bounds(bounds, info);
+    copy_bounds(bounds, info);
     if (lost != 0 && !shape.is_mesh() && !shape.is_photo) {
         report.note(HRBFNPR_NOTE_POINTS_NOT_USABLE, {as_figure(lost)},
                     count_of(lost, "point", pool) += " without a finite position left out");
@@ -139,8 +139,8 @@ void inspect_orientation_on_curves(const Call& call, const InspectedSamples& sam
     std::uint32_t found = HRBFNPR_NORMALS_GIVEN;
     {
         Stage stage(report, HRBFNPR_STAGE_ORIENT);
-        found =
-            make_normals(call, stage, samples.points, samples.normals, HRBFNPR_NORMALS_GIVEN, SeenFrom{}).info.found;
+        found = make_normals(call, stage, samples.points, samples.normals, HRBFNPR_NORMALS_GIVEN, ViewingHints{})
+                    .info.found;
     }
     info.normals_look = look_of_found(found);
     if (info.normals_look == HRBFNPR_NORMALS_LOOK_OUTWARD) return;
@@ -205,7 +205,7 @@ void tell_unusable_normals(const Call& call, const hrbfnpr_source_info& info, st
 
 // Leaves at most one sample at each place. Samples with opposite normals at one place are removed.
 void join_at_places(const Call& call, InspectedSamples& samples) {
-    const SharedPlaces places = agreed(samples.points, samples.normals, call.pool);
+    const SharedPlaces places = merge_shared_places(samples.points, samples.normals, call.pool);
     if (places.joined != 0)
         call.report.note(HRBFNPR_NOTE_NORMALS_JOINED, {as_figure(places.joined)},
                          count_of(places.joined, "place", call.pool) += " with several normals: their mean is used");
@@ -272,7 +272,7 @@ InspectedSamples inspect_image(const Call& call, Shape& shape, hrbfnpr_source_in
 
 // ---- Meshes
 
-void give_mesh_facts(const MeshFacts& facts, hrbfnpr_source_info& info) noexcept {
+void copy_mesh_facts(const MeshFacts& facts, hrbfnpr_source_info& info) noexcept {
     info.duplicates = facts.joined_vertices;
     info.closed = facts.closed ? 1 : 0;
     info.inside_out = facts.inside_out ? 1 : 0;
@@ -376,13 +376,13 @@ bool is_of_source(const Error& error) noexcept {
 }
 
 // A mesh, or the error that prevented it.
-struct MendedMesh {
+struct RepairedMesh {
     Mesh mesh;
     std::optional<Error> error;
 };
 
 // Mends a mesh as a fit does, and keeps all its parts.
-MendedMesh mend(const Call& call, const Shape& shape) {
+RepairedMesh repair_mesh(const Call& call, const Shape& shape) {
     Stage stage(call.report, HRBFNPR_STAGE_MESH);
     auto desc = defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);
     desc.vertices = view_of(shape.points);
@@ -413,7 +413,7 @@ InspectedSamples samples_of_faces(const Call& call, const Mesh& mesh) {
 
 InspectedSamples inspect_mesh(const Call& call, Shape& shape, hrbfnpr_source_info& info) {
     const MeshFacts facts = mesh_facts_of(shape, call.pool);
-    give_mesh_facts(facts, info);
+    copy_mesh_facts(facts, info);
     tell_faces_and_vertices(call, facts);
     const auto is_lost = [&](const Triangle& face) {
         return !std::all_of(face.begin(), face.end(), [&](std::int64_t corner) {
@@ -425,17 +425,17 @@ InspectedSamples inspect_mesh(const Call& call, Shape& shape, hrbfnpr_source_inf
     if (shape.triangles.empty()) call.report.refuse("every face has a corner that is not finite");
     tell_inside_out(call, facts);
     tell_open(call, facts);
-    const MendedMesh mended = mend(call, shape);
+    const RepairedMesh repaired = repair_mesh(call, shape);
     if (facts.nonmanifold_edges != 0) {
         std::optional<hrbfnpr_mesh_info> of_mended;
-        if (mended.mesh) of_mended = info_of(mended.mesh);
+        if (repaired.mesh) of_mended = info_of(repaired.mesh);
         info.nonmanifold_left = of_mended ? of_mended->nonmanifold_edges : facts.nonmanifold_edges;
         tell_nonmanifold(call, facts.nonmanifold_edges, info.nonmanifold_left,
                          of_mended && of_mended->repeated_faces != 0);
     }
     tell_contrary_and_parts(call, facts);
-    if (mended.error) throw Error(*mended.error);
-    InspectedSamples samples = samples_of_faces(call, mended.mesh);
+    if (repaired.error) throw Error(*repaired.error);
+    InspectedSamples samples = samples_of_faces(call, repaired.mesh);
     inspect_orientation(call, samples, true, info);
     return samples;
 }
@@ -453,7 +453,7 @@ void inspect_shape(const Call& call, Shape& shape, hrbfnpr_source_info& info) {
                                      : shape.is_mesh() ? inspect_mesh(call, shape, info)
                                                        : inspect_points(call, shape, info);
     const FoundUp up = find_up(&shape, samples.points, samples.normals, call.pool);
-    give_vector(up.direction, info.up);
+    copy_vector(up.direction, info.up);
     copy_message(info.up_reason, sizeof info.up_reason, up.reason.c_str());
 }
 
@@ -461,11 +461,11 @@ void inspect_made(const Source& source, hrbfnpr_source_info& info) {
     if (source.model) {
         info.kind = HRBFNPR_SOURCE_KIND_MODEL;
         info.points = model_info_of(source.model).centres;
-        give_bounds(bounds_of(source.model), info);
+        copy_bounds(bounds_of(source.model), info);
     } else {
         info.kind = HRBFNPR_SOURCE_KIND_POINT_SET;
         info.points = mark_count_of(source.marks);
-        give_bounds(bounds_of(source.marks), info);
+        copy_bounds(bounds_of(source.marks), info);
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Turns a mesh into surfaces. look_at_mesh() welds it, turns its faces outward, removes lost parts, samples it, and
-// divides coarse faces. groups_of_mesh() separates parts that cannot belong to one surface. surface_of_group() fits a
+// Turns a mesh into surfaces. prepare_mesh() welds it, turns its faces outward, removes lost parts, samples it, and
+// divides coarse faces. groups_of_mesh() separates parts that make no surface together. surface_of_group() fits a
 // model, and end_of_mesh() ends it where the mesh ends.
 #include "picture/mesh_surface.h"
 
@@ -118,7 +118,7 @@ void sample_mesh(const Mesh& mesh, const hrbfnpr_sample_desc& desc, Points& poin
 // ---- The mesh that was looked at
 
 // A mesh after inspection, with its shape and evenly spread samples.
-struct LookedAtMesh {
+struct PreparedMesh {
     Mesh mesh;
     Shape shape;
     Points points;
@@ -183,12 +183,12 @@ void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Sha
 }
 
 // Counts the parts far away with their faces, and the leftover faces, that were removed.
-struct LeftOut {
+struct LeftOutParts {
     std::int64_t far_parts = 0, far_faces = 0, flaps = 0;
 };
 
-LeftOut leave_out_lost(const Call& call, Mesh& mesh, Shape& shape, hrbfnpr_operation* operation) {
-    LeftOut left_out;
+LeftOutParts leave_out_lost(const Call& call, Mesh& mesh, Shape& shape, hrbfnpr_operation* operation) {
+    LeftOutParts left_out;
     if (call.options.desc.parts != HRBFNPR_PARTS_OUTER) return left_out;
     const LostParts lost = find_lost_parts(mesh, call.pool);
     if (lost.parts > 0) {
@@ -204,7 +204,7 @@ LeftOut leave_out_lost(const Call& call, Mesh& mesh, Shape& shape, hrbfnpr_opera
     return left_out;
 }
 
-void tell_left_out(const Call& call, const LeftOut& left_out) {
+void tell_left_out(const Call& call, const LeftOutParts& left_out) {
     Pool& pool = call.pool;
     if (left_out.far_parts > 0)
         call.report.note(HRBFNPR_NOTE_PARTS_FAR,
@@ -218,7 +218,7 @@ void tell_left_out(const Call& call, const LeftOut& left_out) {
                          " left out: each hangs on an edge of two others; {parts=all} keeps them");
 }
 
-mesh::Facing facing_of(const Call& call, const LookedAtMesh& looked) {
+mesh::Facing facing_of(const Call& call, const PreparedMesh& looked) {
     const auto hangs = [&] { return hangs_along(looked.points, looked.normals); };
     const auto inward = [&] { return look_at_normals(looked.points, looked.normals, true, call.pool).inward(); };
     const bool closed = info_of(looked.mesh).closed != 0;
@@ -243,7 +243,7 @@ void tell_facing(const Call& call, mesh::Facing facing) {
 // ---- Coarse meshes
 
 // The result of dividing coarse faces.
-struct Divided {
+struct DivisionResult {
     using Choice = mesh::CoarsePlan::Choice;
 
     mesh::CoarsePlan plan;
@@ -272,11 +272,11 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
 }
 
 // Divides the faces of a welded mesh as planned, and judges the result.
-Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::EdgesInFile said,
-               const mesh::MeshOptions& wishes, Shape& finer, const base::Progress& progress) {
+DivisionResult divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::SaidOfEdges said,
+                      const mesh::MeshWishes& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
     const double crease = std::isnan(call.options.desc.crease_angle) ? 180.0 : call.options.desc.crease_angle;
-    Divided found{plan};
+    DivisionResult found{plan};
     found.by_file = welded.has_sharp_edges;
     Vector<std::int64_t> parents(&pool);
     if (plan.parts_alone) {
@@ -300,20 +300,19 @@ Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& pl
     return found;
 }
 
-void tell_divided(const Call& call, const Divided& found) {
+void tell_divided(const Call& call, const DivisionResult& found) {
     Pool& pool = call.pool;
     Report& report = call.report;
     switch (found.plan.choice) {
-    case Divided::Choice::nothing: return;
-    case Divided::Choice::all_flat:
-        report.note(HRBFNPR_NOTE_ALL_FLAT, {},
-                    "all faces are flat, by the normals in the file ({edges=smooth} rounds them)");
+    case DivisionResult::Choice::nothing: return;
+    case DivisionResult::Choice::all_flat:
+        report.note(HRBFNPR_NOTE_ALL_FLAT, {}, "by the normals of its file all faces are flat ({edges=smooth} rounds)");
         return;
-    case Divided::Choice::coarse_flat:
+    case DivisionResult::Choice::coarse_flat:
         report.note(HRBFNPR_NOTE_COARSE_FLAT, {},
                     "the faces are coarse and stay flat: no round shape fits them ({edges=smooth} rounds)");
         return;
-    case Divided::Choice::divided: break;
+    case DivisionResult::Choice::divided: break;
     }
     if (found.by_file)
         report.note(HRBFNPR_NOTE_EDGES_BY_NORMALS, {},
@@ -333,9 +332,9 @@ void tell_divided(const Call& call, const Divided& found) {
                                  percent_of(found.coarseness, 2, pool).c_str(), moved.c_str())});
 }
 
-// Makes a mesh round where it is coarse but approximates a round shape, and keeps its sharp edges, as far as the two
-// can be distinguished.
-Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
+// Makes a mesh round where it is coarse but stands for a round shape, and keeps its sharp edges, as far as the two can
+// be distinguished.
+DivisionResult make_round(const Call& call, PreparedMesh& looked, Stage& stage) {
     Pool& pool = call.pool;
     const Options& options = call.options;
     Shape welded(pool);
@@ -354,12 +353,13 @@ Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     const auto coarse = [&] { return coarseness(welded, subdivide_tuning.coarse_percentile, pool); };
     const auto creases = [&] { return has_creases(looked.mesh, progress); };
     const auto faces = static_cast<std::int64_t>(welded.triangles.size());
-    Divided found{mesh::plan_coarse_faces({faces, said, std::ref(mean), std::ref(coarse), std::ref(creases)}, wishes)};
+    DivisionResult found{
+        mesh::plan_coarse_faces({faces, said, std::ref(mean), std::ref(coarse), std::ref(creases)}, wishes)};
     Shape finer(pool);
-    if (found.plan.choice == Divided::Choice::divided)
+    if (found.plan.choice == DivisionResult::Choice::divided)
         found = divide(call, welded, found.plan, said, wishes, finer, progress);
     looked.is_flat = found.plan.is_flat();
-    if (found.plan.choice != Divided::Choice::divided) return found;
+    if (found.plan.choice != DivisionResult::Choice::divided) return found;
     looked.mesh = same_mesh(call, finer.points, finer.triangles, crease_angle_of(options), stage.operation());
     looked.shape.points = std::move(finer.points);
     looked.shape.triangles = std::move(finer.triangles);
@@ -371,8 +371,8 @@ Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
 
 // ---- The whole mesh
 
-void weld_and_clean(const Call& call, LookedAtMesh& looked) {
-    LeftOut left_out;
+void weld_and_clean(const Call& call, PreparedMesh& looked) {
+    LeftOutParts left_out;
     hrbfnpr_mesh_info info;
     {
         Stage stage(call.report, HRBFNPR_STAGE_MESH);
@@ -395,13 +395,13 @@ std::int64_t samples_of_look(const Call& call) {
 }
 
 // Turns faces that point the wrong way, and makes the mesh round where it is coarse.
-void sample_and_divide(const Call& call, LookedAtMesh& looked) {
+void sample_and_divide(const Call& call, PreparedMesh& looked) {
     const Options& options = call.options;
     const std::int64_t count = samples_of_look(call);
     auto desc = defaults<hrbfnpr_sample_desc>(hrbfnpr_sample_desc_init);
     desc.random_seed = options.desc.random_seed;
     mesh::Facing facing = mesh::Facing::right;
-    Divided divided;
+    DivisionResult divided;
     {
         Stage stage(call.report, HRBFNPR_STAGE_SAMPLE);
         looked.points.resize(static_cast<std::size_t>(count));
@@ -416,7 +416,7 @@ void sample_and_divide(const Call& call, LookedAtMesh& looked) {
             looked.mesh = welded_mesh(call, looked.shape.points, turned, stage.operation());
         }
         divided = make_round(call, looked, stage);
-        if (facing != mesh::Facing::right || divided.plan.choice == Divided::Choice::divided)
+        if (facing != mesh::Facing::right || divided.plan.choice == DivisionResult::Choice::divided)
             sample_mesh(looked.mesh, desc, looked.points, &looked.normals, stage.operation());
     }
     tell_facing(call, facing);
@@ -425,8 +425,8 @@ void sample_and_divide(const Call& call, LookedAtMesh& looked) {
         for (glm::dvec3& normal : looked.normals) normal = -normal;
 }
 
-LookedAtMesh look_at_mesh(const Call& call, Shape&& shape) {
-    LookedAtMesh looked{{}, std::move(shape), Points(&call.pool), Points(&call.pool)};
+PreparedMesh prepare_mesh(const Call& call, Shape&& shape) {
+    PreparedMesh looked{{}, std::move(shape), Points(&call.pool), Points(&call.pool)};
     weld_and_clean(call, looked);
     sample_and_divide(call, looked);
     return looked;
@@ -666,9 +666,9 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     return ended;
 }
 
-// Makes the surface of a group. `looked` has the samples of the whole mesh, which are used if the fit does not choose
-// samples.
-Surface surface_of_group(const Call& call, MeshGroup&& group, const LookedAtMesh& looked, double across) {
+// Makes the surface of a group. `looked` has the samples of the whole mesh, which serve where the fit does not choose
+// its own.
+Surface surface_of_group(const Call& call, MeshGroup&& group, const PreparedMesh& looked, double across) {
     Surface surface;
     if (chooses_samples(call.options)) {
         surface.fit.emplace();
@@ -687,7 +687,7 @@ Surface surface_of_group(const Call& call, MeshGroup&& group, const LookedAtMesh
 
 Vector<Surface> fit_mesh(const Call& call, Shape&& shape, glm::dvec3& up) {
     HRBFNPR_ASSERT(shape.is_mesh());
-    LookedAtMesh looked = look_at_mesh(call, std::move(shape));
+    PreparedMesh looked = prepare_mesh(call, std::move(shape));
     tell_thin_evidence(call, looked.points);
     up = choose_up(call, &looked.shape, looked.points, looked.normals);
     const double diagonal = box_diagonal_of(looked.shape.points);

@@ -20,7 +20,7 @@ constexpr std::uint64_t look_seed = 1;
 constexpr std::uint32_t sources_stream = 1;
 constexpr std::uint32_t queries_stream = 2;
 
-Points those_of(const Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
+Points selected_points(const Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
     Points some(&pool);
     some.reserve(chosen.size());
     for (const std::int64_t i : chosen) some.push_back(points[static_cast<std::size_t>(i)]);
@@ -44,7 +44,7 @@ glm::dvec3 mean_point(const Points& points) noexcept {
 }
 
 // A subset of the samples, centred at the origin and scaled to size 1.
-struct LookedAt {
+struct NormalSamples {
     Points points;
     Points normals;
     Vector<double> spacing; // the distance to the last neighbour
@@ -52,7 +52,7 @@ struct LookedAt {
 };
 
 // Returns the winding number of the samples at a place. A flat piece fills at most half of the view.
-double winding_number(const glm::dvec3& place, const LookedAt& samples) noexcept {
+double winding_number(const glm::dvec3& place, const NormalSamples& samples) noexcept {
     double sum = 0.0;
     for (std::size_t j = 0; j < samples.points.size(); ++j) {
         const glm::dvec3 away = samples.points[j] - place;
@@ -65,7 +65,7 @@ double winding_number(const glm::dvec3& place, const LookedAt& samples) noexcept
 }
 
 // Returns, for some samples, the sums of the winding numbers on both sides.
-Vector<double> winding_sums(const LookedAt& samples, Pool& pool) {
+Vector<double> winding_sums(const NormalSamples& samples, Pool& pool) {
     constexpr double least_step = 1e-6;
     Vector<double> sums(&pool);
     for (const std::int64_t query :
@@ -91,7 +91,7 @@ double share_outside_in(const Vector<double>& sums) noexcept {
 
 // Sets look.against, the share of normals that oppose most neighbours on the same sheet, and look.flipped, which
 // follows from the share of opposed pairs of neighbours.
-void compare_neighbours(const LookedAt& samples, const geometry::Neighbours& near, NormalsLook& look) noexcept {
+void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours& near, NormalsLook& look) noexcept {
     const std::size_t count = samples.points.size();
     std::int64_t against = 0;
     std::int64_t level_pairs = 0;
@@ -141,8 +141,8 @@ NormalsLook look_at_normals(const Points& points, const Points& normals, bool ev
     HRBFNPR_ASSERT(points.size() == normals.size());
     const Vector<std::int64_t> some =
         random_subset(points.size(), normals_tuning.most_sources, look_seed, sources_stream, pool);
-    LookedAt samples{those_of(points, some, pool), those_of(normals, some, pool), Vector<double>(&pool),
-                     Vector<double>(&pool)};
+    NormalSamples samples{selected_points(points, some, pool), selected_points(normals, some, pool),
+                          Vector<double>(&pool), Vector<double>(&pool)};
     NormalsLook look;
     const std::size_t count = samples.points.size();
     const double size = count > 0 ? typical_length(samples.points) : 0.0;
@@ -215,7 +215,7 @@ bool lie_along_curves(const Points& points, Pool& pool) {
 
 // ---- Samples at one place
 
-SharedPlaces agreed(Points& points, Points& normals, Pool& pool) {
+SharedPlaces merge_shared_places(Points& points, Points& normals, Pool& pool) {
     HRBFNPR_ASSERT(points.size() == normals.size());
     Vector<std::size_t> order(points.size(), 0, &pool);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -286,7 +286,7 @@ const char* found_in_words(std::uint32_t found) noexcept {
 }
 
 MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
-                         std::uint32_t mode, const SeenFrom& seen) {
+                         std::uint32_t mode, const ViewingHints& seen) {
     HRBFNPR_ASSERT(normals.empty() || normals.size() == points.size());
     auto desc = defaults<hrbfnpr_orient_desc>(hrbfnpr_orient_desc_init);
     desc.mode = mode;
@@ -333,7 +333,7 @@ void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info) {
 }
 
 String repaired_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
-                        const SeenFrom& seen) {
+                        const ViewingHints& seen) {
     MadeNormals made = make_normals(call, stage, points, normals, mode, seen);
     const hrbfnpr_orient_info& info = made.info;
     tell_unsure_normals(call, info);
@@ -349,8 +349,8 @@ String repaired_normals(const Call& call, Stage& stage, const Points& points, Po
 }
 
 String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
-                      const SeenFrom& seen) {
-    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals kept", &call.pool};
+                      const ViewingHints& seen) {
+    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals as they are", &call.pool};
     if (mode != HRBFNPR_NORMALS_AUTO) return repaired_normals(call, stage, points, normals, mode, seen);
     const NormalsLook look = look_at_normals(points, normals, false, call.pool);
     if ((look.mixed() && points.size() >= normals_tuning.fewest_repaired) || lie_along_curves(points, call.pool))

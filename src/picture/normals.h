@@ -42,10 +42,10 @@ struct SharedPlaces {
 };
 // Leaves at most one sample at each place where normals differ, such as the vertices on a sharp edge of a mesh. The
 // points must be finite.
-SharedPlaces agreed(Points& points, Points& normals, Pool& pool);
+SharedPlaces merge_shared_places(Points& points, Points& normals, Pool& pool);
 
 // The directions and places, where known, from which open surfaces were seen.
-struct SeenFrom {
+struct ViewingHints {
     std::optional<glm::dvec3> up;
     std::optional<glm::dvec3> viewpoint;
 };
@@ -62,8 +62,8 @@ constexpr const char* how_to_turn_faces =
 // Makes or repairs normals. `mode` is a constant HRBFNPR_NORMALS_* for the state of the given normals. With
 // NONE `normals` is empty.
 [[nodiscard]] MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
-                                       std::uint32_t mode, const SeenFrom& seen);
-// Returns the words that follow "the normals" for a constant HRBFNPR_NORMALS_* of an orient_info.
+                                       std::uint32_t mode, const ViewingHints& seen);
+// Returns the words that follow "the normals are" for a constant HRBFNPR_NORMALS_* of an orient_info.
 [[nodiscard]] const char* found_in_words(std::uint32_t found) noexcept;
 // Describes the changes that make_normals() made to this many points.
 [[nodiscard]] String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool);
@@ -73,9 +73,9 @@ void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info);
 // Turns the normals of points outward where the outside can be told, and returns a description of the changes. `mode`
 // is a constant HRBFNPR_NORMALS_*; GIVEN keeps the normals.
 [[nodiscard]] String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
-                                    std::uint32_t mode, const SeenFrom& seen);
-// Turns the normals of points outward as settle_normals() does, but always replaces the given normals by the library's.
+                                    std::uint32_t mode, const ViewingHints& seen);
+// Does the same with the library's normals, whatever the given ones look like.
 [[nodiscard]] String repaired_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
-                                      std::uint32_t mode, const SeenFrom& seen);
+                                      std::uint32_t mode, const ViewingHints& seen);
 
 } // namespace hrbfnpr::picture

@@ -220,13 +220,13 @@ double number_of_text(std::string_view text) noexcept {
 }
 
 // The place of the content on a page.
-struct Placed {
+struct PagePlacement {
     glm::dvec2 corner; // mm
     double scale;      // mm per pixel
     glm::dvec2 page;   // mm
 };
 
-Placed placed_on_paper(const glm::dvec2& size, const hrbfnpr_picture_page_desc& desc, const Report& report) {
+PagePlacement placed_on_paper(const glm::dvec2& size, const hrbfnpr_picture_page_desc& desc, const Report& report) {
     if (desc.paper == nullptr) return {glm::dvec2(0.0), pixel_mm, pixel_mm * size};
     glm::dvec2 page = paper_size(desc.paper, report);
     if ((page.x > page.y) != (size.x > size.y)) std::swap(page.x, page.y);
@@ -414,7 +414,7 @@ void note_plotted(Report& report, const hrbfnpr_page_info& info) {
 
 // ---- The lists of a page
 
-Vector<hrbfnpr_page_item> items_of_page(const PageContent& content, const Placed& placed, Pool& pool) {
+Vector<hrbfnpr_page_item> items_of_page(const PageContent& content, const PagePlacement& placed, Pool& pool) {
     Vector<hrbfnpr_page_item> items(&pool);
     for (const PageDrawing& one : content.drawings) {
         auto item = picture::defaults<hrbfnpr_page_item>(hrbfnpr_page_item_init);
@@ -430,7 +430,7 @@ Vector<hrbfnpr_page_item> items_of_page(const PageContent& content, const Placed
 
 // Makes the annotations of a page. `points` receives the points of all notes in page coordinates and must outlive the
 // list.
-Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const Placed& placed,
+Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const PagePlacement& placed,
                                                Vector<glm::dvec2>& points, Pool& pool) {
     std::size_t point_count = 0;
     for (const PageNote& note : content.notes) point_count += note.points.size();
@@ -483,7 +483,7 @@ void write_picture_page(hrbfnpr_context& context, Report& report, const PageCont
     if (info != nullptr) api::check_output_struct(info, "page_info");
     const base::Array<double> at_hand = widths_at_hand(desc.pen_widths, pool);
 
-    const Placed placed = placed_on_paper(content.size, desc, report);
+    const PagePlacement placed = placed_on_paper(content.size, desc, report);
     page.width = placed.page.x;
     page.height = placed.page.y;
     const Vector<hrbfnpr_page_item> items = items_of_page(content, placed, pool);

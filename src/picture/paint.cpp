@@ -189,7 +189,7 @@ std::int32_t painted_direction(void* user, std::int64_t count, const double* pos
     return 0;
 }
 
-void put_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks,
+void set_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks,
                Pool& pool) {
     if (const auto held = held_paint(dabs, HRBFNPR_DAB_TONE, pool)) {
         hrbfnpr_style& base = style.base;

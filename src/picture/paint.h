@@ -65,6 +65,6 @@ std::int32_t painted_direction(void* user, std::int64_t count, const double* pos
 
 // Puts painted maps into a style and into layers of marks, which then hold them. `camera` gives the direction of a
 // light that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
-void put_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks, Pool& pool);
+void set_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -121,10 +121,11 @@ String key_of_lines(const Call& call, const Style& style, const Vector<WantedLin
 }
 
 // Returns the parts that another picture of the same surfaces has made, if they fit this picture.
-std::optional<Vector<Part>> made_before(const hrbfnpr_picture& picture, const Marks* marks, const String* lines_key) {
+std::optional<Vector<Part>> find_made_parts(const hrbfnpr_picture& picture, const Marks* marks,
+                                            const String* lines_key) {
     const hrbfnpr_picture& root = picture.root();
     const std::scoped_lock lock(root.making);
-    for (const Made& made : root.made) {
+    for (const MadeParts& made : root.made) {
         const bool same_marks = marks != nullptr && made.marks && made.marks->same_as(*marks);
         const bool same_lines = lines_key != nullptr && made.has_lines && made.lines_key == *lines_key;
         if (marks != nullptr ? same_marks : same_lines) return made.parts;
@@ -135,7 +136,7 @@ std::optional<Vector<Part>> made_before(const hrbfnpr_picture& picture, const Ma
 // The number of sets of marks and lines that are kept for pictures of the same surfaces.
 constexpr std::size_t most_made = 24;
 
-void remember(const hrbfnpr_picture& picture, Made&& made) {
+void keep_made_parts(const hrbfnpr_picture& picture, MadeParts&& made) {
     const hrbfnpr_picture& root = picture.root();
     const std::scoped_lock lock(root.making);
     if (root.made.size() < most_made) root.made.push_back(std::move(made));
@@ -143,11 +144,11 @@ void remember(const hrbfnpr_picture& picture, Made&& made) {
 
 void place_marks(hrbfnpr_picture& picture, const Call& call, double area) {
     const Surfaces& surfaces = picture.surfaces();
-    if (const std::optional<Vector<Part>> before = made_before(picture, &*picture.marks, nullptr)) {
+    if (const std::optional<Vector<Part>> before = find_made_parts(picture, &*picture.marks, nullptr)) {
         for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].marks = (*before)[i].marks;
         return;
     }
-    Made made(picture.root().pool);
+    MadeParts made(picture.root().pool);
     made.marks.emplace(*picture.marks, picture.root().pool);
     for (std::size_t i = 0; i < surfaces.list.size(); ++i) {
         const double share = surfaces.probes[i].area / area;
@@ -155,7 +156,7 @@ void place_marks(hrbfnpr_picture& picture, const Call& call, double area) {
         picture.parts[i].marks = generate_marks(call, surfaces.list[i].model, own);
         made.parts.push_back(picture.parts[i]);
     }
-    remember(picture, std::move(made));
+    keep_made_parts(picture, std::move(made));
 }
 
 void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
@@ -177,18 +178,18 @@ void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
     const bool is_drawn =
         picture.style->base.visibility != HRBFNPR_VISIBILITY_PUBLISHED && !picture.style->lines.empty();
     if (is_shared && is_drawn) {
-        if (const std::optional<Vector<Part>> before = made_before(picture, nullptr, &key)) {
+        if (const std::optional<Vector<Part>> before = find_made_parts(picture, nullptr, &key)) {
             for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].lines = (*before)[i].lines;
             return;
         }
     }
     for (std::size_t i = 0; i < picture.parts.size(); ++i) trace_lines(picture, call, i);
     if (!is_shared || !is_drawn) return;
-    Made made(picture.root().pool);
+    MadeParts made(picture.root().pool);
     made.lines_key = key;
     made.has_lines = true;
     made.parts = picture.parts;
-    remember(picture, std::move(made));
+    keep_made_parts(picture, std::move(made));
 }
 
 // ---- The picture

@@ -466,7 +466,7 @@ Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_
         set_open_budget(layer, marks.base.distribution);
         marks.layers.push_back(layer.desc);
     }
-    put_paint(options.dabs, camera, style, marks, call.pool);
+    set_paint(options.dabs, camera, style, marks, call.pool);
     return marks;
 }
 

@@ -61,9 +61,9 @@ Vector<std::int64_t> farthest_points(const Call& call, Stage& stage, const Point
 
 // ---- Points without normals
 
-SeenFrom seen_from(const Call& call, const Shape& shape) noexcept {
+ViewingHints viewing_hints(const Call& call, const Shape& shape) noexcept {
     const Options& options = call.options;
-    SeenFrom seen{shape.up, shape.viewpoint};
+    ViewingHints seen{shape.up, shape.viewpoint};
     if (options.has_up()) seen.up = glm::dvec3(options.desc.up[0], options.desc.up[1], options.desc.up[2]);
     if (options.viewpoint()) seen.viewpoint = options.viewpoint();
     return seen;
@@ -99,7 +99,7 @@ void give_normals(const Call& call, Shape& shape) {
                                    as_printed(points.size()), as_printed(all)));
     }
     MadeNormals made =
-        make_normals(call, stage, points, Points(&call.pool), HRBFNPR_NORMALS_NONE, seen_from(call, shape));
+        make_normals(call, stage, points, Points(&call.pool), HRBFNPR_NORMALS_NONE, viewing_hints(call, shape));
     stage.says(made_in_words(made.info, points.size(), call.pool));
     call.report.note(HRBFNPR_NOTE_NORMALS_MADE, {static_cast<double>(points.size())},
                      formatted(call.pool, "the points have no normals: %lld are computed%s", as_printed(points.size()),
@@ -227,7 +227,7 @@ void turn(Points& normals) noexcept {
 void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
     Pool& pool = call.pool;
     Report& report = call.report;
-    const SharedPlaces places = agreed(samples.points, samples.normals, pool);
+    const SharedPlaces places = merge_shared_places(samples.points, samples.normals, pool);
     if (places.joined != 0)
         report.note(HRBFNPR_NOTE_NORMALS_JOINED, {static_cast<double>(places.joined)},
                     count_of(places.joined, "place", pool) +=
@@ -242,7 +242,7 @@ void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
     }
     const std::uint32_t mode = call.options.desc.normals;
     Stage stage(report, HRBFNPR_STAGE_ORIENT);
-    stage.says(settle_normals(call, stage, samples.points, samples.normals, mode, seen_from(call, shape)));
+    stage.says(settle_normals(call, stage, samples.points, samples.normals, mode, viewing_hints(call, shape)));
     const char axis = mode != HRBFNPR_NORMALS_GIVEN ? hangs_along(samples.points, samples.normals) : char{0};
     if (axis == 0) return;
     turn(samples.normals);

@@ -116,7 +116,7 @@ TEST_F(Normals, AreAveragedAtSharedPlaces) {
     const double s = std::sqrt(0.5);
     Points points({{1, 0, 0}, {0, 0, 0}, {2, 0, 0}, {0, 0, 0}, {-0.0, 0, 0}, {2, 0, 0}, {3, 0, 0}}, &pool);
     Points normals({{0, 0, 1}, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 1, 0}, {0, 0, -1}, {1, 0, 0}}, &pool);
-    const SharedPlaces places = agreed(points, normals, pool);
+    const SharedPlaces places = merge_shared_places(points, normals, pool);
     EXPECT_EQ(places.joined, 1);
     EXPECT_EQ(places.left_out, 1);
     EXPECT_EQ(points, Points({{1, 0, 0}, {0, 0, 0}, {3, 0, 0}}, &pool));
@@ -126,10 +126,10 @@ TEST_F(Normals, AreAveragedAtSharedPlaces) {
 
     Points same({{1, 0, 0}, {1, 0, 0}, {0, 0, 0}}, &pool); // Equal normals both stay.
     Points equal({{s, s, 0}, {s, s, 0}, {0, 0, 1}}, &pool);
-    EXPECT_EQ(agreed(same, equal, pool).joined, 0);
+    EXPECT_EQ(merge_shared_places(same, equal, pool).joined, 0);
     EXPECT_EQ(same.size(), 3U);
     Points none(&pool);
-    EXPECT_EQ(agreed(none, none, pool).left_out, 0);
+    EXPECT_EQ(merge_shared_places(none, none, pool).left_out, 0);
 }
 
 // ---- Points along curves

@@ -137,7 +137,7 @@ TEST_F(PaintTest, TonesStartFromTheLightOfTheStyle) {
     const std::array eye{3.0, 2.0, 1.0}, target{0.0, 0.0, 0.0}, up{0.0, 1.0, 0.0};
     ASSERT_EQ(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), nullptr), HRBFNPR_STATUS_OK);
     Marks marks(pool);
-    put_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
+    set_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
     ASSERT_EQ(style.base.tone, std::uint32_t{HRBFNPR_TONE_CALLBACK});
     std::array<float, 12> at{}, facing{};
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -164,7 +164,7 @@ TEST_F(PaintTest, EachMapAppliesToItsLayers) {
         marks.layers.push_back(defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init));
         marks.layers.back().kind = kind;
     }
-    put_paint(dabs, camera, style, marks, pool);
+    set_paint(dabs, camera, style, marks, pool);
     EXPECT_EQ(style.base.tone, std::uint32_t{HRBFNPR_TONE_LIGHT});
     EXPECT_EQ(marks.layers[0].density_function, painted_density);
     EXPECT_EQ(marks.layers[0].direction_function, nullptr);
@@ -183,9 +183,9 @@ TEST_F(PaintTest, ALightWithoutDirectionIsRefused) {
     Style style(pool);
     std::fill(style.base.light, style.base.light + 3, 0.0);
     Marks marks(pool);
-    EXPECT_THROW(put_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool), Error);
+    EXPECT_THROW(set_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool), Error);
     style.base.tone = HRBFNPR_TONE_NONE; // Without a tone no light is needed.
-    put_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
+    set_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
     EXPECT_EQ(style.base.tone_function, painted_tone);
 }
 

@@ -175,7 +175,7 @@ TEST_F(StyleTest, MarksOfTheSamePaintCompareEqual) {
         Marks marks(pool);
         marks.layers.push_back(defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init));
         Style style(pool);
-        put_paint({&dab, 1}, camera, style, marks, pool);
+        set_paint({&dab, 1}, camera, style, marks, pool);
         EXPECT_EQ(marks.layers[0].density, std::uint32_t{HRBFNPR_DENSITY_CALLBACK});
         return marks;
     };
