@@ -19,8 +19,8 @@
 namespace hrbfnpr::drawing {
 
 enum class Painting : std::uint8_t {
-    // Paint order does not matter if all inks have one colour, because each dot and stroke was dimmed by the surfaces
-    // in front of it. Dots are in pieces, in any order. A dot that is not drawn has the opacity 0.
+    // The surface in front has dimmed each dot and stroke, so the order does not matter if all have one colour. Dots
+    // are in ranges, in any order. A dot that is not drawn has the opacity 0.
     transmittance,
     // Dots of paper and ink are in the order in which they are painted [NPAR 6.1].
     published

@@ -41,7 +41,7 @@ public:
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
           ranges_(memory), starts_(memory) {}
 
-    // Fills the tiles with the elements i of the pieces, which ascend. footprint(i, out) is called once for each i and
+    // Fills the tiles with the elements i of the ranges, which ascend. footprint(i, out) is called once for each i and
     // returns false to leave i out.
     template <class F>
     void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height,
@@ -187,7 +187,7 @@ private:
                 static_cast<std::uint16_t>(bottom)};
     }
 
-    // Calls f(number, disc) for a range of numbers. The numbers count the discs of all pieces, piece after piece.
+    // Calls f(number, disc) for a range of numbers. They count the elements of all ranges.
     template <class F>
     void for_each_disc(std::int64_t begin, std::int64_t end, F&& f) const {
         const std::int64_t* const after = std::upper_bound(starts_.begin(), starts_.end(), begin);
@@ -244,7 +244,7 @@ private:
     base::Array<std::uint32_t> entries_; // the discs of each tile, tile after tile
     base::Array<LargeDisc> large_;       // discs that touch too many tiles; they are not in `entries_`
     base::Array<IndexRange> ranges_;
-    base::Array<std::int64_t> starts_; // the number of each piece's first disc, and the end
+    base::Array<std::int64_t> starts_; // the number of each range's first disc, and the end
 };
 
 } // namespace hrbfnpr::drawing

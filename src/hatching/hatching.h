@@ -24,7 +24,7 @@ struct Settings {
     FieldSettings field;
     marks::DirectionFunction direction; // its directions replace the curvature
 
-    // Returns whether lines of both settings can use one Ground.
+    // Returns whether lines of both settings can use one HatchingField.
     [[nodiscard]] bool shares_field_with(const Settings& other) const noexcept;
 };
 

@@ -27,7 +27,7 @@ struct Growth {
     marks::Kind kind;
     std::int64_t children; // how many children a mark has in the next level
     marks::MarkProjector projector{site};
-    base::Array<std::int64_t> child{site.memory()}; // the number of each of the settler's starts among all children
+    base::Array<std::int64_t> child{site.memory()}; // the number of each of the projector's starts among all children
 
     [[nodiscard]] bool by_curvature() const noexcept {
         return kind == marks::Kind::hatch && settings.directions == Directions::principal;
@@ -61,8 +61,8 @@ bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const 
     return thinning.active();
 }
 
-// Settles the children that fit into the budget, chunk by chunk. Child i, of mark i / children, starts at start_of(i),
-// and is dropped if it lands farther than `stray_limit` from there. append(progress) takes a chunk from the settler.
+// Projects the children that fit into the budget, chunk by chunk. Child i, of mark i / children, starts at start_of(i),
+// and is dropped if it lands farther than `stray_limit` from there. append(progress) takes a chunk from the projector.
 // Returns whether the budget cut the level.
 template <class KeyOf, class StartOf, class Append>
 bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const KeyOf& key_of, const StartOf& start_of,

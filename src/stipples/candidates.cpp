@@ -484,7 +484,7 @@ LayerCandidates layer_candidates(const ClassifiedCells& classified, std::uint32_
     // The mean distance between marks, each of which needs about `most` candidates.
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
     layer.projections_per_trial = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
-    // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
+    // A projection is less than a side from its trial point: sqrt(band^2 + 2 projection_stride^2) = 0.93 sides.
     CellMap::BlocksAround blocks;
     base::Array<std::uint8_t> taken(cells.cell.memory(), classified.cell.size());
     for (std::int64_t i = 0; i < classified.cell.size(); ++i) {

@@ -22,8 +22,7 @@ struct FloodCell {
     double expected;    // distance by the plane of the cell that the flood came from; NaN for the cell of a seed
 };
 
-// A judged cell: whether it belongs to the surface cells, and a bit for each of the 27 cells around it that the flood
-// enters.
+// A visited cell: whether it is a surface cell, and a bit for each of the 27 cells around it that the flood enters.
 struct VisitedCell {
     SurfaceCell cell;
     bool is_surface_cell;

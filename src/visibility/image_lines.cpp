@@ -5,7 +5,7 @@
 //
 // Finds crossings. Segments of polylines go into the cells of a grid (make_grid). Pairs of segments that cross are
 // found cell by cell (find_pairs). Newton's method moves each pair onto its cubics (refine). Depths and directions
-// there say which curve is nearer, and on which side of the nearer curve its surface lies (describe). Crossings of
+// there say which curve is nearer, and on which side of the nearer curve its surface lies (set_crossing). Crossings of
 // curves that are near in space, too, are verified on the curves themselves (verify_crossings). Lines that pass through
 // another item's surface are found by halving the lines' cubics (find_piercings).
 #include "visibility/image_lines.h"

@@ -125,7 +125,7 @@ struct DimmingInput {
 // The layers that a dot is seen through.
 struct DimResult {
     float transmittance = 1.0F;
-    // Other layers may lie between the ink and this depth; nothing: none can.
+    // Other layers may lie between the ink and this depth; `no_depth`: none can.
     float more_from = no_depth;
 };
 

@@ -36,7 +36,7 @@ struct SplatList {
 
 struct LayerLoops {
     void (*draw_nearest)(const LayerPlanes& planes, const SplatList& list); // the nearest layers
-    void (*draw_next)(const LayerPlanes& planes, const SplatList& list);    // the next ones, once the nearest are laid
+    void (*draw_next)(const LayerPlanes& planes, const SplatList& list);    // the next ones, once the nearest are drawn
     void (*draw_halos)(const LayerPlanes& planes, const SplatList& list);
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds where marks are on the screen (project, project_rows) and how much of each is drawn (select). There is a version
-// for each instruction set, and all give the same bits.
+// Finds where marks are on the screen (project, project_rows) and how much of each is drawn (select). There is a
+// version for each instruction set, and all give the same bits.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -42,7 +42,7 @@ struct MarkRows {
     std::int64_t count;
 };
 
-// The numbers of Seen for any number of marks. `along` may be NULL.
+// The numbers of ProjectedMarks for any number of marks. `along` may be NULL.
 struct ProjectedRows {
     float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance, *along;
 };

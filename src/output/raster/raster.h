@@ -2,8 +2,8 @@
 // The rasteriser draws into the caller's pixels, tile by tile:
 // 1. prepare (raster.cpp) initialises a tile's planes: the transmittance of the ink above the paper, first 1, and the
 //    colours of the inks.
-// 2. lay (raster.cpp; loops.cpp for many pixels at a time) adds dots and strokes from far to near. strokes.h makes a
-//    polygon of each segment of a stroke, and computes the area of the union of overlapping polygons.
+// 2. draw_tile (raster.cpp; loops.cpp for many pixels at a time) adds dots and strokes from far to near. strokes.h
+// makes a polygon of each segment of a stroke, and computes the area of the union of overlapping polygons.
 // 3. store (raster.cpp; loops.cpp) writes the planes to the caller's pixels: it replaces these, or draws over them.
 // 4. store_outputs (raster.cpp) writes the depth, id and class of the nearest layer or ink at each pixel's centre.
 #pragma once

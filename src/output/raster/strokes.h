@@ -77,7 +77,7 @@ inline bool are_consecutive(const SegmentGroup& a, const SegmentGroup& b, const 
 
 using SegmentGroups = std::array<SegmentGroup, 12>;
 
-// Returns the number of stretches in the list, or size() + 1 if the array is too small.
+// Returns the number of groups in the list, or size() + 1 if the array is too small.
 inline std::size_t find_segment_groups(const SegmentList& list, SegmentGroups& groups) noexcept {
     std::size_t count = 0;
     for (std::int64_t i = 0; i < list.count; ++i) {

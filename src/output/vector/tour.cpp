@@ -107,8 +107,8 @@ private:
         }
         first_entry_point.push_back(entry_points.size());
         const geometry::PointTree tree(places, progress_);
-        base::Array<std::int64_t> left(memory, tree.nodes()); // for each tree node, the doors of unvisited stops
-        base::Array<std::int64_t> at_of(memory, tree.size()); // the index of each door in the tree
+        base::Array<std::int64_t> left(memory, tree.nodes()); // for each tree node, the entry points of unvisited stops
+        base::Array<std::int64_t> at_of(memory, tree.size()); // the index of each entry point in the tree
         base::Array<std::uint8_t> visited(memory, pen_);
         for (std::int64_t at = 0; at < tree.size(); ++at) {
             if (at % steps_per_check == 0) check_cancel(progress_);
