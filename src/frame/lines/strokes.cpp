@@ -25,7 +25,7 @@ namespace {
 
 // A part of a line that the same number of surface layers hides everywhere.
 struct LinePart {
-    visibility::Interval interval; // its `sheets` is not used
+    visibility::Interval interval; // its `invisibility` is not used
     std::int32_t layers;           // number of surface layers before it; each is two sheets
     // The end is free because no other part continues there: at cusps, and at ends of open lines.
     bool free_begin, free_end;
