@@ -218,7 +218,8 @@ void write_vertices(const hrbfnpr_drawing& handle, const hrbfnpr_vertex_layout& 
     const output::VertexBound bound = output::vertex_bound(handle.drawing, primitive);
     if (out.vertex_capacity < bound.vertices || (out.indices != nullptr && out.index_capacity < bound.indices)) {
         write_bound(out, bound);
-        fail(Status::buffer_too_small, "vertex_capacity is %lld and index_capacity %lld; %lld and %lld are needed",
+        fail(Status::buffer_too_small,
+             "vertex_capacity is %lld and index_capacity is %lld; they must be at least %lld and %lld",
              static_cast<long long>(out.vertex_capacity), static_cast<long long>(out.index_capacity),
              static_cast<long long>(bound.vertices), static_cast<long long>(bound.indices));
     }

@@ -176,7 +176,7 @@ void save(const hrbfnpr_model& model, io::Writer& writer) {
     const implicit::SheetTreeData* pieces = model.pieces();
     if (data == nullptr && pieces == nullptr)
         fail(Status::invalid_argument,
-             "model is a custom one: its function cannot be saved; only fits can, and trees of them");
+             "model is a custom model, and its function cannot be saved; save a fit, or a CSG tree of fits");
     io::save_model({data, pieces, numbers_of(model.untrimmed().report)}, &trim, writer);
 }
 

@@ -107,7 +107,7 @@ constexpr auto annotation_fields() noexcept {
     using From = hrbfnpr_annotation;
     using To = output::Annotation;
     return FieldTable{
-        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_..."}),
+        field("line_type", &From::line_type, &To::line_type, rule::OneOf{last_line_type, "HRBFNPR_LINE_TYPE_*"}),
         field("group", &From::group, rule::NotNull{}),
         field("text", &From::text, rule::Any{}),
         field("points", &From::points, rule::Any{}),
@@ -314,7 +314,8 @@ hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::
     const glm::dvec2 size = output::page_size(reader.page(), settings);
     if (!(size.x > 0.0 && size.y > 0.0 && size.x <= farthest_place && size.y <= farthest_place))
         fail(Status::invalid_argument,
-             "the page is %g by %g mm; give page_desc.width and height, above 0 and up to %g, or place drawings on it",
+             "the page is %g by %g mm; set page_desc.width and height to sizes above 0 and up to %g, or place drawings "
+             "on the page",
              size.x, size.y, farthest_place);
     if (in_plot_order(settings) && reader.has_discs_of_paper())
         fail(Status::invalid_argument, "a drawing with PUBLISHED visibility covers ink with discs of paper, which "

@@ -73,7 +73,7 @@ public:
 private:
     void read(const hrbfnpr_item& given, const char* name) {
         const Checks checks(name);
-        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_...");
+        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_*");
         checks.not_null("point_set", given.point_set != nullptr);
         if (given.model != nullptr && given.pose_count > 0)
             fail(Status::invalid_argument,

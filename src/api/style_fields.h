@@ -85,7 +85,7 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("tone_rule", &Given::tone_rule, &To::tone_rule,
               rule::OneOf{HRBFNPR_TONE_RULE_PUBLISHED, "HRBFNPR_TONE_RULE_*"}),
         field("tone_curve", &Given::tone_curve, &To::tone_curve,
-              rule::OneOf{HRBFNPR_TONE_CURVE_LINEAR, "HRBFNPR_TONE_CURVE_..."}),
+              rule::OneOf{HRBFNPR_TONE_CURVE_LINEAR, "HRBFNPR_TONE_CURVE_*"}),
         field("light", &Given::light, &To::light, rule::AllNumbers{rule::Finite{}}),
         field("tone_exponent", &Given::tone_exponent, &To::tone_exponent, rule::Positive{}),
         field("tone_function", &Given::tone_function, &To::tone_function, rule::Any{}),

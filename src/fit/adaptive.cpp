@@ -122,7 +122,7 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
             now.fit = fit_round(now.rounds, centres, now.off_surface, next.smoothing);
         } catch (const Error& error) {
             if (!settings.keeps_last || !is_unsolvable(error)) throw;
-            work.runtime().log(base::LogLevel::debug, "fit: with %lld centres: %s; with %lld it is solved",
+            work.runtime().log(base::LogLevel::debug, "fit: with %lld centres: %s; going back to %lld centres",
                                static_cast<long long>(centres.size() + now.off_surface.position.size()), error.what(),
                                static_cast<long long>(now.centres.size() + off_surface));
             resize_off_surface(now.off_surface, off_surface);

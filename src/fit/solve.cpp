@@ -82,9 +82,10 @@ void iterate(const base::Work& work, const HermiteSystem& system, const double* 
     solution.solver = SolverKind::iterative;
     solve_iteratively(work, system, rhs, options, first, solution);
     if (is_limited_by_rounding(system, options, solution)) {
-        work.runtime().log(base::LogLevel::warning,
-                           "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
-                           solution.residual, options.tolerance);
+        work.runtime().log(
+            base::LogLevel::warning,
+            "fit: rounding stops the iterations at a relative residual of %.1e, above the solver_tolerance, %.1e",
+            solution.residual, options.tolerance);
         solution.converged = true;
     }
     if (!solution.converged && solution.residual > hopeless_residual && system.samples() > most_direct)

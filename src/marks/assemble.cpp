@@ -228,9 +228,9 @@ public:
         const auto check = [&](const InView& view, const char* name, bool needed) {
             if (view.count == count() || (view.empty() && !needed)) return;
             fail(Status::invalid_argument,
-                 "point_set_desc.layers[%lld].%s has %lld elements and .position has %lld: %s", as_long_long(place_),
+                 "point_set_desc.layers[%lld].%s has %lld elements, but position has %lld; %s", as_long_long(place_),
                  name, as_long_long(view.count), as_long_long(count()),
-                 needed ? "every mark needs one" : "give one for each mark or leave it empty");
+                 needed ? "give one for each mark" : "give one for each mark, or none");
         };
         check(arrays_.normal, "normal", true);
         check(arrays_.direction, "direction", false);
@@ -240,8 +240,8 @@ public:
         check(arrays_.width, "width", false);
         if (count() > most_marks)
             fail(Status::invalid_argument,
-                 "point_set_desc.layers[%lld].position has %lld elements, and %lld are the most", as_long_long(place_),
-                 as_long_long(count()), as_long_long(most_marks));
+                 "point_set_desc.layers[%lld].position has %lld elements; at most %lld are allowed",
+                 as_long_long(place_), as_long_long(count()), as_long_long(most_marks));
     }
 
     [[nodiscard]] std::int64_t count() const noexcept { return arrays_.position.count; }
@@ -309,14 +309,15 @@ void LayerReader::read_strokes(Layer& layer) const {
         const bool rises = s == 0 ? now == 0.0 : now > first.get(s - 1, 0);
         const bool ends = s == strokes ? now == static_cast<double>(count()) : now < static_cast<double>(count());
         if (!rises || !ends)
-            refuse("stroke_first", s, "%.0f; it must rise from 0 to the %lld marks", now, as_long_long(count()));
+            refuse("stroke_first", s, "%.0f; the numbers must increase from 0 to the number of marks, %lld", now,
+                   as_long_long(count()));
         if (strokes > 0) layer.stroke_first.push_back(static_cast<std::uint32_t>(now));
     }
     const std::int64_t directions = arrays_.stroke_direction.count;
     if (!arrays_.stroke_direction.empty() && directions != strokes)
         fail(Status::invalid_argument,
-             "point_set_desc.layers[%lld].stroke_direction has %lld elements and .stroke_first tells of %lld strokes: "
-             "give one for each stroke or leave it empty",
+             "point_set_desc.layers[%lld].stroke_direction has %lld elements, but stroke_first has %lld strokes; give "
+             "one for each stroke, or none",
              as_long_long(place_), as_long_long(directions), as_long_long(strokes));
     layer.stroke.resize(2 * count());
     for (std::int64_t s = 0; s < strokes; ++s) {

@@ -306,7 +306,8 @@ void tell_divided(const Call& call, const DivisionResult& found) {
     switch (found.plan.choice) {
     case DivisionResult::Choice::nothing: return;
     case DivisionResult::Choice::all_flat:
-        report.note(HRBFNPR_NOTE_ALL_FLAT, {}, "by the normals of its file all faces are flat ({edges=smooth} rounds)");
+        report.note(HRBFNPR_NOTE_ALL_FLAT, {},
+                    "all faces are flat, by the normals in the file ({edges=smooth} rounds them)");
         return;
     case DivisionResult::Choice::coarse_flat:
         report.note(HRBFNPR_NOTE_COARSE_FLAT, {},

@@ -31,8 +31,8 @@ constexpr auto views_fields() noexcept {
     constexpr rule::Between on_paper{0.01, 1000.0}; // mm
     return FieldTable{
         field("flags", &D::flags, rule::Flags{views_flags}),
-        field("projection", &D::projection, rule::OneOf{HRBFNPR_VIEWS_ANGLE_THIRD, "HRBFNPR_VIEWS_ANGLE_..."}),
-        field("hidden", &D::hidden, rule::OneOf{HRBFNPR_VIEWS_HIDDEN_SHOWN, "HRBFNPR_VIEWS_HIDDEN_..."}),
+        field("projection", &D::projection, rule::OneOf{HRBFNPR_VIEWS_ANGLE_THIRD, "HRBFNPR_VIEWS_ANGLE_*"}),
+        field("hidden", &D::hidden, rule::OneOf{HRBFNPR_VIEWS_HIDDEN_SHOWN, "HRBFNPR_VIEWS_HIDDEN_*"}),
         field("views", &D::views, rule::Any{}),
         field("sections", &D::sections, rule::Any{}),
         field("paper", &D::paper, rule::Any{}),

@@ -90,19 +90,19 @@ TEST(PiecesFile, ContentIsChecked) {
     EXPECT_EQ(message_of([](SheetTreeData&) {}), "");
     expect("no sheets", [](SheetTreeData& d) { d.sheet.clear(); });
     expect("alpha[1] is not finite", [](SheetTreeData& d) { d.sheet[1].alpha[1] = NAN; });
-    expect("programs are none", [](SheetTreeData& d) { d.program[0] = 3; });
-    expect("programs are none", [](SheetTreeData& d) { d.program_begin[4] = 100; });
-    expect("programs are none", [](SheetTreeData& d) { d.child[0] = -1; });
-    expect("programs are none", [](SheetTreeData& d) { d.plain.push_back(0.0); });
+    expect("programs are invalid", [](SheetTreeData& d) { d.program[0] = 3; });
+    expect("programs are invalid", [](SheetTreeData& d) { d.program_begin[4] = 100; });
+    expect("programs are invalid", [](SheetTreeData& d) { d.child[0] = -1; });
+    expect("programs are invalid", [](SheetTreeData& d) { d.plain.push_back(0.0); });
     expect("plain[5] is not finite", [](SheetTreeData& d) { d.plain[5] = INFINITY; });
     expect("not a box", [](SheetTreeData& d) { d.bounds.max.x = -100.0; });
     expect("do not cover", [](SheetTreeData& d) {
         d.corner += 0.1 * d.side;
         d.side *= 0.8;
     });
-    expect("not about its bounds", [](SheetTreeData& d) { d.corner.y += 0.2; });
+    expect("not lie around its bounds", [](SheetTreeData& d) { d.corner.y += 0.2; });
     expect("spacing is negative", [](SheetTreeData& d) { d.spacing = -1.0; });
-    expect("whole number of samples", [](SheetTreeData& d) {
+    expect("number of samples is wrong", [](SheetTreeData& d) {
         d.sample_position.push_back(0.0);
         d.sample_normal.push_back(0.0);
     });

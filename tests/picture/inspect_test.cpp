@@ -404,7 +404,7 @@ TEST_F(InspectTest, Invalid_calls_are_refused) {
     EXPECT_EQ(call(context.get(), nullptr, 0, &info), HRBFNPR_STATUS_INVALID_ARGUMENT);
     EXPECT_EQ(call(context.get(), &source, 0, nullptr), HRBFNPR_STATUS_INVALID_ARGUMENT);
     EXPECT_EQ(call(context.get(), &source, 3, &info), HRBFNPR_STATUS_INVALID_ARGUMENT);
-    EXPECT_STREQ(error.message, "wording is 3; it must be one of HRBFNPR_WORDING_... (0 to 2)");
+    EXPECT_STREQ(error.message, "wording is 3; it must be one of HRBFNPR_WORDING_* (0 to 2)");
     test::Triangles mesh = test::tetrahedron();
     mesh.triangles[0] = 4;
     const auto wrong = source_of(mesh);

@@ -355,13 +355,13 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         } else {
             next.continues = grown && (!looked || gains());
         }
-        work.runtime().log(
-            base::LogLevel::debug,
-            "mesh fit: round %d, %lld centres: of the mesh %.4f within, the farthest %.3g; of the surface %.4f "
-            "and %.3g; %lld more, and %lld off the surface",
-            static_cast<int>(now.rounds), static_cast<long long>(now.fit.result.data.count()), report.mesh.share,
-            report.mesh.most, report.surface.share, report.surface.most, static_cast<long long>(next.centres.size()),
-            static_cast<long long>(next.off_surface.position.size()));
+        work.runtime().log(base::LogLevel::debug,
+                           "mesh fit: round %d, %lld centres: share within: mesh %.4f (farthest %.3g), surface %.4f "
+                           "(%.3g); %lld to add, %lld off it",
+                           static_cast<int>(now.rounds), static_cast<long long>(now.fit.result.data.count()),
+                           report.mesh.share, report.mesh.most, report.surface.share, report.surface.most,
+                           static_cast<long long>(next.centres.size()),
+                           static_cast<long long>(next.off_surface.position.size()));
         report.seconds_measure += of_look.seconds();
         return next;
     };
