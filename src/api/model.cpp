@@ -332,7 +332,7 @@ hrbfnpr_model_info describe(const hrbfnpr_model& model) noexcept {
     info.polynomial_degree = -1;
     info.bytes = static_cast<std::int64_t>(sizeof(hrbfnpr_model)) + (solid != nullptr ? solid->bytes() : 0);
     set_box(info.bounds_min, info.bounds_max, model.implicit().bounds());
-    if (const implicit::PiecesData* pieces = model.pieces()) {
+    if (const implicit::SheetTreeData* pieces = model.pieces()) {
         describe_fit(info, model.untrimmed().report);
         info.kernel = static_cast<std::uint32_t>(pieces->sheet[0].kernel);
         info.polynomial_degree = pieces->sheet[0].polynomial_degree;

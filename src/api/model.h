@@ -69,7 +69,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         return hrbf != nullptr ? &hrbf->data() : nullptr;
     }
     // nullptr for a model without sheets.
-    [[nodiscard]] const hrbfnpr::implicit::PiecesData* pieces() const noexcept {
+    [[nodiscard]] const hrbfnpr::implicit::SheetTreeData* pieces() const noexcept {
         const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&untrimmed().surface);
         return made != nullptr ? &made->data() : nullptr;
     }

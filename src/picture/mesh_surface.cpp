@@ -272,8 +272,8 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
 }
 
 // Divides the faces of a welded mesh as planned, and judges the result.
-DivisionResult divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::SaidOfEdges said,
-                      const mesh::MeshWishes& wishes, Shape& finer, const base::Progress& progress) {
+DivisionResult divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::EdgesInFile said,
+                      const mesh::MeshOptions& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
     const double crease = std::isnan(call.options.desc.crease_angle) ? 180.0 : call.options.desc.crease_angle;
     DivisionResult found{plan};

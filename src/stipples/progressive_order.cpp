@@ -657,7 +657,7 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const LastStageC
         for (std::int64_t i = begin; i < end; ++i) {
             std::uint64_t bits = 0;
             for (const float c : order.mark[i].position)
-                bits = geometry::mixed_bits(bits ^ base::bit_cast<std::uint32_t>(c));
+                bits = geometry::hash_bits(bits ^ base::bit_cast<std::uint32_t>(c));
             keyed[i] = {std::uint64_t{order.step[i]} << 56U | bits >> 8U, i};
         }
         std::sort(keyed.data() + begin, keyed.data() + end);

@@ -166,7 +166,7 @@ CellMap::CellMap(const SurfaceCells& cells) : CellMap(cells.cell.memory()) {
 std::int64_t CellMap::slot_of(std::uint64_t block) const noexcept {
     HRBFNPR_ASSERT(!slots_.empty());
     const auto mask = static_cast<std::uint64_t>(slots_.size() - 1);
-    std::uint64_t at = geometry::mixed_bits(block) & mask;
+    std::uint64_t at = geometry::hash_bits(block) & mask;
     const auto key = [&] { return slots_[static_cast<std::int64_t>(at)].key; };
     while (key() != 0 && key() != block + 1) at = (at + 1) & mask;
     return static_cast<std::int64_t>(at);
