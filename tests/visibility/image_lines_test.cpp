@@ -44,7 +44,7 @@ double farthest_off(const Picture& picture, const ImageLines& lines) {
 }
 
 // A line with NaN or huge coordinates does not change the lengths of others.
-TEST(LineLengths, DoNotDependOnOtherLines) {
+TEST(Lengths, DoNotDependOnOtherLines) {
     ImageLines lines(runtime().memory);
     const double odd[] = {1.0, 1e300, std::numeric_limits<double>::quiet_NaN()};
     for (std::int32_t l = 0; l < 3; ++l) {

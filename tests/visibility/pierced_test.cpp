@@ -52,7 +52,7 @@ std::int64_t expect_exact(const Stage& stage, const std::vector<Eye>& eyes, int 
     return pierced;
 }
 
-TEST(Piercing, PlacesAreExactForOverlappingSpheres) {
+TEST(Pierced, PlacesAreExactForOverlappingSpheres) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -61,7 +61,7 @@ TEST(Piercing, PlacesAreExactForOverlappingSpheres) {
 }
 
 // The contour of one sphere, a circle, meets the other sphere in two known points.
-TEST(Piercing, PlacesMatchKnownPoints) {
+TEST(Pierced, PlacesMatchKnownPoints) {
     const test::SquareSphere sphere;
     const Eye eye = Eye::at({0.0, 0.0, 1.0}, 6.0, false, 200.0);
     Stage stage;
@@ -81,7 +81,7 @@ TEST(Piercing, PlacesMatchKnownPoints) {
     expect_right(picture, 40);
 }
 
-TEST(Piercing, PlacesAreExactForATorusThroughASphere) {
+TEST(Pierced, PlacesAreExactForATorusThroughASphere) {
     const test::SquareSphere sphere;
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -91,7 +91,7 @@ TEST(Piercing, PlacesAreExactForATorusThroughASphere) {
 }
 
 // A flat, wide ellipsoid cuts a bumpy fit. It is placed obliquely and mirrored.
-TEST(Piercing, PlacesAreFoundForASlabThroughAFit) {
+TEST(Pierced, PlacesAreFoundForASlabThroughAFit) {
     const auto cloud = hrbfnpr::test::bumpy(400, 0.3);
     base::Runtime& with = runtime();
     const implicit::Hrbf fitted{with.instruction_set, fit::fit(with, fit_test::input(cloud)).data};
@@ -107,7 +107,7 @@ TEST(Piercing, PlacesAreFoundForASlabThroughAFit) {
     EXPECT_GT(expect_exact(stage, test::eyes(cube_directions(0.13), 6.0), 20), 100);
 }
 
-TEST(Piercing, PlacesAreExactForThreeItems) {
+TEST(Pierced, PlacesAreExactForThreeItems) {
     const test::SquareSphere sphere;
     const test::Torus torus(1.0, 0.3);
     Stage stage;
@@ -118,7 +118,7 @@ TEST(Piercing, PlacesAreExactForThreeItems) {
 }
 
 // The small ball is smaller than the cells of the large one.
-TEST(Piercing, PlacesAreFoundForASmallItemInALargeItem) {
+TEST(Pierced, PlacesAreFoundForASmallItemInALargeItem) {
     const test::SquareSphere sphere;
     for (const Eye& eye : test::eyes({{0.3, 0.2, 1.0}, {-1.0, 0.4, 0.3}}, 6.0)) {
         Stage stage;
@@ -132,7 +132,7 @@ TEST(Piercing, PlacesAreFoundForASmallItemInALargeItem) {
 }
 
 // Lines of each item are in the surface of the other, like a picture on a wall. Halving such lines had no end.
-TEST(Piercing, PlacesStayFewForCoincidentItems) {
+TEST(Pierced, PlacesStayFewForCoincidentItems) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
@@ -142,7 +142,7 @@ TEST(Piercing, PlacesStayFewForCoincidentItems) {
     EXPECT_LT(picture.found->piercings.size(), 10000);
 }
 
-TEST(Piercing, OneItemPiercesNothing) {
+TEST(Pierced, OneItemPiercesNothing) {
     const test::SquareSphere sphere;
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
