@@ -44,7 +44,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
         if (untrimmed_ != nullptr) return untrimmed_->implicit();
         if (const auto* hrbf = std::get_if<hrbfnpr::implicit::Hrbf>(&surface)) return *hrbf;
         if (const hrbfnpr::api::CsgSolid* solid = csg()) return solid->function();
-        if (const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&surface)) return *made;
+        if (const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&surface)) return *made;
         return *std::get_if<hrbfnpr::implicit::Custom>(&surface);
     }
     // nullptr for a model that is no tree, and for a trimmed one.
@@ -70,7 +70,7 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     }
     // nullptr for a model without sheets.
     [[nodiscard]] const hrbfnpr::implicit::SheetTreeData* pieces() const noexcept {
-        const auto* made = std::get_if<hrbfnpr::implicit::Pieces>(&untrimmed().surface);
+        const auto* made = std::get_if<hrbfnpr::implicit::SheetTree>(&untrimmed().surface);
         return made != nullptr ? &made->data() : nullptr;
     }
     // Empty for a custom model and a tree.
