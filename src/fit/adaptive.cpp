@@ -45,7 +45,7 @@ Misfits misfits_of(const base::Work& work, const Samples& samples, const base::A
     };
     Misfits found(work.memory, samples.position.size());
     const auto measure = [&](std::int64_t i) {
-        // The noise of a single sample says nothing about the surface, but the mean over neighbours does.
+        // A single sample's noise hides its distance from the surface; the mean over its neighbours has less noise.
         double distance = distances.distance[i];
         double off = deviation(i);
         if (options.neighbours != nullptr) {
@@ -62,7 +62,7 @@ Misfits misfits_of(const base::Work& work, const Samples& samples, const base::A
             samples.position[i], 1, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, &nearest);
         found.to_centre[i] = glm::distance(samples.position[i], tree.points()[nearest]);
         found.spacing[i] = spacing[nearest];
-        // Where f grows inward, the distance is measured to another sheet, or to no sheet at all.
+        // A sample where f grows inward lies on another sheet, or on no sheet at all, so its distance means little.
         const bool wrong_side = off > 1.4142135623730951;
         found.error[i] = wrong_side ? std::max(std::abs(distance), adaptive_tuning.wrong_side * options.tolerance)
                                     : std::abs(distance);
@@ -95,7 +95,7 @@ AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const 
     const base::Stopwatch watch;
     const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& off_surface,
                                const Smoothing& smooth) {
-        // The number of rounds is not known in advance, so each round gets a quarter of the remaining progress.
+        // The number of rounds is unknown, so each round fills a quarter of the progress that remains.
         const base::Work part = work.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
         return fit_centres(part, input, centres_of(work, candidates, centres, off_surface), smooth);
     };
@@ -204,7 +204,7 @@ Candidates worst_candidates(const base::Work& work, const Samples& samples, cons
             const double radius = std::max(share * misfit.spacing[i], options.least_distance);
             if (covered[place[i]] != 0 || misfit.to_centre[i] < radius) continue;
             const std::int64_t added = options.typical != nullptr ? (*options.typical)[i] : i;
-            // A sample whose typical one is a centre already is covered too, so that it is not tried again.
+            // A sample is covered, too, if its typical sample is already a centre. It is then not tried again.
             if (is_centre[added] == 0) result.chosen.push_back(added);
             tree.within(samples.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
             work.check();

@@ -61,8 +61,8 @@ struct AdaptiveSettings {
 [[nodiscard]] Samples centres_of(const base::Work& work, const Samples& candidates,
                                  const base::Array<std::int64_t>& centres, const Samples& off_surface);
 
-// Returns how many centres a round may add: half as many as there are, or as many while more than a quarter of the
-// candidates is `outside`, since nearly all added ones are needed then.
+// Returns how many centres a round may add: half the number of centres. While more than a quarter of the candidates is
+// outside the tolerance, nearly all added centres are needed, and the limit is the number of centres.
 [[nodiscard]] std::int64_t batch_of(std::int64_t centres, double outside) noexcept;
 
 // ---- What to add
@@ -71,8 +71,8 @@ struct CandidateOptions {
     double tolerance = 0.0;      // 0: all samples are candidates
     double least_distance = 0.0; // No new centre is nearer to another centre than this.
     std::int64_t most = 0;       // the number of centres to add at most
-    // Set for noisy samples: a sample is judged by the mean over it and these neighbours, and the typical sample of
-    // this neighbourhood (typical.h) is added in its place.
+    // Set for noisy samples. The mean error over a sample and these neighbours is then used, and the typical sample of
+    // the neighbourhood (typical.h) is added instead of the sample.
     const geometry::Neighbours* neighbours = nullptr;
     const base::Array<std::int64_t>* typical = nullptr;
 };

@@ -10,11 +10,11 @@ namespace hrbfnpr::fit {
 namespace {
 
 constexpr std::int64_t side = TiledCholesky::side;
-constexpr std::int64_t side_limit = std::int64_t{1} << 24; // tiles along a side
+constexpr std::int64_t side_limit = std::int64_t{1} << 24; // the largest number of tiles along a side
 
 using Tile = Eigen::Map<Eigen::Matrix<double, side, side>, Eigen::Aligned64>;
 using ConstTile = Eigen::Map<const Eigen::Matrix<double, side, side>, Eigen::Aligned64>;
-using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // part of the caller's vector, of any alignment
+using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // a part of the caller's vector, which need not be aligned
 
 [[nodiscard]] std::int64_t tiles_for(std::int64_t size) noexcept { return (size + side - 1) / side; }
 
@@ -22,7 +22,7 @@ using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // part of the caller's
     using Dynamic = Eigen::MatrixXd;
     Eigen::Map<Dynamic, Eigen::Aligned64> map(data, side, side);
     Eigen::Ref<Dynamic> tile(map);
-    const Eigen::LLT<Eigen::Ref<Dynamic>> factor(tile); // in place
+    const Eigen::LLT<Eigen::Ref<Dynamic>> factor(tile); // Eigen factors the tile in place.
     if (factor.info() != Eigen::Success) return false;
     return map.diagonal().allFinite(); // LLT does not report NaN
 }
@@ -31,7 +31,7 @@ using Part = Eigen::Map<Eigen::Matrix<double, side, 1>>; // part of the caller's
 
 TiledCholesky::TiledCholesky(base::Memory& memory, std::int64_t size)
     : size_(size), tiles_(tiles_for(size)), tiles_data_(memory) {
-    // The memory is not cleared: on one thread this would take as long as assembling the matrix on all threads.
+    // The memory is not cleared: clearing on one thread would take as long as assembling the matrix on all threads.
     tiles_data_.reserve(tile_count() * side * side);
 }
 
@@ -84,7 +84,7 @@ void TiledCholesky::update(const base::Parallel& parallel, std::int64_t panel, c
     const std::int64_t left = tiles_ - panel - 1;
     const std::int64_t count = left * (left + 1) / 2;
     parallel.for_each(count, [&](std::int64_t t) {
-        if (t % 16 == 0) // about every 5 ms
+        if (t % 16 == 0) // Checks for cancellation about every 5 ms.
             progress.update(static_cast<double>(t) / static_cast<double>(count));
         else
             progress.check();
@@ -97,7 +97,7 @@ void TiledCholesky::update(const base::Parallel& parallel, std::int64_t panel, c
 
 void TiledCholesky::solve(const base::Parallel& parallel, double* x, const base::Progress& progress) const {
     const auto part = [&](std::int64_t k) { return Part(x + k * side); };
-    constexpr std::int64_t grain = 8; // tiles: enough work to be worth a thread
+    constexpr std::int64_t grain = 8; // tiles per task: enough work to be worth a thread
     for (std::int64_t k = 0; k < tiles_; ++k) {
         progress.check();
         ConstTile(tile(k, k)).triangularView<Eigen::Lower>().solveInPlace(part(k));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A symmetric positive definite matrix, stored as the square tiles of its lower triangle one after the other, and its
-// Cholesky factor in the same memory.
+// A symmetric positive definite matrix and its Cholesky factor, which replaces it in memory. The square tiles of the
+// lower triangle are stored one after the other.
 #pragma once
 
 #include "base/operation.h"
@@ -16,8 +16,8 @@ public:
     // never split between tiles.
     static constexpr std::int64_t side = 128;
 
-    // The memory is not cleared: the caller must write every tile whole. Rows and columns from `size` on, up to the
-    // next multiple of `side`, must be those of the identity. Throws Error{out_of_memory}.
+    // The memory is not cleared: the caller must write all elements of every tile. Rows and columns from `size` on, up
+    // to the next multiple of `side`, must be those of the identity matrix. Throws Error{out_of_memory}.
     TiledCholesky(base::Memory& memory, std::int64_t size);
 
     // Returns the bytes of the matrix, or -1 if no memory could hold it.
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] std::int64_t padded() const noexcept { return tiles_ * side; }
     [[nodiscard]] std::int64_t tiles() const noexcept { return tiles_; } // the number of tiles along a side
 
-    // Returns the tile of rows side * i... and columns side * j..., i >= j, column-major.
+    // Returns tile (i, j), i >= j, in column-major order. Its first row is side * i and its first column side * j.
     [[nodiscard]] double* tile(std::int64_t i, std::int64_t j) noexcept { return tiles_data_.data() + offset(i, j); }
     [[nodiscard]] const double* tile(std::int64_t i, std::int64_t j) const noexcept {
         return tiles_data_.data() + offset(i, j);
@@ -42,9 +42,10 @@ public:
 
     // Returns the 1-norm of the matrix. Call it before factor().
     [[nodiscard]] double norm(const base::Parallel& parallel, const base::Progress& progress) const;
-    // Returns false if the matrix is not (numerically) positive definite.
+    // Returns false if the matrix is not positive definite up to rounding.
     [[nodiscard]] bool factor(const base::Parallel& parallel, const base::Progress& progress);
-    // Replaces x by the inverse times x. x has padded() elements, with zeros from size() on. Call it after factor().
+    // Replaces x by the matrix's inverse times x. x has padded() elements, with zeros from size() on. Call it after
+    // factor().
     void solve(const base::Parallel& parallel, double* x, const base::Progress& progress) const;
 
 private:

@@ -22,7 +22,7 @@ base::Array<std::int64_t> all_indices(base::Memory& memory, std::int64_t count) 
     return all;
 }
 
-// Returns the noise divided by the variance of f; see CentreFit::variance.
+// Returns the variance of the noise divided by the variance of f; see CentreFit::variance.
 Smoothing smoothing_of(const Noise& noise, double diagonal, double variance) noexcept {
     const double position = noise.position / diagonal;
     return {position * position / variance, noise.normal * noise.normal / variance};
@@ -48,7 +48,7 @@ ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Sa
     const bool automatic = input.regularization_mode == RegularizationMode::automatic && noise.position > 0.0;
     const bool noisy = automatic || input.regularization > 0.0;
 
-    std::optional<geometry::Neighbours> neighbours; // only set for noisy samples
+    std::optional<geometry::Neighbours> neighbours; // Set only if the samples are noisy.
     base::Array<std::int64_t> typical(work.memory);
     if (noisy && count >= fewest_to_clean) {
         neighbours.emplace(work.runtime().parallel, samples.position, choice_tuning.averaged, work);
@@ -59,12 +59,13 @@ ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Sa
         first < count ? even_choice(samples, first, work) : all_indices(work.memory, count);
     if (first < count && neighbours) {
         for (std::int64_t& i : centres) i = typical[i];
-        std::sort(centres.begin(), centres.end()); // different samples may have the same typical sample
+        // Several samples may have the same typical sample, so the list may hold duplicates.
+        std::sort(centres.begin(), centres.end());
         centres.resize(std::unique(centres.begin(), centres.end()) - centres.begin());
     }
 
-    std::optional<geometry::PointTree> tree; // holds the samples
-    Distances distances(work.memory);        // from all samples to the surface of the last fit that was measured
+    std::optional<geometry::PointTree> tree; // a search tree of the samples
+    Distances distances(work.memory);        // the distances of all samples from the surface of the last measured fit
     Smoothing smoothing{input.regularization, input.regularization};
     int settling = automatic ? 1 : choice_tuning.settling_fits;
     const auto smooth = [&](const AdaptiveFit& now) {
@@ -94,7 +95,7 @@ ChosenFit choose_and_fit(const base::Work& work, const FitInput& input, const Sa
         measure(now);
         if (keeps_all || now.centres.size() >= most) return next;
         if (!tree) tree.emplace(samples.position, work);
-        // The surface may miss the mean of neighbouring samples by less than it may miss a single one.
+        // The mean of neighbouring samples has less noise than one sample, so its tolerance is smaller.
         const double tolerance = std::max(input.tolerance - choice_tuning.noise_allowed * noise.position,
                                           choice_tuning.least_tolerance * input.tolerance);
         CandidateOptions options{tolerance, choice_tuning.noise_apart * noise.position,

@@ -12,9 +12,9 @@ namespace hrbfnpr::fit {
 struct ChosenFit {
     CentreFit fit;
     base::Array<std::int64_t> centres; // indices of samples, ascending
-    Distances distances;               // from all samples to the surface
+    Distances distances;               // the distances of all samples from the surface
     std::int32_t rounds = 0;           // the number of fits; 0 if all samples are centres
-    double seconds_before = 0.0;       // the time of all rounds but the last
+    double seconds_before = 0.0;       // the time of all rounds except the last
 };
 
 // Chooses the first centres by farthest-point sampling. Rounds then add the samples that the current fit misses most,

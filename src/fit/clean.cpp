@@ -11,10 +11,11 @@ namespace {
 
 constexpr std::int64_t neighbours_each = 16;
 
-// Near duplicates are nearer to each other than this share of the local spacing, with normals within 15 degrees. The
-// local spacing is the distance to the 16th neighbour divided by `spacings_of_farthest`.
+// Two samples are near duplicates if their distance is below this share of the local spacing and their normals differ
+// by less than 15 degrees. The local spacing is the distance to the 16th neighbour divided by `spacings_of_farthest`.
 constexpr double duplicate = 1e-3;
-constexpr double spacings_of_farthest = 2.26; // sqrt(16 / pi), for 16 neighbours on an even sheet
+// The distance to the 16th neighbour on an even sheet, in spacings: sqrt(16 / pi).
+constexpr double spacings_of_farthest = 2.26;
 constexpr double agreement = 0.965925826289;
 
 [[nodiscard]] double duplicate_distance(const Samples& samples, const geometry::Neighbours& neighbours,
@@ -48,7 +49,8 @@ struct Duplicates {
         if (result.representative[i] != i) continue;
         const double limit = duplicate_distance(samples, neighbours, i);
         for (const std::int64_t j : neighbours.of(i)) {
-            if (glm::distance(samples.position[i], samples.position[j]) > limit) break; // nearest first
+            // The neighbours are sorted, nearest first.
+            if (glm::distance(samples.position[i], samples.position[j]) > limit) break;
             if (j < i || result.representative[j] != j) continue;
             if (glm::dot(samples.normal[i], samples.normal[j]) >= agreement) {
                 result.representative[j] = i;
@@ -77,7 +79,7 @@ void drop(Samples& samples, const base::Array<std::uint8_t>& marked) {
     return std::count(marked.begin(), marked.end(), std::uint8_t{1});
 }
 
-// Returns the marks of the samples that remain after merging.
+// Returns an array that is 1 for each sample that remains after merging.
 [[nodiscard]] base::Array<std::uint8_t> without_merged(const Duplicates& duplicates) {
     base::Array<std::uint8_t> contradicts(duplicates.contradicts.memory());
     for (std::int64_t i = 0; i < duplicates.contradicts.size(); ++i)

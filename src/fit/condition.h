@@ -12,7 +12,7 @@ namespace detail {
 
 struct LargestElement {
     std::int64_t at = 0;
-    double sum = 0.0; // sum of magnitudes
+    double sum = 0.0; // the sum of the elements' magnitudes
 };
 
 [[nodiscard]] inline LargestElement largest_element(const double* x, std::int64_t size) noexcept {

@@ -87,7 +87,8 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
         polynomials_.subtract_best_polynomial(ap_.data(), q.data());
         progress.check();
         const double curvature = dot(p_.data(), ap_.data());
-        if (!(curvature > 0.0) || !std::isfinite(rho)) break; // the matrix is not definite; the caller falls back
+        // The matrix is not definite: the iterations end, and the caller uses another solver.
+        if (!(curvature > 0.0) || !std::isfinite(rho)) break;
         const double alpha = rho / curvature;
         runtime_.parallel.for_chunks(size_, grain, [&](std::int64_t begin, std::int64_t end) {
             Map(w + begin, end - begin) += alpha * Map(p_.data() + begin, end - begin);

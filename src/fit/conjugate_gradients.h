@@ -11,13 +11,11 @@ namespace hrbfnpr::fit {
 struct CgOutcome {
     bool converged = false;
     std::int32_t iterations = 0;
-    double residual = 0.0; // the relative residual that the recursion updates
-    double condition =
-        0.0; // condition number of the preconditioned matrix, from the recursion's coefficients (Lanczos)
+    double residual = 0.0;  // the relative residual that the iterations update
+    double condition = 0.0; // the condition number of the preconditioned matrix, estimated from Lanczos' coefficients
 };
 
-// The state that the iterations improve: w, which is orthogonal to the polynomials, c, and r = h - A w - P c, which is
-// orthogonal to them too.
+// The state that the iterations improve: w, c and r = h - A w - P c. Both w and r are orthogonal to the polynomials.
 struct CgState {
     double* w;
     double* r;
@@ -29,8 +27,8 @@ public:
     ConjugateGradients(const base::Runtime& runtime, HermiteProduct& product, Preconditioner& preconditioner,
                        const PolynomialSpace& polynomials, std::int64_t size);
 
-    // Iterates until |r| <= tolerance * scale, or `limit` iterations. Each iteration's |r| / scale is added to
-    // `history`.
+    // Iterates until |r| <= tolerance * scale, or until `limit` iterations are done. Appends |r| / scale of each
+    // iteration to `history`.
     CgOutcome run(const CgState& state, double scale, double tolerance, std::int32_t limit,
                   base::Array<double>& history, const base::Progress& progress);
 

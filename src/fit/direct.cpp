@@ -28,7 +28,7 @@ public:
         system.constraints(constraints_.data());
     }
 
-    // Solves the system, then solves for the residual and adds that solution as long as the residual shrinks.
+    // Solves the system, then improves the solution by solving for its residual, as long as the residual shrinks.
     template <class Solver>
     void run(const Solver& solver, std::int32_t limit, Solution& solution, const base::Progress& progress) {
         const std::int64_t size = system_.unknowns();
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    // Computes residual = rhs - K x with the exact matrix instead of its factors, and returns its 2-norm.
+    // Computes residual = rhs - K x with the exact matrix, not with its factors, and returns the residual's 2-norm.
     [[nodiscard]] double measure(const Eigen::Ref<const Eigen::VectorXd>& x, base::Array<double>& residual,
                                  const base::Progress& progress) const {
         const std::int64_t rows = system_.rows();

@@ -8,8 +8,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Near the surface |grad f| is about 1. A gradient smaller than this counts as this, since the first-order distance
-// would be meaningless there.
+// Near the surface |grad f| is about 1. A smaller |grad f| than this is replaced by this, because the first-order
+// distance would mean nothing there.
 constexpr double least_slope = 0.1;
 
 [[nodiscard]] Distances make_distances(base::Memory& memory, std::int64_t count) {

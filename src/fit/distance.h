@@ -19,8 +19,8 @@ struct Distances {
     base::Array<double> distance;
 };
 
-// Computes the distances from the misfit that a solver returns: 0 - f(x_i) in normalised units, and n_i - grad f(x_i),
-// 4 numbers per sample.
+// Computes the distances from the misfit of a solver: -f(x_i) in normalised units, and n_i - grad f(x_i), 4 numbers per
+// sample.
 [[nodiscard]] Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
                                             const Samples& samples);
 

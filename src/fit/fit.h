@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From point-normal samples to the coefficients of a Hermite RBF implicit.   [NPAR 4.1]
+// Computes the coefficients of a Hermite RBF implicit from samples.   [NPAR 4.1]
 #pragma once
 
 #include "base/operation.h"
@@ -27,7 +27,7 @@ struct FitInput {
     std::int32_t polynomial_degree = 1;
     double regularization = 0.0;
     std::int32_t refinement_steps = 2;
-    double tolerance = 0.0;           // caller's unit; 0 = none
+    double tolerance = 0.0;           // in the caller's unit; 0: no tolerance
     std::int64_t maximum_centres = 0; // 0 = no limit
     Repair outliers = Repair::keep;
     Repair flipped_normals = Repair::keep;
@@ -35,7 +35,7 @@ struct FitInput {
     SolverKind solver = SolverKind::automatic;
     std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
     double solver_tolerance = 0.0;               // 0 = automatic
-    // The tolerance that is used if `solver_tolerance` is 0; 0 = by the number of centres.
+    // The tolerance that replaces a `solver_tolerance` of 0. If this is 0 too, the number of centres decides.
     double automatic_tolerance = 0.0;
     std::int32_t iteration_limit = 200;
 };
@@ -44,7 +44,7 @@ struct FitReport {
     std::int64_t samples = 0;
     std::int64_t merged_samples = 0;
     std::int64_t rescaled_normals = 0;
-    double kernel_radius = 0.0; // caller's unit
+    double kernel_radius = 0.0; // in the caller's unit
     double regularization = 0.0;
     double value_residual_max = 0.0;
     double value_residual_rms = 0.0;
@@ -62,7 +62,7 @@ struct FitReport {
     std::int64_t flipped_found = 0;
     std::int64_t flipped_repaired = 0;
     std::int64_t near_duplicates = 0;
-    double noise_estimate = std::numeric_limits<double>::quiet_NaN(); // caller's unit; NaN: not measured
+    double noise_estimate = std::numeric_limits<double>::quiet_NaN(); // in the caller's unit; NaN: not measured
     double input_distance_max = 0.0;
     double input_distance_rms = 0.0;
     double input_share_within = std::numeric_limits<double>::quiet_NaN(); // NaN: no tolerance was given
@@ -73,7 +73,7 @@ struct FitReport {
     double seconds_choose = 0.0;
     double seconds_precondition = 0.0;
     std::int64_t peak_bytes = 0;
-    // The repairs of the normals before the fit, by the caller of fit().
+    // The caller of fit() sets these fields, which describe the repairs of normals before the fit.
     std::uint32_t normals_found = 0;
     bool normals_inward = false;
     std::int64_t normals_turned = 0;
@@ -84,8 +84,9 @@ struct FitReport {
 struct FitResult {
     implicit::HrbfData data;
     FitReport report;
-    base::Array<double> history; // relative residual after each iteration of the iterative solver; else empty
-    std::optional<Samples> samples = std::nullopt; // fit() sets all samples, repaired
+    // The relative residual after each iteration of the iterative solver; empty for the direct solver.
+    base::Array<double> history;
+    std::optional<Samples> samples = std::nullopt; // all samples after repairs; set by fit()
 };
 
 // Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.

@@ -11,18 +11,18 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Automatic kernel radii, set on fits of a sphere, a torus, a bumpy ball and scans (256 to 1024 samples).
-// The Gaussian's is in mean spacings. The error at the surface falls fast with sigma (torus of 512 samples: 7e-4 at
-// 0.8, 1e-4 at 0.9, 2e-5 at 1). But the condition grows ten times with every tenth, and on uneven samples (bunny of
-// 256) the sign beside the surface begins to be wrong from 1 on.
+// The Gaussian's automatic radius, in mean spacings. Larger: the error at the surface falls fast, but the condition
+// number grows tenfold with every 0.1, and from 1 on signs beside the surface may be wrong where samples are uneven.
+// Set on fits of a sphere, a torus, a bumpy ball and scans (256 to 1024 samples).
 constexpr double automatic_gaussian = 0.9;
-// Wendland's is in mean spacings. The error falls by (radius)^-3, and the condition grows only by (radius)^3 (1e5 at
-// 10). Where the support does not reach the middle of the shape, only the polynomial is left, whose sign is wrong
-// inside. So the radius is at least half a diagonal.
+// Wendland's automatic radius, in mean spacings. The error falls as radius^-3, and the condition number grows as
+// radius^3. The radius is at least half a diagonal: where no kernel reaches the middle of the shape, only the
+// polynomial is left, and its sign is wrong there.
 constexpr double automatic_wendland = 10.0;
 constexpr double automatic_wendland_diagonals = 0.5;
 
-// Powers of larger radii (in spacings), or of radii below the reciprocal, leave a double's range.
+// Larger radii, or radii below the reciprocal, are refused, because their powers leave the range of a double. In
+// spacings.
 constexpr double radius_limit = 1e30;
 
 [[nodiscard]] double normalised_radius(const FitInput& input, const implicit::HrbfData& data) {
@@ -55,8 +55,8 @@ constexpr double radius_limit = 1e30;
             smoothing.gradient * std::pow(k, m - 2)};
 }
 
-// Computes CentreFit::variance. With K as it was solved, h^T K^-1 h = w . h, divided by the degrees of freedom that the
-// polynomial leaves. It is scaled as the rows of the system are.
+// Computes CentreFit::variance: h^T K^-1 h = w . h, divided by the degrees of freedom that the polynomial leaves, and
+// scaled as the rows of the system.
 [[nodiscard]] double variance(const HermiteSystem& system, const double* rhs, const Solution& solution,
                               const implicit::HrbfData& data) {
     double energy = 0.0;
@@ -94,8 +94,8 @@ constexpr double radius_limit = 1e30;
     return data;
 }
 
-// The conditions are f(x_i) = 0, or the value of x_i, and grad f(x_i) = n_i. Normals are the same in normalised
-// coordinates.
+// The conditions are f(x_i) = 0, or f(x_i) = value_i, and grad f(x_i) = n_i. Normalising coordinates leaves the normals
+// unchanged.
 [[nodiscard]] base::Array<double> right_hand_side(base::Memory& memory, const HermiteSystem& system,
                                                   const Samples& centres, double scale) {
     base::Array<double> rhs(memory, system.unknowns());

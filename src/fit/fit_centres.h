@@ -8,17 +8,17 @@
 
 namespace hrbfnpr::fit {
 
-// What regularization adds to the diagonal at values and at gradients, in coordinates whose bounding box has a diagonal
-// of 1.
+// The numbers that regularization adds to the diagonal for values and for gradients, in coordinates whose bounding box
+// has a diagonal of 1.
 struct Smoothing {
     double value = 0.0;
     double gradient = 0.0;
 };
 
 struct CentreFit {
-    FitResult result;           // its report holds only the fields about kernel and solver
+    FitResult result;           // Only the report's fields about the kernel and the solver are set.
     base::Array<double> misfit; // see Solution::misfit
-    // The most likely s^2 if f is a random function of covariance s^2 phi (in coordinates whose diagonal is 1) with
+    // The most likely s^2 if f is a random function of covariance s^2 phi (in coordinates with a diagonal of 1) with
     // noise of variance s^2 times the smoothing: Rasmussen and Williams, "Gaussian Processes for Machine Learning",
     // 2006, 5.4.1.
     double variance = 0.0;

@@ -9,7 +9,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t energies_a_task = 1024; // samples
+constexpr std::int64_t energies_a_task = 1024; // samples per task
 constexpr std::int32_t most_iterations = 60;
 
 [[nodiscard]] HermiteSystem::Options options_of(double ridge) noexcept {
@@ -79,7 +79,7 @@ double HermiteEnergy::accurate_energy(const geometry::VecArray& normal, geometry
     std::array<double, PolynomialSpace::terms_max> c{};
     solver.polynomials.subtract_best_polynomial(solver.r.data(), c.data());
     const double scale = std::sqrt(static_cast<double>(size()));
-    // The iterations do not count as progress, since there are many such solves.
+    // There are many of these solves, so their iterations do not report progress.
     solver.cg.run({solver.w.data(), solver.r.data(), c.data()}, scale, tolerance, most_iterations, solver.history,
                   progress.part(0.0, 0.0));
     return unload(normal, solver.w.data(), beta);

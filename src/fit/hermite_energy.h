@@ -17,7 +17,7 @@ namespace hrbfnpr::fit {
 class HermiteEnergy {
 public:
     struct Options {
-        // The regularization of values, in spacings cubed: the noise's variance divided by that of f.
+        // The regularization of values, in cubed spacings: the variance of the noise divided by the variance of f.
         double ridge = 0.0;
         std::int32_t neighbours = 16;
     };
@@ -40,15 +40,14 @@ public:
     double accurate_energy(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
                            const base::Progress& progress);
 
-    // The sparse energy is the sum of the squares of some vectors. These terms are what each normal adds to each
-    // vector.
+    // The sparse energy is a sum of squared vectors. For each normal, these are its contributions to the vectors.
     struct Terms {
         Preconditioner::Blocks blocks;
-        base::Array<float> add;         // 4 numbers per element of blocks.set
-        base::Array<double> coarse_add; // blocks.coarse_columns numbers per sample of the dense block
+        base::Array<float> add;         // 4 numbers for each element of blocks.set
+        base::Array<double> coarse_add; // the dense block: blocks.coarse_columns numbers for each sample
     };
     [[nodiscard]] Terms terms(const geometry::VecArray& normal, const base::Progress& progress = {}) const;
-    // Returns half the trace of the second derivatives by each normal, by the sparse factor.
+    // Returns for each normal half the trace of the energy's second derivatives, by the sparse factor.
     [[nodiscard]] base::Array<double> stiffness(const base::Progress& progress = {}) const;
 
 private:

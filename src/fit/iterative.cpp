@@ -14,8 +14,8 @@ namespace hrbfnpr::fit {
 namespace {
 
 constexpr int starts = 8;
-// The residual of the recursion must reach this share of the tolerance. The remaining share leaves room for its drift
-// from the true residual.
+// Iterations stop when their updated residual is below this share of the tolerance. The rest of the tolerance allows
+// for the difference from the true residual.
 constexpr double headroom = 0.8;
 
 // Above `few_samples` samples, the recursion's residual is compared with the true residual at only `some_samples` of
@@ -77,7 +77,7 @@ public:
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
         run_until_confirmed(options, solution, progress);
-        // The last residual used the approximate product. Callers that judge the solution need the true residual.
+        // The last residual is that of an approximate product. Callers that judge the solution need the true residual.
         if (!solution.converged && solution.residual <= hopeless_residual) confirm(options, solution, progress);
         solution.x.resize(size_ + polynomials_.terms());
         std::copy_n(c_.data(), polynomials_.terms(), solution.x.data() + size_);
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    // Returns false if the iterations ended before they reached the goal.
+    // Returns false if the iterations end before the residual reaches `goal`.
     bool iterate(double goal, const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const CgOutcome outcome = cg_.run({w_.data(), r_.data(), c_.data()}, scale_, goal,
                                           options.iterations - solution.iterations, solution.history, progress);
@@ -98,8 +98,9 @@ private:
         return outcome.converged;
     }
 
-    // Iterates, and starts again from the true residual where the recursion's has drifted from it, by rounding or by
-    // the error of an approximate product. Such a product is refined, also if it is not definite.
+    // Iterates. If the updated residual differs too much from the true residual, by rounding or by the error of an
+    // approximate product, the iterations start again from the true residual. An approximate product is refined before
+    // each new start.
     void run_until_confirmed(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         for (int start = 0; start < starts && solution.iterations < options.iterations; ++start) {
             const double before = solution.residual;
@@ -116,8 +117,8 @@ private:
         }
     }
 
-    // Checks the residual of the recursion. With few samples it computes the true residual, which replaces that of the
-    // recursion.
+    // Checks the updated residual against the true residual. With few samples it computes the whole true residual,
+    // which replaces the updated one.
     bool confirm(const SolveOptions& options, Solution& solution, const base::Progress& progress) {
         const bool few = size_ <= 4 * few_samples;
         if (few) find_residual(progress);

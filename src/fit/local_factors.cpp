@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::ScalableTag<double>;
 using V = hn::Vec<D>;
 
-// The number of rows of a 4 x 4 block that are updated together, limited by the number of registers.
+// The number of rows of a 4 x 4 block that are updated together. The registers of the processor limit it.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_NEON
 constexpr int rows_at_once = 4;
 #else
@@ -75,7 +75,7 @@ HWY_INLINE void pair_block(const LocalSystems& systems, const V* p, const V* q, 
     }
 }
 
-// A sample of the set in coordinates relative to the reference, and the kernel between the two.
+// A sample of the set relative to the reference sample, and the kernel between the two samples.
 struct Place {
     V x[3];
     Radial to_reference;
@@ -90,7 +90,7 @@ HWY_INLINE void take_expansion(const Place& p, const Place& q, bool transposed, 
     };
     const Radial& k = p.to_reference;
     const V s = hn::MulAdd(p.x[2], q.x[2], hn::MulAdd(p.x[1], q.x[1], hn::Mul(p.x[0], q.x[0])));
-    const V along = hn::NegMulAdd(k.b, s, k.a); // the factor of p in M's first column
+    const V along = hn::NegMulAdd(k.b, s, k.a); // the factor of p in the first column of M
     take(0, 0, hn::NegMulAdd(k.a, s, k.phi));
     for (int r = 0; r < 3; ++r) {
         const V ap = hn::Mul(k.a, p.x[r]);
@@ -276,8 +276,8 @@ HWY_INLINE void load_positions(const LocalSystems& systems, const double* positi
             }
             p[m].x[c] = hn::Load(d, gathered);
         }
-    // Positions are taken relative to the reference, which is then at 0. This keeps numbers small, and takes no
-    // difference twice.
+    // Positions are relative to the reference, which is at 0. This keeps numbers small, and each difference is computed
+    // only once.
     for (int m = systems.set_size - 1; m >= 0; --m) {
         for (int c = 0; c < 3; ++c) p[m].x[c] = hn::Sub(p[m].x[c], p[0].x[c]);
         const V r2 = hn::MulAdd(p[m].x[2], p[m].x[2], hn::MulAdd(p[m].x[1], p[m].x[1], hn::Mul(p[m].x[0], p[m].x[0])));

@@ -19,7 +19,7 @@ namespace hrbfnpr::fit {
 struct LocalSystems {
     kernel::Kind kernel;
     double radius;
-    double value_diagonal; // added by regularization
+    double value_diagonal; // the number that regularization adds to the diagonal for values
     double gradient_diagonal;
     bool orthogonal_to_linear; // make the columns orthogonal to the linear polynomials
     std::int32_t set_size;     // samples in each set, 2 to largest_set

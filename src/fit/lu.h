@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LU with row pivoting of the whole, indefinite system. It is the fallback for a matrix that is not definite on the
+// LU factorisation with row pivoting of the whole, indefinite system. It is used if the matrix is not definite on the
 // null space of its side constraints.
 #pragma once
 
@@ -10,12 +10,12 @@ namespace hrbfnpr::fit {
 
 class DenseLu {
 public:
-    // Assembles and factors.  Throws Error{singular_system, out_of_memory, cancelled}.
+    // Assembles the matrix and factors it.  Throws Error{singular_system, out_of_memory, cancelled}.
     DenseLu(const base::Work& work, const HermiteSystem& system);
 
-    // Both use `progress` only to check for cancellation.
+    // condition() and solve() use `progress` only to check for cancellation.
     [[nodiscard]] double condition(const base::Progress& progress) const;
-    // Replaces x (unknowns() long) by the inverse times x.
+    // Replaces x by the matrix's inverse times x. x has unknowns() elements.
     void solve(double* x, const base::Progress& progress) const;
 
 private:
@@ -27,7 +27,7 @@ private:
 
     const base::Runtime& runtime_;
     std::int64_t size_;
-    base::Array<double> matrix_;      // column-major
+    base::Array<double> matrix_;      // in column-major order
     base::Array<std::int64_t> pivot_; // row k was exchanged with row pivot_[k]
     double norm_ = 0.0;
 };

@@ -20,15 +20,16 @@ constexpr std::array<RankRange, 5> groups{{{0, 4}, {4, 8}, {8, 16}, {16, 24}, {2
 constexpr std::int64_t looked_at = 32768; // samples, evenly taken; enough for a median
 constexpr std::size_t terms = 3;          // a, b, c
 
-// The median of a Gaussian's absolute value, in standard deviations.
+// The median absolute value of a Gaussian variable, in standard deviations.
 constexpr double gaussian_median = 0.6744897501960817;
-// The median distance of two noisy unit vectors, in standard deviations: 2 sqrt(ln 2).
+// The median distance between two noisy copies of a unit vector, in standard deviations: 2 sqrt(ln 2).
 constexpr double turn_median = 1.6651092223153954;
-// Pairs whose normals have a smaller cosine are ignored: they are across an edge, or on two sheets.
+// Pairs whose normals have a smaller cosine are ignored: an edge is between their samples, or they are on two sheets.
 constexpr double same_side = 0.5;
-// Noise with a smaller share of the nearest neighbours' variance may be an error of the model (noise.h).
+// If the noise explains less than this share of the nearest neighbours' variance, it may be only an error of the model
+// (noise.h).
 constexpr double least_share = 0.5;
-// Smaller noise (in diagonals) may come from storing coordinates as floats.
+// Smaller estimates of the noise, in diagonals, count as rounding of coordinates to floats.
 constexpr double rounding = 1e-7;
 
 // The typical distance, variance and turn of the pairs of one group.
@@ -65,9 +66,9 @@ struct PairStatistics {
 }
 
 using Coefficients = std::array<double, terms>;
-using Rows = std::array<Coefficients, groups.size()>; // the product of each row and the coefficients should be 1
+using Rows = std::array<Coefficients, groups.size()>; // Each row's product with the coefficients should be 1.
 
-// Solves least squares with 0 <= x <= most by coordinate descent, which is fast enough for three coefficients.
+// Solves least squares with 0 <= x <= most by coordinate descent. This is fast enough for three coefficients.
 [[nodiscard]] Coefficients bounded_least_squares(const Rows& rows, const Coefficients& most) {
     constexpr int sweeps = 2000;
     Coefficients x{};
@@ -96,24 +97,24 @@ Noise measure_noise(const base::Work& work, const Samples& samples) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
         work.check();
         pairs[k] = measure(samples, neighbours, groups[k]);
-        // The samples are exactly flat, or no two normals agree.
+        // All samples lie exactly in planes, or no two normals agree, so there is no estimate.
         if (!(pairs[k].variance > 0.0 && pairs[k].distance > 0.0)) return {};
     }
     Rows rows;
     const double unit = pairs[0].distance;
     for (std::size_t k = 0; k < groups.size(); ++k) {
         const double d2 = (pairs[k].distance / unit) * (pairs[k].distance / unit);
-        const double share = pairs[0].variance / pairs[k].variance; // weights, so that relative errors count
+        const double share = pairs[0].variance / pairs[k].variance; // Weights that make relative errors count.
         rows[k] = {share, share * d2, share * d2 * d2 * d2};
     }
-    // Where the noise is not small beside the spacing, the nearest pairs have similar noise. Their variance then grows
-    // with the distance as if the normals were noisy, so the measured turn of the normals bounds b.
+    // If the noise is not small compared with the spacing, the nearest pairs have similar noise. Their variance then
+    // grows with distance, as if the normals were noisy. The measured change of the normals therefore bounds b.
     const double turned = pairs[0].turn * unit;
     const Coefficients most{HUGE_VAL, turned * turned / pairs[0].variance, HUGE_VAL};
     const Coefficients x = bounded_least_squares(rows, most);
     const double position = std::sqrt(0.5 * x[0] * pairs[0].variance);
     if (x[0] < least_share || position < rounding * samples.bounds.diagonal()) return {};
-    // Both b and the turn of the normals contain fine detail besides noise, so the smaller estimate is taken.
+    // Both b and the change of normals include fine detail as well as noise, so the smaller estimate is taken.
     const double normal = std::sqrt(2.0 * x[1] * pairs[0].variance) / unit;
     return {position, std::min(normal, pairs[0].turn / turn_median)};
 }

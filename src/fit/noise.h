@@ -9,7 +9,7 @@
 namespace hrbfnpr::fit {
 
 struct Noise {
-    double position = 0.0; // standard deviation along the normal, caller's unit; 0 if no noise is seen
+    double position = 0.0; // standard deviation along the normal, in the caller's unit; 0: no noise found
     double normal = 0.0;   // standard deviation of a normal's component; 0 if `position` is 0
 };
 

@@ -21,7 +21,7 @@ public:
     using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>>;
     using ConstColumns = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>>;
 
-    // Throws Error{invalid_argument} if the samples do not determine the polynomial.
+    // Throws Error{invalid_argument} if the samples do not determine the polynomial uniquely.
     NullSpace(base::Memory& memory, const HermiteSystem& system);
 
     [[nodiscard]] std::int64_t rows() const noexcept { return rows_; }

@@ -35,7 +35,7 @@ NullSpaceSolver::NullSpaceSolver(const base::Work& work, const HermiteSystem& sy
     assemble(system, work);
 }
 
-// With Q = I - V T V^T and Y = A V T, B = Q^T A Q is A less a product of low rank,
+// With Q = I - V T V^T and Y = A V T, the matrix B = Q^T A Q is A minus a product of low rank:
 //   B = A - X V^T - V X^T,   X = Y - V (T^T V^T Y) / 2.
 // So each tile of B is made on its own, and A is never stored.
 void NullSpaceSolver::assemble(const HermiteSystem& system, const base::Progress& progress) {
@@ -80,7 +80,8 @@ void NullSpaceSolver::assemble_tile(const HermiteSystem& system, const double* x
         map.noalias() -= x.middleRows(i * tile_side, height) * v.middleRows(j * tile_side, width).transpose();
         map.noalias() -= v.middleRows(i * tile_side, height) * x.middleRows(j * tile_side, width).transpose();
     }
-    // The fixed rows and columns are not part of the matrix. Rows and columns of the identity replace them, as padding.
+    // The fixed rows and columns are not part of the factored matrix. Rows and columns of the identity take their
+    // places.
     const std::int64_t free_height = std::clamp<std::int64_t>(space_.free() - i * tile_side, 0, tile_side);
     const std::int64_t free_width = std::clamp<std::int64_t>(space_.free() - j * tile_side, 0, tile_side);
     Matrix whole(tile, tile_side, tile_side, Eigen::OuterStride<>(tile_side));

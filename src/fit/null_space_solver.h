@@ -13,12 +13,12 @@ public:
     // Assembles Q^T A Q.  Throws Error{invalid_argument, out_of_memory, cancelled}.
     NullSpaceSolver(const base::Work& work, const HermiteSystem& system);
 
-    // Returns false if the matrix is not positive definite there.
+    // Returns false if the matrix is not positive definite on the null space.
     [[nodiscard]] bool factor(const base::Progress& progress);
 
-    // Call both after factor(). They use `progress` only to check for cancellation.
+    // Call these functions after factor(). They use `progress` only to check for cancellation.
     [[nodiscard]] double condition(const base::Progress& progress) const;
-    // Replaces x (unknowns() long) by the inverse times x.
+    // Replaces x by the matrix's inverse times x. x has unknowns() elements.
     void solve(double* x, const base::Progress& progress) const;
 
 private:
@@ -28,7 +28,7 @@ private:
 
     const base::Runtime& runtime_;
     NullSpace space_;
-    TiledCholesky cholesky_;     // the free rows and columns of B = Q^T A Q
+    TiledCholesky cholesky_;     // the part of B = Q^T A Q with free rows and columns
     base::Array<double> border_; // rows() x terms(); column k is column rows() - 1 - k of B
     double norm_ = 0.0;
 };

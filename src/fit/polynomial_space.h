@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The polynomials at the samples, orthonormalised. It serves to make vectors orthogonal to them, and to find the
+// An orthonormal basis of the polynomials at the samples. It makes vectors orthogonal to the polynomials, and finds the
 // polynomial that explains a residual best.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::fit {
 
-// Vectors have 4 numbers per sample, as those of HermiteSystem.
+// Vectors have 4 numbers per sample, in the order of HermiteSystem.
 class PolynomialSpace {
 public:
     static constexpr int terms_max = 20;

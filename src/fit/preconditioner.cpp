@@ -13,13 +13,13 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Returns the size of the dense block: large enough for every later sample to have all its neighbours, and small enough
-// for the block to cost nothing.
+// Returns the number of samples in the dense block. Every later sample must have all its neighbours, and the block
+// should take little time.
 [[nodiscard]] std::int64_t coarse_count(std::int64_t samples, std::int32_t neighbours) noexcept {
     return std::min<std::int64_t>(samples, std::max<std::int64_t>(32, neighbours));
 }
 
-constexpr std::int64_t corrections_a_task = 256; // samples
+constexpr std::int64_t corrections_a_task = 256; // samples per task
 
 // Returns Z, whose transpose subtracts from the functionals of `at` their Taylor expansions about sample 0. Sample 0
 // has the first rows.
@@ -80,7 +80,8 @@ void Preconditioner::find_sets(const geometry::PointTree& tree, const base::Arra
 
 void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::PointTree& tree,
                                  const base::Progress& progress) {
-    factor_.resize_for_overwrite(set_.size() * 16); // hundreds of megabytes, so each task clears its own part
+    // The factor may take hundreds of megabytes, so each task clears its part.
+    factor_.resize_for_overwrite(set_.size() * 16);
     const HermiteSystem::Options& options = system.options();
     const base::InstructionSet isa = runtime_.instruction_set;
     const FactorLocalSystems factor = local_factors(isa);
@@ -90,7 +91,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
         base::Array<double> scratch(runtime_.memory, local_factor_scratch_size(isa, set_size_));
         base::Array<double> position(runtime_.memory, batch * set_size_ * 3);
         for (std::int64_t k = begin * set_size_; k < end * set_size_; ++k) {
-            // The columns of a coarse sample are not used, so any points will do.
+            // Coarse samples are in the dense block, so their columns here are not used, and any points will do.
             const std::int64_t first = set_[k - k % set_size_];
             const glm::dvec3 p = first < 0 ? glm::dvec3(static_cast<double>(k % set_size_)) : tree.points()[set_[k]];
             for (glm::length_t c = 0; c < 3; ++c) position[3 * (k - begin * set_size_) + c] = p[c];
@@ -128,7 +129,7 @@ void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::
         cholesky.matrixU().solve<Eigen::OnTheRight>(z);
 }
 
-// Lists for each sample the elements of all sets that are this sample, in ascending order.
+// Lists for each sample its occurrences in all sets, in ascending order.
 void Preconditioner::index_uses(const base::Progress& progress) {
     use_begin_.resize(samples_ + 1);
     for (const std::int64_t at : progress.over(samples_)) {

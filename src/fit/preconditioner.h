@@ -15,26 +15,27 @@ namespace hrbfnpr::fit {
 
 class Preconditioner {
 public:
-    // `system` is made of the tree's points in the tree's order. All vectors are in this order too, with 4 numbers per
-    // sample. `neighbours` is the number of neighbours per sample, at most LocalSystems::largest_set - 1. Throws
-    // Error{out_of_memory, cancelled, singular_system} (the last if the coarsest block is not definite).
+    // `system` has the tree's points in the tree's order, and all vectors have this order and 4 numbers per sample.
+    // `neighbours` is the number of neighbours per sample, at most LocalSystems::largest_set - 1. Throws
+    // Error{out_of_memory, cancelled, singular_system}; singular_system if the coarsest block is not definite.
     Preconditioner(const base::Work& work, const HermiteSystem& system, const geometry::PointTree& tree,
                    const base::Array<std::int64_t>& rank, std::int32_t neighbours);
 
     // z = L L^T r
     void apply(const double* r, double* z, const base::Progress& progress = {});
 
-    // The factor itself. Column block i has set_size blocks of 4 x 4, row-major, with rows set[i * set_size + k]. If
-    // the first of these is -1, the column block is empty, since the sample is in the dense block.
+    // The sparse factor. Column block i has set_size blocks of 4 x 4, row-major, with rows set[i * set_size + k]. If
+    // the first of these rows is -1, the sample is in the dense block and the column block is empty.
     struct Blocks {
         std::int64_t set_size;
         const std::int32_t* set;
         const float* factor;
         const std::int64_t* coarse; // the samples of the dense block
         std::int64_t coarse_count;
-        const double* coarse_factor; // 4 coarse_count x coarse_columns, column-major
+        const double* coarse_factor; // 4 coarse_count rows, coarse_columns columns, column-major
         std::int64_t coarse_columns;
-        const std::int64_t* use_begin; // sample j is at the elements use[use_begin[j]] ... of set
+        // The occurrences of sample j in `set` are use[use_begin[j]] to use[use_begin[j + 1] - 1].
+        const std::int64_t* use_begin;
         const std::int64_t* use;
     };
     [[nodiscard]] Blocks blocks() const noexcept {
@@ -59,9 +60,9 @@ private:
     bool orthogonal_to_linear_;
     base::Array<std::int64_t> coarse_; // the samples of the dense block
     std::int64_t coarse_columns_ = 0;
-    base::Array<double> coarse_factor_; // 4 coarse_.size() x coarse_columns_, column-major
-    base::Array<std::int32_t> set_;     // set_size_ per sample; a first element of -1 marks a coarse sample
-    base::Array<float> factor_;         // 16 numbers per element of set_
+    base::Array<double> coarse_factor_; // 4 coarse_.size() rows, coarse_columns_ columns, column-major
+    base::Array<std::int32_t> set_;     // set_size_ per sample; if the first is -1, the sample is coarse
+    base::Array<float> factor_;         // 16 numbers for each element of set_
     // use_ lists, for each sample, the elements of set_ that refer to it. The list of sample i begins at use_begin_[i].
     base::Array<std::int64_t> use_begin_;
     base::Array<std::int64_t> use_;

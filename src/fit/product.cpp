@@ -7,10 +7,10 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t targets_a_task = 128; // their sums stay in the first-level cache
+constexpr std::int64_t targets_a_task = 128; // The sums of this many targets stay in the first-level cache.
 
-// Boxes hold this many samples, which are in or out of reach together. It is small, as they are neighbours in the
-// caller's order.
+// The number of consecutive samples in a box. Either all of them are within reach of a target, or they are skipped. It
+// is small, because consecutive samples of the caller need not be close together.
 constexpr std::int64_t box_samples = 32;
 
 // Returns the distance beyond which the kernel and its derivatives are 0, or below a double's rounding.
@@ -55,7 +55,7 @@ void HermiteProduct::make_boxes() {
     }
 }
 
-// Calls sum(begin, end) for each run of samples in reach of a box.
+// Calls sum(begin, end) for each run of consecutive samples that is within reach of a box.
 template <class Sum>
 void HermiteProduct::for_runs_in_reach(const geometry::Bounds& box, const Sum& sum) const {
     const double limit = reach(options_) * reach(options_);

@@ -11,21 +11,21 @@
 
 namespace hrbfnpr::fit {
 
-// Keeps working vectors, so it is not thread-safe.
+// Multiplies by the matrix. The object keeps working vectors, so it is not thread-safe.
 class HermiteProduct {
 public:
-    // A fast product is accurate enough for this `tolerance`, relative to the right-hand side.
+    // If the product is approximate, its error is at most `tolerance` relative to the right-hand side.
     HermiteProduct(const base::Work& work, const geometry::VecArray& position, const HermiteSystem::Options& options,
                    double tolerance);
 
     // Vectors have 4 numbers per sample: value, x, y, z. x and y must not overlap.
     void multiply(const double* x, double* y, const base::Progress& progress);
-    // Returns the elements of the exact product for every stride-th sample, from sample 0 on.
+    // Returns the elements of the exact product for samples 0, stride, 2 stride and so on.
     [[nodiscard]] base::Array<double> multiply_some(const double* x, std::int64_t stride,
                                                     const base::Progress& progress);
-    // Adds to y what regularization adds to the product.
+    // Adds the part of the product that comes from regularization to y.
     void add_diagonal(const double* x, double* y) const noexcept;
-    // Tells whether multiply() is fast and only accurate enough for conjugate gradients to converge.
+    // Returns whether multiply() is approximate: fast, and accurate enough for conjugate gradients to converge.
     [[nodiscard]] bool approximate() const noexcept { return far_ != nullptr; }
     // Makes the fast product ten times as accurate. Returns false if that is not possible.
     bool refine(const base::Progress& progress);
@@ -50,7 +50,7 @@ private:
     base::Array<double> value_;
     geometry::VecArray gradient_;
     std::unique_ptr<implicit::FarField> far_; // null: pairs are summed one by one
-    base::Array<geometry::Bounds> boxes_;     // each bounds box_samples consecutive samples
+    base::Array<geometry::Bounds> boxes_;     // Each box bounds box_samples consecutive samples.
 };
 
 } // namespace hrbfnpr::fit

@@ -12,8 +12,8 @@ namespace {
 // Larger coordinates are rejected, so that squares and cubes stay far from the ends of a double's range.
 constexpr double coordinate_limit = 1e100;
 
-constexpr double coincidence = 1e-9;           // in diagonals
-constexpr double same_normal = 0.999847695156; // cosine of 1 degree
+constexpr double coincidence = 1e-9;           // Samples closer than this coincide, in diagonals.
+constexpr double same_normal = 0.999847695156; // Normals with a larger cosine are the same: the cosine of 1 degree.
 constexpr double degrees = 57.29577951308232;
 constexpr double rescaled_by = 1e-4;
 
@@ -45,7 +45,7 @@ constexpr double rescaled_by = 1e-4;
     const double size = largest(n);
     if (size == 0.0)
         fail(Status::invalid_argument, "normals[%lld] is zero; give it a direction or remove that sample", index);
-    const glm::dvec3 scaled = n / size; // keeps the square of a tiny normal above zero
+    const glm::dvec3 scaled = n / size; // Dividing by the size first keeps the square of a tiny normal above zero.
     const double length = glm::length(scaled);
     if (!(std::abs(length * size - 1.0) <= rescaled_by)) ++rescaled;
     return scaled / length;
@@ -138,8 +138,8 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
 void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
     base::Memory& memory = samples.position.memory();
     const std::int64_t count = samples.position.size();
-    base::Array<std::int64_t> slot(memory, count);  // 1 + the index of a representative's average
-    base::Array<std::int64_t> share(memory, count); // the number of samples in each average
+    base::Array<std::int64_t> slot(memory, count);  // for each representative: 1 + the index of its average
+    base::Array<std::int64_t> share(memory, count); // the number of samples merged into each average
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < count; ++i) {
         std::int64_t& at = slot[representative[i]];
@@ -155,7 +155,7 @@ void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
     }
     for (std::int64_t k = 0; k < kept; ++k) {
         if (share[k] == 1) continue;
-        // Rounding must not move the mean out of the bounds.
+        // Clamping keeps the rounded mean inside the bounds.
         const glm::dvec3 mean = samples.position[k] / static_cast<double>(share[k]);
         samples.position.set(k, glm::clamp(mean, samples.bounds.min, samples.bounds.max));
         samples.normal.set(k, glm::normalize(samples.normal[k]));

@@ -14,21 +14,21 @@ struct Samples {
 
     geometry::VecArray position; // in the caller's coordinates
     geometry::VecArray normal;   // unit length
-    base::Array<double> value; // the value of f, in the caller's unit; empty: 0, because all samples are on the surface
+    base::Array<double> value;   // the value of f at each sample, in the caller's unit; empty: all values are 0
     geometry::Bounds bounds;
-    double spacing = 0.0; // mean distance to the nearest other sample; 0 for one sample
+    double spacing = 0.0; // the mean distance from a sample to its nearest other sample; 0 for one sample
     std::int64_t merged = 0;
     std::int64_t rescaled_normals = 0;
 };
 
-// Throws Error{invalid_argument} naming "points" or "normals" and the index.
+// Throws Error{invalid_argument} that names "points" or "normals" and the index.
 [[nodiscard]] Samples read_samples(const base::Work& work, const base::InView& points, const base::InView& normals);
 
-// Replaces all samples that have the same representative, which is one of these samples, by their average. The order is
-// that of the first sample of each group.
+// Replaces all samples with the same representative by their average. The averages keep the order of the first sample
+// of each group.
 void merge(Samples& samples, const base::Array<std::int64_t>& representative);
 
-// Measures bounds and spacing of the samples as they are now.
+// Measures the bounds and the spacing of the current samples.
 void measure_extent(const base::Work& work, Samples& samples);
 
 } // namespace hrbfnpr::fit

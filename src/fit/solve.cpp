@@ -10,17 +10,18 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Fewer samples than this are solved directly, which is no slower, and exact.
+// Fewer samples than this are solved directly, which is exact and no slower.
 constexpr std::int64_t crossover = 192;
 // More samples than this are solved directly only on request, since this takes 64 N^2 bytes and N^3 flops.
 constexpr std::int64_t most_direct = 6000;
 
-// Up to this many samples each sample's own residual is below 1e-8, and not only their mean. This costs two iterations.
+// Up to this number of samples, each sample's residual must be below 1e-8, not only their mean. This costs two
+// iterations.
 constexpr std::int64_t small = 2048;
 
-// Up to this many samples the direct solver takes some tenths of a second, and is more accurate than iterations that
-// rounding stops above `exact_enough`. For more samples it takes up to a minute, so any acceptable residual is
-// accepted.
+// Up to this number of samples, the direct solver takes only tenths of a second. It replaces iterations that rounding
+// stops above `exact_enough`. With more samples it takes up to a minute, so any acceptable residual of the iterations
+// is accepted.
 constexpr std::int64_t quickly_direct = 512;
 constexpr double exact_enough = 1e-8;
 
@@ -32,11 +33,11 @@ constexpr double regularization_of_values = 1.0;
 constexpr double regularization_of_gradients = 1e-6;
 constexpr double regularized_tolerance = 3e-4;
 
-// More neighbours cost setup of k^3 per sample and save iterations, whose cost grows with N (measured: 7, 8 and 10
-// iterations for 4096, 16 384 and 65 536 even samples; for 5182 samples chosen for a mesh 19 with 16 neighbours, 14
-// with 24).
+// Returns the first number of neighbours to try. More neighbours take time of k^3 per sample to set up, and save
+// iterations, whose time grows with N.
 [[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
-    if (kernel == kernel::Kind::gaussian) return 40; // with this kernel, near samples do not screen far ones
+    // With the Gaussian, near samples do not screen far ones, so more neighbours are needed.
+    if (kernel == kernel::Kind::gaussian) return 40;
     return samples < 3000 ? 16 : samples < 12000 ? 24 : samples < 40000 ? 28 : 32;
 }
 
@@ -145,7 +146,7 @@ Solution solve(const base::Work& work, const HermiteSystem& system, const double
                                solution.residual);
         }
     }
-    solution.misfit.clear(); // left by the iterative attempt
+    solution.misfit.clear(); // Discards the misfit of the iterative attempt.
     solution.history.clear();
     solve_directly(work, system, rhs, options, solution);
     return solution;

@@ -11,39 +11,40 @@ namespace hrbfnpr::fit {
 struct SolveOptions {
     SolverKind solver = SolverKind::automatic;
     std::int32_t refinement_steps = 2;
-    double tolerance = 0.0;         // relative residual (2-norm) at which the iterative solver stops; 0 = automatic
-    double acceptable = 1e-6;       // accepted where rounding or an approximate product stops the iterations
-    double product_tolerance = 0.0; // the tolerance that a fast product is made for; 0: `tolerance`
+    double tolerance = 0.0;   // relative residual (2-norm) at which the iterative solver stops; 0 = automatic
+    double acceptable = 1e-6; // a residual that is accepted if rounding or an approximate product stops the iterations
+    double product_tolerance = 0.0; // the tolerance of a fast product; 0: the same as `tolerance`
     std::int32_t iterations = 200;
-    std::int32_t neighbours = 0; // number that the preconditioner uses for each sample; 0 = automatic
+    std::int32_t neighbours = 0; // the number of neighbours that the preconditioner uses for each sample; 0: automatic
 };
 
-// If the iterations end with a relative residual above this, samples contradict each other, as slivers of a mesh do in
-// single precision. A finer product or more neighbours do not help then.
+// Iterations that end with a larger relative residual show that samples contradict each other, for example at slivers
+// of a mesh in single precision. A finer product or more neighbours do not help then.
 inline constexpr double hopeless_residual = 100.0;
 
 struct Solution {
     explicit Solution(base::Memory& memory) noexcept : x(memory), misfit(memory), history(memory) {}
 
-    base::Array<double> x; // unknowns(): w, then c
+    base::Array<double> x; // unknowns() numbers: w, then c
     // The right-hand side minus the function's values and gradients, 4 per sample. It may be empty.
     base::Array<double> misfit;
     SolverKind solver = SolverKind::direct;
     SolverReason reason = SolverReason::requested;
-    double residual = 0.0;       // relative residual of the whole system, 2-norm
-    double condition = 0.0;      // direct: 1-norm estimate for the factored matrix; iterative: 2-norm, preconditioned
-    std::int32_t iterations = 0; // number of steps of the refinement, or of CG
+    double residual = 0.0; // relative residual of the whole system, 2-norm
+    // The condition number of the factored matrix (1-norm estimate), or of the preconditioned matrix (2-norm).
+    double condition = 0.0;
+    std::int32_t iterations = 0; // the number of refinement steps, or of CG iterations
     bool fallback = false;
-    double value_diagonal = 0.0; // regularization used where 0 was requested and did not work
-    bool converged = false;      // the iterative solver reached its tolerance
-    base::Array<double> history; // relative residual after each iteration of CG
+    double value_diagonal = 0.0; // the regularization that was added because 0, as requested, did not work
+    bool converged = false;      // true if the iterative solver reached its tolerance
+    base::Array<double> history; // the relative residual after each iteration of CG
     double seconds_assemble = 0.0;
     double seconds_precondition = 0.0;
     double seconds_solve = 0.0;
 };
 
-// `rhs` is unknowns() long, with zeros in its last terms() elements.
-// Throws Error{invalid_argument, singular_system, not_converged, out_of_memory, cancelled}.
+// `rhs` has unknowns() elements; its last terms() elements are 0. Throws Error{invalid_argument, singular_system,
+// not_converged, out_of_memory, cancelled}.
 [[nodiscard]] Solution solve(const base::Work& work, const HermiteSystem& system, const double* rhs,
                              SolveOptions options);
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A row of a block holds four numbers, in one vector or in several.
+// A row of a block has four numbers, in one vector or in several vectors.
 using D = hn::CappedTag<double, 4>;
 using F = hn::Rebind<float, D>;
 using V = hn::Vec<D>;

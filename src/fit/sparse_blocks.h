@@ -8,9 +8,9 @@
 
 namespace hrbfnpr::fit {
 
-// Column block i has set_size blocks, with rows set[i * set_size + k] and numbers from factor[(i * set_size + k) * 16]
-// on, row-major. It is empty if set[i * set_size] < 0. The blocks in row block j are those with the running numbers
-// use[use_begin[j]], ..., use[use_begin[j + 1] - 1].
+// Column block i has set_size blocks. Their rows are set[i * set_size + k], and their numbers begin at factor[(i *
+// set_size + k) * 16], row-major. The column block is empty if set[i * set_size] < 0. The blocks of row block j have
+// the indices use[use_begin[j]] to use[use_begin[j + 1] - 1].
 struct SparseFactor {
     std::int64_t set_size;
     const std::int32_t* set;
@@ -20,7 +20,7 @@ struct SparseFactor {
 };
 
 struct SparseBlocks {
-    // These compute t = L^T r and z = L t for the blocks [begin, end) of the result.
+    // These functions compute t = L^T r and z = L t for the blocks [begin, end) of the result.
     void (*multiply_transposed)(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* r,
                                 double* t);
     void (*multiply)(const SparseFactor& factor, std::int64_t begin, std::int64_t end, const double* t, double* z);

@@ -11,12 +11,13 @@ namespace {
 // The limits below were set on clean sets (tori, knot, hearts, lamp, gargoyle, head, bunny, dragon; nothing is found),
 // and on a raw scan.
 
-// An outlier is this many times farther from its neighbours than they are from theirs: the statistical removal of Rusu
-// et al., "Towards 3D point cloud based object maps for household environments", 2008. But it uses medians, which
-// outliers do not move, and the local spacing, which need not be even.
+// An outlier is this many times as far from its neighbours as they are from theirs [Rusu et al., "Towards 3D point
+// cloud based object maps for household environments", 2008]. Medians are used, which outliers do not move, and the
+// local spacing, which may vary.
 constexpr double isolated = 3.0;
-// An outlier may also be this far (in mean distances to a neighbour) from most of its neighbours' tangent planes, if
-// that is `stray_of_neighbours` times as far as the neighbours are from theirs.
+// A sample is also an outlier if its distance from most tangent planes of its neighbours exceeds this, in mean
+// distances to a neighbour, and exceeds `stray_of_neighbours` times the neighbours' distances from each other's tangent
+// planes.
 constexpr double stray = 1.0;
 constexpr double stray_of_neighbours = 4.0;
 // But a sample with `companions` companions is on another, sparser sheet. Companions are neighbours near its height
@@ -25,19 +26,19 @@ constexpr double companion_height = 0.25; // in LocalStatistics::height
 constexpr double companion_cosine = 0.5;
 constexpr int companions = 3;
 
-// A flipped normal has cosines below `against` with at least this share of its neighbours' normals.
+// A normal is flipped if its cosine with at least this share of its neighbours' normals is below `against`.
 constexpr double share_against = 0.875;
 constexpr double against = -0.3;
-// A flipped normal's mean cosine with all neighbours is at most -`opposite`, and at most minus this share of their
-// agreement.
+// The mean cosine of a flipped normal with its neighbours' normals is at most -`opposite`. It is also at most minus
+// this share of the mean cosine among the neighbours.
 constexpr double opposite_of_neighbours = 0.6;
 constexpr double opposite = 0.5;
-// A flipped sample is on the same sheet, as near to the neighbours' tangent planes as they are, and in their midst. The
-// sheets of a thin wall have opposite normals, too.
+// A sample is flipped only if it is among its neighbours and as near to their tangent planes as they are. Otherwise it
+// may be on the other side of a thin wall, where normals are opposite, too.
 constexpr double height_of_neighbours = 2.0;
-constexpr double height = 0.02; // in mean distances to a neighbour
+constexpr double height = 0.02; // the least height, in mean distances to a neighbour
 constexpr double off_centre = 0.5;
-// After some normals are turned, wrong normals beside them may be found. A few passes find small groups of wrong
+// Turning some normals may show that normals beside them are wrong, too. A few passes find small groups of wrong
 // normals.
 constexpr int passes = 4;
 
@@ -46,8 +47,8 @@ constexpr std::int64_t suspects_a_task = 512;
 // Statistics of a sample and its neighbours.
 struct LocalStatistics {
     double distance;  // mean distance to the neighbours
-    double height;    // median distance from their tangent planes
-    double agreement; // mean absolute cosine with their normals
+    double height;    // the median distance from the tangent planes of the neighbours
+    double agreement; // the mean absolute cosine with the normals of the neighbours
 };
 
 using Buffer = std::array<double, geometry::Neighbours::most>;

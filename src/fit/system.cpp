@@ -11,7 +11,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t product_samples = 16; // the block of A for this many samples is 32 KiB
+// Samples per block of rows. A block of A for this many samples takes 32 KiB.
+constexpr std::int64_t product_samples = 16;
 
 } // namespace
 

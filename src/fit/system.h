@@ -21,19 +21,19 @@ class HermiteSystem {
 public:
     struct Options {
         kernel::Kind kernel;
-        double radius; // in the positions' unit
+        double radius; // in the unit of the positions
         std::int32_t degree;
-        double value_diagonal;    // added to alpha's diagonal by regularization
-        double gradient_diagonal; // added to beta's diagonal by regularization
+        double value_diagonal;    // regularization, added to the diagonal for alpha
+        double gradient_diagonal; // regularization, added to the diagonal for beta
     };
 
-    // The object refers to `positions` (normalised) for its whole life.
+    // The object refers to `positions` (normalised) as long as it lives.
     HermiteSystem(const geometry::VecArray& positions, const Options& options) noexcept
         : positions_(positions), options_(options) {}
 
     [[nodiscard]] std::int64_t samples() const noexcept { return positions_.size(); }
     [[nodiscard]] std::int64_t rows() const noexcept { return 4 * positions_.size(); } // rows of A
-    [[nodiscard]] std::int64_t terms() const noexcept;                                 // columns of P
+    [[nodiscard]] std::int64_t terms() const noexcept;                                 // the number of columns of P
     [[nodiscard]] std::int64_t unknowns() const noexcept { return rows() + terms(); }
     [[nodiscard]] const Options& options() const noexcept { return options_; }
     [[nodiscard]] const geometry::VecArray& positions() const noexcept { return positions_; }
@@ -42,7 +42,7 @@ public:
     void block(std::int64_t i0, std::int64_t i1, std::int64_t j0, std::int64_t j1, double* out,
                std::int64_t column_stride) const noexcept;
 
-    // Computes y = A x for `columns` columns (packed, column-major) without storing A.
+    // Computes y = A x without storing A. x and y have `columns` columns, packed, column-major.
     void multiply(const base::Parallel& parallel, const double* x, std::int64_t columns, double* y,
                   const base::Progress& progress) const;
 

@@ -9,9 +9,9 @@
 
 namespace hrbfnpr::fit {
 
-// Returns for each sample the one among it and its neighbours that agrees best with the samples around it in position
-// and normal. The samples that a fit misses most are also the noisiest, as a scan's rims have normals of all
-// directions. So they should not become centres themselves.
+// Returns for each sample the typical sample: it or a neighbour, whichever agrees best with the samples around it in
+// position and normal. The samples with the largest errors are often the noisiest, for example at the rims of a scan,
+// so they should not become centres.
 [[nodiscard]] base::Array<std::int64_t> typical_samples(const base::Work& work, const Samples& samples,
                                                         const geometry::Neighbours& neighbours);
 

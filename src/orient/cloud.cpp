@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads a cloud: points are checked, merged where they coincide, scaled to spacing 1, and ranked in a farthest-first
-// order. Neighbours, and planes through them, come from the cloud's tree.
+// Reads a cloud: checks the points, merges points that coincide, scales them to a spacing of 1, and ranks them in a
+// farthest-first order. Neighbours, and planes through them, are found in a tree of the points.
 #include "orient/cloud.h"
 
 #include "base/assert.h"
@@ -17,8 +17,9 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t fewest_points = 4;
-constexpr double coordinate_limit = 1e100; // the limit of a fit's coordinates
-constexpr double thinnest = 1e-12;         // least ratio of the variances across and along a line; below is rounding
+constexpr double coordinate_limit = 1e100; // No coordinate may be larger than this, as in a fit.
+// The least ratio of the variances across and along a line. Smaller ratios are rounding.
+constexpr double thinnest = 1e-12;
 
 [[nodiscard]] geometry::VecArray checked(const base::Runtime& runtime, const base::InView& points) {
     geometry::VecArray position(runtime.memory, points.count);
@@ -37,7 +38,7 @@ constexpr double thinnest = 1e-12;         // least ratio of the variances acros
     return position;
 }
 
-// Returns for each place the first place that it is merged into.
+// Returns for each place the first of the places that it is merged with.
 [[nodiscard]] base::Array<std::int64_t> representatives(const geometry::PointTree& tree,
                                                         const base::Array<double>& distance, double reach) {
     base::Array<std::int64_t> first(tree.points().memory(), tree.size());
@@ -51,7 +52,7 @@ constexpr double thinnest = 1e-12;         // least ratio of the variances acros
     return first;
 }
 
-// Returns the median of the distances above `least`; 0 if no distance is.
+// Returns the median of the distances above `least`, or 0 if all are smaller.
 [[nodiscard]] double spacing_of(const base::Array<double>& distance, double least) {
     base::Array<double> positive(distance.memory());
     for (const double d : distance)
@@ -81,7 +82,7 @@ void require(bool enough, std::int64_t count, const char* what) {
 
 struct Symmetric {
     double a[3][3];
-    double v[3][3]; // columns: eigenvectors
+    double v[3][3]; // The columns are the eigenvectors.
 };
 
 // Jacobi's rotation that zeroes a[p][q].
@@ -116,7 +117,7 @@ Cloud read_cloud(const base::Work& work, const base::InView& points) {
     if (!(cloud.spacing > 0.0)) cloud.spacing = bounds.diagonal();
     work.update(0.3);
     const base::Array<std::int64_t> first = representatives(all, distance, tuning.merged * cloud.spacing);
-    base::Array<std::int64_t> kept(work.memory, all.size()); // index among the kept points
+    base::Array<std::int64_t> kept(work.memory, all.size()); // for each place: its index among the points that are kept
     position.clear();
     for (std::int64_t at = 0; at < all.size(); ++at) {
         if (first[at] != at) continue;

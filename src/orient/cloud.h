@@ -49,10 +49,10 @@ struct Cloud : OrderedPoints {
 struct CoarsePoints : OrderedPoints {
     CoarsePoints(const base::Work& work, const Cloud& cloud, std::int64_t count);
 
-    // Returns the elements of the whole cloud's array that belong to the first places.
+    // Returns those elements of an array for the whole cloud that belong to the first places.
     [[nodiscard]] geometry::VecArray pick(const geometry::VecArray& normal) const;
 
-    base::Array<std::int64_t> place; // the place in the whole cloud
+    base::Array<std::int64_t> place; // for each first place: its place in the whole cloud
 };
 
 // Calls f(place) for all places, on all threads.
@@ -67,7 +67,7 @@ void for_places(const base::Work& work, std::int64_t count, F&& f) {
 class NeighbourLists {
 public:
     static constexpr std::int64_t most = 63;      // the largest number of neighbours that the tree finds
-    static constexpr std::int64_t of_spacing = 6; // a local spacing is the mean distance to this many neighbours
+    static constexpr std::int64_t of_spacing = 6; // The local spacing is the mean distance to this many neighbours.
 
     NeighbourLists(const base::Work& work, const geometry::PointTree& tree, std::int64_t each);
 
@@ -95,7 +95,7 @@ private:
 struct Moments {
     double count = 0.0;
     glm::dvec3 sum{0.0};
-    std::array<double, 6> square{}; // xx xy xz yy yz zz
+    std::array<double, 6> square{}; // The second moments: xx xy xz yy yz zz.
 
     void add(const glm::dvec3& p, double weight = 1.0) noexcept;
 };
@@ -103,7 +103,7 @@ struct Moments {
 struct Plane {
     glm::dvec3 centre{0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};
-    std::array<double, 3> variance{}; // ascending
+    std::array<double, 3> variance{}; // in ascending order
 };
 [[nodiscard]] Plane plane_of(const Moments& moments) noexcept;
 
@@ -111,8 +111,8 @@ struct Plane {
 [[nodiscard]] geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree,
                                                const NeighbourLists& near, std::int64_t count);
 
-// Returns the share of places whose normals point the same way in both arrays, or the share of all others if that is
-// larger.
+// Returns the share of places whose normals point the same way in both arrays. If less than half do, returns the share
+// whose normals are opposite.
 [[nodiscard]] double share_alike(const geometry::VecArray& a, const geometry::VecArray& b) noexcept;
 
 } // namespace hrbfnpr::orient

@@ -24,11 +24,11 @@ namespace {
 
 constexpr std::int64_t pixels_a_task = 1024;
 constexpr std::int64_t tasks_a_band = 32;
-constexpr double regular = 1e-9;         // pixels^2: keeps the fit to pixels in one row regular
+constexpr double regular = 1e-9;         // In square pixels. Added so that a fit to pixels in one row has a solution.
 constexpr std::int32_t small_radius = 2; // radius of the square of pixels of a small plane
 constexpr double small_count = 25.0;
-constexpr double small_square = 50.0;          // sum of (pixels to the right)^2 over the 25
-constexpr double of_step = 0.2886751345948129; // standard deviation of rounding to steps of 1: 1 / sqrt(12)
+constexpr double small_square = 50.0;          // the sum of (column offset)^2 over the 25 pixels of a small plane
+constexpr double of_step = 0.2886751345948129; // the standard deviation of rounding to whole numbers: 1 / sqrt(12)
 
 // The least squares line y = slope x + start, and how well it fits.
 class LineFit {
@@ -68,12 +68,12 @@ struct Camera {
                           double{Discs::most});
     }
 
-    InverseDepth depth;        // in a unit in which the median of z is 1
+    InverseDepth depth;        // in a unit that makes the median of z 1
     base::Array<double> error; // error of the small plane around each pixel; infinite if there is no such plane
     LineFit across, down;      // x / z as a function of the column, y / z of the row
     std::int64_t seen = 0;
-    double sign = 0.0; // sign of z
-    double unit = 1.0; // median of z
+    double sign = 0.0; // the sign of z
+    double unit = 1.0; // the median of z
     double focal_length = 0.0;
     double noise = 0.0; // in the unit of `depth`
 };
@@ -82,7 +82,7 @@ struct Camera {
     return {input.points.get(i, 0), input.points.get(i, 1), input.points.get(i, 2)};
 }
 
-// Returns the median; changes the order of the values.
+// Returns the median. The values are reordered.
 [[nodiscard]] double median(base::Array<double>& values, const base::Progress& progress) {
     if (values.empty()) return 0.0;
     progress.check();
@@ -113,7 +113,7 @@ void require_camera(const Camera& camera) {
                               : "x / z does not change linearly with the column");
 }
 
-// Returns the step between the values of 1 / z, or 0 if there are too many different values.
+// Returns the step between consecutive values of 1 / z, or 0 if 1 / z has too many different values to have steps.
 [[nodiscard]] double depth_step(const base::Array<double>& depth, const base::Progress& progress) {
     base::Array<double> values = values_if(
         depth, [](double x) { return !std::isnan(x); }, progress);
@@ -124,7 +124,7 @@ void require_camera(const Camera& camera) {
     return depth_tuning.same_steps * (gaps.size() + 1) > values.size() ? 0.0 : median(gaps, progress);
 }
 
-// Reads one pixel's z into `camera.depth` and adds it to the camera's lines.
+// Reads z of one pixel into `camera.depth`, and adds the pixel to the camera's two lines.
 void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
     const glm::dvec3 p = given_point(input, i);
     camera.depth.value[i] = std::numeric_limits<double>::quiet_NaN();
@@ -175,8 +175,8 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
     return camera;
 }
 
-// Returns the plane that the fit at a pixel starts with: the slope of the best small plane that covers the pixel, and
-// the error that pixels around it may have, by noise or by curvature.
+// Returns the plane from which the fit at a pixel starts. Its slope is that of the best small plane that covers the
+// pixel. Its error is the error that nearby pixels may have, by noise or by curvature.
 [[nodiscard]] SmallPlane best_plane(const Camera& camera, std::int64_t i) noexcept {
     const InverseDepth& depth = camera.depth;
     const std::int32_t column = camera.column_of(i);
@@ -229,7 +229,8 @@ void add_whole_disc(std::int32_t radius, base::Array<Tap>& taps) {
         }
 }
 
-// Adds the pixel in the middle and rings around it. The first ring has 6 pixels, and each next one 6 more.
+// Adds the middle pixel and rings around it. The first ring has 6 pixels, and each further ring has 6 more than the
+// ring before.
 void add_ringed_disc(std::int32_t radius, base::Array<Tap>& taps) {
     taps.push_back({0, 0, 1.0});
     constexpr int rings = depth_tuning.rings;
@@ -287,7 +288,7 @@ std::optional<SmallPlane> small_plane(const InverseDepth& depth, std::int32_t co
     HRBFNPR_ASSERT(column >= 0 && column < depth.columns && row >= 0 && row < depth.rows);
     constexpr std::int32_t r = small_radius;
     if (column < r || row < r || column >= depth.columns - r || row >= depth.rows - r) return std::nullopt;
-    const double here = depth.at(column, row); // subtracted, so that rounding leaves the squares exact
+    const double here = depth.at(column, row); // Subtracting the depth of this pixel keeps the sums of squares exact.
     double sum = 0.0;
     double across = 0.0;
     double down = 0.0;

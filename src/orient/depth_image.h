@@ -17,13 +17,14 @@
 
 namespace hrbfnpr::orient {
 
-// The fields of hrbfnpr_depth_image_desc. The view has 3 components and columns x rows elements (the boundary checks).
+// The fields are those of hrbfnpr_depth_image_desc. The view has 3 components and columns x rows elements; the boundary
+// checks this.
 struct DepthImageInput {
     base::InView points;
     std::int32_t columns = 0;
     std::int32_t rows = 0;
     bool keep_points = false;
-    double noise = 0.0; // 0: it is measured
+    double noise = 0.0; // If 0, the noise is measured.
     double smoothing = 1.0;
 };
 
@@ -37,8 +38,8 @@ struct DepthImageReport {
     double seconds = 0.0;
 };
 
-// One point and one normal for each pixel. Where nothing was seen or the point is left out, the point is NaN and the
-// normal is 0.
+// One point and one normal for each pixel. Where the sensor saw nothing, or where the point is left out, the point is
+// NaN and the normal is 0.
 struct DepthImage {
     explicit DepthImage(base::Memory& memory) noexcept : point(memory), normal(memory) {}
 
@@ -78,11 +79,11 @@ struct SmallPlane {
     double error = 0.0; // standard deviation of the pixels' 1 / z from the plane
 };
 
-// Fits a plane to the 5 x 5 pixels around a pixel. Returns nothing unless all of them were seen.
+// Fits a plane to the 5 x 5 pixels around a pixel. Returns nullopt unless the sensor saw all of them.
 [[nodiscard]] std::optional<SmallPlane> small_plane(const InverseDepth& depth, std::int32_t column,
                                                     std::int32_t row) noexcept;
 
-// A pixel of a disc, relative to the disc's middle, and its weight.
+// A pixel of a disc, relative to the middle of the disc, with its weight.
 struct Tap {
     std::int32_t across = 0;
     std::int32_t down = 0;
@@ -107,8 +108,8 @@ private:
     std::array<std::int64_t, most - least + 2> start_{};
 };
 
-// Fits a plane to the pixels of a disc. Starts with `first`, and leaves out pixels that lie beyond an edge. Returns
-// nothing if few pixels are left.
+// Fits a plane to the pixels of a disc. Starts with `first`, and leaves out pixels beyond an edge. Returns nullopt if
+// too few pixels are left.
 [[nodiscard]] std::optional<DepthPlane> plane_around(const InverseDepth& depth, std::int32_t column, std::int32_t row,
                                                      std::span<const Tap> disc, const SmallPlane& first) noexcept;
 

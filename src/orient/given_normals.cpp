@@ -69,7 +69,7 @@ struct Similarity {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;
     std::int64_t opposite = 0;
-    std::int64_t behind = 0; // the number of neighbours behind a place, minus the number of those in front of it
+    std::int64_t behind = 0; // the number of neighbours at the back of a place, minus the number at its front
     for (std::int64_t at = 0; at < c.tree.size(); ++at) {
         if (!c.known(at)) continue;
         const glm::dvec3 own = c.given.normal[at];
@@ -87,9 +87,9 @@ struct Similarity {
     return toss && !(c.evidence.doubtful && are_walls);
 }
 
-// How normals continue over the border of a patch: sum / size is 1 if they point the same way, and -1 if they are
-// turned round. The weight of a pair is larger the more it lies on one sheet: (1 - (n . d)^2) for both normals, with d
-// the direction between the places.
+// Compares normals across the border of a patch. sum / size is 1 if the normals point the same way on both sides, and
+// -1 if they are opposite. A pair of places weighs more the closer it is to lying on one sheet: (1 - (n . d)^2) for
+// both normals, where d is the direction between the places.
 struct Border {
     void add(const glm::dvec3& one, const glm::dvec3& two, const glm::dvec3& between) noexcept {
         const double square = glm::dot(between, between);
@@ -111,7 +111,7 @@ struct Border {
     double side = 0.0;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;
     const auto against = [&](std::int64_t at) { return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * c.cosine(at) < 0.0; };
-    base::Array<std::int32_t> patch(c.runtime.memory); // the places of all patches, one patch after the other
+    base::Array<std::int32_t> patch(c.runtime.memory); // the places of all patches, patch by patch
     base::Array<std::uint8_t> seen(c.runtime.memory, c.tree.size());
     const auto add = [&](std::int64_t at) {
         if (seen[at] != 0) return;
@@ -191,7 +191,7 @@ Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists
         turn_everything();
         return judgement;
     }
-    // The majority of the given normals tells which side of an open surface is outward.
+    // On an open surface, the majority of the given normals decides which side is outward.
     judgement.follows_given = evidence.open && mode != NormalMode::unoriented;
     if (judgement.follows_given && alike < 0.5) judgement.made_sign = -1.0;
     if (mode == NormalMode::unoriented || (looks && have_random_signs(c))) {

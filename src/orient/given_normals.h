@@ -7,13 +7,14 @@
 
 namespace hrbfnpr::orient {
 
-// The values are those of the HRBFNPR_NORMALS_ constants in hrbfnpr.h.
+// The values equal the HRBFNPR_NORMALS_ constants of hrbfnpr.h.
 enum class NormalMode : std::uint32_t { given = 0, none = 1, unoriented = 2, mixed = 3, inward = 4, automatic = 5 };
 
 struct GivenNormals {
     explicit GivenNormals(base::Memory& memory) noexcept : normal(memory), known(memory) {}
 
-    geometry::VecArray normal; // for each place, the first given normal, normalized; any direction if none is given
+    // For each place: the first given normal, normalized, or any direction if no normal is given.
+    geometry::VecArray normal;
     base::Array<std::uint8_t> known; // for each place: 1 if a normal is given
     std::int64_t known_count = 0;
 };
@@ -24,7 +25,7 @@ struct GivenNormals {
 [[nodiscard]] GivenNormals read_given(const base::Work& work, const base::InView& normals, const Cloud& cloud,
                                       const NeighbourLists& near);
 
-// The evidence that given normals are judged by.
+// The evidence by which given normals are judged.
 struct Evidence {
     const geometry::VecArray& least_energy_normals; // normals of least energy, outward
     bool open = false;                              // winding numbers do not tell the outside, a rule does
@@ -35,10 +36,10 @@ struct Judgement {
     explicit Judgement(base::Memory& memory) noexcept : signs(memory) {}
 
     NormalMode found = NormalMode::none;
-    Signs signs;                // for each place; -1: its given normals must be turned
-    double made_sign = 1.0;     // the sign of `least` where a normal is missing
-    bool follows_given = false; // the given normals say which side is outward
-    bool by_place = false;      // all normals of a place are turned to agree with its first
+    Signs signs;                // for each place: -1 if its given normals must be turned
+    double made_sign = 1.0;     // the sign that `least` gets where no normal is given
+    bool follows_given = false; // The given normals decide which side is outward.
+    bool by_place = false;      // All given normals of a place are turned to agree with the first of them.
 };
 
 [[nodiscard]] Judgement judge(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,

@@ -65,7 +65,7 @@ public:
             return true;
         }
         if (pairs_ == 0) return false;
-        pairs_ = 0; // the remembered curvature does not lower the energy
+        pairs_ = 0; // The remembered pairs lead to no lower energy, so they are forgotten.
         return true;
     }
 
@@ -78,7 +78,7 @@ private:
         for_places(base::Work(runtime_, progress_), size_, f);
     }
 
-    // Returns a sum or maximum that does not depend on the number of threads, because the chunks are fixed.
+    // Returns a sum or a maximum. The chunks are fixed, so the result does not depend on the number of threads.
     template <class F, class Join>
     [[nodiscard]] double reduced(F&& f, Join&& join) {
         runtime_.parallel.for_chunks(size_, places_a_sum, [&](std::int64_t begin, std::int64_t end) {
@@ -99,7 +99,7 @@ private:
                                                   [](double x, double y) { return std::max(x, y); })));
     }
 
-    // Returns the energy, and writes its derivative along the spheres.
+    // Returns the energy, and writes its derivative in the tangent planes of the spheres.
     double evaluate(const VecArray& normal, VecArray& gradient) const {
         const double value = energy_.approximate_energy(normal, gradient, progress_);
         for_all([&](std::int64_t i) { gradient.set(i, tangent(2.0 * gradient[i], normal[i])); });
@@ -159,7 +159,7 @@ private:
     base::Array<double> part_;
     std::vector<VecArray> step_, change_; // the remembered pairs
     std::array<double, most_pairs> inverse_{};
-    int pairs_ = 0; // number of pairs so far; the newest are kept
+    int pairs_ = 0; // the number of pairs added; only the newest are kept
     double scale_ = 0.5;
     double value_ = 0.0;
 };
@@ -185,10 +185,10 @@ struct Edge {
     float doubt;
     std::int32_t a;
     std::int32_t b;
-    std::int32_t turned; // 1: the signs differ
+    std::int32_t turned; // 1 if the signs of the two places differ
 };
 
-// Joined sets of places. Each place has a sign relative to the first place of its set (Tarjan 1975).
+// Sets of places, joined by union-find (Tarjan 1975). Each place has a sign relative to the first place of its set.
 class SignedSets {
 public:
     SignedSets(base::Memory& memory, std::int64_t size) : parent_(memory, size), turned_(memory, size) {
@@ -200,7 +200,7 @@ public:
         bool turned = false;
         for (; parent_[at] != at; at = parent_[at]) {
             const std::int32_t above = parent_[at];
-            turned_[at] ^= turned_[above]; // halves the path: skips the parent
+            turned_[at] ^= turned_[above]; // Halves the path: `at` skips its parent.
             parent_[at] = parent_[above];
             turned ^= turned_[at] != 0;
         }
@@ -217,7 +217,7 @@ public:
 
 private:
     base::Array<std::int32_t> parent_;
-    base::Array<std::uint8_t> turned_; // 1: the sign differs from the parent's; 0 at a root
+    base::Array<std::uint8_t> turned_; // 1 if the sign differs from that of the parent; 0 at a root
 };
 
 // Turns directions so that neighbours agree, along the minimum spanning forest of the pairs, where pairs with more
@@ -235,8 +235,7 @@ void spread_signs(const base::Work& work, const NeighbourLists& near, std::int64
                        std::max(own, other), cosine < 0.0 ? 1 : 0};
         }
     });
-    // Two places that are each other's neighbours have an edge twice. Both edges are equal, so their order does not
-    // matter.
+    // Two mutual neighbours give the same edge twice. The two are equal, so their order does not matter.
     base::sort_long(
         edges.begin(), edges.end(),
         [](const Edge& x, const Edge& y) {

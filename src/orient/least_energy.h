@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the normals of least energy of some places, from several starts.
+// Finds the normals of least energy of a set of places. It searches from several starts.
 #pragma once
 
 #include "orient/cloud.h"
@@ -33,9 +33,10 @@ struct LeastEnergy {
     explicit LeastEnergy(base::Memory& memory) noexcept : normal(memory) {}
 
     geometry::VecArray normal; // unit normal of each place
-    double energy = 0.0;       // per degree of freedom; points without any order have 0.025
-    double agreement = 1.0;    // 0 .. 1: how far starts with about as little energy have the same signs
-    // The least energy of a start with other signs, divided by the chosen energy: near 1 where the noise decides.
+    double energy = 0.0;       // energy per degree of freedom; 0.025 for points without any order
+    double agreement = 1.0;    // 0 to 1: the share of equal signs among the results of about the same energy
+    // The least energy of a result with other signs, divided by the chosen energy. Near 1, the noise decides between
+    // the two.
     double rival = std::numeric_limits<double>::infinity();
 };
 

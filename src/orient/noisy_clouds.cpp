@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Means of normals: refine_noisy() tries smooth_directions() over several widths, compares the misfit of chords, and
-// then turns places of walls to their nearer face. Means of points: means_of() makes them, and normals_by_means()
-// transfers their normals back to the points.
+// refine_noisy() tries smooth_directions() with several widths, compares the misfits of chords, and then turns places
+// of walls to the nearer face. means_of() replaces points by means, and normals_by_means() transfers the normals of the
+// means back to the points.
 #include "orient/noisy_clouds.h"
 
 #include "base/assert.h"
@@ -28,7 +28,7 @@ struct Refinement {
     const geometry::PointTree& tree;
     const VecArray& normal;
     double spacing;
-    base::Array<double> part; // for each place: its term of a sum, or a sign
+    base::Array<double> part; // for each place: a term of a sum, or a sign
 };
 
 // Returns the median spacing. Even samples of a plane have their sixth neighbour at 1.38 spacings.
@@ -113,7 +113,7 @@ struct Refinement {
     return nearest;
 }
 
-// Adds moments about `origin` to `sum`, whose moments are about zero.
+// Shifts moments about `origin` to moments about zero, and adds them to `sum`.
 void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, Moments& sum) noexcept {
     const double n = moments.count;
     const glm::dvec3& o = origin;
@@ -126,7 +126,7 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
             sum.square[k] += weight * (moments.square[k] + o[i] * s[j] + s[i] * o[j] + n * o[i] * o[j]);
 }
 
-// Returns the normal at a place p in the means' coordinates.
+// Returns the normal at a place p, which is given in the coordinates of the means.
 [[nodiscard]] glm::dvec3 normal_by_means(const Cloud& means, const base::Array<Moments>& moments,
                                          const VecArray& normal, const glm::dvec3& p) noexcept {
     std::array<std::int64_t, tuning.gathered_means> found;
@@ -148,8 +148,7 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
     }
     const glm::dvec3 plane = plane_of(sum).normal;
     const double cosine = glm::dot(plane, side);
-    // A plane at a steep angle to the mean normal belongs to the wall of another face. Only the mean normal is known
-    // then.
+    // A plane at a steep angle to the mean normal belongs to another face, so only the mean normal is used.
     if (std::abs(cosine) < tuning.plane_across) return side;
     return glm::normalize(side + std::copysign(tuning.plane_weight, cosine) * plane);
 }
@@ -222,7 +221,7 @@ VecArray normals_by_means(const base::Work& work, const Cloud& cloud, const Clou
     HRBFNPR_ASSERT(normal.size() == means.size() && means.spacing > 0.0);
     const base::Array<std::int64_t> nearest = nearest_means(work, cloud, *means.tree, means.centre, means.spacing);
     const auto place = [&](std::int64_t at) { return (cloud.point(at) - means.centre) / means.spacing; };
-    // For each mean: the moments of its points about the mean, in the means' unit.
+    // for each mean: the moments of its points about the mean, in the unit of the means
     base::Array<Moments> moments(work.memory, means.size());
     for (std::int64_t at = 0; at < cloud.size(); ++at) moments[nearest[at]].add(place(at) - means.point(nearest[at]));
     VecArray result(work.memory, cloud.size());

@@ -27,12 +27,12 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr double ridge_factor = 3.1622776601683795; // half a power of ten
+constexpr double ridge_factor = 3.1622776601683795; // half a power of ten: sqrt(10)
 
 // ---- Noise
 
 struct Noise {
-    double deviation = 0.0; // standard deviation, in spacings
+    double deviation = 0.0; // the standard deviation of the noise, in spacings
     double ridge = 0.0;     // the regularization for this noise; 0 for a clean cloud
 };
 
@@ -66,7 +66,7 @@ struct Noise {
         work.runtime().log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < tuning.settled_below) break;
     }
-    // On thin tubes, regularization loses the signs of few points, which were clear without it.
+    // Where few points lie on thin tubes, regularization loses signs that were clear without it.
     if (clear && share_alike(clean.normal, fitted.normal) < tuning.same_signs) return {};
     noise.deviation = std::sqrt(noise.ridge * fitted.energy);
     return noise;
@@ -92,8 +92,8 @@ struct Noise {
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
-// Where starts disagree, or signs change with the regularization, signs were wrong more often than not. Noise lowers
-// the confidence further, because a sheet with such noise may be a wall three standard deviations thick.
+// If starts disagree, or if signs change with the regularization, signs are more often wrong than right. Noise lowers
+// the confidence further: a noisy sheet cannot be distinguished from a wall three standard deviations thick.
 [[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
     const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
     return confidence_of(agreement, found.roughest, noise) * agreement * agreement *
@@ -229,8 +229,8 @@ void fit(const base::Work& work, const Cloud& cloud, const NeighbourLists& near,
         fit_even(work, cloud, near, noise, given, result);
 }
 
-// Replaces the cloud's points by means, in the cloud's coordinates. The means are far enough apart for their noise.
-// Sets `noise` to the noise of the means.
+// Replaces the points by means, in the coordinates of the cloud. The spacing of the means suits their noise. Sets
+// `noise` to the noise of the means.
 [[nodiscard]] Cloud reduced(const base::Work& work, const Cloud& cloud, Noise& noise) {
     Cloud means(work.memory);
     const Cloud* last = &cloud;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds the normals of a cloud. Its noise, its size, and whether its points lie along curves decide how.
+// Finds the normals of a cloud. The method depends on its noise, its size, and whether its points lie along curves.
 #pragma once
 
 #include "orient/least_energy.h"
@@ -10,7 +10,7 @@ struct CloudNormals {
     explicit CloudNormals(base::Memory& memory) noexcept : fitted(memory) {}
 
     LeastEnergy fitted;
-    double noise = 0.0; // standard deviation, in spacings
+    double noise = 0.0; // the standard deviation of the noise, in spacings
     double confidence = 0.0;
 };
 
@@ -22,8 +22,8 @@ struct CloudNormals {
 
 struct RidgeFit {
     LeastEnergy fitted;
-    double roughest = 0.0;   // the energy with the lowest regularization, which removes no noise
-    double steadiness = 1.0; // the least share of equal signs between the regularizations tried
+    double roughest = 0.0;   // the energy with the lowest regularization, which smooths no noise
+    double steadiness = 1.0; // the smallest share of equal signs between the regularizations tried
 };
 
 // Fits a noisy cloud with rising regularization: from a value that hardly affects the noise, up to `most`, the value

@@ -21,7 +21,7 @@ namespace {
 
 using geometry::VecArray;
 
-// Writes a normal for each point. Given normals that stay keep their length, and change at most their sign.
+// Writes a normal for each point. Given normals that stay keep their length; at most their sign changes.
 void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray& least, const GivenNormals& given,
                    const Judgement& judgement, Orientation& result) {
     OrientReport& report = result.report;
@@ -42,7 +42,7 @@ void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray&
             report.made += look_only ? 0 : 1;
             continue;
         }
-        // Several coinciding points may have different normals.
+        // Points that coincide may have different given normals.
         const bool against = glm::dot(own, given.normal[at]) < 0.0;
         const bool turned = (judgement.signs[at] < 0) != (against && judgement.by_place);
         result.normal.set(i, turned ? -own : own);

@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::orient {
 
-// The fields of hrbfnpr_orient_desc. Views have 3 components. There are as many normals as points, or none (the
-// boundary checks).
+// The fields are those of hrbfnpr_orient_desc. Views have 3 components. The number of normals is 0 or the number of
+// points; the boundary checks this.
 struct OrientInput {
     base::InView points;
     base::InView normals;
@@ -30,8 +30,8 @@ struct OrientReport {
     std::int64_t made = 0;
     std::int64_t merged = 0;
     double direction_change = std::numeric_limits<double>::quiet_NaN(); // degrees
-    double noise = 0.0;                                                 // caller's unit
-    double spacing = 0.0;                                               // caller's unit
+    double noise = 0.0;                                                 // in the caller's unit
+    double spacing = 0.0;                                               // in the caller's unit
     double energy = 0.0;
     double confidence = 0.0;
     bool closed = false;
@@ -43,15 +43,15 @@ struct OrientReport {
 struct Orientation {
     explicit Orientation(base::Memory& memory) noexcept : normal(memory) {}
 
-    geometry::VecArray normal; // for each given point; given normals that stay keep their bits
+    geometry::VecArray normal; // One for each given point. Given normals that stay are copied exactly.
     OrientReport report;
 };
 
 // Throws Error{invalid_argument, out_of_memory, cancelled}.
 [[nodiscard]] Orientation orient(const base::Work& work, const OrientInput& input);
 
-// Returns whether it is clear that all given normals point into a closed surface. This takes almost no time, because it
-// uses only some thousand points.
+// Returns whether all given normals clearly point into a closed surface. It uses only some thousand points, so it is
+// fast.
 [[nodiscard]] bool plainly_inward(const base::Work& work, const base::InView& points, const base::InView& normals);
 
 } // namespace hrbfnpr::orient

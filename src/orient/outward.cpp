@@ -14,11 +14,12 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr double area_share = 0.8660254037844386; // in a hexagonal lattice: area of a point over squared distance
-constexpr double sphere = 12.566370614359172;     // solid angle of a sphere
+// The area of a point divided by the squared distance of neighbours, in a hexagonal lattice.
+constexpr double area_share = 0.8660254037844386;
+constexpr double sphere = 12.566370614359172; // the solid angle of a whole sphere: 4 pi
 
-// Returns 1 if most area faces up, or faces the viewpoint if there is one, else -1. If the area faces neither up nor
-// down, for example on upright walls, z, y and x are tried in turn.
+// Returns 1 if most of the area faces up, else -1. With a viewpoint, it returns 1 if most of the area faces the
+// viewpoint. If the area faces neither up nor down, as upright walls do, it tries z, y and x in turn.
 [[nodiscard]] int side_by_rule(const Cloud& cloud, const base::Array<double>& spacing, const OutwardRule& rule,
                                const VecArray& normal) {
     glm::dvec3 area{0.0};
@@ -31,7 +32,7 @@ constexpr double sphere = 12.566370614359172;     // solid angle of a sphere
         seen += glm::dot(normal[at], rule.viewpoint - cloud.point(at)) > 0.0 ? own : -own;
     }
     if (rule.has_viewpoint) return seen >= 0.0 ? 1 : -1;
-    constexpr double across = 1e-3; // more than rounding
+    constexpr double across = 1e-3; // Larger values are more than rounding.
     for (const glm::dvec3& axis :
          {rule.up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.0)})
         if (std::abs(glm::dot(area, axis)) > across * all) return glm::dot(area, axis) > 0.0 ? 1 : -1;
@@ -52,7 +53,7 @@ MeanWinding measure_winding(const base::Work& work, const geometry::PointTree& t
                             const VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 0);
     const base::Array<double> spacing = local_spacing(work, tree, near);
-    VecArray moment(work.memory, tree.size()); // dipole moments: normals times areas
+    VecArray moment(work.memory, tree.size()); // the dipole moments: normals times areas
     for (std::int64_t at = 0; at < tree.size(); ++at)
         moment.set(at, area_share * spacing[at] * spacing[at] * normal[at]);
     const auto winding_number = [&](const glm::dvec3& p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds which side of a cloud is outside, by the winding numbers of a closed surface, which are 0 outside and 1 inside.
+// Finds which side of a cloud is outside. The winding number of a closed surface is 0 outside and 1 inside.
 #pragma once
 
 #include "orient/cloud.h"
@@ -9,12 +9,13 @@ namespace hrbfnpr::orient {
 struct MeanWinding {
     // Mean |winding number| at places a little way along the normals: 0 if the normals point out of a closed surface.
     double along = 0.5;
-    double against = 0.5; // mean |winding number| at places a little way against the normals
+    double against = 0.5; // the mean |winding number| at places a short way in the opposite direction
 
     [[nodiscard]] bool closed() const noexcept;
-    // Whether the surface is closed, by the wider limit for the few hundred first places of a cloud of curves.
+    // Returns whether the surface is closed, with the wider limit that is used for the few hundred first places of a
+    // cloud of curves.
     [[nodiscard]] bool nearly_closed() const noexcept;
-    // 1: the normals point outward, -1: inward, 0: both sides look the same.
+    // Returns 1 if the normals point outward, -1 if they point inward, and 0 if both sides look the same.
     [[nodiscard]] int outward() const noexcept;
 };
 
@@ -23,12 +24,12 @@ struct MeanWinding {
 [[nodiscard]] MeanWinding measure_winding(const base::Work& work, const geometry::PointTree& tree,
                                           const NeighbourLists& near, const geometry::VecArray& normal);
 
-// The values are those of the HRBFNPR_OUTWARD_ constants in hrbfnpr.h.
+// The values equal the HRBFNPR_OUTWARD_ constants of hrbfnpr.h.
 enum class OutwardBy : std::uint32_t { inside = 0, up = 1, viewpoint = 2, as_given = 3 };
 
 struct OutwardRule {
     glm::dvec3 up{0.0, 0.0, 1.0};
-    glm::dvec3 viewpoint{0.0}; // in the cloud's coordinates
+    glm::dvec3 viewpoint{0.0}; // in the coordinates of the cloud
     bool has_viewpoint = false;
 };
 

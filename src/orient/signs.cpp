@@ -49,7 +49,7 @@ struct ClusterSums {
 
     base::Array<double> sum;
     base::Array<std::uint8_t> is_there;
-    base::Array<std::int32_t> names; // in the order of their first add()
+    base::Array<std::int32_t> names; // in the order in which they were first added
 };
 
 using Vec4 = std::array<double, 4>;
@@ -57,7 +57,7 @@ using Vec4 = std::array<double, 4>;
 // For each level, from fine to coarse: the name of each place's cluster, which is the first place in it.
 using Levels = std::vector<base::Array<std::int32_t>>;
 
-// The terms of the energy for given directions.
+// The terms of the energy for directions that are given and signs that are not.
 struct SignTerms {
     SignTerms(const base::Work& work, const fit::HermiteEnergy& energy, const geometry::VecArray& normal)
         : runtime(work), terms(energy.terms(normal, work)), blocks(terms.blocks), size(energy.size()),
@@ -76,7 +76,7 @@ struct SignTerms {
     void for_elements(std::int64_t term, Visit&& visit) const {
         for (std::int64_t e = term * blocks.set_size; e < (term + 1) * blocks.set_size; ++e) visit(e);
     }
-    // Returns the part of the dense term that a sample adds with the sign +1.
+    // Returns the contribution of a sample to the dense term, if its sign is +1.
     [[nodiscard]] const double* dense_part(std::int64_t sample) const noexcept {
         return terms.coarse_add.data() + sample * blocks.coarse_columns;
     }
@@ -85,14 +85,14 @@ struct SignTerms {
     fit::HermiteEnergy::Terms terms;
     fit::Preconditioner::Blocks blocks;
     std::int64_t size;
-    base::Array<std::int64_t> dense; // for each place: 1 + its index in the dense term, or 0
+    base::Array<std::int64_t> dense; // for each place: 1 + its index in the dense term, or 0 if it is not in the term
 };
 
-// Joins places, two clusters at a time. Partners are each other's nearest by |coupling| / sqrt(self energies), and join
-// with the sign that lowers the energy. The couplings of joined clusters add up. The first level, if there is one,
-// holds the clusters to start from, and `signs` the signs in them.
+// Joins clusters of places in pairs. Partners are each other's nearest cluster, measured by |coupling| / sqrt(self
+// energies), and join with the signs that lower the energy. Their couplings are added. If the first level is given, it
+// holds the initial clusters, and `signs` holds the signs inside them.
 //
-// Clusters are linked lists of their members. A term whose members are all in one cluster is over: it is skipped.
+// Clusters are linked lists of their members. A term whose members are all in one cluster is finished and is skipped.
 class Agglomeration {
 public:
     Agglomeration(const SignTerms& energy, Levels& levels, Signs& signs, const base::Progress& progress)
@@ -122,7 +122,7 @@ public:
             mark_finished_terms();
             for_names([&](std::int32_t name) { partner_[name] = find_partner(name); });
             join_partners();
-            if (names_.size() == before) break; // no two clusters are coupled
+            if (names_.size() == before) break; // No two clusters are coupled any more.
             if (static_cast<double>(names_.size()) > tuning.kept_share * static_cast<double>(kept)) continue;
             kept = names_.size();
             levels_.emplace_back(memory_, size_);
@@ -132,7 +132,7 @@ public:
 
 private:
     struct Partner {
-        std::int32_t name = -1; // -1: no cluster is coupled to this one
+        std::int32_t name = -1; // -1 if no cluster is coupled to this one
         double coupling = 0.0;
         double strength = -1.0; // |coupling| divided by the root of the product of both self energies
     };
@@ -156,7 +156,7 @@ private:
         last_[to] = last_[other];
     }
 
-    // Calls visit(term) once for each term that has a member of the cluster and is not over.
+    // Calls visit(term) once for each unfinished term that has a member in the cluster.
     template <class Visit>
     void for_terms(std::int32_t name, Visit&& visit) const {
         for (std::int32_t at = name; at >= 0; at = next_[at])
@@ -169,8 +169,8 @@ private:
                 if (first == element) visit(term);
             }
     }
-    // Calls visit(name of the second's cluster, product) for the pairs of the dense term whose first place is in the
-    // cluster.
+    // For all pairs of the dense term whose first place is in the cluster, calls visit(name, product). `name` is the
+    // cluster of the second place.
     template <class Visit>
     void for_dense(std::int32_t name, Visit&& visit) const {
         for (std::int32_t at = name; at >= 0; at = next_[at])
@@ -240,8 +240,8 @@ private:
         return best;
     }
 
-    // Joins clusters that are each other's partner. It also joins other clusters whose coupling leaves little doubt,
-    // and small clusters with a large one. Otherwise these would have to wait for many rounds.
+    // Joins clusters that are each other's partner. To save rounds, it also joins clusters with a coupling that leaves
+    // little doubt, and small clusters with a large one.
     void join_partners() {
         for (const std::int32_t name : names_) joined_[name] = {name, false};
         for (const bool mutual_ones : {true, false})
@@ -267,7 +267,7 @@ private:
         return result;
     }
 
-    // partner.coupling belongs to the signs at the beginning of the round.
+    // partner.coupling was computed with the signs at the beginning of the round.
     void join(std::int32_t one, const Partner& partner) noexcept {
         ClusterLink a = root_of(one);
         ClusterLink b = root_of(partner.name);
@@ -292,9 +292,10 @@ private:
     Signs& signs_;
     const base::Progress& progress_;
     base::Array<std::int32_t> cluster_; // for each place: the name of its cluster
-    base::Array<std::int32_t> next_;    // for each place: the next member; -1: it is the last
-    base::Array<std::int32_t> last_;    // last member, by the name of the cluster, like the four arrays below
-    base::Array<double> self_;          // energy of the cluster's members alone
+    base::Array<std::int32_t> next_;    // for each place: the next member of its cluster, or -1 for the last
+    // The last member of each cluster; this and the four arrays below are indexed by the name of the cluster.
+    base::Array<std::int32_t> last_;
+    base::Array<double> self_; // the energy of the members of a cluster without the others
     base::Array<Partner> partner_;
     base::Array<std::int64_t> count_; // number of members
     base::Array<ClusterLink> joined_;
@@ -328,7 +329,7 @@ public:
         return sum;
     }
 
-    // Turns the members if that lowers the energy by more than rounding.
+    // Turns the places in `members` if that lowers the energy by more than rounding.
     bool turn(std::span<const std::int32_t> members) {
         ++visit_;
         terms_.clear();
@@ -340,7 +341,7 @@ public:
             add_dense(energy_.dense[at] - 1, dense_part_);
             dense = true;
         }
-        const auto for_numbers = [&](auto&& visit) { // visit(the members' part, total)
+        const auto for_numbers = [&](auto&& visit) { // visit(the contribution of `members`, the total)
             for (const std::int32_t term : terms_)
                 for (std::int64_t c = 4 * std::int64_t{term}; c < 4 * (std::int64_t{term} + 1); ++c)
                     visit(part_[c], total_[c]);
@@ -383,12 +384,12 @@ private:
     base::Array<double> dense_total_;
     base::Array<double> dense_part_;
     base::Array<std::int64_t> seen_;  // for each term: the number of the last visit that reached it
-    base::Array<std::int32_t> terms_; // the terms that have one of the members
-    base::Array<double> part_;        // for each term in `terms_`: the members' part
+    base::Array<std::int32_t> terms_; // the terms to which the places in `members` contribute
+    base::Array<double> part_;        // for each term in `terms_`: the contribution of `members`
     std::int64_t visit_ = 0;
 };
 
-// Turns clusters, from coarse to fine, and then single places, wherever that lowers the energy. Returns the energy.
+// Turns whole clusters, from coarse to fine, and then single places, if that lowers the energy. Returns the energy.
 double improve(const SignTerms& energy, const Levels& levels, Signs& signs, const base::Progress& progress) {
     SignFlipper turning(energy, signs, progress);
     base::Array<std::int32_t> order(energy.runtime.memory, energy.size);

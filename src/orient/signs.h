@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The solver of signs. It chooses for each direction which of its two ways it points, by the energy of all together.
+// Solves for signs: it chooses for each direction one of its two senses, so that the total energy is low.
 //
-// Places join into clusters along the strongest couplings of the energy. Then clusters, from coarse to fine, and single
-// places are turned wherever that lowers the energy.
+// It joins places into clusters along the strongest couplings of the energy. Then it turns whole clusters, from coarse
+// to fine, and single places, if that lowers the energy.
 #pragma once
 
 #include "base/work.h"

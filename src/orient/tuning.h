@@ -17,24 +17,24 @@ struct OrientTuning {
     double merged = 0.01;
     // Number of neighbours found for each place. Larger: directions are means over more of the surface.
     std::int64_t most_neighbours = 32;
-    // Places are in one component if one is among the `linked` nearest neighbours of the other and at most
-    // `link_length` local spacings away. Larger: solids that are close count as one component.
+    // Two places are connected if one is among the `linked` nearest neighbours of the other and at most `link_length`
+    // local spacings away. Larger: solids close to each other count as one component.
     std::int64_t linked = 8;
     double link_length = 3.0;
-    // The first level of points along curves has this many points to twice as many, all over the surface. Larger: the
-    // level may show single curves.
+    // For points along curves, the first level has from this number of points up to twice as many, spread over the
+    // whole surface. Larger: the level may show single curves.
     std::int64_t fewest_all_over = 64;
 
     // ---- Effort
 
-    // Clouds of at most this many points get all starts, and are not replaced by means. Larger: more time.
+    // Clouds of at most this many points get all starts and are not replaced by means. Larger: more time.
     std::int64_t few_points = 6000;
     // Larger clouds get one start. Larger: more time.
     std::int64_t many_points = 150000;
-    // In larger clouds the solver of signs starts from patches. Larger: more time.
+    // In clouds with more points than this, the search for signs starts from patches. Larger: more time.
     std::int64_t many_places = 100000;
-    // Each place is conditioned on `neighbours` others, or on `neighbours_of_few` if there are fewer than `few_places`
-    // places. Larger: the sparse energy is nearer to the true one, and takes more time.
+    // In the sparse energy, each place depends on `neighbours` others, or on `neighbours_of_few` if there are fewer
+    // than `few_places` places. Larger: the sparse energy is nearer to the true one, and takes more time.
     std::int32_t neighbours = 16;
     std::int32_t neighbours_of_few = 32;
     std::int64_t few_places = 1000;
@@ -42,22 +42,21 @@ struct OrientTuning {
     // ---- Signs
 
     // Clusters that are not each other's partner join, too, if their coupling is above `sure_strength` times its upper
-    // bound. In clouds of more than `careful` places they also join if one has more than `large` times the members of
-    // the other. Smaller: fewer rounds, but more joins must be undone.
+    // bound. In clouds of more than `careful` places, a cluster also joins one with more than `large` times its number
+    // of members. Smaller: fewer rounds, but more joins must be undone.
     double sure_strength = 0.5;
     std::int64_t large = 4;
     std::int64_t careful = 2000;
-    // A level of clusters is kept if it has at most this share of the clusters of the level kept before. Larger: more
-    // levels.
+    // A level of clusters is kept if it has at most this share of the clusters of the last level that was kept. Larger:
+    // more levels.
     double kept_share = 0.3;
-    // At most `most_sweeps` sweeps turn clusters. A cluster is turned if that gains more than `least_gain` times its
-    // own energy, which is more than rounding.
+    // At most `most_sweeps` sweeps turn clusters. A cluster is turned if the energy falls by more than `least_gain`
+    // times the energy of the cluster alone. Smaller falls are rounding.
     int most_sweeps = 4;
     double least_gain = 1e-6;
-    // A patch is a place together with some of its `patch_neighbours` nearest neighbours. It takes neighbours whose
-    // normals have at least the |cosine| `patch_alike` with the place's normal, and whose chord makes an angle of at
-    // most the sine `patch_beside` with both tangent planes. Larger sine or smaller cosine: patches may reach over
-    // edges.
+    // A patch is a place with some of its `patch_neighbours` nearest neighbours. A neighbour belongs to it if the
+    // |cosine| of the normals is at least `patch_alike`, and the sine of the angle between the chord and each tangent
+    // plane is at most `patch_beside`. Larger sine or smaller cosine: patches may reach over edges.
     std::int64_t patch_neighbours = 8;
     double patch_alike = 0.9;
     double patch_beside = 0.35;
@@ -79,13 +78,13 @@ struct OrientTuning {
 
     // ---- Starts
 
-    // No more starts are made when two starts have reached the same result, unless another result has less energy by
-    // more than this share. Larger: fewer starts.
+    // No more starts are made after two starts reach the same result, unless another result has an energy lower by more
+    // than this share. Larger: fewer starts.
     double same_energy = 0.03;
-    // The weight of a start in the agreement falls by a factor of e if its energy is higher by this share. Larger:
-    // failed starts cost more confidence.
+    // In the agreement, the weight of a result falls by a factor of e if its energy is higher by this share. Larger:
+    // bad results cost more confidence.
     double unlikely_energy = 0.15;
-    // A start is a rival of the chosen one if its share of equal signs is below this.
+    // A result is a rival of the chosen one if less than this share of their signs is equal.
     double other_signs = 0.95;
 
     // ---- Noise
@@ -93,10 +92,10 @@ struct OrientTuning {
     // Clean clouds have energies of 1e-7 (smooth) to 0.006 (sharp edges), noisy clouds above 0.018, points without any
     // order 0.026. Clouds below this energy are clean.
     double clean_below = 0.012;
-    // Clean clouds that are much too sparse for their details may have more energy, too. The best other choice of signs
-    // has more energy than the chosen one by at least the factor `noisy_rival`. Such a cloud is clean if its energy is
-    // above `no_order_above`, or if regularization leaves less than the share `same_signs` of its signs unchanged.
-    // Larger: more clouds count as noisy.
+    // Clean clouds that are too sparse for their details may have a higher energy. Such a cloud still counts as clean
+    // under two conditions. First, every other choice of signs has an energy higher by the factor `noisy_rival`.
+    // Second, the energy is above `no_order_above`, or regularization changes so many signs that a share below
+    // `same_signs` stays. Larger: more clouds count as noisy.
     double no_order_above = 0.02;
     double noisy_rival = 1.05;
     double same_signs = 0.9;
@@ -107,7 +106,7 @@ struct OrientTuning {
     int most_ridges = 11;
     double settled_below = 0.0025;
     // Clouds of fewer than `fewest_to_measure` points count as clean, because their noise cannot be measured. Clouds of
-    // fewer than `few_to_measure` points get all starts, because three may miss a rival. Clouds of more than two
+    // fewer than `few_to_measure` points get all starts, because three starts may miss a rival. Clouds of more than two
     // patches are measured at three patches of `patch_size` places.
     std::int64_t fewest_to_measure = 48;
     std::int64_t few_to_measure = 1500;
@@ -115,48 +114,47 @@ struct OrientTuning {
 
     // ---- A rising ridge
 
-    // Noisy clouds of up to this many points are fitted with rising regularization. Larger: more time.
+    // Noisy clouds of at most this many points are fitted with rising regularization. Larger: more time.
     std::int64_t few_for_path = 2000;
     // The regularization is high enough for the signs if the energy is below `trusted_below`, and high enough for the
     // directions if the energy is below `path_settled`.
     double trusted_below = 0.0095;
     double path_settled = 0.004;
-    // A higher regularization is rejected if it keeps at most this share of the signs. Larger: walls stay apart, more
-    // noise is left.
+    // A higher regularization is rejected if at most this share of the signs stays the same. Larger: walls stay apart,
+    // more noise is left.
     double path_same_signs = 0.97;
-    // The directions are then averaged by a Gaussian of this standard deviation, in spacings. Larger: smoother, edges
-    // are rounder.
+    // After the fit, directions are averaged by a Gaussian of this standard deviation, in spacings. Larger: smoother,
+    // rounder edges.
     double smoothed_over = 1.5;
 
     // ---- Means of directions
 
-    // Noisy clouds of fewer points are not refined: they are no larger than the area of one mean.
+    // Smaller noisy clouds are not refined, because one mean would cover all of their area.
     std::int64_t fewest_to_refine = 400;
-    // A mean direction takes at most this many nearest neighbours. Its width is chosen from `least_mean_over` to
+    // A mean direction uses at most this many nearest neighbours. Its width is from `least_mean_over` to
     // `most_mean_over` spacings, in steps of `mean_over_step`.
     std::int64_t mean_direction_neighbours = 60;
     double least_mean_over = 1.0;
     double most_mean_over = 3.0;
     double mean_over_step = 0.5;
-    // A chord connects two mean places, of at most `mean_place_neighbours` nearest places and the width
-    // `mean_place_over`. The places are from `chords_from` to `chords_to` spacings apart, and their normals have at
-    // least the cosine `same_face`: they are on one face.
+    // The ends of a chord are means of at most `mean_place_neighbours` nearest places, with the width
+    // `mean_place_over`. The ends are `chords_from` to `chords_to` spacings apart. The cosine of their normals is at
+    // least `same_face`, so both are on one face.
     std::int64_t mean_place_neighbours = 40;
     double mean_place_over = 1.5;
     double chords_from = 2.0;
     double chords_to = 4.0;
     double same_face = 0.5;
-    // On a smooth surface, means have 0.43 to 0.93 of the misfit without means. At edges and tips, which means round
-    // off, they have only a little less. Means are taken if their misfit is below this share. Larger: more edges are
-    // rounded.
+    // Means are used if their misfit is below this share of the misfit without means. On smooth surfaces the share is
+    // 0.43 to 0.93; at edges and tips, which means round off, it is nearly 1. Larger: more edges are rounded.
     double plainly_better = 0.95;
-    // If the best width is at least `smooth_enough` spacings, places of a wall get the direction of its nearer face, in
+    // If the best width is at least `smooth_enough` spacings, places of a wall get the direction of the nearer face, in
     // `face_rounds` rounds.
     double smooth_enough = 2.0;
     int face_rounds = 3;
-    // The own face of a place consists of the places within `faces_within` spacings whose normals have at least the
-    // |cosine| `along_face` with the place's normal. Weights fall by a factor of e over `faces_over` spacings. The
-    // weights of the other face must sum to more than `least_other_face`.
+    // The face of a place consists of the places within `faces_within` spacings whose normals have at least the
+    // |cosine| `along_face` with its normal. Weights fall by a factor of e over `faces_over` spacings. The weights of
+    // the other face must sum to more than `least_other_face`.
     double faces_within = 3.0;
     double faces_over = 1.5;
     double along_face = 0.3;
@@ -168,107 +166,109 @@ struct OrientTuning {
     // Larger: wrong signs of scans; smaller: less detail.
     double noisiest = 0.55;
     int most_reductions = 3;
-    // The means are this many standard deviations of the noise apart: nearer means would form layers because of the
-    // noise. There are at least `fewest_means` of them.
+    // The means are this many standard deviations of the noise apart, because noise would spread denser means over
+    // several layers. There are at least `fewest_means` of them.
     double means_apart = 2.0;
     std::int64_t fewest_means = 500;
-    // The normals of the `blended_means` nearest means tell to which side a place's normal points. The points of the
-    // `gathered_means` nearest ones give its plane, weighted by a Gaussian of the standard deviation `means_reach`, in
-    // spacings of the means. Larger: smoother.
+    // The normals of the `blended_means` nearest means decide on which side a place's normal points. The plane of the
+    // place comes from the points of the `gathered_means` nearest means, weighted by a Gaussian of the standard
+    // deviation `means_reach`, in spacings of the means. Larger: smoother.
     std::size_t blended_means = 4;
     std::size_t gathered_means = 48;
     double means_reach = 2.0;
-    // A plane is left out if the |cosine| between its normal and the mean normal of the place is below `plane_across`:
-    // it belongs to the wall of another face. The normals of other planes are added to the mean normal with the weight
+    // A plane is left out if the |cosine| of its normal and the mean normal of the place is below `plane_across`,
+    // because it belongs to another face. Other planes add their normals to the mean normal with the weight
     // `plane_weight`.
     double plane_across = 0.5;
     double plane_weight = 2.0;
 
     // ---- Points along curves
 
-    // Without noise, twice as many points along curves have at most 0.8 of the energy. So the normals of a coarser
-    // cloud stay if its energy is below this multiple of the energy of all points. Larger: detail is lost.
+    // The normals of a coarser cloud stay if its energy is below this multiple of the energy of all points. Without
+    // noise, the energy of points along curves falls to at most 0.8 when their number doubles. Larger: detail is lost.
     double falling = 1.2;
-    // Then another level with less energy replaces it if more than this share of the signs is the same.
+    // A level of less energy then replaces that cloud if more than this share of the signs is equal.
     double signs_of_level = 0.97;
 
     // ---- Confidence
 
-    // Below this confidence a warning is logged, and given normals stay unless they themselves look wrong.
+    // Below this confidence a warning is logged, and given normals stay unless they look wrong without the least
+    // energy.
     double doubtful = 0.5;
     // At this energy the points have no order, and the confidence is 0.
     double no_order = 0.03;
-    // Confidence falls by a factor of e for this share of signs that change with the regularization.
+    // The confidence falls by a factor of e if this share of the signs changes with the regularization.
     double unsteady = 0.03;
-    // Signs should stay the same if the regularization is multiplied by this factor.
+    // Signs should not change if the regularization is multiplied by this factor.
     double softer = 0.125;
 
     // ---- The outside
 
-    // Winding numbers are measured at `probe_step` local spacings along and against the normals of `probes` places:
-    // near enough for thin walls not to matter outside, and far enough for the dipoles to look like a surface.
+    // Winding numbers are measured at `probes` places, `probe_step` local spacings along and against the normals. The
+    // step is short enough for thin walls, and long enough for dipoles to look like a surface.
     std::int64_t probes = 192;
     double probe_step = 1.5;
-    // A surface is closed if the mean |winding number| on one side is below `closed_below`. The first places of a cloud
-    // of curves, some hundred, are less exact: for them the limit is `nearly_closed_below`.
+    // A surface is closed if the mean |winding number| on one side is below `closed_below`. The few hundred first
+    // places of a cloud of curves are less exact, so their limit is `nearly_closed_below`.
     double closed_below = 0.035;
     double nearly_closed_below = 0.12;
-    // The sides are told apart if their mean |winding numbers| differ by more than this.
+    // The sides differ clearly if their mean |winding numbers| differ by more than this.
     double told_apart = 0.2;
     // plainly_inward() uses at most this many points.
     std::int64_t most_compared = 4096;
 
     // ---- Given normals
 
-    // Given vectors are normals if the median |cosine| with the normals of least energy is at least this. The median of
-    // colours is 0.5.
+    // Given vectors are normals if the median |cosine| with the normals of least energy is at least this. For colours,
+    // the median is about 0.5.
     double meaningful = 0.75;
-    // Where the least energy is certain, at most this share of correct normals has a |cosine| with it below 0.5.
+    // If the least energy is certain, at most this share of correct normals has a |cosine| below 0.5 with the normals
+    // of least energy.
     double senseless = 0.2;
-    // The signs are all alike if at least this share agrees, or disagrees, with the least energy. Otherwise they are
+    // The signs count as uniform if at least this share agrees, or disagrees, with the least energy. Otherwise they are
     // mixed.
     double all_alike = 0.99;
-    // The signs are random if less than this share of pairs agree, each place paired with its `beside` nearest
+    // The signs are random if less than this share of pairs agrees. Each place forms pairs with its `beside` nearest
     // neighbours.
     double tossed = 0.75;
     std::int64_t beside = 8;
     // A patch is turned only if its mean |cosine| with the normals of least energy is above this.
     double distinct = 0.5;
-    // Around patches that were turned, the normals of neighbours on a sheet are opposite: their mean cosine is -0.97 or
-    // below. Around walls too thin for the noise, where the least energy is wrong and the normals are right, it is -0.2
-    // to -0.8.
+    // Around patches that were turned, the mean cosine of neighbouring normals on a sheet is below this: they are
+    // opposite. Where the least energy is wrong, because walls are too thin for the noise, the mean is only -0.2 to
+    // -0.8.
     double torn = -0.9;
-    // If the least energy is doubtful, neighbours that point opposite ways may be the two sides of walls. They are if
-    // the share of them that lies behind the place differs by more than this from the share in front of it. Random
-    // signs give equal shares. Larger: fewer walls are seen.
+    // If the least energy is doubtful, opposite neighbours may be the two sides of a wall. They are if the share of
+    // them at the back of the place differs by more than this from the share at its front. Random signs give equal
+    // shares. Larger: fewer walls are found.
     double walls = 0.3;
 };
 inline constexpr OrientTuning tuning;
 
 struct DepthTuning {
-    // Input counts as a depth image if at least `least_seen` pixels have a point, and if x / z is correlated with the
-    // column, and y / z with the row, by more than `in_line`.
+    // The input is a depth image if at least `least_seen` pixels have a point, and the correlations of x / z with the
+    // column and of y / z with the row exceed `in_line`.
     std::int64_t least_seen = 64;
     double in_line = 0.99;
-    // A disc has this radius, in pixels, where one standard deviation of depth is as wide as a pixel, and grows with
-    // its square root. Larger: smoother, and flatter where the surface is curved.
+    // The radius of a disc, in pixels, where one standard deviation of depth equals the width of a pixel. It grows with
+    // the square root of the deviation. Larger: smoother, and flatter where the surface is curved.
     double widening = 12.0;
-    // A camera has depth steps if there are at least this many pixels, on average, for each value of 1 / z.
+    // A camera has depth steps if, on average, at least this many pixels share each value of 1 / z.
     std::int64_t same_steps = 8;
     // The error of a small plane counts as at least `rounding` times 1 / z, because most images are in single
-    // precision, and at most `most_curved` times 1 / z, unless the noise is larger. Larger: more is smoothed over an
-    // edge.
+    // precision. It counts as at most `most_curved` times 1 / z, unless the noise is larger. Larger: more is smoothed
+    // over an edge.
     double rounding = 1e-6;
     double most_curved = 5e-3;
-    // Pixels farther off the plane than this lie beyond an edge, in standard deviations of the noise. For a camera with
-    // depth steps this is 2.5 steps. Larger: edges are rounder, fewer points are left out.
+    // Pixels farther off the plane than this, in standard deviations of the noise, lie beyond an edge. For a camera
+    // with depth steps, this is 2.5 steps. Larger: edges are rounder, fewer points are left out.
     double gate = 6.5;
-    // A plane is fitted `plane_rounds` times. A fit fails if the pixels that are left have less than the share
-    // `least_part` of the disc's weight.
+    // A plane is fitted `plane_rounds` times. A fit fails if the remaining pixels have less than the share `least_part`
+    // of the disc's weight.
     int plane_rounds = 2;
     double least_part = 0.1;
-    // Discs of up to this radius, in pixels, have all their pixels. Larger discs have `rings` rings, the first of 6
-    // pixels and each next one of 6 more. Larger: more time.
+    // Discs of up to this radius, in pixels, use all their pixels. Larger discs use `rings` rings: the first has 6
+    // pixels, and each further ring 6 more. Larger: more time.
     std::int32_t all_pixels_up_to = 5;
     int rings = 6;
     // The weight of a pixel at a disc's rim; it is 1 in the middle.
