@@ -94,8 +94,8 @@ struct OrientTuning {
     double clean_below = 0.012;
     // Clean clouds that are too sparse for their details may have a higher energy. Such a cloud still counts as clean
     // under two conditions. First, every other choice of signs has an energy higher by the factor `noisy_rival`.
-    // Second, the energy is above `no_order_above`, or regularization changes so many signs that a share below
-    // `same_signs` stays. Larger: more clouds count as noisy.
+    // Second, the energy is above `no_order_above`, or regularization leaves less than the share `same_signs` of the
+    // signs unchanged. Larger: more clouds count as noisy.
     double no_order_above = 0.02;
     double noisy_rival = 1.05;
     double same_signs = 0.9;

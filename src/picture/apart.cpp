@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// find_groups() labels the faces by connected parts, where only edges of exactly two faces connect. It joins all closed
-// parts, and all open parts that share a seam. It finds the pairs of parts that are near each other, and gives near
-// parts different groups.
+// find_groups() labels the connected parts of a mesh: two faces are connected if they share an edge and no third face
+// has it. It joins all closed parts, and open parts that share a seam. Then it finds parts that are near each other,
+// and puts them into different groups.
 #include "picture/apart.h"
 
 #include "api/mesh.h"
@@ -97,7 +97,7 @@ struct CellPlace {
 };
 
 std::int64_t cell_number(double x) noexcept {
-    constexpr double limit = 9e18; // fits in 64 bits
+    constexpr double limit = 9e18; // The largest number of cells that fits in 64 bits.
     const double lower = std::floor(x);
     return std::abs(lower) < limit ? static_cast<std::int64_t>(lower) : std::numeric_limits<std::int64_t>::min();
 }
@@ -127,7 +127,7 @@ void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& 
     }
 }
 
-// A symmetric relation that tells which two parts are a pair.
+// A set of pairs of parts. The order of a pair does not matter.
 class PairsOfParts {
 public:
     PairsOfParts(std::int64_t count, Pool& pool)
@@ -153,7 +153,7 @@ void list_parts(std::span<const CellPlace> cell, const PlacesOnParts& places, Ve
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
 }
 
-// Spreads random places over all faces, in proportion to their areas and at least one on each face.
+// Spreads random places over all faces: at least one on each face, and more on larger faces.
 PlacesOnParts spread_places(const Points& points, const Vector<Triangle>& faces, const Vector<double>& areas,
                             const Labels& labels, Pool& pool) {
     constexpr std::uint64_t seed = 1;
@@ -176,8 +176,7 @@ PlacesOnParts spread_places(const Points& points, const Vector<Triangle>& faces,
     return places;
 }
 
-// Returns the pairs of parts that come nearer to each other than `reach`. The grid may add pairs that are up to 3.5
-// times as far apart.
+// Returns the pairs of parts that are closer than `reach`. Pairs up to 3.5 times as far apart may be included.
 PairsOfParts near_parts(const PlacesOnParts& places, std::int64_t count, double reach, Pool& pool) {
     PairsOfParts near(count, pool);
     Vector<std::int64_t> parts(&pool);
@@ -203,7 +202,7 @@ struct BorderPlaces {
 
 struct BorderEdge {
     std::size_t edge;
-    std::size_t face; // The first face that has this edge.
+    std::size_t face; // The first face that has the edge.
 };
 
 Vector<BorderEdge> border_edges(const FaceEdges& edges, Pool& pool) {
@@ -259,7 +258,7 @@ void add_border_neighbours(std::span<const CellPlace> cell, const BorderPlaces& 
     }
 }
 
-// Returns the pairs of parts that continue each other along their borders. Such parts are one surface that was cut.
+// Returns the pairs of parts whose borders have a common seam. Such parts are one surface that was cut.
 Vector<Pair> seams_between(const BorderPlaces& places, std::int64_t count, double reach, Pool& pool) {
     Vector<double> border(static_cast<std::size_t>(count), 0.0, &pool); // The border length of each part.
     for (std::size_t i = 0; i < places.weight.size(); ++i)
@@ -284,7 +283,7 @@ Vector<Pair> seams_between(const BorderPlaces& places, std::int64_t count, doubl
 
 // ---- Groups
 
-// Joins all closed parts, because closed parts that cross are solids.
+// Joins all closed parts. Closed parts that cross are solids, and one function can represent their union.
 void join_solids(const Vector<BorderEdge>& border, const Labels& labels, Vector<Pair>& joined, Pool& pool) {
     Vector<std::uint8_t> is_open(static_cast<std::size_t>(labels.count), 0, &pool);
     for (const BorderEdge& one : border) is_open[label_at(labels, one.face)] = 1;
@@ -397,7 +396,7 @@ LostParts find_lost_parts(const Mesh& mesh, Pool& pool) {
     const Vector<std::int32_t> part = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_COMPONENT, pool);
     const auto part_of = [&](std::size_t face) { return static_cast<std::size_t>(part[face]); };
     const std::size_t parts = static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1;
-    Vector<double> area(parts, 0.0, &pool); // A part that was left out has the area 0.
+    Vector<double> area(parts, 0.0, &pool); // Parts that are left out have the area 0.
     for (std::size_t f = 0; f < faces.size(); ++f) area[part_of(f)] += glm::length(doubled_area_of(points, faces[f]));
     const double whole = sum_in_pairs(area);
     Vector<std::uint8_t> is_crumb(&pool);

@@ -14,18 +14,18 @@
 
 namespace hrbfnpr::picture {
 
-using FaceNumbers = Vector<std::int64_t>; // ascending
+using FaceNumbers = Vector<std::int64_t>; // face numbers in ascending order
 
 struct FaceGroups {
-    Vector<FaceNumbers> groups; // The group with the largest area comes first.
-    std::int64_t parts = 0;     // The groups have this many parts together.
+    Vector<FaceNumbers> groups; // The groups, beginning with the group of the largest area.
+    std::int64_t parts = 0;     // The number of parts in all groups.
 };
 
 // Groups the faces of an open mesh so that no two parts of a group are near each other. Returns nullopt if one group is
 // enough.
 [[nodiscard]] std::optional<FaceGroups> find_groups(const Mesh& mesh, Pool& pool);
 
-// Finds flaps: small parts that hang on an edge of a larger part. Modelling programs sometimes leave them.
+// Finds flaps: small parts that touch a larger part only along an edge. Modelling programs sometimes leave them.
 [[nodiscard]] FaceNumbers find_flaps(const Mesh& mesh, Pool& pool);
 
 struct LostParts {
@@ -33,7 +33,7 @@ struct LostParts {
     std::int64_t parts = 0;
 };
 
-// Finds lost parts: parts of almost no area that are far from the rest. Without them, the mesh is much smaller.
+// Finds lost parts: tiny parts that are far from the rest and make the bounds of the mesh much larger.
 [[nodiscard]] LostParts find_lost_parts(const Mesh& mesh, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -43,10 +43,10 @@ bool has_invisible_ink(const hrbfnpr_style& style) {
 
 // Returns the share of the picture that differs from the paper.
 double share_of_ink(const Drawing& drawing, const hrbfnpr_camera& camera, const hrbfnpr_style& style, Pool& pool) {
-    constexpr double most_pixels = 32768.0; // The limit of each side.
+    constexpr double most_pixels = 32768.0; // The largest width and height, in pixels.
     const double width = std::min(std::ceil(camera.viewport[0] + camera.viewport[2]), most_pixels);
     const double height = std::min(std::ceil(camera.viewport[1] + camera.viewport[3]), most_pixels);
-    if (!(width >= 1.0 && height >= 1.0)) return 0.0; // the viewport ends left of the image, or above it
+    if (!(width >= 1.0 && height >= 1.0)) return 0.0; // The viewport has no pixel inside the image.
     auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
     image.format = HRBFNPR_FORMAT_RGBA8;
     image.width = static_cast<std::int32_t>(width);
@@ -115,7 +115,7 @@ String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds
                              static_cast<long long>(info.front + info.silhouette)));
         reasons += is_flipped ? "leave out {flip!}" : "{flip!} turns them";
     }
-    const double toned = facing - static_cast<double>(info.dropped_tone); // marks that the tone asks for
+    const double toned = facing - static_cast<double>(info.dropped_tone); // the number of marks that the tone asks for
     const bool by_depth = takes_most(info.dropped_depth, toned);
     const bool by_zoom = takes_most(info.dropped_zoom, toned);
     if (takes_most(info.dropped_tone, facing) && reasons.empty() && !by_depth && !by_zoom)

@@ -18,9 +18,9 @@ struct Blank {
     String text;        // The reason and the remedy, in the notation that in_words() takes.
 };
 
-// Tells why hardly anything of a drawing can be seen. Returns nullopt if enough can be seen. `bounds` is the box of
-// everything that is drawn. `camera` and `style` belong to the drawing. `is_flipped` tells whether the caller had
-// all normals turned.
+// Tells why a drawing is nearly blank, or returns nullopt if enough of it can be seen. `bounds` is the box of
+// everything that is drawn. `camera` and `style` belong to the drawing. `is_flipped` is true if the caller asked to
+// turn all normals.
 [[nodiscard]] std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& bounds,
                                              const hrbfnpr_camera& camera, const hrbfnpr_style& style, bool is_flipped,
                                              Pool& pool);

@@ -36,7 +36,7 @@ hrbfnpr_picture_event defaults() noexcept {
 
 namespace {
 
-// Returns an element of one of a picture's lists. Fails if the number is out of range.
+// Returns the element with a given number from a list of the picture. Fails if the number is out of range.
 template <class List>
 const auto& element(const List& list, std::int64_t number, const char* what) {
     if (number < 0 || number >= static_cast<std::int64_t>(list.size()))
@@ -116,7 +116,7 @@ void copy_camera(const hrbfnpr_camera& made, hrbfnpr_camera* to) {
     write_struct(to, made);
 }
 
-constexpr std::uint64_t most_bytes = std::uint64_t{16} << 20U; // A settings file may not be larger than this.
+constexpr std::uint64_t most_bytes = std::uint64_t{16} << 20U; // A larger settings file is refused.
 
 picture::String read_text(hrbfnpr_read_fn read, void* user, picture::Pool& pool) {
     CallbackReader reader(read, user);

@@ -30,13 +30,14 @@ public:
     // Its texts point to copies that this object keeps. Do not read its sources, style, settings, changes, dabs, camera
     // or seed points: use the members below instead.
     hrbfnpr_picture_desc desc;
-    std::shared_ptr<const Settings> settings; // nullable
-    bool takes_style_of_settings = false;     // If no style is named, style and layers come from the settings.
-    Changes changes;                          // The fields of the settings come first, then the caller's changes.
-    Vector<hrbfnpr_dab> dabs;                 // The caller's dabs, or else the dabs of the settings.
-    std::optional<Style> style;               // The caller's style is used unchanged. Its lengths are pixels.
-    std::optional<hrbfnpr_camera> camera;     // The caller's camera is used unchanged.
-    Points seed_points;                       // Empty if the caller gives no seed points.
+    std::shared_ptr<const Settings> settings; // may be null
+    // True if the caller names no style, so that the style and layers come from the settings.
+    bool takes_style_of_settings = false;
+    Changes changes;                      // The fields of the settings come first, then the caller's changes.
+    Vector<hrbfnpr_dab> dabs;             // The caller's dabs. If there are none, the dabs of the settings.
+    std::optional<Style> style;           // The caller's style, which is used unchanged, with lengths in pixels.
+    std::optional<hrbfnpr_camera> camera; // The caller's camera, which is used unchanged.
+    Points seed_points;                   // The caller's seed points; may be empty.
 
     [[nodiscard]] bool has(std::uint32_t flag) const noexcept { return (desc.flags & flag) != 0; }
     [[nodiscard]] bool is_find() const noexcept { return desc.preset == HRBFNPR_PRESET_ARCHAEOLOGICAL; }
@@ -50,7 +51,7 @@ public:
         if (std::isnan(desc.viewpoint[0])) return std::nullopt;
         return glm::dvec3(desc.viewpoint[0], desc.viewpoint[1], desc.viewpoint[2]);
     }
-    // Tells whether a change or the settings give a field of the fit, such as "kernel".
+    // Returns whether a change or the settings give a value to a field of the fit, such as "kernel".
     [[nodiscard]] bool gives_fit(std::string_view field) const noexcept;
 
 private:
@@ -66,13 +67,13 @@ struct Call {
     Pool& pool;
 };
 
-// A surface that was made of a source, with its origin.
+// A surface with the source that it was made from.
 struct Surface {
     Model model;
-    Mesh mesh;                                // The mesh that the model was fitted to, or else null.
+    Mesh mesh;                                // The mesh that the model was fitted to; null if there is none.
     std::optional<hrbfnpr_mesh_fit_info> fit; // Set if the source is a mesh and the fit chose its samples.
     std::shared_ptr<const Shape> shape;       // Null if the caller gave a model.
-    PointSet marks;                           // The marks that the caller gave with a model, or else null.
+    PointSet marks;                           // The marks that the caller gave with a model; null if there are none.
 };
 
 } // namespace hrbfnpr::picture

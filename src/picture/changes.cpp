@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // find_target() splits a path into the struct and the field that it names. The value must be one that the field can
-// hold. Path and value are kept as text, and are parsed again when they are applied.
+// hold. Paths and values are stored as text, and are parsed again when they are applied.
 #include "picture/changes.h"
 
 #include "api/lists.h"
@@ -16,7 +16,8 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::string_view layers_part = "layers"; // style.layers.F changes F of all layers.
+// In a path, this part means all layers: "style.layers.F" changes the field F of each.
+constexpr std::string_view layers_part = "layers";
 constexpr std::string_view lines_part = "lines";
 
 enum class Special : std::uint8_t { none, ink };
@@ -25,14 +26,14 @@ enum class Special : std::uint8_t { none, ink };
 struct ChangeTarget {
     Record record = Record::style;
     std::string_view field_name;       // the last part of the path
-    const NamedField* field = nullptr; // Null if the record has no such field, or if the path is special.
+    const NamedField* field = nullptr; // Null if the record has no such field, or if the path has a special meaning.
     Special special = Special::none;
     bool has_section = true;
-    std::string_view wrong_kind = {}; // A layer kind in the path that does not exist, or "".
-    bool is_of_style = false;         // False for the layers of marks.
+    std::string_view wrong_kind = {}; // A name in the path that is not a kind of layers, or "".
+    bool is_of_style = false;         // True for the style, false for the layers of marks.
 };
 
-// Tells whether a field selects the records that are changed. Such a field cannot be changed itself.
+// Returns whether a field selects the records that a change applies to. Such a field cannot be changed.
 [[nodiscard]] bool is_selector(Record record, std::string_view name) noexcept {
     return name == "kind" &&
            (record == Record::layer_style || record == Record::line_style || record == Record::layer_desc);
@@ -43,7 +44,7 @@ struct ChangeTarget {
     return find_choice(*kinds, name) != nullptr;
 }
 
-// Tells whether a name is a kind of lines. If layers have a kind of the same name, a path means the layers.
+// Returns whether a name means a kind of lines. If layers have a kind of the same name, the name means these layers.
 [[nodiscard]] bool is_line_kind(std::string_view name) noexcept {
     return find_choice(*find_field(Record::line_style, "kind"), name) != nullptr;
 }
@@ -53,7 +54,7 @@ struct ChangeTarget {
     return field == "ink" ? Special::ink : Special::none;
 }
 
-// Finds the target of a path that has only small letters and '_'.
+// Finds the struct and field for a path that has only small letters and '_'.
 [[nodiscard]] ChangeTarget find_target(std::string_view path) noexcept {
     ChangeTarget target;
     const std::size_t dot = path.find('.');
@@ -91,7 +92,7 @@ struct ChangeTarget {
     return target.record == Record::fit_desc && target.field_name == "regularization";
 }
 
-// Returns the field by whose rules style.ink is parsed.
+// Returns a field whose rules apply to the value of style.ink.
 [[nodiscard]] const NamedField& ink_field() noexcept { return *find_field(Record::style, "silhouette_ink"); }
 
 [[noreturn]] void refuse_kind(const ChangeTarget& target, const char* name, std::string_view path, Pool& pool) {
@@ -139,7 +140,7 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
          path.data(), String(value, &pool).c_str(), wanted.c_str());
 }
 
-// Checks a text of the caller and returns it.
+// Checks a text from the caller, and returns it.
 [[nodiscard]] std::string_view change_text(const char* text, const char* name, const char* member, std::size_t most) {
     if (text == nullptr) fail(Status::invalid_argument, "%s.%s is NULL", name, member);
     const std::string_view found(text, strnlen(text, most + 1));
@@ -148,7 +149,7 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
     return found;
 }
 
-// Returns a value as it is kept. Choices are kept by their plain names, so that readers see one spelling.
+// Returns a value as it is stored. Choices are stored by their plain names, so that readers see one spelling.
 [[nodiscard]] String plain_value(const ChangeTarget& target, std::string_view value, Pool& pool) {
     if (is_regularization(target)) return plain_name(value, pool);
     if (target.field == nullptr || target.field->meaning != Meaning::choice) return String(value, &pool);
@@ -172,8 +173,8 @@ void read_changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t 
     }
 }
 
-// Handles the fields of a fit that are not simply stored: regularization and its mode set each other, and normal_mode
-// is skipped. Returns false for all other fields.
+// Sets the fields of a fit that need special rules: regularization and its mode set each other, and normal_mode is
+// skipped. Returns false for all other fields.
 [[nodiscard]] bool set_fit_field(const NamedField& field, std::string_view value, void* record) noexcept {
     const NamedField& mode = *find_field(Record::fit_desc, "regularization_mode");
     const NamedField& amount = *find_field(Record::fit_desc, "regularization");
@@ -198,7 +199,7 @@ void apply_text(std::string_view section, Record kind, const NamedField& field, 
         return;
     }
     std::optional<FieldValue> found = parse_value(field, value);
-    if (!found) return; // The value was checked when it was read.
+    if (!found) return; // The value was already checked when the list was read.
     if (kind == Record::layer_style && section.substr(section.find('.') + 1) == layers_part &&
         same_name(field.name, "share"))
         found->numbers[0] *= load_value(field, record).numbers[0];

@@ -22,26 +22,27 @@ struct Change {
 };
 
 // A list of changes. The path "style.ink" names no field of a struct: it is the colour of all layers, lines and
-// contours, which plan.cpp reads by colour().
+// contours, and plan.cpp reads it by colour().
 class Changes {
 public:
     // Reads and checks the caller's list. Throws Error{invalid_argument} that names the path and the allowed values.
     Changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t stride, Pool& pool);
-    // Puts the fields of settings before the caller's list, and checks the caller's list alone. Later changes win.
+    // Makes a list of the fields of settings, followed by the caller's list, which alone is checked. Later changes
+    // override earlier ones.
     Changes(const Vector<std::pair<String, String>>& of_settings, const hrbfnpr_change* first, std::int64_t count,
             std::int64_t stride, Pool& pool);
     Changes(Changes&&) noexcept = default;
-    Changes(const Changes&) = delete; // a copy's texts would not be in the pool
+    Changes(const Changes&) = delete; // A copy would allocate its texts outside the pool.
     Changes& operator=(const Changes&) = delete;
     ~Changes() = default;
 
-    // Returns the last value that the list gives a path.
+    // Returns the last value for a path, or nullopt.
     [[nodiscard]] std::optional<std::string_view> value(std::string_view path) const noexcept;
     [[nodiscard]] bool has(std::string_view path) const noexcept { return value(path).has_value(); }
-    // Returns the last value as a number. The name of a constant gives its number. Returns nullopt for a field of
-    // several numbers, and for "auto" of fit.regularization.
+    // Returns the last value for a path as a number. A constant's name gives its number. Returns nullopt for a field
+    // with several numbers, and for "auto" of fit.regularization.
     [[nodiscard]] std::optional<double> number(std::string_view path) const noexcept;
-    // Returns the last value as straight RGBA.
+    // Returns the last value for a path as straight RGBA.
     [[nodiscard]] std::optional<std::array<float, 4>> colour(std::string_view path) const noexcept;
 
     // Sets each field of a record for which the list has "section.FIELD", in the order of the list: apply("fit", desc).
@@ -52,11 +53,11 @@ public:
     template <class T>
     void apply(std::string_view section, T& record) const;
 
-    // Returns all changes in their order.
+    // Returns all changes in the order of the list.
     [[nodiscard]] const Vector<Change>& list() const noexcept { return list_; }
-    // Tells whether the caller's own list gives the path a value.
+    // Returns whether the caller's list, not the settings, gives the path a value.
     [[nodiscard]] bool is_callers(std::string_view path) const noexcept;
-    // Returns how many changes come from settings. These come first in the list.
+    // Returns the number of changes that come from settings. They are the first changes of the list.
     [[nodiscard]] std::size_t from_settings() const noexcept { return from_settings_; }
 
 private:

@@ -22,7 +22,7 @@ double length_of_outline(const Outline& outline, std::size_t from) noexcept {
     return length;
 }
 
-// An outline that parts are appended to.
+// An outline to which parts are added at its end.
 struct GrowingOutline {
     Outline points;
     double length;
@@ -32,8 +32,8 @@ struct GrowingOutline {
         return glm::length(a - b) <= least && points.size() > 1;
     }
     [[nodiscard]] bool is_closed() const noexcept { return meets(points.back(), points.front()); }
-    // Appends a part. The part begins where this outline ends. If `turned`, the part ends there and is appended
-    // backwards.
+    // Appends a part, which begins where this outline ends. If `turned`, the part is appended in reverse order, because
+    // its last point is there.
     void append(const Outline& part, bool turned) {
         const std::size_t before = points.size();
         if (turned)
@@ -46,10 +46,10 @@ struct GrowingOutline {
 
 struct NearestEnd {
     std::size_t part = 0;
-    bool turned = false; // True if the end is the part's last point.
+    bool turned = false; // True if the end found is the last point of the part.
 };
 
-// Finds the end of a part that is nearest to a place.
+// Finds the end, among all ends of the parts, that is nearest to a place.
 NearestEnd nearest_end(const Vector<Outline>& parts, const glm::dvec2& place) noexcept {
     NearestEnd nearest;
     double least = std::numeric_limits<double>::infinity();
@@ -66,13 +66,13 @@ NearestEnd nearest_end(const Vector<Outline>& parts, const glm::dvec2& place) no
 
 // ---- Hatching
 
-// A side of an outline in coordinates along and across the hatch lines. `across` is constant on each line.
+// A side of an outline, in coordinates along and across the hatch lines. On a hatch line, `across` is constant.
 struct HatchSide {
     double across_from, across_to, along_from, along_to;
 };
 
 constexpr double root_half = 0.70710678118654746; // 1 / sqrt(2)
-constexpr double farthest_place = 1e100;          // Beyond this, lengths of sides overflow.
+constexpr double farthest_place = 1e100;          // The lengths of sides with larger coordinates would overflow.
 
 glm::dvec2 turned_by_45(const glm::dvec2& p) noexcept {
     return {p.x * root_half + p.y * root_half, p.x * root_half - p.y * root_half};

@@ -12,12 +12,13 @@ namespace hrbfnpr::picture {
 using Outline = Vector<glm::dvec2>;
 using Segment = std::array<glm::dvec2, 2>;
 
-// Joins parts of outlines, in any order and direction, to closed outlines. Parts that close no outline are left out.
+// Joins parts of outlines, in any order and direction, into closed outlines. Parts that do not form a closed outline
+// are left out.
 [[nodiscard]] Vector<Outline> closed_outlines(const Vector<Outline>& parts, Pool& pool);
 
 // Returns segments of hatch lines that rise to the right, `period` apart, clipped to the inside. A place is inside if
-// an odd number of outlines surround it, so that holes stay empty. y grows downward. Outlines that are not finite get
-// no lines.
+// an odd number of outlines surround it, so that holes stay empty. y grows downward. Outlines with a coordinate that is
+// not finite get no lines.
 [[nodiscard]] Vector<Segment> hatched(const Vector<Outline>& outlines, double period, Pool& pool);
 
 } // namespace hrbfnpr::picture

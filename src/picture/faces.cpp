@@ -26,7 +26,7 @@ hrbfnpr_array mesh_view(const Mesh& mesh, std::uint32_t attribute) {
     return view;
 }
 
-// Returns a view of a mesh as a span. Views of a mesh are dense.
+// Returns the elements of a mesh's array as a span. They are contiguous.
 template <class T>
 std::span<const T> dense_view(const hrbfnpr_array& view, std::uint32_t scalar, std::uint32_t components) {
     HRBFNPR_ASSERT(view.scalar == scalar && view.components == components);

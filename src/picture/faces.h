@@ -10,13 +10,14 @@
 
 namespace hrbfnpr::picture {
 
-// The edges of triangles. Side k * faces + f goes from corner k of face f to the face's next corner.
+// The edges of triangles. A side is one face's use of an edge: side k * faces + f goes from corner k of face f to the
+// next corner of the face.
 struct FaceEdges {
     explicit FaceEdges(Pool& pool) : ends(&pool), first(&pool), sides(&pool), of_side(&pool) {}
 
-    Vector<Edge> ends;            // Each edge has its lower vertex first. The edges ascend.
-    Vector<std::int64_t> first;   // Where each edge begins in `sides`, and the end of `sides`.
-    Vector<std::int64_t> sides;   // The sides ascend by edge, then by number.
+    Vector<Edge> ends;          // The two vertices of each edge, the lower one first. The edges are in ascending order.
+    Vector<std::int64_t> first; // The index in `sides` where the list of each edge begins, and the size of `sides`.
+    Vector<std::int64_t> sides; // All sides, sorted by edge, then by number.
     Vector<std::int64_t> of_side; // The edge of each side.
     std::int64_t faces = 0;
 
@@ -26,7 +27,7 @@ struct FaceEdges {
         const auto begin = static_cast<std::size_t>(first[edge]);
         return std::span(sides).subspan(begin, static_cast<std::size_t>(first[edge + 1]) - begin);
     }
-    // Tells whether exactly two faces share the edge, as inside a surface.
+    // Returns whether exactly two faces share the edge, as they do inside a surface.
     [[nodiscard]] bool is_plain(std::size_t edge) const noexcept { return first[edge + 1] - first[edge] == 2; }
     [[nodiscard]] std::size_t face(std::int64_t side) const noexcept { return static_cast<std::size_t>(side % faces); }
 };
@@ -37,7 +38,7 @@ struct FaceEdges {
 // The number of an edge of exactly two faces, and the two faces.
 struct PlainEdge {
     std::size_t edge;
-    std::size_t one, other; // faces
+    std::size_t one, other; // the two faces
 };
 [[nodiscard]] Vector<PlainEdge> plain_edges(const FaceEdges& edges, Pool& pool);
 
@@ -52,17 +53,17 @@ struct PlainEdge {
 
 [[nodiscard]] Vector<double> areas_of(const Points& points, const Vector<Triangle>& faces, Pool& pool);
 
-// Returns the diagonal of the points' box, or NaN if a coordinate is NaN.
+// Returns the diagonal of the bounding box of the points, or NaN if a coordinate is NaN.
 [[nodiscard]] double box_diagonal_of(const Points& points) noexcept;
 
-// Sums each half of the numbers separately (pairwise summation), so that rounding errors stay small.
+// Returns the sum of the numbers. Pairwise summation keeps rounding errors small.
 [[nodiscard]] double sum_in_pairs(std::span<const double> numbers) noexcept;
 
-// Returns a percentile, interpolated between the two nearest numbers. Returns 0 if there are no numbers. The numbers
-// are reordered.
+// Returns a percentile, interpolated between the two nearest numbers, or 0 for an empty list. The numbers are
+// reordered.
 [[nodiscard]] double percentile(Vector<double>& numbers, double percent);
 
-// These read the contents of a mesh handle.
+// These functions read the contents of a mesh handle.
 [[nodiscard]] hrbfnpr_mesh_info info_of(const Mesh& mesh);
 [[nodiscard]] Points vertices_of(const Mesh& mesh, Pool& pool);
 [[nodiscard]] Vector<Triangle> triangles_of(const Mesh& mesh, Pool& pool);

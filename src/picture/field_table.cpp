@@ -15,7 +15,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
+constexpr std::size_t most_digits = 64; // A longer text is not a number.
 
 [[nodiscard]] char small_letter(char letter) noexcept {
     if (letter >= 'A' && letter <= 'Z') return static_cast<char>(letter - 'A' + 'a');
@@ -29,7 +29,7 @@ constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
     return text.substr(first, text.find_last_not_of(spaces) - first + 1);
 }
 
-// Removes the part before the next comma from the text, and returns it.
+// Returns the part of the text before the next comma, and removes it from the text.
 [[nodiscard]] std::string_view next_part(std::string_view& text) noexcept {
     const std::size_t comma = text.find(',');
     const std::string_view part = without_spaces(text.substr(0, comma));
@@ -41,7 +41,7 @@ constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
 }
 
-// Parses exactly `count` numbers separated by commas. Returns false for any other text.
+// Parses exactly `count` numbers, separated by commas. Returns false for any other text.
 [[nodiscard]] bool parse_numbers(std::string_view text, double* numbers, std::size_t count) noexcept {
     if (parts_of(text) != count) return false;
     for (std::size_t i = 0; i < count; ++i) {
@@ -88,7 +88,7 @@ constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
     return parse_numbers(text, numbers.data(), 3) && (numbers[0] != 0.0 || numbers[1] != 0.0 || numbers[2] != 0.0);
 }
 
-// Returns the largest magnitude that a whole number of a type can have.
+// Returns the largest magnitude of a negative or positive whole number that a type can hold.
 [[nodiscard]] std::uint64_t largest_of(Scalar scalar, bool is_negative) noexcept {
     switch (scalar) {
     case Scalar::int32: return (std::uint64_t{1} << 31U) - (is_negative ? 0U : 1U);
@@ -111,7 +111,8 @@ constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
 }
 
 [[nodiscard]] FieldValue constant_value(std::int32_t constant) noexcept {
-    return whole_value(false, static_cast<std::uint64_t>(constant)); // No constant is negative.
+    // No constant is negative, so the sign is always plus.
+    return whole_value(false, static_cast<std::uint64_t>(constant));
 }
 
 [[nodiscard]] std::optional<FieldValue> parse_whole(const NamedField& field, std::string_view text) noexcept {
@@ -121,8 +122,8 @@ constexpr std::size_t most_digits = 64; // Longer texts are not numbers.
     std::uint64_t magnitude = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), magnitude);
     if (digits.empty() || error != std::errc() || end != digits.data() + digits.size()) {
-        const std::optional<double> number = parse_number(text); // such as "1e6"
-        constexpr double exact = 9007199254740992.0;             // 2^53
+        const std::optional<double> number = parse_number(text); // Whole numbers may also be written like "1e6".
+        constexpr double exact = 9007199254740992.0;             // Up to 2^53, doubles hold all whole numbers exactly.
         if (!number || *number != std::trunc(*number) || std::abs(*number) > exact) return std::nullopt;
         magnitude = static_cast<std::uint64_t>(std::abs(*number));
     }
@@ -190,7 +191,7 @@ template <class T>
     return whole_value(is_negative, is_negative ? 0U - bits : bits);
 }
 
-// The parts of a number that std::to_chars or printf wrote in scientific notation.
+// The parts of a number in scientific notation, as std::to_chars or printf writes it.
 struct Decimal {
     bool is_negative = false;
     std::array<char, 24> digits{};
@@ -198,7 +199,7 @@ struct Decimal {
     int exponent = 0; // The power of ten of the first digit.
 };
 
-// Writes the shortest "d.ddde±xx" that reads as the number, and returns its end.
+// Writes the shortest "d.ddde±xx" that reads back as the same number. Returns the end of the text.
 template <class T>
 [[nodiscard]] char* write_shortest(char* begin, char* end, T number) noexcept {
 #if defined(__cpp_lib_to_chars)
@@ -228,7 +229,7 @@ template <class T>
     return decimal;
 }
 
-// Scores the similarity of two names: the length of their common beginning, plus 100 if `name` contains `like`.
+// Returns how similar two names are: the length of their common beginning, plus 100 if `name` contains `like`.
 [[nodiscard]] std::size_t likeness(std::string_view name, std::string_view like) noexcept {
     std::size_t same = 0;
     while (same < name.size() && same < like.size() && name[same] == small_letter(like[same])) ++same;

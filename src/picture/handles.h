@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::picture {
 
-// Makes a call: f(&error) returns its status. Throws a failure as the Error that the call reported.
+// Calls the library: f(&error) returns a status. If the call fails, its error is thrown as an Error.
 template <class F>
 void call(F&& f) {
     hrbfnpr_error error;
@@ -34,7 +34,7 @@ template <class T, auto retain, auto release>
 class Handle {
 public:
     Handle() noexcept = default;
-    // Takes over a reference.
+    // Becomes the owner of a reference that the caller owned.
     explicit Handle(T* owned) noexcept : handle_(owned) {}
     Handle(const Handle& other) noexcept : handle_(other.handle_) { retain(handle_); }
     Handle(Handle&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
@@ -44,7 +44,7 @@ public:
     }
     ~Handle() { release(handle_); }
 
-    // Shares a handle that has another owner, by adding a reference.
+    // Returns a second owner of a handle, by adding a reference.
     [[nodiscard]] static Handle shared(const T* handle) noexcept {
         auto* const own = const_cast<T*>(handle);
         retain(own);
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] T* get() const noexcept { return handle_; }
     [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
     [[nodiscard]] bool operator==(const Handle& other) const noexcept { return handle_ == other.handle_; }
-    // Gives up the reference and returns it.
+    // Returns the reference, whose owner is now the caller.
     [[nodiscard]] T* take() noexcept { return std::exchange(handle_, nullptr); }
 
 private:
@@ -69,7 +69,7 @@ using Drawing = Handle<hrbfnpr_drawing, hrbfnpr_drawing_retain, hrbfnpr_drawing_
 using Renderer = Handle<hrbfnpr_renderer, hrbfnpr_renderer_retain, hrbfnpr_renderer_release>;
 using Context = Handle<hrbfnpr_context, hrbfnpr_context_retain, hrbfnpr_context_release>;
 
-// Makes a handle: f(&handle, &error) returns the status of the call that makes it.
+// Makes a handle by a call of the library: f(&handle, &error) returns its status.
 template <class H, class F>
 [[nodiscard]] H make(F&& f) {
     decltype(std::declval<H>().get()) made = nullptr;

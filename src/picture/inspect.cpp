@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Inspects points and meshes in the order in which a picture uses them. Strays and values that mark missing data are
-// removed. Then follow positions, duplicates, the topology of a mesh, normals, and the up direction. A note names a
-// repair that a picture would make, and a warning names a risk.
+// Inspects points and meshes in the same order as a picture uses them. It first removes values that mark missing data,
+// and strays. Then it examines positions, duplicates, the topology of a mesh, normals, and the up direction. A note
+// names a repair that a picture would make, and a warning names a risk.
 #include "picture/inspect.h"
 
 #include "api/barrier.h"
@@ -25,7 +25,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// The samples from which the normals and the up direction of a surface are inspected.
+// The samples that show the normals and the up direction of a surface.
 struct InspectedSamples {
     Points points;
     Points normals; // one unit vector for each point; all zero if the source has no normals
@@ -49,7 +49,7 @@ void copy_bounds(const geometry::Bounds& bounds, hrbfnpr_source_info& info) noex
 
 // ---- Places
 
-// Removes points that a picture does not use: missing data, and strays of a source without faces.
+// Removes points that a picture does not use: values that mark missing data, and strays of a source without faces.
 void leave_out_unused(const Call& call, Shape& shape, hrbfnpr_source_info& info) {
     Pool& pool = call.pool;
     const NoData no_data = leave_out_no_data(shape, pool);
@@ -132,8 +132,7 @@ std::uint32_t look_of_found(std::uint32_t found) noexcept {
     }
 }
 
-// Finds which way the normals of points along curves point, where neighbours and winding numbers say nothing about
-// normals.
+// Finds which way the normals point if the points lie along curves. Neighbours and winding numbers tell nothing there.
 void inspect_orientation_on_curves(const Call& call, const InspectedSamples& samples, hrbfnpr_source_info& info) {
     Report& report = call.report;
     std::uint32_t found = HRBFNPR_NORMALS_GIVEN;
@@ -161,7 +160,7 @@ std::int64_t count_at_place_of_another(Points points) {
     return points.end() - std::unique(points.begin(), points.end());
 }
 
-// Returns the points that a picture can use, with unit normals. Counts normals that cannot be used.
+// Returns the points that a picture can use, with unit normals. Counts unusable normals.
 InspectedSamples usable_points(const Call& call, const Shape& shape, hrbfnpr_source_info& info) {
     HRBFNPR_ASSERT(shape.normals.size() == shape.points.size());
     InspectedSamples usable{Points(&call.pool), Points(&call.pool)};
@@ -203,7 +202,8 @@ void tell_unusable_normals(const Call& call, const hrbfnpr_source_info& info, st
                               count_of(static_cast<std::int64_t>(usable), "point", pool).c_str()));
 }
 
-// Leaves at most one sample at each place. Samples with opposite normals at one place are removed.
+// Leaves at most one sample at each position. If the normals at a position are opposite, all of its samples are
+// removed.
 void join_at_places(const Call& call, InspectedSamples& samples) {
     const SharedPlaces places = merge_shared_places(samples.points, samples.normals, call.pool);
     if (places.joined != 0)
@@ -332,8 +332,8 @@ void tell_inside_out(const Call& call, const MeshFacts& facts) {
     }
 }
 
-// Reports how a fit treats edges of more than two faces. `left` is the number of such edges that the mended mesh still
-// has.
+// Reports how a fit treats edges with more than two faces. `left` is the number of such edges after the mesh was
+// mended.
 void tell_nonmanifold(const Call& call, std::int64_t found, std::int64_t left, bool has_repeated_faces) {
     if (left < found)
         call.report.note(HRBFNPR_NOTE_NONMANIFOLD_EDGES, {as_figure(found - left)},
@@ -369,7 +369,7 @@ void tell_contrary_and_parts(const Call& call, const MeshFacts& facts) {
                           .detail = "Open parts that cross or nearly touch are drawn as separate surfaces."});
 }
 
-// Tells whether the source caused an error, rather than the call.
+// Returns whether an error was caused by the source, not by the call.
 bool is_of_source(const Error& error) noexcept {
     return error.status() == Status::invalid_argument || error.status() == Status::singular_system ||
            error.status() == Status::not_converged;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// nlohmann's parser handles the grammar: numbers in any locale, escapes, UTF-8, and the places of errors. Its events
-// fill the list of values, so that only the current token is outside the memory of the context.
+// nlohmann's parser handles the grammar: numbers, escapes, UTF-8, and the places of errors. Its events fill the list of
+// values, so only the current token is stored outside the context's memory.
 #include "picture/json.h"
 
 #include "base/assert.h"
@@ -20,7 +20,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Receives the events of nlohmann's parser. A function returns true to continue.
+// Receives the parser's events. Each function returns true to continue.
 class JsonEvents {
 public:
     using Reader = nlohmann::json;
@@ -227,7 +227,7 @@ void JsonDocument::write_line(String& to, std::size_t number) const {
 }
 
 void JsonDocument::write(String& to, std::size_t number, std::size_t indent) const {
-    constexpr std::size_t deepest = 4; // A value that is indented by more spaces gets one line.
+    constexpr std::size_t deepest = 4; // Values with a deeper indent, in spaces, are written in one line.
     const JsonItem& item = items_[number];
     bool has_deep_parts = false;
     for (std::size_t part = number + 1; part < item.end; part = items_[part].end)

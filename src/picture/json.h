@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps a JSON document as one list of values in document order, in memory of the context.
+// Stores a JSON document as a single list of values in document order, in the context's memory.
 #pragma once
 
 #include "picture/memory.h"
@@ -13,16 +13,16 @@ namespace hrbfnpr::picture {
 
 enum class JsonKind : std::uint8_t { null, boolean, whole, real, text, list, object };
 
-// A value of a document. Its parts follow it in the list.
+// A value of a document. The values inside it follow it in the list.
 struct JsonItem {
     JsonKind kind = JsonKind::null;
-    bool is_negative = false;    // Set only for whole numbers.
-    std::uint32_t end = 0;       // The index of the first item after this item and its parts.
-    std::uint32_t key_begin = 0; // The key of an object's part, in the document's texts.
+    bool is_negative = false;    // Only set for whole numbers.
+    std::uint32_t end = 0;       // The index of the first item after this item and the values inside it.
+    std::uint32_t key_begin = 0; // Where the key begins in the document's texts, if the item is a member of an object.
     std::uint32_t key_size = 0;
     std::uint64_t magnitude = 0;  // The magnitude of a whole number, or 1 for true.
     double number = 0.0;          // The value of a real or whole number.
-    std::uint32_t text_begin = 0; // The content of a text, in the document's texts.
+    std::uint32_t text_begin = 0; // Where the content of a text begins in the document's texts.
     std::uint32_t text_size = 0;
 };
 
@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] JsonValue root() const noexcept;
 
-    // These append values. In an object, call key() before each value.
+    // These functions append values. In an object, key() must be called before each value.
     JsonDocument& key(std::string_view key);
     void add_null();
     void add_bool(bool value);
@@ -46,9 +46,10 @@ public:
     void begin(JsonKind kind); // `kind` is list or object.
     void end();
 
-    // Writes an item as Python's json.dumps does: in one line, in ASCII.
+    // Writes an item as Python's json.dumps does by default: in one line, in ASCII.
     void write_line(String& to, std::size_t item) const;
-    // Writes an item like write_line(), but a value that holds lists or objects has one line for each part.
+    // Writes an item. A value that contains lists or objects gets a line for each of its members; all others are
+    // written by write_line().
     void write(String& to, std::size_t item, std::size_t indent) const;
 
 private:
@@ -61,12 +62,12 @@ private:
 
     Vector<JsonItem> items_;
     String texts_;
-    Vector<std::uint32_t> open_; // The items whose parts are being added.
+    Vector<std::uint32_t> open_; // The lists and objects that are not complete yet.
     std::uint32_t next_key_begin_ = 0;
     std::uint32_t next_key_size_ = 0;
 };
 
-// A value of a document that is no longer changed.
+// A value of a complete document.
 class JsonValue {
 public:
     JsonValue(const JsonDocument& document, std::size_t item) noexcept : document_(&document), item_(item) {}
@@ -78,10 +79,10 @@ public:
     [[nodiscard]] std::uint64_t magnitude() const noexcept { return item().magnitude; }
     [[nodiscard]] std::string_view text() const noexcept { return document_->text_of_item(item()); }
     [[nodiscard]] std::string_view key() const noexcept { return document_->key_of(item()); }
-    [[nodiscard]] std::size_t size() const noexcept; // Returns the number of parts of a list or object.
-    // Finds the last part of an object that has this key.
+    [[nodiscard]] std::size_t size() const noexcept; // Returns the number of members of a list or object.
+    // Finds the last member of an object with this key.
     [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const noexcept;
-    // Returns the value in one line, cut to `most` bytes.
+    // Returns the value in one line, truncated to `most` bytes.
     [[nodiscard]] String in_short(std::size_t most, Pool& pool) const;
 
     class Iterator {
@@ -99,7 +100,7 @@ public:
         const JsonDocument* document_;
         std::size_t item_;
     };
-    // These iterate over the parts of a list or an object.
+    // These iterate over the members of a list or an object.
     [[nodiscard]] Iterator begin() const noexcept { return {*document_, item_ + 1}; }
     [[nodiscard]] Iterator end() const noexcept { return {*document_, item().end}; }
 

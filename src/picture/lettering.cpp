@@ -10,17 +10,18 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// A letter on a grid whose squares are an eighth of a capital's height. Blanks separate the strokes. Each point of a
-// stroke is two characters: its column as a digit and its row as a letter. Row c is the baseline, i the height of small
-// letters, k the height of capitals, and a the bottom of small letters that reach below the baseline.
+// The strokes of a letter on a grid. The side of a grid square is an eighth of a capital's height. Blanks separate the
+// strokes. Each point of a stroke is two characters: its column as a digit and its row as a letter. Row c is the
+// baseline, i the height of small letters, k the height of capitals, and a the bottom of small letters that reach below
+// the baseline.
 struct Glyph {
     char32_t character;
-    int width;        // columns
-    char strokes[40]; // An array, because a table of pointers would need relocation.
+    int width;        // in columns of the grid
+    char strokes[40]; // The text is in an array, because a table of pointers would need relocation.
 };
 
 constexpr double rows_of_capital = 8.0;
-constexpr double gap_of_glyphs = 3.0; // columns between two letters, half of them on each side
+constexpr double gap_of_glyphs = 3.0; // The gap between two letters in columns. Half of it is on each side of a letter.
 constexpr char baseline_row = 'c';
 constexpr char32_t greek_mu = 0x3BC;
 constexpr char32_t micro_sign = 0xB5;
@@ -114,7 +115,8 @@ const Glyph& glyph_of(char32_t character) noexcept {
     return found != glyphs.end() && found->character == known ? *found : unknown_glyph;
 }
 
-// Removes the first character from a text and returns it. Returns 0, which has no glyph, for bytes that are not UTF-8.
+// Returns the first character of a text, and removes it from the text. Returns 0, which has no glyph, for bytes that
+// are not UTF-8.
 char32_t take_character(std::string_view& text) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(0);
@@ -131,7 +133,8 @@ char32_t take_character(std::string_view& text) noexcept {
 
 double width_of_glyph(const Glyph& glyph) noexcept { return static_cast<double>(glyph.width) + gap_of_glyphs; }
 
-// Returns the side of a grid square. The grid leaves room for strokes, which reach half their width beyond it.
+// Returns the side of a grid square. The grid is slightly smaller than the letters, because strokes reach half their
+// width beyond it.
 double square_of_grid(double capitals) noexcept {
     return (1.0 - lettering_tuning.stroke_width) * capitals / rows_of_capital;
 }
@@ -159,7 +162,7 @@ Vector<Segment> strokes_of_text(std::string_view text, const glm::dvec2& begin, 
         };
         const std::size_t size = std::string_view(glyph.strokes).size();
         for (std::size_t i = 0; i + 3 < size; i += 2) {
-            if (glyph.strokes[i + 2] == ' ') { // The next stroke begins after the blank.
+            if (glyph.strokes[i + 2] == ' ') { // A blank ends the stroke.
                 ++i;
                 continue;
             }

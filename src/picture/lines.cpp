@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A line set is made in four steps. The lines that are found once are listed. The edges of a mesh are joined to
-// polylines, for models without creases. The end of the surface is decided. The library finds the lines.
+// Makes a line set in four steps: list the lines that are found once; join the edges of a mesh to polylines, if the
+// model has no creases; decide where the surface ends; let the library find the lines.
 #include "picture/lines.h"
 
 #include "base/assert.h"
@@ -36,10 +36,10 @@ hrbfnpr_line_desc LinesOnce::view() const noexcept {
 
 namespace {
 
-// The sharp edges of a mesh. Each edge is given by one of its two sides.
+// The sharp edges of a mesh, each stored as one of its two sides.
 struct SharpEdges {
     struct Edge {
-        std::int64_t from, to; // numbers of places
+        std::int64_t from, to; // the numbers of the two places that the side connects
     };
     Points places;
     Vector<Edge> edges; // the edges, in the order in which the faces list them
@@ -63,7 +63,7 @@ Vector<Triangle> usable_faces(const Shape& shape, Pool& pool) {
     return usable;
 }
 
-// Returns the sharp edges as hrbfnpr_mesh_edges finds them by the angle alone.
+// Returns the sharp edges that hrbfnpr_mesh_edges finds by the angle alone.
 SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
                        Pool& pool) {
     SharpEdges found{Points(&pool), Vector<SharpEdges::Edge>(&pool)};
@@ -88,7 +88,7 @@ SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angl
     auto desc = defaults<hrbfnpr_mesh_edges_desc>(hrbfnpr_mesh_edges_desc_init);
     desc.edges = HRBFNPR_EDGES_SHARP;
     desc.crease_angle = std::clamp(angle, 1.0, 179.0);
-    desc.far = diagonal_of_points(shape.points); // this makes only the angle count
+    desc.far = diagonal_of_points(shape.points); // With this limit, only the angle decides.
     const hrbfnpr_array_out to_sharp{sharp.data(), triangles.count, 0, HRBFNPR_SCALAR_INT32, 3};
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_mesh_edges(mesh.get(), &desc, nullptr, &to_sharp, nullptr, operation, error);
@@ -104,14 +104,15 @@ SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angl
     return found;
 }
 
-// Lists the edges that meet in each vertex. Vertices are numbered anew, in the order in which the edges list them.
+// For each vertex, the edges that meet there. The vertices of edges are numbered from 0, in the order in which the
+// edges list them.
 struct EdgeGraph {
     struct Way {
         std::size_t to;   // The vertex at the other end.
         std::size_t edge; // The number of the edge.
     };
     Vector<std::int64_t> place; // The place of each vertex.
-    Vector<std::size_t> first;  // Where each vertex begins in `ways`, and the end of `ways`.
+    Vector<std::size_t> first;  // The index in `ways` where the list of each vertex begins, and the size of `ways`.
     Vector<Way> ways;
 
     [[nodiscard]] std::size_t degree(std::size_t vertex) const noexcept { return first[vertex + 1] - first[vertex]; }
@@ -149,8 +150,8 @@ EdgeGraph graph_of_edges(const Vector<SharpEdges::Edge>& edges, std::size_t plac
     return graph;
 }
 
-// Joins consecutive edges to lines, and uses each edge once. Lines that begin where other than two edges meet come
-// first.
+// Joins consecutive edges to lines. Each edge is used once. Lines that begin at a vertex where one edge ends, or more
+// than two edges meet, come first.
 Vector<Polyline> join_edges(const EdgeGraph& graph, std::size_t edge_count, const Points& places, Pool& pool) {
     Vector<bool> is_left(edge_count, true, &pool);
     Vector<Polyline> lines(&pool);
@@ -249,7 +250,7 @@ LinesOnce lines_of_settings(const hrbfnpr_line_desc& of_file, Pool& pool) {
     return lines;
 }
 
-// Returns the creases of a mesh as lines named "crease". If the caller asks for no lines, facets of rounded shapes are
+// Returns the creases of a mesh as lines named "crease". If the caller names no lines, the facets of rounded shapes are
 // removed.
 LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
     Vector<Polyline> found = mesh_creases(call.context, shape, lines_tuning.crease_angle, operation, call.pool);
@@ -264,8 +265,8 @@ LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation*
     return lines;
 }
 
-// Returns the support limit of the line set, beyond which the surface ends for lack of samples. It is 0, which is no
-// limit, unless a border is wanted. A trimmed model already has a border and needs no limit.
+// Returns the support below which the line set ends the surface for lack of samples. It is 0, which means no end,
+// unless the border is wanted. A trimmed model already has a border and needs no limit.
 double support_of_lines(const hrbfnpr_model& model, const Vector<WantedLine>& wanted) {
     auto trim = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_trim_info(&model, &trim, error); });

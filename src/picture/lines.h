@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes the line set of a surface, from which its lines are drawn.
+// Makes the line set of a surface. The lines of drawings come from it.
 #pragma once
 
 #include "picture/call.h"
@@ -21,7 +21,7 @@ struct LinesOnce {
         : kind(line_kind), name(&pool), levels(&pool), points(&pool), line_first(&pool) {}
     LinesOnce(LinesOnce&&) noexcept = default;
     LinesOnce& operator=(LinesOnce&&) = default;
-    LinesOnce(const LinesOnce&) = delete; // copies of its lists would leave the pool
+    LinesOnce(const LinesOnce&) = delete; // A copy would allocate its lists outside the pool.
     LinesOnce& operator=(const LinesOnce&) = delete;
 
     std::uint32_t kind;
@@ -29,35 +29,36 @@ struct LinesOnce {
     double lower = 0.0;
     double upper = 0.0;
     double shortest = 0.01;
-    glm::dvec3 plane{0.0, 0.0, 1.0};  // The normal of the planes of SECTION.
-    Vector<double> levels;            // The offsets of the planes of SECTION.
-    Points points;                    // The polylines of OWN, one after the other.
-    Vector<std::uint32_t> line_first; // Where each polyline begins in `points`, and the end of `points`.
+    glm::dvec3 plane{0.0, 0.0, 1.0}; // For SECTION: the common normal of the planes.
+    Vector<double> levels;           // For SECTION: the offsets of the planes.
+    Points points;                   // For OWN: the points of the polylines, one polyline after the other.
+    // For OWN: the index in `points` where each polyline begins, and the size of `points`.
+    Vector<std::uint32_t> line_first;
 
-    // Returns a view that is valid while this object lives and is not changed.
+    // Returns a view, which is valid until this object changes or is destroyed.
     [[nodiscard]] hrbfnpr_line_desc view() const noexcept;
 };
 
-// Returns the lines that are found once, without those of a plate and the edges of a mesh. They come from the settings
-// if these have lines and the caller names none. Otherwise they come from `wanted`.
+// Returns the lines that are found once, except those of a plate and the edges of a mesh. If the caller names no lines
+// and the settings have some, they come from the settings, else from `wanted`.
 [[nodiscard]] Vector<LinesOnce> lines_found_once(const Call& call, const hrbfnpr_model& model,
                                                  const Vector<WantedLine>& wanted);
 
 // Makes the line set for the lines of a style and for `more` lines, such as the section of a plate. Returns a null
-// handle if nothing is drawn from it.
+// handle if no line needs it.
 [[nodiscard]] LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
                                  const Vector<WantedLine>& wanted, const Vector<LinesOnce>& more);
 
-// Returns the sharp edges of a mesh, as hrbfnpr_mesh_edges finds them where faces meet at more than `angle` degrees,
-// joined to polylines. A polyline continues through a vertex where exactly two such edges meet. Polylines that begin at
-// other vertices come first. Throws Error{invalid_argument} for a shape without faces.
+// Returns the sharp edges of a mesh, joined to polylines. An edge is sharp if its faces meet at more than `angle`
+// degrees, as in hrbfnpr_mesh_edges. A polyline continues through a vertex where exactly two sharp edges meet. Open
+// polylines come before closed ones. Throws Error{invalid_argument} for a shape without faces.
 [[nodiscard]] Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle,
                                             hrbfnpr_operation* operation, Pool& pool);
 
-// Removes the facets of a rounded shape: if the mean crease is short, only long creases are kept.
+// Removes the facets of a rounded shape: if the creases are short on average, only long creases are kept.
 [[nodiscard]] Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal);
 
-// Warns of lines in a drawing that may be wrong or incomplete.
+// Warns if lines in a drawing may be wrong or incomplete.
 void tell_doubts(Report& report, const hrbfnpr_drawing_info& info);
 
 } // namespace hrbfnpr::picture

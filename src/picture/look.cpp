@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds the camera of a picture. Sums of products start at 0, are added in the order of the indices, and are not fused.
-// So the cameras of two machines can differ only by the rounding of sines and cosines.
+// Finds the camera of a picture. Sums of products are added in a fixed order and without fused operations. So the
+// cameras on two machines differ at most by the rounding of sines and cosines.
 #include "picture/look.h"
 
 #include "base/assert.h"
@@ -75,14 +75,14 @@ glm::dvec3 upper_left_times(const CameraMatrix& a, const glm::dvec3& v) noexcept
     return product;
 }
 
-// Returns the remainder of a division by 360, from 0 to 360.
+// Returns the angle modulo 360, from 0 to 360 degrees.
 double within_a_turn(double degrees) noexcept {
     const double rest = std::fmod(degrees, 360.0);
     if (rest == 0.0) return 0.0;
     return rest < 0.0 ? rest + 360.0 : rest;
 }
 
-// Rounds to whole degrees, from 0 to 359.
+// Rounds an angle to whole degrees, from 0 to 359.
 double whole_degrees(double degrees) noexcept { return within_a_turn(std::nearbyint(degrees)); }
 
 // Unit vectors that point up, to the front, and to the right.
@@ -102,7 +102,7 @@ LookAxes axes_of_view(const glm::dvec3& up) noexcept {
 
 // ---- Marks as points
 
-// Appends an attribute of all marks, which has three 32-bit numbers, and adds `origin` to it.
+// Appends an attribute with three 32-bit numbers for all marks, and adds `origin` to each.
 void append_attribute(Points& to, const PointSet& marks, std::uint32_t attribute, const glm::dvec3& origin) {
     auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_info(marks.get(), &info, error); });
@@ -122,7 +122,7 @@ void append_attribute(Points& to, const PointSet& marks, std::uint32_t attribute
     }
 }
 
-// Returns the mean of the normals. It is computed in 32 bits, in which the normals are kept.
+// Returns the mean of the normals. It is computed in single precision, in which the normals are stored.
 glm::dvec3 mean_of_normals(const PointSet& marks, Pool& pool) {
     const Points normals = normals_of(marks, pool);
     if (normals.empty()) return glm::dvec3(0.0);
@@ -133,7 +133,7 @@ glm::dvec3 mean_of_normals(const PointSet& marks, Pool& pool) {
 
 // ---- The frame
 
-// The extent of places in a picture, in coordinates from -1 to 1 across the picture.
+// The bounding box of places in a picture, in coordinates from -1 to 1.
 struct SeenExtent {
     glm::dvec2 low{std::numeric_limits<double>::infinity()};
     glm::dvec2 high{-std::numeric_limits<double>::infinity()};
@@ -151,7 +151,7 @@ std::int32_t side_of_picture(double pixels, std::int32_t longer) noexcept {
     return std::max({static_cast<std::int32_t>(std::nearbyint(pixels)), longer / look_tuning.slimmest, 1});
 }
 
-// Returns the camera with its picture cropped to the places. The eye stays where it is. each_place(visit) calls
+// Returns the camera with its picture cropped to the places. The eye does not move. each_place(visit) calls
 // visit(place) for each place.
 template <class EachPlace>
 hrbfnpr_camera framed_camera(const hrbfnpr_camera& camera, const View& view, EachPlace&& each_place) {
@@ -162,7 +162,8 @@ hrbfnpr_camera framed_camera(const hrbfnpr_camera& camera, const View& view, Eac
     if (!seen.is_finite || !(seen.low.x <= seen.high.x))
         fail(Status::invalid_argument, "the camera sees nothing: there are no places, or some are not finite");
     const glm::dvec2 old(camera.viewport[2], camera.viewport[3]);
-    const glm::dvec2 extent = glm::max((seen.high - seen.low) / 2.0 * old, look_tuning.least_extent); // old pixels
+    // In pixels of the old picture.
+    const glm::dvec2 extent = glm::max((seen.high - seen.low) / 2.0 * old, look_tuning.least_extent);
     std::int32_t width = view.width;
     std::int32_t height = view.height;
     if (width <= 0) {
@@ -189,7 +190,7 @@ hrbfnpr_camera framed_camera(const hrbfnpr_camera& camera, const View& view, Eac
     return result;
 }
 
-// Returns a camera that looks from the eye to the target, or else to the middle of the box.
+// Returns a camera that looks from the eye at the target, or at the middle of the box if there is no target.
 hrbfnpr_camera camera_at_eye(const View& view, const geometry::Bounds& bounds, double angle) {
     const glm::dvec3 eye = *view.eye;
     const glm::dvec3 target = view.target.value_or((bounds.min + bounds.max) / 2.0);
@@ -220,7 +221,7 @@ hrbfnpr_camera camera_that_sees(const View& view, const geometry::Bounds& bounds
     const glm::dvec3 direction = view.direction ? *view.direction
                                                 : direction_of_view(view.up, view.azimuth.value_or(look_tuning.azimuth),
                                                                     view.elevation.value_or(look_tuning.elevation));
-    // The size does not matter, because the picture is cropped later.
+    // The picture is cropped later, so its size does not matter here.
     constexpr double side = 800.0;
     auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     call([&](hrbfnpr_error* error) {
@@ -236,7 +237,7 @@ hrbfnpr_camera camera_that_sees(const View& view, const geometry::Bounds& bounds
 CameraMatrix rotation_about(const glm::dvec3& axis, const glm::dvec3& centre, double degrees) noexcept {
     const glm::dvec3 unit = unit_in_order(axis);
     const double angle = degrees * radians_of_degree;
-    CameraMatrix cross{}; // `cross` times v is the cross product of the axis and v.
+    CameraMatrix cross{}; // the matrix of the cross product with the axis
     matrix_entry(cross, 0, 1) = -unit.z;
     matrix_entry(cross, 0, 2) = unit.y;
     matrix_entry(cross, 1, 0) = unit.z;

@@ -13,7 +13,7 @@ namespace hrbfnpr::picture {
 
 // ---- Marks as points
 
-// A few marks spread evenly over a model, which tell its area and its place.
+// A few marks spread evenly over a model. They show its area and its position.
 struct Probe {
     explicit Probe(Pool& pool) : places(&pool) {}
 
@@ -25,71 +25,72 @@ struct Probe {
 
 [[nodiscard]] Probe probe(const Call& call, const Model& model);
 
-// Estimates the area of a surface from marks that are spread evenly on it.
+// Estimates the area of a surface from evenly spread marks.
 [[nodiscard]] double area_of(const PointSet& marks);
-// These return the absolute positions or the normals of all marks, layer by layer.
+// These functions return the absolute positions or the normals of all marks, layer by layer.
 [[nodiscard]] Points positions_of(const PointSet& marks, Pool& pool);
 [[nodiscard]] Points normals_of(const PointSet& marks, Pool& pool);
 
-// These return the box of a model's samples, of a set's marks, or of several models.
+// These functions return the bounding box of a model's samples, of the marks of a set, or of several models.
 [[nodiscard]] geometry::Bounds bounds_of(const Model& model);
 [[nodiscard]] geometry::Bounds bounds_of(const PointSet& marks);
 [[nodiscard]] geometry::Bounds bounds_of(std::span<const Model> models);
 
 // ---- Cameras
 
-// The options of a camera. An option without a value is chosen later.
+// The options of a camera. Options without a value are chosen later.
 struct View {
-    std::optional<hrbfnpr_camera> camera; // If given, it is used unchanged, and the rest is ignored.
-    std::optional<double> azimuth;        // degrees, from the front to the right
-    std::optional<double> elevation;      // degrees above the horizon
-    std::optional<glm::dvec3> direction;  // From the eye into the scene. It replaces azimuth and elevation.
-    std::optional<glm::dvec3> eye;        // If given, the direction is ignored.
-    std::optional<glm::dvec3> target;     // The eye looks at this place.
-    std::optional<double> fov;            // degrees, vertical; 0: orthographic
-    double margin = 0.0;                  // share of the picture that is free on each side
+    std::optional<hrbfnpr_camera> camera; // If set, this camera is used unchanged, and the other members are ignored.
+    std::optional<double> azimuth;        // in degrees, from the front to the right
+    std::optional<double> elevation;      // in degrees above the horizon
+    // The direction from the eye into the scene. It replaces azimuth and elevation.
+    std::optional<glm::dvec3> direction;
+    std::optional<glm::dvec3> eye;    // The position of the eye. It replaces `direction`.
+    std::optional<glm::dvec3> target; // The place that the eye looks at.
+    std::optional<double> fov;        // the vertical angle of view in degrees; 0: orthographic
+    double margin = 0.0;              // the empty share of the picture on each side
     glm::dvec3 up{0.0, 1.0, 0.0};
-    std::int32_t width = 0; // In pixels. If 0, `size` and the object set width and height.
+    std::int32_t width = 0; // The width in pixels. If 0, `size` and the object decide.
     std::int32_t height = 0;
-    std::int32_t size = 0; // The longer side, in pixels.
+    std::int32_t size = 0; // The longer side of the picture, in pixels.
 };
 
-// Reads the options of the camera from the options and their settings.
+// Reads the camera's options from the options of the picture and their settings.
 [[nodiscard]] View view_of(const Options& options, const glm::dvec3& up);
 
-// Returns a camera for a view that sees all of the places. `bounds` is the box of the source. Archaeological finds
-// (`is_find`) are drawn without perspective, so that they can be measured.
+// Returns a camera that sees all of the places. `bounds` is the box of the source. Archaeological finds (`is_find`) are
+// drawn without perspective, so that they can be measured.
 [[nodiscard]] hrbfnpr_camera camera_for(const View& view, const geometry::Bounds& bounds, const Points& places,
                                         bool is_find);
 
 // Returns the direction from the eye into the scene. Azimuth 0 looks from the front: +z, or -y if z is up. The angles
 // are in degrees.
 [[nodiscard]] glm::dvec3 direction_of_view(const glm::dvec3& up, double azimuth, double elevation) noexcept;
-// Returns the azimuth from which an eye sees a surface that faces this direction, in degrees from 0 to 360.
+// Returns the azimuth, in degrees from 0 to 360, from which the camera sees a surface that faces this direction.
 [[nodiscard]] double azimuth_of(const glm::dvec3& up, const glm::dvec3& direction) noexcept;
-// Returns the azimuth from which an open surface of this mean normal shows its front. Returns nullopt unless the usual
-// camera sees its back.
+// Returns the azimuth that shows the front of an open surface with this mean normal, or nullopt if the default camera
+// already sees the front.
 [[nodiscard]] std::optional<double> front_azimuth(const glm::dvec3& up, const glm::dvec3& normal) noexcept;
 
-// If the options leave the camera open, turns the view to the front of an open surface and notes it. `shape` is
-// nullable. `probes` has the probes of all surfaces, at least one.
+// If the options do not choose a camera, turns the view to the front of an open surface and reports it in a note.
+// `shape` may be null. `probes` has the probes of all surfaces, at least one.
 void look_at_front(const Call& call, View& view, const Shape* shape, std::span<const Probe> probes);
 
-// Returns a place in the clip space of a camera.
+// Returns the position of a point in the clip space of a camera.
 [[nodiscard]] glm::dvec4 clip_place(const hrbfnpr_camera& camera, const glm::dvec3& place) noexcept;
 
-// Returns how many pixels a unit of length across the view covers at a place.
+// Returns the length in pixels of a unit of length across the view, at a given place.
 [[nodiscard]] double pixels_per_unit(const hrbfnpr_camera& camera, const glm::dvec3& place) noexcept;
 
 // ---- Orbits
 
-// Returns the centre of an orbit: the middle of the box, or the target of an eye.
+// Returns the centre of an orbit: the target if the eye is given, else the middle of the box.
 [[nodiscard]] glm::dvec3 orbit_centre(const View& view, const geometry::Bounds& bounds) noexcept;
-// Returns the camera of an orbit's first frame. Its picture has room for all frames. `turn` is the angle of the whole
-// orbit in degrees.
+// Returns the camera of the first frame of an orbit. Its picture is large enough for all frames. `turn` is the angle of
+// the whole orbit in degrees.
 [[nodiscard]] hrbfnpr_camera first_camera(const View& view, const geometry::Bounds& bounds, const Points& places,
                                           double turn, std::int32_t frames, bool is_find);
-// Returns the camera turned by some degrees about an axis through a centre.
+// Returns the camera turned by an angle in degrees about an axis through a centre.
 [[nodiscard]] hrbfnpr_camera turned(const hrbfnpr_camera& camera, const glm::dvec3& axis, const glm::dvec3& centre,
                                     double degrees) noexcept;
 

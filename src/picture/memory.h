@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Defines standard containers that use the context's memory. std::pmr is not used, because the toolchains of Emscripten
-// and Apple got it late.
+// Defines standard containers that use the context's memory. They do not use std::pmr, which the toolchains of
+// Emscripten and Apple lacked for a long time.
 #pragma once
 
 #include "base/memory.h"
@@ -17,8 +17,8 @@
 
 namespace hrbfnpr::picture {
 
-// A Pool gives containers the memory of the context, which counts it. They fail with Error{out_of_memory}. The Memory
-// must outlive the Pool, and the Pool must outlive its containers.
+// A Pool lets containers use the context's memory, which is counted. They throw Error{out_of_memory}. The Memory must
+// outlive the Pool, and the Pool must outlive its containers.
 class Pool {
 public:
     explicit Pool(base::Memory& memory) noexcept : memory_(&memory) {}
@@ -30,7 +30,7 @@ private:
     base::Memory* memory_;
 };
 
-// Allocates from a Pool, or from the program's own memory without one, as copies of containers do.
+// Allocates from a Pool. Without a Pool, as in copies of containers, it allocates from the program's memory.
 template <class T>
 class PoolAllocator {
 public:
@@ -60,7 +60,7 @@ private:
     Pool* pool_ = nullptr;
 };
 
-// Passes its pool on to the elements of a container.
+// Gives the elements of a container the same pool as the container.
 template <class T>
 using Allocator = std::scoped_allocator_adaptor<PoolAllocator<T>>;
 

@@ -19,9 +19,9 @@ bool has_finite_corners(const Points& points, const Triangle& face) noexcept {
     });
 }
 
-// A mesh in which all vertices are at different places.
+// A mesh whose vertices at the same place are joined.
 struct JoinedMesh {
-    Points places; // The vertices, in ascending order.
+    Points places; // The places of the vertices, in ascending order.
     Vector<Triangle> faces;
 };
 
@@ -70,7 +70,8 @@ void leave_out_degenerate(JoinedMesh& mesh, MeshFacts& facts, Pool& pool) {
     for (const Triangle& face : mesh.faces) {
         doubled.push_back(glm::length(doubled_area_of(mesh.places, face)));
         facts.degenerate_faces += doubled.back() <= 0.0 ? 1 : 0;
-        if (doubled.back() > 0.0) mesh.faces[to++] = face; // The comparison is false for NaN.
+        // For a NaN area the comparison is false, so the face is removed.
+        if (doubled.back() > 0.0) mesh.faces[to++] = face;
     }
     mesh.faces.resize(to);
     facts.area = sum_in_pairs(doubled) / 2.0;
@@ -82,14 +83,14 @@ std::int64_t count_repeated(Vector<Triangle> faces) {
     return faces.end() - std::unique(faces.begin(), faces.end());
 }
 
-// Tells whether a side of a face goes from its lower vertex to the higher one.
+// Returns whether a side of a face goes from its lower vertex to its higher one.
 bool goes_up(const FaceEdges& edges, const Vector<Triangle>& faces, std::int64_t side) noexcept {
     const auto k = static_cast<std::size_t>(side / edges.faces);
     const Triangle& face = faces[edges.face(side)];
     return face[k] < face[(k + 1) % 3];
 }
 
-// Counts the edges that a closed surface cannot have, and returns the border edges.
+// Counts the edges that a closed surface cannot have. Returns the border edges.
 Vector<Edge> look_at_edges(const JoinedMesh& mesh, MeshFacts& facts, Pool& pool) {
     const FaceEdges edges = find_edges(mesh.faces, mesh.places.size(), pool);
     Vector<Edge> border(&pool);
@@ -112,14 +113,14 @@ std::int32_t as_vertex(std::int64_t i) noexcept { return static_cast<std::int32_
 std::int64_t count_loops(const Vector<Edge>& border, std::size_t vertices, Pool& pool) {
     mesh::UnionFind joined(pool.memory(), static_cast<std::int64_t>(vertices));
     for (const Edge& edge : border) joined.join(as_vertex(edge[0]), as_vertex(edge[1]));
-    // Each loop is named after one of its vertices.
+    // The name of a loop is one of its vertices.
     Vector<std::int64_t> names(&pool);
     for (const Edge& edge : border) names.push_back(joined.find(as_vertex(edge[0])));
     std::sort(names.begin(), names.end());
     return std::unique(names.begin(), names.end()) - names.begin();
 }
 
-// Sums, for each part, the volumes of the tetrahedra between its faces and a middle point, times six.
+// Sums six times the volume of each part: the volumes of the tetrahedra between its faces and a middle point.
 void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts& facts, Pool& pool) {
     mesh::UnionFind joined(pool.memory(), static_cast<std::int64_t>(mesh.places.size()));
     for (const Triangle& face : mesh.faces) {
@@ -127,7 +128,8 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
         joined.join(as_vertex(face[1]), as_vertex(face[2]));
     }
     constexpr std::int64_t none = -1;
-    Vector<std::int64_t> part_of(mesh.places.size(), none, &pool); // the part, by the vertex that names its set
+    // The number of each part; its index is the vertex that names the part.
+    Vector<std::int64_t> part_of(mesh.places.size(), none, &pool);
     const auto part_at = [&](std::int64_t vertex) -> std::int64_t& {
         return part_of[static_cast<std::size_t>(joined.find(as_vertex(vertex)))];
     };

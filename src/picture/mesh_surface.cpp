@@ -27,14 +27,14 @@ namespace {
 
 // ---- Options
 
-// Returns the options of a fit to samples. A fit to a mesh uses some of them.
+// Returns the options for a fit to samples. A fit to a mesh uses some of them.
 hrbfnpr_fit_desc wanted_fit(const Options& options) {
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
     options.changes.apply("fit", desc);
     return desc;
 }
 
-// Tells whether the fit takes as many samples as it needs.
+// Returns whether the fit chooses the number of its samples.
 bool chooses_samples(const Options& options) {
     const Changes& changes = options.changes;
     mesh::SampleOptions wishes;
@@ -86,7 +86,7 @@ Mesh create_mesh(const Call& call, const hrbfnpr_mesh_desc& desc, hrbfnpr_operat
     });
 }
 
-// Makes a mesh, with the repairs that the options allow.
+// Makes a mesh, and repairs it as the options allow.
 Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles,
                  hrbfnpr_operation* operation) {
     const Options& options = call.options;
@@ -96,7 +96,7 @@ Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>&
     return create_mesh(call, desc, operation);
 }
 
-// Makes a mesh from points and faces that were already repaired.
+// Makes a mesh from points and faces that are already repaired.
 Mesh same_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles, double crease_angle,
                hrbfnpr_operation* operation) {
     hrbfnpr_mesh_desc desc = mesh_desc_of(points, triangles, crease_angle);
@@ -123,7 +123,7 @@ struct PreparedMesh {
     Shape shape;
     Points points;
     Points normals;
-    bool is_flat = false; // All of its faces are flat.
+    bool is_flat = false; // True if all faces are flat.
 };
 
 String borders_in_words(const hrbfnpr_mesh_info& info, Pool& pool) {
@@ -247,15 +247,15 @@ struct DivisionResult {
     using Choice = mesh::CoarsePlan::Choice;
 
     mesh::CoarsePlan plan;
-    bool by_file = false; // Some edges are sharp, because the normals of the file say so.
-    double moved = 0.0;   // the farthest that a vertex moved, in diagonals
-    double raised = 0.0;  // the farthest that a place between vertices moved, in diagonals
-    // The coarseness before the division. It is below 0 if it was not measured because the options ask for division.
+    bool by_file = false; // True if the normals of the file mark some edges as sharp.
+    double moved = 0.0;   // the farthest distance that a vertex moved, in diagonals
+    double raised = 0.0;  // the farthest distance that a place between vertices moved, in diagonals
+    // The coarseness before the division. It is negative if it was not measured, because the options ask for division.
     double coarseness = -1.0;
 };
 
-// Tells whether a fit keeps some edges sharp, as it does on machine parts and polyhedra. If the whole
-// mesh has no creases, a rough fit still shows creases of single parts.
+// Returns whether a fit keeps some edges sharp, as on machine parts and polyhedra. If a plan for the whole mesh has no
+// creases, a rough fit may still find creases on some parts.
 bool has_creases(const Mesh& mesh, const base::Progress& progress) {
     if (info_of(mesh).creases != 0) return true;
     const hrbfnpr_mesh& made = *mesh.get();
@@ -440,8 +440,8 @@ struct MeshGroup {
     std::shared_ptr<const Shape> shape;
 };
 
-// Tells whether there may be several surfaces. There is only one if the caller asks for one surface, or for a plate,
-// which shows one surface.
+// Returns whether the mesh may be split into several surfaces. It may not if the caller asks for one surface or for a
+// plate, which shows one surface.
 bool may_be_apart(const Options& options) {
     const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
                            options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
@@ -450,12 +450,12 @@ bool may_be_apart(const Options& options) {
     return !wants_one && chooses_samples(options);
 }
 
-// Makes a mesh of some faces of another mesh. `whole` is the shape of all faces.
+// Makes a group from some faces of a mesh. `whole` is the shape of all faces.
 MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole, const FaceNumbers& faces) {
     Pool& pool = call.pool;
     const Points vertices = vertices_of(mesh, pool);
     const Vector<Triangle> triangles = triangles_of(mesh, pool);
-    Vector<std::int64_t> number(vertices.size(), -1, &pool); // the new number of each used vertex, else -1
+    Vector<std::int64_t> number(vertices.size(), -1, &pool); // the new number of each vertex that is used, else -1
     for (const std::int64_t face : faces)
         for (const std::int64_t corner : triangles[static_cast<std::size_t>(face)])
             number[static_cast<std::size_t>(corner)] = 0;
@@ -480,7 +480,7 @@ MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole,
     return {std::move(made), std::move(shape)};
 }
 
-// Returns the mesh itself, or groups of parts that cannot belong to one surface, the largest first.
+// Returns the whole mesh as one group, or groups of parts that cannot belong to one surface, the largest first.
 Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
     Vector<MeshGroup> groups(&call.pool);
     std::optional<FaceGroups> found;
@@ -517,7 +517,7 @@ hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, bo
     return desc;
 }
 
-// Returns the options of a fit to samples that a fit to a mesh takes, too.
+// Returns those options of a fit to samples that a fit to a mesh has as well.
 hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
     const hrbfnpr_fit_desc wanted = wanted_fit(options);
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
@@ -590,7 +590,7 @@ void tell_mesh_fit(const Call& call, const hrbfnpr_mesh_fit_info& done, double d
                                    done.smooth_length / diagonal));
 }
 
-// Fits the group within a tolerance in both directions. A warning tells where the fit exceeds it.
+// Fits a model to the group, within a tolerance measured in both directions. Warns where the fit exceeds it.
 Model fit_group(const Call& call, const MeshGroup& group, bool is_flat, double across, hrbfnpr_mesh_fit_info& done) {
     Pool& pool = call.pool;
     const bool ends = info_of(group.mesh).boundary_edges > 0 && !call.options.has(HRBFNPR_PICTURE_CLOSE);
@@ -630,7 +630,7 @@ mesh::EndPlan end_plan_of(const Model& model, const hrbfnpr_mesh_info& mesh,
     return mesh::plan_end_of_picture(facts, may_end);
 }
 
-// Warns of parts of a closed surface that the fit invented and that are removed.
+// Warns if the fit of a closed mesh made extra surface that is removed.
 void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
     const hrbfnpr_trim_info info = trim_info_of(ended);
     if (!(info.share > mesh_tuning.doubted_share)) return;
@@ -644,8 +644,8 @@ void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
                                count_of(info.parts, "part", call.pool).c_str(), remedy.c_str()));
 }
 
-// Returns the model without the surface beyond the mesh, unless it is to be closed. The fit invented any surface that a
-// closed mesh does not have.
+// Returns the model without surface beyond the mesh, unless the caller wants it closed. If the mesh is closed, such
+// surface was made by the fit.
 Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
                   const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     const hrbfnpr_mesh_info info = info_of(mesh);

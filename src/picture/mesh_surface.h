@@ -7,9 +7,9 @@
 
 namespace hrbfnpr::picture {
 
-// Fits a surface to each group of parts. The group with the largest total area comes first; mostly there is one group.
-// `shape` is a mesh that leave_out_unusable() has cleaned. `up` is the direction of the options, or the one that is
-// found.
+// Fits one surface to each group of parts, usually to a single group. The group with the largest area comes first.
+// `shape` is a mesh that leave_out_unusable() has cleaned. `up` is the direction in the options, or receives the one
+// that is found.
 [[nodiscard]] Vector<Surface> fit_mesh(const Call& call, Shape&& shape, glm::dvec3& up);
 
 } // namespace hrbfnpr::picture

@@ -21,9 +21,9 @@ void tell_nearness(const Call& call, const Mesh& mesh, const Model& model);
 [[nodiscard]] double diagonal_of(const hrbfnpr_model_info& info) noexcept;
 [[nodiscard]] double diagonal_of(const Model& model);
 
-// Describes how near a surface is to the points that it was fitted to, by the fit's own figures.
+// Describes how near a surface is to the points that it was fitted to. The numbers come from the fit.
 [[nodiscard]] String nearness_of_points(const hrbfnpr_model_info& info, Pool& pool);
-// Notes which samples the fit repaired or left out.
+// Reports in a note which samples the fit repaired or left out.
 void tell_repaired_samples(const Call& call, const hrbfnpr_model_info& info);
 // Warns of defects that the fit found in the samples but did not repair.
 void tell_doubted_samples(const Call& call, const hrbfnpr_model_info& info);

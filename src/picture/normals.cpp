@@ -16,7 +16,7 @@ namespace hrbfnpr::picture {
 namespace {
 
 constexpr std::uint64_t look_seed = 1;
-// Each use of random numbers has its own stream, so the uses are independent.
+// Each use of random numbers has a separate stream, so that the uses do not affect each other.
 constexpr std::uint32_t sources_stream = 1;
 constexpr std::uint32_t queries_stream = 2;
 
@@ -47,7 +47,7 @@ glm::dvec3 mean_point(const Points& points) noexcept {
 struct NormalSamples {
     Points points;
     Points normals;
-    Vector<double> spacing; // the distance to the last neighbour
+    Vector<double> spacing; // for each sample: the distance to its last neighbour
     Vector<double> area;
 };
 
@@ -109,7 +109,8 @@ void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours
                 ++beside;
                 opposed_beside += opposed ? 1 : 0;
             }
-            if (height < normals_tuning.level_height * length) { // The neighbour is surely on the same sheet.
+            // A neighbour at such a low height is certainly on the same sheet.
+            if (height < normals_tuning.level_height * length) {
                 ++level_pairs;
                 opposed_pairs += opposed ? 1 : 0;
             }
@@ -122,7 +123,7 @@ void compare_neighbours(const NormalSamples& samples, const geometry::Neighbours
     const double all_pairs = static_cast<double>(count) * static_cast<double>(near.each());
     if (static_cast<double>(level_pairs) / all_pairs < normals_tuning.least_level_share) return;
     const double pairs = static_cast<double>(opposed_pairs) / static_cast<double>(level_pairs);
-    // A share p of flipped normals opposes a share 2 p (1 - p) of the pairs.
+    // If a share p of normals is flipped, a share 2 p (1 - p) of the pairs is opposite. This solves for p.
     look.flipped = (1.0 - std::sqrt(std::max(1.0 - 2.0 * pairs, 0.0))) / 2.0;
 }
 

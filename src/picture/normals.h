@@ -10,35 +10,35 @@ struct NormalsLook {
     // The median sum of the winding numbers on both sides of the samples. It is 1 on a closed surface with outward
     // normals, -1 with inward ones, and about 0 on an open sheet or with mixed normals.
     double closed = 0.0;
-    double against = 0.0;    // the share of normals that oppose nearly all their neighbours
-    double flipped = 0.0;    // the share of normals that, flipped at random, would make as many neighbours differ
-    double outside_in = 0.0; // the share of negative sums, among the sums that differ enough from 0
+    double against = 0.0;    // the share of normals that are opposite to nearly all of their neighbours
+    double flipped = 0.0;    // the share of flipped normals, if flips at random explain the share of opposite pairs
+    double outside_in = 0.0; // among the sums that differ enough from 0: the share of negative ones
 
-    // Tells whether all normals point inward, for a surface that is closed except for holes.
+    // Returns whether all normals of a closed surface, which may have holes, point inward.
     [[nodiscard]] bool inward() const noexcept;
-    // Tells whether some normals oppose their neighbours, or one part opposes another.
+    // Returns whether some normals are opposite to their neighbours, or those of one part to those of another.
     [[nodiscard]] bool mixed() const noexcept;
 };
 
-// Examines winding numbers and neighbours. `even` tells that all samples represent the same area. There is one unit
-// normal for each point.
+// Examines winding numbers and neighbours. `even` means that all samples represent the same area. Each point has one
+// unit normal.
 [[nodiscard]] NormalsLook look_at_normals(const Points& points, const Points& normals, bool even, Pool& pool);
 
-// Describes the result of look_at_normals().
+// Describes a NormalsLook in words.
 [[nodiscard]] String normals_in_words(const NormalsLook& look, Pool& pool);
-// Warns if normals that were not turned look wrong. `of_mesh` tells that they are normals of faces. With `advice_apart`
-// the remedy becomes the note's advice; otherwise it ends the note's text.
+// Warns if normals that were not turned look wrong. `of_mesh` means that they are the normals of faces. If
+// `advice_apart` is set, the remedy becomes the note's advice, else it follows the note's text.
 void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh,
                         bool advice_apart = false);
 
-// Tells whether finite points lie along curves, where neighbours say nothing about normals. Very many points are not
-// tested, and the result is false.
+// Returns whether the points lie along curves, where neighbours tell nothing about normals. Points must be finite. For
+// too many points it returns false without a test.
 [[nodiscard]] bool lie_along_curves(const Points& points, Pool& pool);
 
-// Counts the places with several samples whose normals differ.
+// Counts positions where several samples have different normals.
 struct SharedPlaces {
-    std::int64_t joined = 0;   // One sample with the mean normal remains.
-    std::int64_t left_out = 0; // The normals are opposite, and no sample remains.
+    std::int64_t joined = 0;   // Positions where one sample remains, with the mean normal.
+    std::int64_t left_out = 0; // Positions where no sample remains, because the normals are opposite.
 };
 // Leaves at most one sample at each place where normals differ, such as the vertices on a sharp edge of a mesh. The
 // points must be finite.
@@ -65,13 +65,13 @@ constexpr const char* how_to_turn_faces =
                                        std::uint32_t mode, const ViewingHints& seen);
 // Returns the words that follow "the normals are" for a constant HRBFNPR_NORMALS_* of an orient_info.
 [[nodiscard]] const char* found_in_words(std::uint32_t found) noexcept;
-// Describes the changes that make_normals() made to this many points.
+// Describes in words how make_normals() changed the normals of this many points.
 [[nodiscard]] String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool);
-// Warns if the library is not sure of the normals, or of the side to which they point.
+// Warns if the library is not sure of the normals or of their outward side.
 void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info);
 
-// Turns the normals of points outward where the outside can be told, and returns a description of the changes. `mode`
-// is a constant HRBFNPR_NORMALS_*; GIVEN keeps the normals.
+// Turns the normals of points outward if the outside can be found, and describes the changes in words. `mode` is a
+// constant HRBFNPR_NORMALS_*; GIVEN keeps the normals.
 [[nodiscard]] String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals,
                                     std::uint32_t mode, const ViewingHints& seen);
 // Does the same with the library's normals, whatever the given ones look like.

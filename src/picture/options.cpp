@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implements the descriptor of a picture: its defaults, its checks, and the values that settings add.
+// Implements the descriptor of a picture: its defaults, its checks, and the values that come from settings.
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/lists.h"
@@ -22,9 +22,9 @@ using PictureDesc = hrbfnpr_picture_desc;
 using Dab = hrbfnpr_dab;
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t largest_side = 32768;
-constexpr double largest_number = 1e300; // Lengths and coordinates may not be larger.
+constexpr double largest_number = 1e300; // Larger lengths and coordinates are refused.
 
-// Accepts NaN, which asks for an automatic choice, and the values of a rule.
+// Accepts NaN, which asks for an automatic choice, and the values that a rule accepts.
 template <class Rule>
 struct OrNan {
     Rule rule;
@@ -35,7 +35,7 @@ struct OrNan {
 template <class Rule>
 OrNan(Rule) -> OrNan<Rule>;
 
-// Accepts 0, which asks for an automatic choice, and a range of values.
+// Accepts 0, which asks for an automatic choice, and the values in a range.
 struct OrZero {
     double low, high;
     void operator()(const Checks& checks, const char* field, double value) const {
@@ -179,7 +179,7 @@ void check_text(const char* text, const char* field) {
 }
 
 std::uint32_t preset_of(const char* name) {
-    String known_names; // for a message only
+    String known_names; // The names are only needed for a message.
     for (std::uint32_t preset = 0;; ++preset) {
         const char* const known = hrbfnpr_preset_name(preset);
         if (known == nullptr) break;
@@ -191,7 +191,7 @@ std::uint32_t preset_of(const char* name) {
          known_names.c_str());
 }
 
-// Replaces a text of the caller's by a copy that we own.
+// Copies a text of the caller, and replaces the pointer to it by one to the copy.
 void keep_text(const char*& text, Vector<String>& texts) {
     if (text == nullptr) return;
     texts.emplace_back(text);
@@ -204,8 +204,8 @@ bool gives_view(const hrbfnpr_picture_desc& desc) noexcept {
            !std::isnan(desc.eye[0]) || !std::isnan(desc.target[0]) || !std::isnan(desc.fov) || !std::isnan(desc.margin);
 }
 
-// Sets the size that is asked for. If only the longer side is given, the shape comes from the size of the settings, if
-// they have one.
+// Sets the size of the picture. If the caller gives only the longer side, the aspect ratio is that of the settings, if
+// they have a size.
 void set_size(hrbfnpr_picture_desc& desc, const std::array<std::int32_t, 2>& known) noexcept {
     if (desc.width > 0) return;
     const double scale =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Implements the C functions for the results of a picture: images, pages, sheets of views, settings.
+// Implements the C functions that return the results of a picture: images, pages, drawing sheets and settings.
 #include "api/barrier.h"
 #include "api/camera.h"
 #include "api/descriptor.h"
@@ -29,10 +29,10 @@ hrbfnpr_picture_page_desc defaults() noexcept {
 namespace hrbfnpr::picture {
 namespace {
 
-// Tells whether a scale bar or section stands beside the drawing. Sets of marks without a model have neither.
+// Returns whether a scale bar or section is beside the drawing. Point sets without a model have neither.
 bool has_plate(const hrbfnpr_picture& picture) { return !picture.surfaces().list.empty() && is_plate(picture.options); }
 
-// Returns the plate around a drawing. It refers to the camera, the unit and the section.
+// Returns the plate for a drawing. It refers to the camera, the unit and the section, which must outlive it.
 Plate plate_of(const hrbfnpr_picture& picture, const hrbfnpr_camera& camera, std::string_view unit,
                const LineSet& section) {
     return {picture.surfaces().list.front().model, picture.parts.front().marks, section, camera, *picture.style, unit};

@@ -17,7 +17,7 @@
 namespace hrbfnpr::api {
 namespace {
 
-constexpr double largest_paper = 1e6; // The largest side of a page, in mm.
+constexpr double largest_paper = 1e6; // The largest width and height of a page, in mm.
 
 constexpr auto picture_page_fields() noexcept {
     using D = hrbfnpr_picture_page_desc;
@@ -135,7 +135,7 @@ void add_numbers(JsonDocument& json, const double* numbers, int count, int strid
     json.end();
 }
 
-// Adds a column-major matrix as a list of rows.
+// Adds a column-major matrix to a JSON document, as a list of its rows.
 void add_matrix(JsonDocument& json, const double (&matrix)[16]) {
     json.begin(JsonKind::list);
     for (int row = 0; row < 4; ++row) add_numbers(json, matrix + row, 4, 4);
@@ -195,8 +195,8 @@ String page_metadata(std::string_view input, std::string_view style, std::span<c
 namespace {
 
 struct Paper {
-    char name[8];         // The text is in place, because a table of pointers would have to be relocated.
-    double width, height; // mm, in portrait format
+    char name[8];         // The text is in an array, because a table of pointers would need relocation.
+    double width, height; // in mm, in portrait format
 };
 constexpr std::array<Paper, 10> papers{Paper{"a0", 841.0, 1189.0},   Paper{"a1", 594.0, 841.0},
                                        Paper{"a2", 420.0, 594.0},    Paper{"a3", 297.0, 420.0},
@@ -204,7 +204,7 @@ constexpr std::array<Paper, 10> papers{Paper{"a0", 841.0, 1189.0},   Paper{"a1",
                                        Paper{"a6", 105.0, 148.0},    Paper{"letter", 215.9, 279.4},
                                        Paper{"legal", 215.9, 355.6}, Paper{"tabloid", 279.4, 431.8}};
 
-constexpr double pixel_mm = 25.4 / 96.0; // as in CSS
+constexpr double pixel_mm = 25.4 / 96.0; // The size of a pixel in mm, as CSS defines it.
 constexpr double largest_side_mm = 1e6;
 
 std::string_view without_blanks(std::string_view text) noexcept {
@@ -214,7 +214,7 @@ std::string_view without_blanks(std::string_view text) noexcept {
     return text;
 }
 
-// Returns the number that a text holds, or NaN if it holds none.
+// Returns the number in a text, or NaN if the text is not a number.
 double number_of_text(std::string_view text) noexcept {
     return parse_number(without_blanks(text)).value_or(std::numeric_limits<double>::quiet_NaN());
 }
@@ -266,9 +266,9 @@ glm::dvec2 paper_size(std::string_view name, const Report& report) {
 
 namespace {
 
-// The widths in mm that a group of layers is drawn with.
+// The widths in mm with which the layers of one group are drawn.
 struct GroupWidths {
-    String group; // the prefix of the names of the layers' groups
+    String group; // The prefix that the names of these layers have in common.
     bool is_lines;
     Vector<float> widths;
 
@@ -322,16 +322,16 @@ float median_width(Vector<float>& widths) {
     return widths.size() % 2 == 1 ? widths[half] : (widths[half - 1] + widths[half]) / 2.0F;
 }
 
-// The pen for a group, and the width that the group is drawn with.
+// The pen for a group, and the width with which the group is drawn.
 struct ChosenPen {
     String groups;
     std::size_t pen; // the index of the pen among the available widths
     const char* what;
-    double drawn; // mm
+    double drawn; // the drawn width in mm
 };
 
-// Chooses for each group the pen that is nearest to the median width of its lines or diameter of its dots. The groups
-// are sorted by name, so that "stipples contour" follows "stipples": the last pen that matches a group is used.
+// Chooses for each group the pen nearest to the median width of its lines, or diameter of its dots. Groups are sorted
+// by name, because the last matching pen is used: "stipples contour" must follow "stipples".
 Vector<ChosenPen> nearest_pens(const PageContent& content, double scale, const base::Array<double>& at_hand,
                                Pool& pool) {
     Vector<GroupWidths> groups(&pool);
@@ -340,7 +340,7 @@ Vector<ChosenPen> nearest_pens(const PageContent& content, double scale, const b
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         if (groups[a].group != groups[b].group) return groups[a].group < groups[b].group;
-        return !groups[a].is_lines && groups[b].is_lines; // "dots" come before "lines".
+        return !groups[a].is_lines && groups[b].is_lines; // For equal names, dots come before lines.
     });
     Vector<ChosenPen> chosen(&pool);
     for (const std::size_t i : order) {
@@ -360,7 +360,7 @@ base::Array<double> widths_at_hand(const hrbfnpr_array& given, Pool& pool) {
     constexpr unsigned float64_only = 1U << HRBFNPR_SCALAR_FLOAT64;
     base::Array<double> widths =
         api::finite_numbers(pool.memory(), given, "picture_page_desc.pen_widths", {1, float64_only});
-    constexpr double widest = 1e3; // mm
+    constexpr double widest = 1e3; // the largest width, in mm
     constexpr std::int64_t most = 255;
     if (widths.size() > most)
         fail(Status::invalid_argument, "picture_page_desc.pen_widths has %lld elements; it must have at most %lld",
@@ -434,7 +434,7 @@ Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const
                                                Vector<glm::dvec2>& points, Pool& pool) {
     std::size_t point_count = 0;
     for (const PageNote& note : content.notes) point_count += note.points.size();
-    points.reserve(point_count); // No element may move later.
+    points.reserve(point_count); // The notes point into this list, so its elements must not move later.
     Vector<hrbfnpr_annotation> annotations(&pool);
     annotations.reserve(content.notes.size());
     for (const PageNote& note : content.notes) {
@@ -452,7 +452,7 @@ Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const
     return annotations;
 }
 
-// Lists the chosen pens first, then the caller's pens, which take precedence.
+// Lists the chosen pens, followed by the caller's pens, which override them.
 Vector<hrbfnpr_pen> pens_of_page(const Vector<ChosenPen>& chosen, const base::Array<double>& at_hand,
                                  const hrbfnpr_page_desc& page, Pool& pool) {
     Vector<hrbfnpr_pen> pens(&pool);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Puts a drawing on paper: its place, the pens that draw it, and the metadata of the file.
+// Puts a drawing on a page: its position, its pens, and the metadata of the file.
 #pragma once
 
 #include "geometry/vec.h"
@@ -19,8 +19,8 @@ namespace hrbfnpr::picture {
 
 struct PageDrawing {
     Drawing drawing;
-    glm::dvec2 corner{0.0};     // the top-left corner
-    const char* name = nullptr; // the name of the group around it, or null
+    glm::dvec2 corner{0.0};     // The top-left corner of the drawing on the page.
+    const char* name = nullptr; // The name of the drawing's group, or null.
 };
 
 // A line or a text beside the drawings.
@@ -28,7 +28,7 @@ struct PageNote {
     explicit PageNote(Pool& pool) : points(&pool), text(&pool) {}
 
     Vector<glm::dvec2> points; // the points of the line, or the start of the text's baseline
-    String text;               // An empty text makes this note a line.
+    String text;               // The text. If it is empty, the note is a line.
     const char* group = "annotations";
     double width = 1.0; // the width of the line, or the height of the text's capitals
     std::array<float, 4> ink{0.0F, 0.0F, 0.0F, 1.0F};
@@ -42,32 +42,32 @@ struct PageContent {
     glm::dvec2 size{0.0};
 };
 
-// Returns the width and height of the smallest image that holds a camera's viewport.
+// Returns the smallest size of an image that holds the camera's viewport.
 [[nodiscard]] glm::ivec2 size_of_image(const hrbfnpr_camera& camera);
 
-// Returns a page with a drawing alone. `camera` is the one that it was drawn with.
+// Returns a page that contains only a drawing. `camera` is the camera of the drawing.
 [[nodiscard]] PageContent page_of(const Drawing& drawing, const hrbfnpr_camera& camera, Pool& pool);
 
 // ---- Strokes and dots of a drawing
 
 struct DrawnPoint {
-    float x, y, depth; // pixels, and window depth
-    float radius;      // pixels
+    float x, y, depth; // position in pixels, and window depth
+    float radius;      // in pixels
     std::uint32_t layer;
 };
 
-// The points of all strokes, one stroke after the other, from far to near.
+// The points of all strokes, stroke by stroke, from the farthest to the nearest.
 struct DrawnStrokes {
     Vector<DrawnPoint> points;
-    Vector<std::size_t> first; // the index in `points` where each stroke begins, and the total count
+    Vector<std::size_t> first; // The index in `points` where each stroke begins, and the number of points.
 };
 [[nodiscard]] DrawnStrokes drawn_strokes(const hrbfnpr_drawing& drawing, Pool& pool);
 [[nodiscard]] Vector<DrawnPoint> drawn_dots(const hrbfnpr_drawing& drawing, Pool& pool);
 
 // ---- Writing
 
-// Describes the contents of a drawing as JSON. `input` is the name of the source, and `style` the name of the preset.
-// `models` has the models of all surfaces, or none for a point set.
+// Describes the contents of a drawing as JSON. `input` is the name of the source, and `style` is the name of the
+// preset. `models` has the models of all surfaces; it is empty for a point set.
 [[nodiscard]] String page_metadata(std::string_view input, std::string_view style, std::span<const Model> models,
                                    std::int64_t marks, const hrbfnpr_camera& camera, Pool& pool);
 
@@ -75,8 +75,8 @@ struct DrawnStrokes {
 // Throws Error{invalid_argument} that lists the valid names.
 [[nodiscard]] glm::dvec2 paper_size(std::string_view name, const Report& report);
 
-// Places the content on the paper of a descriptor, as hrbfnpr_page_write does. The descriptor is read completely.
-// `info` and `operation` may be NULL. Notes the chosen pens and the work of a plotter.
+// Writes a page with the content, as hrbfnpr_page_write does, by all fields of the descriptor. `info` and `operation`
+// may be NULL. Reports the chosen pens and the work of a plotter in notes.
 void write_picture_page(hrbfnpr_context& context, Report& report, const PageContent& content,
                         const hrbfnpr_picture_page_desc& desc, const char* title, const char* metadata,
                         hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation);

@@ -11,7 +11,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Sums in a fixed order, so that equal settings give equal bits everywhere.
+// Returns the dot product. It adds in a fixed order, so that all machines get the same bits.
 double paint_dot(const glm::dvec3& a, const glm::dvec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 glm::dvec3 paint_vec(const double (&numbers)[3]) noexcept { return {numbers[0], numbers[1], numbers[2]}; }
@@ -22,7 +22,8 @@ glm::dvec3 paint_vec_at(const Number* numbers, std::int64_t i) noexcept {
             static_cast<double>(numbers[3 * i + 2])};
 }
 
-// Returns the weight of a dab: its strength in the middle, falling to 0 at its edge; 0 where the surface faces away.
+// Returns the weight of a dab at a place. It is the dab's strength in the middle, and falls to 0 at the edge. It is 0
+// where the surface faces away from the dab.
 double dab_weight(const hrbfnpr_dab& dab, const glm::dvec3& place, const glm::dvec3& normal) noexcept {
     const glm::dvec3 away = place - paint_vec(dab.position);
     const double share = paint_dot(away, away) / (dab.radius * dab.radius);
@@ -31,7 +32,7 @@ double dab_weight(const hrbfnpr_dab& dab, const glm::dvec3& place, const glm::dv
     return dab.strength * (1.0 - share) * (1.0 - share);
 }
 
-// All cells beyond this share one number, which only costs time.
+// Cell indices are clamped to this magnitude. All places beyond share a cell, which only costs time.
 constexpr double farthest_paint_cell = 1e9;
 
 std::int64_t paint_cell_along(double place, double side) noexcept {
@@ -40,13 +41,13 @@ std::int64_t paint_cell_along(double place, double side) noexcept {
     return static_cast<std::int64_t>(std::min(cell, farthest_paint_cell));
 }
 
-// Returns a hash of a cell. A collision only costs time, because a dab has no weight beyond its radius.
+// Returns a hash of a cell. Two cells with one hash only cost time, because a dab has no weight beyond its radius.
 std::uint64_t paint_cell_number(std::int64_t x, std::int64_t y, std::int64_t z) noexcept {
     return static_cast<std::uint64_t>(x) * 73856093U ^ static_cast<std::uint64_t>(y) * 19349663U ^
            static_cast<std::uint64_t>(z) * 83492791U;
 }
 
-// Avoids std::pow for the exponents that are frequent in styles.
+// Raises a tone to a power. For exponents that are frequent in styles it avoids std::pow.
 double raised_tone(double base, double exponent) noexcept {
     if (exponent == 1.0) return base;
     if (exponent == 2.0) return base * base;
@@ -59,11 +60,11 @@ bool same_dab(const hrbfnpr_dab& a, const hrbfnpr_dab& b) noexcept {
            paint_vec(a.direction) == paint_vec(b.direction);
 }
 
-// Returns the direction of the light as a unit vector in the world.
+// Returns the direction of the light as a unit vector in world coordinates.
 glm::dvec3 painted_light(const hrbfnpr_style& style, const hrbfnpr_camera& camera) {
     glm::dvec3 light = paint_vec(style.light);
     if (style.light_space == HRBFNPR_LIGHT_CAMERA) {
-        const double* const view = camera.view; // column-major
+        const double* const view = camera.view; // in column-major order
         light = {paint_dot({view[0], view[1], view[2]}, light), paint_dot({view[4], view[5], view[6]}, light),
                  paint_dot({view[8], view[9], view[10]}, light)};
     }
@@ -73,14 +74,14 @@ glm::dvec3 painted_light(const hrbfnpr_style& style, const hrbfnpr_camera& camer
     return (1.0 / length) * light;
 }
 
-// The painted data that a style or marks hold. It has a separate pool, because copies of the style may outlive the
-// original pool.
+// The painted data for a style or for marks. It has a separate pool, because copies of the style may outlive the
+// picture's pool.
 struct HeldPaint {
     HeldPaint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, base::Memory& memory)
         : pool(memory), tone{PaintedMap(dabs, map, pool)} {}
 
     Pool pool;
-    PaintedTone tone; // For maps other than the tone, only PaintedTone::map is used.
+    PaintedTone tone; // Maps other than the tone use only the member `map`.
 };
 
 std::shared_ptr<HeldPaint> held_paint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, const Pool& pool) {
@@ -101,7 +102,7 @@ PaintedMap::PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Poo
     if (largest > 0.0) cell_side_ = 2.0 * largest;
     for (std::size_t i = 0; i < dabs_.size(); ++i) {
         const hrbfnpr_dab& dab = dabs_[i];
-        // A cell is as wide as the largest dab, so each dab lies in at most two cells along each axis.
+        // A cell is as wide as the largest dab, so a dab is in at most two cells along each axis.
         std::array<std::int64_t, 3> low{}, high{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low[axis] = paint_cell_along(dab.position[axis] - dab.radius, cell_side_);
@@ -116,7 +117,7 @@ PaintedMap::PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Poo
         return a.cell != b.cell ? a.cell < b.cell : a.dab < b.dab;
     };
     std::sort(cells_.begin(), cells_.end(), order);
-    // A dab may lie in two cells that share a number, but it must count once.
+    // Two cells of one dab may share a hash, but the dab must be listed once.
     const auto same = [](const CellDab& a, const CellDab& b) { return a.cell == b.cell && a.dab == b.dab; };
     cells_.erase(std::unique(cells_.begin(), cells_.end(), same), cells_.end());
 }
@@ -144,7 +145,8 @@ glm::dvec3 PaintedMap::direction(const glm::dvec3& place, const glm::dvec3& norm
     for (const CellDab& one : near(place)) {
         const hrbfnpr_dab& dab = dabs_[one.dab];
         const glm::dvec3 way = paint_vec(dab.direction);
-        const double sign = paint_dot(total, way) < 0.0 ? -1.0 : 1.0; // Line directions have no sign.
+        // Line directions have no sign, so opposite ones are added in the same sense.
+        const double sign = paint_dot(total, way) < 0.0 ? -1.0 : 1.0;
         const double weight = dab_weight(dab, place, normal);
         total = (1.0 - weight) * total + (weight * sign) * way;
     }

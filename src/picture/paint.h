@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Provides painted values as the functions of tone, density and direction that the library calls.
 //
-// Each dab is a ball around its position. The dabs act one after the other. A dab pulls the value v of each place
-// inside it that does not face away towards its own value: v += strength (1 - d^2 / radius^2)^2 (value - v).
+// Each dab is a ball with a value. The dabs act one after the other. A dab changes the value v of each place inside the
+// ball, unless the surface faces away there: v += strength (1 - d^2 / radius^2)^2 (value - v), at the distance d.
 #pragma once
 
 #include "geometry/vec.h"
@@ -16,7 +16,7 @@
 
 namespace hrbfnpr::picture {
 
-// The dabs of one map in the order in which they were painted. A grid finds the dabs at a place.
+// The dabs of one map, in the order in which they were painted. A grid finds the dabs near a place.
 class PaintedMap {
 public:
     // Takes the elements of `dabs` that belong to this map (HRBFNPR_DAB_*).
@@ -27,11 +27,11 @@ public:
     ~PaintedMap() = default;
 
     [[nodiscard]] bool empty() const noexcept { return dabs_.empty(); }
-    // Returns a value after all dabs at a place with a normal have changed it.
+    // Applies all dabs to a value at a place with a normal, and returns the new value.
     [[nodiscard]] double pulled(double value, const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
     // Returns the painted direction at a place, or 0 where no direction is painted.
     [[nodiscard]] glm::dvec3 direction(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
-    // Tells whether both have the same dabs.
+    // Returns whether both maps have the same dabs.
     [[nodiscard]] bool operator==(const PaintedMap& other) const noexcept;
 
 private:
@@ -46,16 +46,17 @@ private:
     double cell_side_ = 1.0;
 };
 
-// A painted map, and the light from which tones start. The functions below receive it as their `user`.
+// A painted map, and the light that gives the tones before painting. The functions below receive it as `user`.
 struct PaintedTone {
     PaintedMap map;
-    glm::dvec3 light{0.0, 0.0, 1.0}; // unit vector in the world
+    glm::dvec3 light{0.0, 0.0, 1.0}; // a unit vector in world coordinates
     double exponent = 1.0;
     double fill = 0.0;
-    bool is_lit = true; // If false, tones start at 0.
+    bool is_lit = true; // If false, tones are 0 before painting.
 };
 
-// Implement hrbfnpr_tone_fn with a PaintedTone, and hrbfnpr_density_fn and hrbfnpr_direction_fn with a PaintedMap.
+// painted_tone() implements hrbfnpr_tone_fn, and its `user` is a PaintedTone. The others implement hrbfnpr_density_fn
+// and hrbfnpr_direction_fn, and their `user` is a PaintedMap.
 std::int32_t painted_tone(void* user, std::int64_t count, const float* positions, const float* normals,
                           float* tau) noexcept;
 std::int32_t painted_density(void* user, std::int64_t count, const double* positions, const double* normals,

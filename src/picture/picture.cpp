@@ -46,7 +46,7 @@ glm::dvec3 given_up(const Options& options) noexcept {
     return {options.desc.up[0], options.desc.up[1], options.desc.up[2]};
 }
 
-// Returns the up direction of a source without a file: from the options, or else from its marks.
+// Returns the up direction of a source that is not a file: from the options, or else from its marks.
 glm::dvec3 up_of_marks(const Call& call, const PointSet& marks) {
     if (call.options.has_up()) return given_up(call.options);
     return choose_up(call, nullptr, positions_of(marks, call.pool), normals_of(marks, call.pool));
@@ -103,8 +103,8 @@ void probe_surfaces(const Call& call, Surfaces& to) {
 
 bool is_trimmed(const Model& model) { return trim_info_of(model).is_trimmed != 0; }
 
-// Returns a key of all inputs to the lines of a surface except the surface itself. Pictures with equal keys share their
-// line sets.
+// Returns a key of everything that the lines of a surface depend on, except the surface. Pictures with equal keys share
+// their line sets.
 String key_of_lines(const Call& call, const Style& style, const Vector<WantedLine>& wanted) {
     String key(&call.pool);
     key += needs_curvature(style) ? "curved" : "plain";
@@ -133,7 +133,7 @@ std::optional<Vector<Part>> find_made_parts(const hrbfnpr_picture& picture, cons
     return std::nullopt;
 }
 
-// The number of sets of marks and lines that are kept for pictures of the same surfaces.
+// The number of sets of marks and lines that are kept for reuse by pictures of the same surfaces.
 constexpr std::size_t most_made = 24;
 
 void keep_made_parts(const hrbfnpr_picture& picture, MadeParts&& made) {
@@ -168,7 +168,7 @@ void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
     picture.parts[i].lines = make_lines(call, surface, style, wanted, section);
 }
 
-// Traces the lines of all parts. The lines of a section are valid for this camera only.
+// Traces the lines of all parts. Lines of a section are valid for this camera only.
 void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
     const bool is_mesh =
         std::any_of(picture.surfaces().list.begin(), picture.surfaces().list.end(),
@@ -259,7 +259,7 @@ void plan(hrbfnpr_picture& picture) {
     finish(picture);
 }
 
-// Makes a picture that work(picture) completes. The picture is released if the work fails.
+// Makes a picture. work(picture) completes it; if that fails, the picture is released.
 template <class Work>
 hrbfnpr_picture* made_by(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc, const hrbfnpr_picture* root,
                          hrbfnpr_operation* operation, Work&& work) {

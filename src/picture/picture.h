@@ -34,14 +34,15 @@ struct hrbfnpr_settings : hrbfnpr::api::Child {
 
 namespace hrbfnpr::picture {
 
-// The surfaces of all sources. Pictures with other styles share them.
+// The surfaces of all sources. Pictures with different styles share them.
 struct Surfaces {
     explicit Surfaces(Pool& pool) : list(&pool), probes(&pool), places(&pool), name(&pool) {}
 
-    Vector<Surface> list; // The largest surface of a source comes first. The list is empty for a point set.
-    Vector<Probe> probes; // one for each surface; empty with SURFACE_ONLY
+    // The surfaces, source by source; the largest surface of each source comes first. Empty for a point set.
+    Vector<Surface> list;
+    Vector<Probe> probes; // One probe for each surface. Empty if the picture has only surfaces (SURFACE_ONLY).
     PointSet marks;       // marks that were given without a model, else null
-    Points places;        // places all over the surfaces
+    Points places;        // places spread over all surfaces
     glm::dvec3 up{0.0, 1.0, 0.0};
     String name; // the name of the first source
 };
@@ -57,8 +58,8 @@ struct Part {
 struct MadeParts {
     explicit MadeParts(Pool& pool) : lines_key(&pool), parts(&pool) {}
 
-    std::optional<Marks> marks; // the marks, as they were planned
-    String lines_key;           // the key by which the lines are found
+    std::optional<Marks> marks; // the marks as they were planned
+    String lines_key;           // the key of the lines, see key_of_lines()
     bool has_lines = false;
     Vector<Part> parts;
 };
@@ -66,7 +67,7 @@ struct MadeParts {
 } // namespace hrbfnpr::picture
 
 struct hrbfnpr_picture : hrbfnpr::api::Child {
-    // `root` is the picture whose surfaces this one shares, or null if this picture has separate surfaces.
+    // `root` is the picture whose surfaces this picture shares. If it is null, this picture has separate surfaces.
     hrbfnpr_picture(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc, const hrbfnpr_picture* root)
         : Child(context), root_(root), settings_(desc.settings), pool(context.runtime.memory),
           options(desc, settings_ != nullptr ? settings_->settings : nullptr, pool),
@@ -80,20 +81,20 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
     [[nodiscard]] std::int64_t mark_count() const;
 
 private:
-    // These are destroyed last, because members below use their memory.
+    // These references are destroyed last, because the members below use memory of the root and of the settings.
     const hrbfnpr_picture* root_;
     hrbfnpr::api::HandleHold<const hrbfnpr_picture> root_hold_{root_};
     const hrbfnpr_settings* settings_;
     hrbfnpr::api::HandleHold<const hrbfnpr_settings> settings_hold_{settings_};
 
 public:
-    mutable hrbfnpr::picture::Pool pool; // Several threads may allocate from it at the same time.
+    mutable hrbfnpr::picture::Pool pool; // Several threads may allocate from the pool at the same time.
     hrbfnpr::picture::Options options;
     hrbfnpr::picture::Report report;
-    hrbfnpr::picture::Surfaces own_surfaces; // empty if the root owns the surfaces
+    hrbfnpr::picture::Surfaces own_surfaces; // empty if this picture shares the surfaces of the root
     hrbfnpr::picture::View view;
     hrbfnpr_camera camera{};
-    std::optional<hrbfnpr::picture::Style> style; // empty with SURFACE_ONLY
+    std::optional<hrbfnpr::picture::Style> style; // empty if the picture has only surfaces (SURFACE_ONLY)
     hrbfnpr_style style_view{};                   // a view of `style` for callers
     std::optional<hrbfnpr::picture::Marks> marks; // the planned marks; empty if marks were given
     hrbfnpr_generate_desc marks_view{};
@@ -102,7 +103,7 @@ public:
     double pen = 0.0;
     double seconds = 0.0;
 
-    // The marks and lines that pictures of the same surfaces have made. The root keeps them.
+    // Guards the marks and lines for reuse by pictures of the same surfaces. The root keeps them.
     mutable std::mutex making;
     mutable hrbfnpr::picture::Vector<hrbfnpr::picture::MadeParts> made;
 };

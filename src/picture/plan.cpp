@@ -43,7 +43,7 @@ ChangedField parts_of_path(std::string_view path) noexcept {
     return {path.substr(0, first), group, path.substr(last + 1)};
 }
 
-// Applies one change of a list. If it changes the `name` of the record, `keeper` keeps the text.
+// Applies one change of a list to a record. If it changes the field `name`, `keeper` stores the text.
 template <class Struct, class Keeper>
 void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool& pool) {
     const hrbfnpr_change given{sizeof given, 0, change.path.c_str(), change.value.c_str()};
@@ -53,7 +53,7 @@ void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool
     if (record.name != before && record.name != nullptr) record.name = keeper.keep(record.name);
 }
 
-// Tells whether the caller, rather than a file of settings, changed a field.
+// Returns whether the caller, not a file of settings, changed a field.
 bool is_changed_by_caller(const Changes& changes, std::string_view path) noexcept {
     const Vector<Change>& all = changes.list();
     HRBFNPR_ASSERT(changes.from_settings() <= all.size());
@@ -95,14 +95,14 @@ Style chosen_style(const Call& call) {
     return {options.desc.preset, call.pool};
 }
 
-// Draws the marks of the published recursion as dots of one size.
+// Sets a style to draw the marks of the published recursion as dots of one size.
 void draw_as_published(Style& style, std::uint32_t preset) noexcept {
     for (hrbfnpr_layer_style& layer : style.layers) {
         if (layer.kind == HRBFNPR_LAYER_KIND_HATCH && layer.shown != 0) {
             layer.shape = HRBFNPR_SHAPE_DOTS;
             layer.radius = plan_tuning.published_dot;
             layer.share = preset == HRBFNPR_PRESET_FULL ? plan_tuning.published_share_of_full : 1.0F;
-            layer.directions = preset == HRBFNPR_PRESET_HATCH ? 2U : 3U; // one set of lines, along d2
+            layer.directions = preset == HRBFNPR_PRESET_HATCH ? 2U : 3U; // With 2, only lines along d2.
         }
         if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES && preset == HRBFNPR_PRESET_FULL)
             layer.radius = layer.share = 1.0F;
@@ -118,7 +118,7 @@ void scale_by_pen(Style& style, double pen) noexcept {
     style.base.halo_width = scaled_number(style.base.halo_width, pen);
 }
 
-// Applies "style.layers.F" to all layers. A share counts relative to the marks that the style shows.
+// Applies "style.layers.F" to all layers. A share is relative to the marks that the style shows.
 void change_all_layers(const Call& call, Style& style) {
     const std::optional<double> share = call.options.changes.number("style.layers.share");
     for (hrbfnpr_layer_style& layer : style.layers) {
@@ -131,7 +131,7 @@ void change_all_layers(const Call& call, Style& style) {
     }
 }
 
-// Applies "style.F". An ink for everything is applied before the ink of contours, which lines use, too.
+// Applies "style.F". The ink of everything is set before the ink of contours, which lines use, too.
 void change_style(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     changes.apply("style", style.base);
@@ -149,7 +149,7 @@ void change_style(const Call& call, Style& style) {
     if (call.options.has(HRBFNPR_PICTURE_TRANSPARENT)) style.base.paper[3] = 0.0F;
 }
 
-// Applies the changes "style.KIND.F" in order. A kind that is named for the first time gets a new element.
+// Applies the changes "style.KIND.F" in order. The first change of a kind adds an element for it.
 void change_kinds(const Call& call, Style& style) {
     for (const Change& change : call.options.changes.list()) {
         const ChangedField path = parts_of_path(change.path);
@@ -159,14 +159,15 @@ void change_kinds(const Call& call, Style& style) {
     }
 }
 
-// Tells whether a group of paths, such as "lines" or "ridge", applies to a kind of lines.
+// Returns whether a group of paths, such as "lines" or "ridge", includes a kind of lines.
 bool is_for_lines(std::string_view group, std::uint32_t kind) noexcept {
     if (group == "lines") return true;
     const NamedConstant* const named = find_choice(*find_field(Record::line_style, "kind"), group);
     return named != nullptr && static_cast<std::uint32_t>(named->value) == kind && !layer_kind_of(group);
 }
 
-// Applies "style.lines.F" and "style.ridge.F". Lines that wobble also vary in width.
+// Applies "style.lines.F" and changes for single kinds such as "style.ridge.F". If lines wobble, their width varies,
+// too.
 void change_lines(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     const std::optional<double> wobble = changes.number("style.lines.wobble");
@@ -184,7 +185,7 @@ void change_lines(const Call& call, Style& style) {
 
 struct LayerPlan {
     hrbfnpr_layer_desc desc;
-    bool has_budget; // The number of marks was given or decided. Otherwise the budget has no meaning.
+    bool has_budget; // True if the number of marks is given or already chosen. Otherwise the budget means nothing.
 };
 
 LayerPlan layer_of_kind(std::uint32_t kind) noexcept {
@@ -199,8 +200,8 @@ const char* name_of_layer(const hrbfnpr_layer_desc& layer) noexcept {
     return layer.name != nullptr ? layer.name : layer_kind_name(layer.kind);
 }
 
-// Tells whether the published recursion has strokes for a style. They make one layer, in both directions, in place of
-// the style's layers of lines.
+// Returns whether the published recursion makes strokes for a preset. They form one layer with both directions, which
+// replaces the layers of lines in the style.
 bool has_published_strokes(std::uint32_t preset) noexcept {
     return preset == HRBFNPR_PRESET_HATCH || preset == HRBFNPR_PRESET_CROSS_HATCH || preset == HRBFNPR_PRESET_FULL ||
            preset == HRBFNPR_PRESET_COMBING;
@@ -218,7 +219,7 @@ Vector<LayerPlan> layers_of_preset(const Call& call) {
         const hrbfnpr_layer_desc* const first = hrbfnpr_preset_layers(options.desc.preset, &count);
         for (std::int64_t i = 0; i < count; ++i) layers.push_back({first[i], false});
     }
-    // Strokes follow each other from light to dark as the preset orders them, unless the caller sets another order.
+    // The preset orders its strokes from light to dark. The caller may choose another order.
     if (is_changed_by_caller(options.changes, "marks.tone_ranges"))
         for (LayerPlan& layer : layers)
             layer.desc.tone_begin = layer.desc.tone_end = layer.desc.second_tone_begin = layer.desc.second_tone_end = 0;
@@ -233,7 +234,7 @@ Vector<LayerPlan> layers_of_style(const Call& call) {
     return layers.empty() ? layers_of_preset(call) : std::move(layers);
 }
 
-// Returns the layers of a file of settings. Each layer gives its number of marks, if only by its default.
+// Returns the layers in a file of settings. Each has a number of marks, possibly by default.
 Vector<LayerPlan> layers_of_settings(const Call& call, Marks& marks) {
     Vector<LayerPlan> layers(&call.pool);
     for (const hrbfnpr_layer_desc& desc : call.options.settings->marks.layers) {
@@ -243,7 +244,7 @@ Vector<LayerPlan> layers_of_settings(const Call& call, Marks& marks) {
     return layers;
 }
 
-// Tells whether a field of "marks.layers" applies to layers of a kind.
+// Returns whether a field of "marks.layers" has a meaning for layers of a kind.
 bool means_something_to(std::uint32_t kind, std::string_view field) noexcept {
     const bool is_stipples = kind == HRBFNPR_LAYER_KIND_STIPPLES;
     const bool is_hatch = kind == HRBFNPR_LAYER_KIND_HATCH;
@@ -254,7 +255,7 @@ bool means_something_to(std::uint32_t kind, std::string_view field) noexcept {
     return true;
 }
 
-// Applies "marks.layers.F", then "marks.KIND.F", then the rotation of all hatching lines.
+// Applies "marks.layers.F" to all layers, then "marks.KIND.F" to one kind, then the rotation of all hatching lines.
 void change_layers(const Call& call, Vector<LayerPlan>& layers, Marks& marks) {
     for (LayerPlan& layer : layers) {
         const std::uint32_t kind = layer.desc.kind;
@@ -271,7 +272,7 @@ void change_layers(const Call& call, Vector<LayerPlan>& layers, Marks& marks) {
     }
 }
 
-// Tells whether the number of marks of a layer is given or follows from its separation.
+// Returns whether the number of a layer's marks is given, or follows from its separation.
 bool says_itself(const LayerPlan& layer) noexcept {
     return layer.has_budget || (is_stroke_kind(layer.desc.kind) && layer.desc.separation > 0.0);
 }
@@ -281,7 +282,7 @@ void set_budget(LayerPlan& layer, std::int64_t budget) noexcept {
     layer.has_budget = true;
 }
 
-// Plans few marks for a style that draws lines alone, because lines find their hidden parts without marks.
+// Plans few marks if the style draws only lines. Lines do not need marks to find their hidden parts.
 void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
     const bool shows_marks = std::any_of(style.layers.begin(), style.layers.end(),
                                          [](const hrbfnpr_layer_style& layer) { return layer.shown != 0; });
@@ -291,14 +292,14 @@ void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
 }
 
 struct Canvas {
-    double area;            // area of the surface, in square units of the model
-    double pixels_per_unit; // pixels of the picture per unit
-    double seeds;           // seeds of the published recursion
+    double area;            // the area of the surface, in squared units of the model
+    double pixels_per_unit; // the length of a unit in the picture, in pixels
+    double seeds;           // the number of seeds of the published recursion
 };
 
-// Converts any number to a whole number of marks.
+// Converts a number, which may be NaN or too large, to a number of marks.
 std::int64_t whole_marks(double wanted) noexcept {
-    if (!(wanted >= 1.0)) return 1; // The comparison is false for NaN.
+    if (!(wanted >= 1.0)) return 1; // The comparison is false for NaN, too.
     return static_cast<std::int64_t>(std::nearbyint(std::min(wanted, static_cast<double>(plan_tuning.most_marks))));
 }
 
@@ -321,13 +322,14 @@ void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double want
                           wanted / 1e6, made / 1e6)});
 }
 
-// Gives an evenly spread layer as many marks as fill the darkest tone, unless its number is given. `radius` is the
-// radius of its marks in pixels.
+// Plans a layer with even spacing. Unless its number of marks is given, it gets as many as fill the darkest tone.
+// `radius` is the radius of its marks in pixels.
 void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     const auto [area, pixels, seeds] = canvas;
     hrbfnpr_layer_desc& desc = layer.desc;
     if (desc.kind == HRBFNPR_LAYER_KIND_HATCH) {
-        // The lines do not depend on the picture's size: they are nested, and the finest are not always drawn.
+        // The number of lines does not depend on the size of the picture: lines have levels, and small pictures omit
+        // the finest.
         const bool is_said = (layer.has_budget && desc.budget != 0) || desc.separation != 0.0;
         if (!is_said) desc.separation = std::sqrt(area) / plan_tuning.hatch_lines;
         return;
@@ -339,7 +341,8 @@ void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas
     set_budget(layer, whole_marks(wanted));
 }
 
-// Gives a layer of the recursion as many refinement steps as possible without overfilling the picture.
+// Plans a layer of the published recursion: as many refinement steps as possible, as long as the darkest tone is not
+// too dark.
 void fill_as_published(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     hrbfnpr_layer_desc& desc = layer.desc;
     if (desc.levels >= 0) return;
@@ -370,18 +373,19 @@ void fill_layers(const Call& call, Vector<LayerPlan>& layers, const Style& style
     }
 }
 
-// Divides the tones evenly among the layers that the style draws, and among the directions of published strokes. Some
-// layers only tell where the surface is.
+// Divides the range of tones evenly among the layers that the style draws, and among the directions of published
+// strokes. Layers that are not drawn only show where the surface is.
 void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style, bool published) {
     struct Turn {
         std::size_t layer;
-        bool is_second; // the second direction of strokes
+        bool is_second; // true for the second direction of strokes
     };
     Vector<Turn> turns(&pool);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const hrbfnpr_layer_desc& desc = layers[i].desc;
         const hrbfnpr_layer_style how = style.style_of(desc.kind, desc.name);
-        // The style of hatching sets the tones at which lines appear.
+        // These layers get no range: a hatch layer, whose style sets the tones at which lines appear, and a layer that
+        // is not drawn.
         if ((desc.kind == HRBFNPR_LAYER_KIND_HATCH && !published) || how.shown == 0) continue;
         const bool is_stipples = desc.kind == HRBFNPR_LAYER_KIND_STIPPLES;
         if (is_stipples || (how.directions & 1U) != 0) turns.push_back({i, false});
@@ -397,13 +401,13 @@ void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style, bool 
     }
 }
 
-// Sets a budget that was not given. The recursion, and strokes with a separation, get no limit.
+// Sets a budget if none is given. The published recursion, and strokes with a separation, are not limited.
 void set_open_budget(LayerPlan& layer, std::uint32_t distribution) noexcept {
     if (layer.has_budget) return;
     if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED || says_itself(layer)) layer.desc.budget = 0;
 }
 
-// Applies "marks.F", and the seed points and the random seed of the descriptor.
+// Applies "marks.F", and sets the seed points and the random seed from the descriptor.
 void set_base(const Call& call, Marks& marks) {
     const Options& options = call.options;
     options.changes.apply("marks", marks.base);
@@ -453,7 +457,7 @@ Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_
     Vector<LayerPlan> layers = are_given ? layers_of_settings(call, marks) : layers_of_style(call);
     change_layers(call, layers, marks);
     if (!are_given) {
-        // Marks that are kept may be drawn in another style.
+        // Marks are not thinned if they are kept, because another style may draw them.
         if (!is_published(options) && !options.has(HRBFNPR_PICTURE_KEEP_MARKS)) thin_unseen(layers, style);
         fill_layers(call, layers, style,
                     {area, pixels_per_unit, static_cast<double>(std::max<std::int64_t>(centres, 1))});
@@ -474,7 +478,7 @@ Marks share_of(const Marks& marks, double share) {
     HRBFNPR_ASSERT(!(share < 0.0) && !(share > 1.0));
     Marks part(marks);
     for (hrbfnpr_layer_desc& layer : part.layers) {
-        if (layer.budget <= 0) continue; // There is no limit, for a part as for the whole.
+        if (layer.budget <= 0) continue; // A budget of 0 or less means no limit, also for a part.
         const double wanted = std::nearbyint(share * static_cast<double>(layer.budget));
         layer.budget = wanted >= 1.0 ? static_cast<std::int64_t>(wanted) : 1;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Plans a drawing for a size and a view: the radius of the pen, the style, and the marks that fill its darkest tone.
+// Plans a drawing for a size and a view: the radius of the pen, the style, and the number of marks for the darkest
+// tone.
 #pragma once
 
 #include "picture/call.h"
@@ -9,13 +10,13 @@
 
 namespace hrbfnpr::picture {
 
-// Returns the radius of the pen for a picture, in pixels. Named styles are made for a radius of 1 and are scaled by it.
-// It is 1 for a style of the caller's own.
+// Returns the radius of the pen for a picture, in pixels. Named styles are made for a radius of 1, so they are scaled
+// by it. For a style of the caller, it is 1.
 [[nodiscard]] double pen_of(const Call& call, double width, double height);
 
-// Returns the style for a picture: a named style, the style of settings, or the caller's own. Its marks and lines are
-// sized for the picture; the caller's changes come last. `has_end` tells that a surface ends, so that its border is
-// drawn.
+// Returns the style for a picture: a named style, a style from settings, or the caller's style. Marks and lines are
+// sized for the picture, and the caller's changes are applied last. `has_end` means that a surface ends, so its border
+// is drawn.
 [[nodiscard]] Style plan_style(const Call& call, double width, double height, bool has_end);
 
 // Plans the layers of marks that the style wants. Where the caller gives no number, the marks fill the darkest tone.
@@ -26,14 +27,14 @@ namespace hrbfnpr::picture {
 [[nodiscard]] Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_unit,
                                std::int64_t centres, const hrbfnpr_camera& camera);
 
-// Returns the marks for a part of the area. Each budget is multiplied by `share`, from 0 to 1.
+// Returns the marks for a part of the area: all budgets are multiplied by `share`, from 0 to 1.
 [[nodiscard]] Marks share_of(const Marks& marks, double share);
 
-// Places the marks, in the stage MARKS.
+// Generates the marks, in the stage MARKS.
 [[nodiscard]] PointSet generate_marks(const Call& call, const Model& model, const Marks& marks);
 
-// Returns the sides of the surface on which marks are drawn (HRBFNPR_SIDES_*). The inside of a surface that ends is
-// visible, too. A null model means that a point set is drawn.
+// Returns the sides of the surface on which marks are drawn (HRBFNPR_SIDES_*). If a surface ends, its inside is
+// visible, too. `model` is null for a point set.
 [[nodiscard]] std::uint32_t sides_of(const Call& call, const Model& model);
 
 } // namespace hrbfnpr::picture

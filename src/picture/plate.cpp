@@ -45,7 +45,7 @@ namespace {
 constexpr const char* section_name = "middle"; // The name of the section in a line set.
 
 struct ViewAxes {
-    glm::dvec3 right, up, back; // back: towards the eye
+    glm::dvec3 right, up, back; // `back` points towards the eye.
 };
 ViewAxes axes_of_camera(const hrbfnpr_camera& camera) noexcept {
     const double* const view = camera.view;
@@ -102,10 +102,10 @@ double strip_of_plate(const Plate& plate, const PlateScale& scale) noexcept {
 }
 
 struct ScaleBar {
-    double length = 0.0; // in units of the model; 0 if the scale is out of range and there is no bar
+    double length = 0.0; // in units of the model; 0: no bar, because the scale is out of range
     double pixels = 0.0;
-    String figure; // "20"
-    String label;  // "20 cm"
+    String figure; // such as "20"
+    String label;  // such as "20 cm"
 };
 
 ScaleBar bar_of_plate(const Plate& plate, const PlateScale& scale, Pool& pool) {
@@ -121,7 +121,7 @@ ScaleBar bar_of_plate(const Plate& plate, const PlateScale& scale, Pool& pool) {
 
 // ---- The section beside the drawing
 
-constexpr double widest_image = 32768.0; // pixels
+constexpr double widest_image = 32768.0; // the largest width in pixels
 
 // Returns the camera that sees the section from its right side, at the scale and the height of the drawing.
 hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Pool& pool) {
@@ -157,7 +157,7 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     if (!(width <= widest_image))
         fail(Status::invalid_argument, "the section beside the drawing is %g pixels wide; at most %g are drawn", width,
              widest_image);
-    // The middle of the model must have the same height in the section and in the picture.
+    // The middle of the model must be at the same height in the section and in the drawing.
     const auto row = [&](int number) {
         const double* const view = plate.camera.view;
         const double* const projection = plate.camera.projection;
@@ -177,7 +177,7 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     call([&, &up = up](hrbfnpr_error* error) {
         return hrbfnpr_camera_look_at(&camera, &eye[0], &target[0], &up[0], error);
     });
-    constexpr double near = 0.01; // as a share of the camera's reach
+    constexpr double near = 0.01; // the distance of the near plane, as a share of the camera's reach
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_camera_orthographic(&camera, height / scale.pixels, width, height, near * reach, 2.0 * reach,
                                            error);
@@ -185,8 +185,8 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     return camera;
 }
 
-// Draws the section without halos and tapers. Contours are not drawn here, but their halos would leave gaps, and tapers
-// would thin the ends.
+// Draws the section. Halos and tapers are off: halos of contours, which are not drawn here, would leave gaps, and
+// tapers would thin the ends of lines.
 Drawing draw_section(hrbfnpr_context& context, const Plate& plate, const hrbfnpr_camera& camera, double pen) {
     auto outline = picture::defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init);
     outline.kind = HRBFNPR_LINE_KIND_SECTION;
@@ -283,23 +283,24 @@ void rasterize_into(const Drawing& drawing, glm::ivec2 size, std::uint32_t forma
     call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error); });
 }
 
-// Marks the pixels that no path from outside reaches without crossing a line. A path steps to the four neighbours.
+// Returns 1 for each pixel that no path from outside reaches without crossing a line. A path moves to any of the four
+// neighbours.
 Vector<std::uint8_t> inside_of_lines(const PlatePixels& part, const Rgba& paper, Pool& pool) {
     enum : std::uint8_t { open = 0, line = 1, outside = 2 };
-    const std::int64_t width = part.size.x + 2; // includes a rim
+    const std::int64_t width = part.size.x + 2; // One more pixel on each side.
     const std::int64_t height = part.size.y + 2;
     Vector<std::uint8_t> cells(static_cast<std::size_t>(width * height), open, &pool);
     const auto cell = [&](std::int64_t place) -> std::uint8_t& { return cells[static_cast<std::size_t>(place)]; };
     for (int y = 0; y < part.size.y; ++y)
         for (int x = 0; x < part.size.x; ++x) {
             const Rgba& pixel = part.rgba[part.place(x, y)];
-            double difference = 0.0; // the contrast of the pixel on opaque paper
+            double difference = 0.0; // the largest difference between the pixel and opaque paper
             for (std::size_t i = 0; i < 3; ++i)
                 difference = std::max(difference, std::abs(static_cast<double>(pixel[i] - paper[i])));
             difference *= static_cast<double>(pixel[3]) / 255.0;
             if (difference > plate_tuning.line_contrast) cell((y + 1) * width + x + 1) = line;
         }
-    Vector<std::int64_t> front(&pool); // outside cells whose neighbours have not been visited
+    Vector<std::int64_t> front(&pool); // visited pixels outside whose neighbours have not been visited
     const auto reach = [&](std::int64_t place) {
         if (cell(place) != open) return;
         cell(place) = outside;
@@ -321,7 +322,7 @@ Vector<std::uint8_t> inside_of_lines(const PlatePixels& part, const Rgba& paper,
     return inside;
 }
 
-// Lays ink over a share of a pixel. `ink` is from 0 to 255.
+// Mixes ink into a share of a pixel. `ink` has values from 0 to 255.
 void lay_ink(PlatePixels& part, std::size_t place, double cover, const glm::dvec3& ink) noexcept {
     Rgba& pixel = part.rgba[place];
     const double before = static_cast<double>(pixel[3]) / 255.0;
@@ -369,7 +370,7 @@ PlatePixels section_pixels(hrbfnpr_context& context, const Plate& plate, const P
 
 // ---- The strip with the scale bar
 
-// Fills a box of pixels with one colour. Both corner pixels belong to it.
+// Fills a box of pixels with one colour. The pixels of both corners are included.
 void fill_box(PlatePixels& part, glm::i64vec2 from, glm::i64vec2 to, const Rgba& ink) noexcept {
     const glm::i64vec2 begin = glm::max(from, glm::i64vec2(0));
     const glm::i64vec2 end = glm::min(to, glm::i64vec2(part.size) - std::int64_t{1});
@@ -396,7 +397,7 @@ double distance_from_segment(const glm::dvec2& place, const Segment& segment) no
     return glm::length(place - segment[0] - at * along);
 }
 
-// Draws a text with round strokes. Their rims are soft over half a pixel on either side.
+// Draws a text with round strokes. Over half a pixel on either side of a stroke's rim, the ink fades.
 void draw_text(PlatePixels& part, std::string_view text, const glm::dvec2& begin, double capitals,
                const glm::dvec3& ink, Pool& pool) {
     const Vector<Segment> strokes = strokes_of_text(text, begin, capitals, pool);
@@ -425,7 +426,8 @@ void draw_text(PlatePixels& part, std::string_view text, const glm::dvec2& begin
 
 std::int64_t rounded_pixel(double value) noexcept { return static_cast<std::int64_t>(std::nearbyint(value)); }
 
-// Draws five fields, black and white in turn, below the middle of the drawing, and their total length as a label.
+// Draws the scale bar: five fields, alternately black and white, below the middle of the drawing, and a label with
+// their total length.
 void draw_bar(PlatePixels& strip, const Plate& plate, const PlateScale& scale, Pool& pool) {
     const ScaleBar bar = bar_of_plate(plate, scale, pool);
     if (!(bar.length > 0.0)) return;
@@ -435,7 +437,7 @@ void draw_bar(PlatePixels& strip, const Plate& plate, const PlateScale& scale, P
     const std::int64_t line = std::max<std::int64_t>(1, rounded_pixel(plate_tuning.bar_line * scale.pen));
     const double left = static_cast<double>(scale.size.x / 2) - bar.pixels / 2.0;
     const std::int64_t top = strip.size.y / 3;
-    const std::int64_t above = scale.size.y; // Places are rounded as in the whole image.
+    const std::int64_t above = scale.size.y; // The strip's pixels have the same rounding as in the whole image.
     const std::int64_t bottom = rounded_pixel(static_cast<double>(above + top) + thick) - above;
     for (int i = 0; i < 5; ++i) {
         const double x = left + static_cast<double>(i) * bar.length * scale.pixels / 5.0;
@@ -512,7 +514,7 @@ Vector<Outline> outlines_of_drawing(const Drawing& drawing, Pool& pool) {
     return outlines;
 }
 
-// Adds the hatching. `corner` is where the drawing of the section begins.
+// Adds hatching to a page. `corner` is the corner of the section's drawing.
 void add_hatching(PageContent& page, const Drawing& section, const glm::dvec2& corner, double pen, const Style& style,
                   Pool& pool) {
     const Vector<Outline> outlines = closed_outlines(outlines_of_drawing(section, pool), pool);
@@ -523,7 +525,7 @@ void add_hatching(PageContent& page, const Drawing& section, const glm::dvec2& c
     }
 }
 
-// Adds the scale bar. `middle` is the middle of its upper edge.
+// Adds the scale bar to a page. `middle` is the middle of its upper edge.
 void add_bar(PageContent& page, const ScaleBar& bar, const glm::dvec2& middle, double pen, const Style& style,
              Pool& pool) {
     const double whole = bar.pixels;

@@ -20,7 +20,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::uint32_t candidates_stream = 3; // A separate stream keeps these random numbers independent of others.
+constexpr std::uint32_t candidates_stream = 3; // A separate stream of random numbers, independent of other uses.
 
 bool is_finite_place(const glm::dvec3& p) noexcept {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -47,7 +47,7 @@ void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& p
     points = std::move(some);
 }
 
-// Returns the numbers of points of which each is the farthest from those before it.
+// Returns numbers of points in farthest-first order: each point is the one farthest from those before it.
 Vector<std::int64_t> farthest_points(const Call& call, Stage& stage, const Points& points, std::size_t count) {
     HRBFNPR_ASSERT(count >= 1 && count <= points.size());
     Vector<std::int64_t> chosen(count, 0, &call.pool);
@@ -85,7 +85,7 @@ void leave_out_strays(const Call& call, Points& points) {
     tell_left_out_strays(call, count);
 }
 
-// Gives points the normals that the library finds. If there are very many points, only some of them are kept.
+// Finds normals for points that have none. Of very many points, only some are kept.
 void give_normals(const Call& call, Shape& shape) {
     const std::size_t all = shape.points.size();
     Points points = std::move(shape.points);
@@ -113,7 +113,7 @@ void give_normals(const Call& call, Shape& shape) {
 
 bool is_depth_image(const Shape& shape) noexcept { return shape.columns > 0 && shape.rows > 0; }
 
-// Smooths the image, and returns the radius up to which gaps between its points are closed.
+// Smooths the depth image of the shape. Returns the radius up to which gaps between its points are closed.
 double use_depth_image(const Call& call, Shape& shape) {
     Pool& pool = call.pool;
     const std::int64_t columns = shape.columns;
@@ -147,7 +147,7 @@ struct Samples {
     Points normals;
 };
 
-// Returns the finite points that have a normal, with unit normals.
+// Returns those finite points that have a normal, with unit normals.
 Samples usable_samples(const Call& call, const Shape& shape) {
     HRBFNPR_ASSERT(shape.normals.size() == shape.points.size());
     Samples samples{Points(&call.pool), Points(&call.pool)};
@@ -169,8 +169,8 @@ void choose_samples(Samples& samples, const Vector<std::int64_t>& chosen, Pool& 
     choose_elements(samples.normals, chosen, pool);
 }
 
-// Returns the places of points in the camera's image, with the logarithm of their depth. Points that are even in these
-// coordinates are as dense on a surface as its pixels.
+// Returns the points in coordinates of the camera's image and the logarithm of depth. Points spread evenly in these
+// coordinates are spread like the pixels of the image.
 Points places_in_image(const Points& points, Pool& pool) {
     Points places(&pool);
     places.reserve(points.size());
@@ -178,7 +178,7 @@ Points places_in_image(const Points& points, Pool& pool) {
     return places;
 }
 
-// Tells whether the fit itself chooses centres from all samples.
+// Returns whether the fit itself chooses its centres from all samples.
 bool fit_chooses(const Options& options) noexcept {
     return options.desc.tolerance != 0.0 || options.desc.maximum_centres != 0 ||
            options.changes.number("fit.tolerance").value_or(0.0) != 0.0 ||
@@ -188,7 +188,7 @@ bool fit_chooses(const Options& options) noexcept {
 Samples samples_of(const Call& call, const Shape& shape) {
     const std::size_t all = shape.points.size();
     HRBFNPR_ASSERT(call.options.desc.samples >= 0);
-    auto wanted = static_cast<std::size_t>(call.options.desc.samples); // 0 asks for all samples.
+    auto wanted = static_cast<std::size_t>(call.options.desc.samples); // The value 0 asks for all samples.
     if (wanted == 0 && !fit_chooses(call.options) && all > points_tuning.most_samples) {
         wanted = points_tuning.most_samples;
         call.report.note(HRBFNPR_NOTE_SAMPLES_CHOSEN, {static_cast<double>(all), static_cast<double>(wanted)},
@@ -223,7 +223,7 @@ void turn(Points& normals) noexcept {
     for (glm::dvec3& normal : normals) normal = -normal;
 }
 
-// Turns given normals outward. The flag FLIP says that the user wants them turned.
+// Turns the given normals outward. With the flag FLIP, it turns all of them around instead.
 void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
     Pool& pool = call.pool;
     Report& report = call.report;
@@ -254,7 +254,7 @@ void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
 
 // ---- The fit
 
-// Tells whether the caller, rather than settings, changed a field.
+// Returns whether the caller, not the settings, changed a field of the fit.
 bool changes_fit_field(const Changes& changes, std::string_view path) noexcept {
     const auto& list = changes.list();
     const auto first = list.begin() + static_cast<std::ptrdiff_t>(changes.from_settings());
@@ -264,11 +264,11 @@ bool changes_fit_field(const Changes& changes, std::string_view path) noexcept {
 hrbfnpr_fit_desc fit_desc_of(const Call& call, bool of_points, bool normals_made) {
     const Options& options = call.options;
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
-    // Scans have noise, and clean samples are exact. Points without normals are taken as a scan, which also has dust.
+    // Samples of a mesh are exact, but scans have noise. Points without normals count as a scan, which also has dust.
     if (of_points && !options.gives_fit("regularization")) desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
     if (normals_made) desc.outliers = HRBFNPR_REPAIR_DROP;
     options.changes.apply("fit", desc);
-    // Options of the descriptor override settings, but changes of single fields override the options.
+    // An option of the descriptor overrides the settings. A change of a single field overrides the option.
     if (options.desc.tolerance != 0.0 && !changes_fit_field(options.changes, "fit.tolerance"))
         desc.tolerance = options.desc.tolerance;
     if (options.desc.maximum_centres != 0 && !changes_fit_field(options.changes, "fit.maximum_centres"))
@@ -296,7 +296,7 @@ constexpr const char* name_of_solver(std::uint32_t solver) noexcept {
     }
 }
 
-// Returns the extents of the samples along their principal axes, ascending, up to a common factor.
+// Returns the extents of the samples along their principal axes, in ascending order, up to a common factor.
 std::array<double, 3> principal_extents(const Points& points) noexcept {
     const glm::dvec3 mean =
         std::accumulate(points.begin(), points.end(), glm::dvec3(0.0)) / static_cast<double>(points.size());
@@ -341,7 +341,7 @@ bool has_normals(const Shape& shape) noexcept {
 
 hrbfnpr_depth_image_info smooth_depth_image(const Call& call, Stage& stage, Shape& shape) {
     HRBFNPR_ASSERT(is_depth_image(shape));
-    const double factor = call.options.desc.depth_smoothing; // NaN if it was not given
+    const double factor = call.options.desc.depth_smoothing; // NaN if not given
     auto desc = defaults<hrbfnpr_depth_image_desc>(hrbfnpr_depth_image_desc_init);
     desc.columns = static_cast<std::int32_t>(shape.columns);
     desc.rows = static_cast<std::int32_t>(shape.rows);

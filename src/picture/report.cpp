@@ -20,12 +20,12 @@ namespace {
 // ---- Words
 
 struct OptionName {
-    // The texts are in place, because a table of pointers would have to be relocated.
+    // The texts are in arrays, because a table of pointers would need relocation.
     char option[20]; // the name of the option, with underscores
-    char field[32];  // the field that a C program sets
+    char field[32];  // the name of the field that a C program sets
 };
 
-// Options whose field has a different name.
+// The options that differ in name from their field.
 constexpr std::array<OptionName, 20> option_names{
     OptionName{"allow_blank", "HRBFNPR_PICTURE_ALLOW_BLANK"},
     OptionName{"close", "HRBFNPR_PICTURE_CLOSE"},
@@ -117,13 +117,13 @@ void append_as_argument(String& to, const Marker& marker) {
 
 void append_as_field(String& to, const Marker& marker) {
     const std::size_t equals = marker.value.find('=');
-    if (marker.has_value && equals != std::string_view::npos) { // The part is a layer of marks.
+    if (marker.has_value && equals != std::string_view::npos) { // With this form, `part` names a layer of marks.
         const std::string_view field = marker.name == "marks" ? "budget" : marker.name;
         ((to += "marks.") += marker.value.substr(0, equals)) += '.';
         ((to += field) += ' ') += marker.value.substr(equals + 1);
         return;
     }
-    // The option takes a word or an angle; a descriptor has a field for each.
+    // The option "edges" accepts a word or an angle. The descriptor has a separate field for each.
     const bool is_angle = marker.name == "edges" && marker.has_value && is_number(marker.value);
     to += is_angle ? "edge_angle" : field_of(marker.name);
     if (marker.has_value) (to += ' ') += marker.value;
@@ -176,7 +176,7 @@ String short_name(std::string_view name, Pool& pool) {
 }
 
 String formatted(Pool& pool, const char* format, ...) {
-    constexpr std::size_t longest = 2048; // bytes, far more than any note has
+    constexpr std::size_t longest = 2048; // The longest text in bytes. Notes are much shorter.
     std::array<char, longest> text;
     std::va_list arguments;
     va_start(arguments, format);
@@ -255,7 +255,7 @@ namespace {
 struct StageWords {
     const char* name;
     const char* doing;
-    double share; // the share of the remaining progress
+    double share; // the stage's share of the remaining progress
 };
 
 constexpr std::array<StageWords, HRBFNPR_STAGE_VIEWS + 1> stage_words{{{"", "", 0.0},
@@ -295,7 +295,7 @@ hrbfnpr_picture_event described(const FinishedStage& finished) noexcept {
 Stage::Stage(Report& report, std::uint32_t stage)
     : report_(report), stage_(stage), exceptions_(std::uncaught_exceptions()), says_(report.pool_),
       operation_(*report.context_) {
-    // Memory is reserved now, so that the end of the stage needs none.
+    // Memory is reserved here, so that the end of the stage cannot fail for lack of memory.
     if (report.kept_before(stage) == nullptr) report.stages.reserve(report.stages.size() + 1);
     operation_.operation.set_callback(on_progress, this);
     if (report.operation_ != nullptr) operation_.operation.set_parent(&report.operation_->operation);
@@ -329,14 +329,15 @@ Stage::~Stage() {
 }
 
 void Stage::tell(double fraction) noexcept {
-    if (fraction < told_) return; // A second call within the stage starts again at 0.
+    // A second call of the library in the same stage starts again at 0. This is not reported.
+    if (fraction < told_) return;
     if (operation_.operation.is_cancelled()) return;
     told_ = fraction;
     if (report_.operation_ != nullptr)
         report_.operation_->operation.report(report_.done_ + words_of(stage_).share * (1.0 - report_.done_) * fraction);
     if (report_.on_event_ == nullptr) return;
     hrbfnpr_picture_event event = event_of(stage_);
-    event.fraction = std::min(fraction, std::nextafter(1.0, 0.0)); // Only the end of the stage reports 1.
+    event.fraction = std::min(fraction, std::nextafter(1.0, 0.0)); // Only the destructor reports 1.
     report_.on_event_(report_.user_, &event);
 }
 

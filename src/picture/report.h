@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reports to the caller of a picture: notes, stages with their seconds, progress.
+// Reports to the caller of a picture: notes, stages with their times, and progress.
 #pragma once
 
 #include "api/operation.h"
@@ -75,9 +75,9 @@ public:
     void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text, const More& more = {});
     // Reports a failure that is not an error of the call.
     void failure(std::uint32_t code, std::string_view text);
-    // Stores the full text as a note, and throws Error{invalid_argument} with as much of it as fits.
+    // Stores the full text as a note. Throws Error{invalid_argument} with as much of the text as fits.
     [[noreturn]] void fail(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
-    // Throws Error{invalid_argument} in the caller's words.
+    // Throws Error{invalid_argument} with the text in the caller's words.
     [[noreturn]] void refuse(std::string_view text) const;
 
     // Tells whether a text, in the caller's words, is short enough for a note or a warning.
@@ -86,7 +86,8 @@ public:
     }
 
     [[nodiscard]] Pool& pool() const noexcept { return *pool_; }
-    // Marks the end of planning. Later calls may be many, so a note or a stage that they repeat is not kept twice.
+    // Marks the end of planning. There may be many calls after it, so repeated notes and stages are then stored only
+    // once.
     void end_planning() noexcept { planned_stages_ = stages.size(); }
 
     Vector<Note> notes;
@@ -106,13 +107,13 @@ private:
     hrbfnpr_picture_event_fn on_event_;
     void* user_;
     hrbfnpr_context* context_;
-    hrbfnpr_operation* operation_; // the operation of the whole call, or null
-    double done_ = 0.0;            // the finished share of its progress
-    std::uint32_t running_ = 0;    // the stage that is running
+    hrbfnpr_operation* operation_; // the operation of the whole call; may be null
+    double done_ = 0.0;            // the share of the operation's progress that is finished
+    std::uint32_t running_ = 0;    // the kind of the running stage
     std::optional<std::size_t> planned_stages_;
 };
 
-// Lets a report serve the operation of a call, which may be NULL, for as long as this lives.
+// While it lives, a report uses the operation of a call, which may be NULL.
 class Serving {
 public:
     Serving(Report& report, hrbfnpr_operation* operation) noexcept : report_(report) {
@@ -130,21 +131,20 @@ private:
 [[nodiscard]] hrbfnpr_note described(const Note& note) noexcept;
 [[nodiscard]] hrbfnpr_picture_event described(const FinishedStage& finished) noexcept;
 
-// A stage of the work, which lasts as long as this object. It measures its seconds, and passes on progress and
+// A stage of the work, which lasts as long as this object. It measures the time, and passes on progress and
 // cancellation. Stages do not overlap.
 class Stage {
 public:
     Stage(Report& report, std::uint32_t stage);
-    ~Stage(); // Reports the end of the stage, unless an exception ends it.
+    ~Stage(); // Reports the end of the stage, except when an exception is in flight.
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    // Returns the operation for a call of the library. The progress of the current call becomes the progress of the
-    // stage.
+    // Returns an operation for a call of the library. Its progress becomes the progress of the stage.
     [[nodiscard]] hrbfnpr_operation* operation() noexcept { return &operation_; }
-    // Reports the progress of a stage that makes many calls. Throws Error{cancelled} after a cancellation.
+    // Reports the progress of a stage that makes many calls. Throws Error{cancelled} if the caller has cancelled.
     void update(double fraction);
-    // Sets the result of the stage in words, in the form that in_words() takes.
+    // Sets a text about the result of the stage, in the form that in_words() takes.
     void says(std::string_view text);
 
 private:
@@ -153,7 +153,7 @@ private:
 
     Report& report_;
     std::uint32_t stage_;
-    int exceptions_;    // the number of exceptions in flight when the stage began
+    int exceptions_;    // the number of exceptions in flight at the beginning of the stage
     double told_ = 0.0; // the largest fraction reported
     base::Stopwatch watch_;
     String says_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads settings. Each key of the document must be in the table of fields of its section. A message names a mistake by
-// its path in the document.
+// Reads settings. Each key of the document must be in the field table of its section. Messages give the path of a
+// mistake in the document.
 #include "picture/settings.h"
 
 #include "base/assert.h"
@@ -17,9 +17,9 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::size_t shown_of_wrong = 60; // A message shows at most this many bytes of a wrong value.
+constexpr std::size_t shown_of_wrong = 60; // The number of bytes of a wrong value that a message shows at most.
 
-// Throws a message that names the wrong value by its key.
+// Throws an error that names the key of a wrong value.
 [[noreturn]] void refuse_value(std::string_view where, std::string_view wanted, const JsonValue& value, Pool& pool) {
     fail(Status::invalid_argument, "%.*s: %.*s is needed, not %s", static_cast<int>(where.size()), where.data(),
          static_cast<int>(wanted.size()), wanted.data(), value.in_short(shown_of_wrong, pool).c_str());
@@ -99,7 +99,7 @@ template <std::size_t count>
 // A section of the file: the fields of a struct, and keys that are not plain fields.
 struct SettingsSection {
     Record record;
-    std::array<std::string_view, 2> more; // "" = no key
+    std::array<std::string_view, 2> more; // further keys; "" if there are fewer
 };
 constexpr SettingsSection style_section{Record::style, {"layers", "lines"}};
 constexpr SettingsSection layer_style_section{Record::layer_style, {}};
@@ -111,7 +111,7 @@ constexpr SettingsSection mesh_fit_section{Record::mesh_fit_desc, {}};
 constexpr SettingsSection line_set_section{Record::line_set_desc, {"lines"}};
 constexpr SettingsSection line_section{Record::line_desc, {"levels"}};
 
-// Tells whether a file can hold a choice. It cannot hold the caller's own points as seeds.
+// Returns whether a file can store a choice. It cannot store the caller's own points as seeds.
 [[nodiscard]] bool is_choice_of_settings(const NamedField& field, std::string_view choice) noexcept {
     return choice != "points" || std::string_view(field.name) != "seed_source";
 }
@@ -160,7 +160,7 @@ void check_section(const JsonValue& value, std::string_view where, const Setting
     return found;
 }
 
-// Reads the value of a field that is not a text.
+// Reads the value of a field that does not hold a text.
 [[nodiscard]] FieldValue read_value(const NamedField& field, const JsonValue& value, std::string_view where,
                                     Pool& pool) {
     if (field.meaning == Meaning::choice) return read_choice(field, value, where, pool);
@@ -180,7 +180,7 @@ void check_section(const JsonValue& value, std::string_view where, const Setting
     return found;
 }
 
-// Returns the text of a field, or nullptr. An owner of texts keeps it.
+// Returns the text for a field, or nullptr. `keeper` stores the text.
 template <class Keeper>
 [[nodiscard]] const char* text_in(const JsonValue& value, std::string_view where, Keeper&& keep, Pool& pool) {
     if (value.kind() == JsonKind::null) return nullptr;
@@ -189,7 +189,7 @@ template <class Keeper>
     return keep(value.text());
 }
 
-// Sets those fields of a struct that an object of the file names.
+// Sets the fields of a struct that appear in an object of the file.
 template <class Keeper>
 void read_record(const JsonValue& value, std::string_view where, const SettingsSection& section, void* record,
                  Keeper&& keep, Pool& pool) {
@@ -205,7 +205,7 @@ void read_record(const JsonValue& value, std::string_view where, const SettingsS
     }
 }
 
-// Adds the fields that an object of the file names to a list of changes.
+// Adds the fields in an object of the file to a list of changes.
 void read_fields(const JsonValue& value, std::string_view where, const SettingsSection& section, FieldTexts& fields,
                  Pool& pool) {
     check_section(value, where, section, pool);
@@ -218,7 +218,7 @@ void read_fields(const JsonValue& value, std::string_view where, const SettingsS
     }
 }
 
-// Reads the levels of lines, which are not a plain field.
+// Reads the levels of lines, which need special treatment.
 template <class Keeper>
 [[nodiscard]] hrbfnpr_array levels_in(const JsonValue& lines, std::string_view where, Keeper&& keep, Pool& pool) {
     const std::optional<JsonValue> value = lines.find("levels");
@@ -321,7 +321,7 @@ void read_style(const JsonValue& value, Style& style, Pool& pool) {
     }
 }
 
-// Completes a layer that was read. A tone range without an end counts as not given, and negative numbers ask for an
+// Completes a layer after reading. A tone range without an end counts as not given, and negative numbers mean an
 // automatic choice.
 void complete_layer(hrbfnpr_layer_desc& layer) noexcept {
     if (!(layer.tone_end > 0.0F)) layer.tone_begin = layer.tone_end = 0.0F;
@@ -356,7 +356,7 @@ void read_lines_once(const JsonValue& value, Settings& settings, Pool& pool) {
     }
 }
 
-// Reads the fit. Its regularization is a single field here: a number, or "auto".
+// Reads the fit. In a file, regularization is a single field: a number, or "auto".
 void read_fit(const JsonValue& value, FieldTexts& fields, Pool& pool) {
     FieldTexts found(&pool);
     read_fields(value, "fit", fit_section, found, pool);
@@ -455,7 +455,7 @@ std::optional<hrbfnpr_camera> Settings::camera(std::int32_t width, std::int32_t 
     const std::array<double, 2> wanted{wide, high};
     const std::array<double, 2> known{static_cast<double>((*size)[0]), static_cast<double>((*size)[1])};
     if (wanted == known) return made;
-    // The saved picture is scaled to the largest size that fits.
+    // The saved picture is scaled to the largest size that fits into the wanted one.
     const double scale = std::min(wanted[0] / known[0], wanted[1] / known[1]);
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (std::size_t column = 0; column < 4; ++column)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Declares names and limits that reading and writing settings share.
+// Declares names and limits that both reading and writing settings use.
 #pragma once
 
 #include "picture/memory.h"
@@ -12,14 +12,16 @@ namespace hrbfnpr::picture {
 
 inline constexpr std::string_view settings_magic = "hrbfnpr-settings";
 inline constexpr std::uint64_t settings_version = 1;
-inline constexpr std::int32_t largest_settings_side = 32768; // The largest side of a picture in settings, in pixels.
+// The largest width and height of a picture in settings, in pixels.
+inline constexpr std::int32_t largest_settings_side = 32768;
 
-inline constexpr std::string_view dab_map_names[] = {"tone", "density", "direction"}; // Indexed by HRBFNPR_DAB_*.
+// The names of the painted maps, indexed by HRBFNPR_DAB_*.
+inline constexpr std::string_view dab_map_names[] = {"tone", "density", "direction"};
 
 // Names or paths of fields, with their values as texts of changes.
 using FieldTexts = Vector<std::pair<String, String>>;
 
-// Tells whether settings hold a field. They omit flags, which describe the arrays of a struct and are set
+// Returns whether settings store a field. They omit flags that describe the arrays of a struct, because these are set
 // automatically.
 [[nodiscard]] constexpr bool is_in_settings(std::string_view field) noexcept { return field != "flags"; }
 

@@ -13,13 +13,15 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Numbers the places of points from 0. Points at the same place share a number, and a point that is NaN has its own.
+// Numbers the positions of points from 0. Points at the same position share a number, but a point with NaN shares its
+// number with none.
 Vector<std::int64_t> places_of_points(const Points& points, Pool& pool) {
     Vector<std::int64_t> order(points.size(), 0, &pool);
     std::iota(order.begin(), order.end(), 0);
     const auto key = [&](std::int64_t i, int axis) {
         const double x = points[static_cast<std::size_t>(i)][axis];
-        return std::isnan(x) ? std::numeric_limits<double>::infinity() : x; // NaN must not break the total order.
+        // NaN is replaced, because it would break the sorting order.
+        return std::isnan(x) ? std::numeric_limits<double>::infinity() : x;
     };
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
         for (int axis = 0; axis < 3; ++axis)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Finds which edges of a mesh are sharp according to the normals of its file.
 //
-// Modelling programs shade edges this way: faces share normals along edges that bend by up to some angle ("auto
-// smooth", "smoothing groups"), and have their own normals along other edges.
+// Modelling programs shade edges in this way: along an edge that bends by less than some angle, the two faces share
+// normals ("auto smooth", "smoothing groups"). Along any other edge, each face has separate normals.
 #pragma once
 
 #include "mesh/plan.h"
@@ -10,8 +10,8 @@
 
 namespace hrbfnpr::picture {
 
-// Renames edges by the numbers of other points at the same places. Edges without such points are left out. The numbers
-// of `edges` refer to `of`.
+// Translates edges of the mesh `of` to edges between other points at the same positions. Edges without such points are
+// left out.
 [[nodiscard]] Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const Points& of, Pool& pool);
 
 // Interprets the sharp edges of a file. `sharp` has numbers of the points.

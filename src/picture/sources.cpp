@@ -15,7 +15,7 @@ namespace {
 constexpr std::int64_t most_sources = 10'000;
 constexpr std::size_t longest_name = 4096;
 
-// The name of a field for messages, such as "picture_desc.sources[2].points".
+// The name of a field, such as "picture_desc.sources[2].points". It is used in messages.
 struct FieldName {
     FieldName(const char* owner, const char* field) noexcept {
         std::snprintf(text, sizeof text, "%.90s.%s", owner, field);
@@ -74,7 +74,7 @@ void check_finite(const double (&numbers)[3], const char* owner, const char* fie
     for (const double number : numbers) api::Checks(owner).finite(field, number);
 }
 
-// Checks that each pixel of an image has a point.
+// Checks that the points of an image are as many as its pixels.
 void check_image(const Shape& shape, const char* owner) {
     if (shape.columns == 0 && shape.rows == 0) return;
     const auto count = static_cast<std::int64_t>(shape.points.size());

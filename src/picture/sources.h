@@ -11,11 +11,11 @@
 
 namespace hrbfnpr::picture {
 
-// A source: a shape, or a model (possibly with its marks), or a point set.
+// A source: a shape, a model (possibly with marks), or a point set.
 struct Source {
     explicit Source(Pool& pool) : name(&pool) {}
 
-    String name; // used in titles; may be empty
+    String name; // The name, for titles. It may be empty.
     std::optional<Shape> shape;
     Model model;
     PointSet marks;

@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::picture {
 
-// Chooses `wanted` of the numbers 0 .. count - 1, in ascending order, or all if there are no more [Knuth, "The Art of
-// Computer Programming", 3.4.2, algorithm S].
+// Returns `wanted` of the numbers 0 to count - 1, in ascending order. If there are no more, returns all [Knuth, "The
+// Art of Computer Programming", 3.4.2, algorithm S].
 [[nodiscard]] inline Vector<std::int64_t> random_subset(std::size_t count, std::size_t wanted, std::uint64_t seed,
                                                         std::uint32_t stream, Pool& pool) {
     Vector<std::int64_t> chosen(&pool);
@@ -30,8 +30,8 @@ namespace hrbfnpr::picture {
     return chosen;
 }
 
-// Returns the median. For an even count it is the mean of the two middle numbers. It is NaN for an empty list, or if a
-// number is NaN. The call reorders the numbers.
+// Returns the median of the numbers, and reorders them. For an even count, it is the mean of the two middle numbers. It
+// is NaN for an empty list, or if a number is NaN.
 [[nodiscard]] inline double median_of(Vector<double>& numbers) {
     if (numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); }))
         return std::numeric_limits<double>::quiet_NaN();

@@ -34,7 +34,7 @@ void keep_elements(Vector<T>& elements, const PointMask& kept) noexcept {
     elements.erase(elements.begin() + static_cast<std::ptrdiff_t>(to), elements.end());
 }
 
-// Tells whether all points of a face or an edge are kept.
+// Returns whether all points of a face or an edge are kept.
 template <class Numbers>
 bool has_all(const Numbers& numbers, const PointMask& kept) noexcept {
     return std::all_of(numbers.begin(), numbers.end(), [&](std::int64_t i) {
@@ -43,7 +43,7 @@ bool has_all(const Numbers& numbers, const PointMask& kept) noexcept {
     });
 }
 
-// Keeps the faces or edges whose points are all kept, and renumbers their points.
+// Keeps the faces or edges whose points are all kept. Gives their points the new numbers.
 template <class Numbers>
 void keep_joined(Vector<Numbers>& joined, const PointMask& kept, const Vector<std::int64_t>& number) noexcept {
     joined.erase(
@@ -60,7 +60,7 @@ PointMask points_at(const Points& points, double value, Pool& pool) {
     return at;
 }
 
-// Tells whether a value is below all other points by more than the extent of these points.
+// Returns whether a value is far below the coordinates of all other points: by more than their extent.
 bool is_far_below(double value, const Points& points, const PointMask& at_it) noexcept {
     geometry::Bounds rest;
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -84,7 +84,7 @@ bool keep_points(Shape& shape, const PointMask& kept, Pool& pool) {
         keep_joined(shape.triangles, kept, number);
         keep_joined(shape.sharp_edges, kept, number);
     } else {
-        shape.columns = shape.rows = 0; // An image without some of its points is no longer an image.
+        shape.columns = shape.rows = 0; // Without some of its points, an image is only a set of points.
     }
     keep_elements(shape.points, kept);
     if (!shape.normals.empty()) keep_elements(shape.normals, kept);
@@ -122,12 +122,12 @@ PointMask far_from_most(const Points& points, Pool& pool) {
             if (is_finite_point(p)) numbers.push_back(p[axis]);
         middle[axis] = median_of(numbers);
     }
-    constexpr double nowhere = -1.0; // marks a point that is not finite
+    constexpr double nowhere = -1.0; // the value for a point that is not finite
     Vector<double> distance(points.size(), nowhere, &pool);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (is_finite_point(points[i])) distance[i] = glm::length(points[i] - middle);
 
-    // From `last` on, these are the largest distances, ascending: one for each of the few far points, and one more.
+    // The largest distances, in ascending order: those of the few points that may be far, and one more.
     const auto few = static_cast<std::size_t>(strays_tuning.few * static_cast<double>(finite));
     numbers = distance;
     const auto last = numbers.end() - static_cast<std::ptrdiff_t>(few + 1);
@@ -146,10 +146,10 @@ PointMask far_from_most(const Points& points, Pool& pool) {
 
 namespace {
 
-constexpr int cell_bits = 21; // the number of bits of a cell's number along each axis
+constexpr int cell_bits = 21; // the bits for each axis in the number of a cell
 
 std::int64_t cell_along(double place) noexcept {
-    constexpr double most = 2097152.0 - 3.0; // Leaves a free cell on both sides.
+    constexpr double most = 2097152.0 - 3.0; // The largest cell index. It leaves an empty cell on both sides.
     return place < most ? static_cast<std::int64_t>(place) + 1 : static_cast<std::int64_t>(most) + 1;
 }
 
@@ -175,7 +175,7 @@ Vector<OccupiedCell> occupied_cells(const Vector<std::int64_t>& cell_of, Pool& p
     return cells;
 }
 
-// Returns the median, over all points, of the number of points in the same cell.
+// Returns the median number of points in a cell, over all points.
 double median_crowd(const Vector<OccupiedCell>& cells, std::size_t points, Pool& pool) {
     Vector<std::int64_t> crowds(&pool);
     for (const OccupiedCell& cell : cells) crowds.push_back(cell.points);
@@ -184,7 +184,8 @@ double median_crowd(const Vector<OccupiedCell>& cells, std::size_t points, Pool&
     const auto high = static_cast<std::int64_t>(points / 2);
     std::int64_t before = 0;
     double sum = 0.0;
-    for (const std::int64_t crowd : crowds) { // `crowd` points each share their cell with that many points.
+    // For each cell with `crowd` points, `crowd` points have that number of points in their cell.
+    for (const std::int64_t crowd : crowds) {
         if (before <= low && low < before + crowd) sum += static_cast<double>(crowd);
         if (before <= high && high < before + crowd) sum += static_cast<double>(crowd);
         before += crowd;
@@ -196,7 +197,8 @@ std::int64_t points_around(const OccupiedCell& cell, const Vector<OccupiedCell>&
     std::int64_t around = 0;
     for (std::int64_t x = -1; x <= 1; ++x)
         for (std::int64_t y = -1; y <= 1; ++y) {
-            const std::int64_t first = cell.number + cell_number(x, y, -1); // the first of three cells along z
+            // The first of three consecutive cells along z.
+            const std::int64_t first = cell.number + cell_number(x, y, -1);
             auto at = std::lower_bound(cells.begin(), cells.end(), first,
                                        [](const OccupiedCell& a, std::int64_t b) { return a.number < b; });
             for (; at != cells.end() && at->number <= first + 2; ++at) around += at->points;
@@ -224,11 +226,11 @@ PointMask find_strays(const Points& points, Pool& pool) {
         cells = occupied_cells(cell_of, pool);
         if (median_crowd(cells, points.size(), pool) >= strays_tuning.crowd) break;
         const double next = strays_tuning.coarser * side;
-        if (!(next > side)) return none; // The side is so small that rounding prevents growth.
+        if (!(next > side)) return none; // The cells are too small: rounding keeps the side from growing.
         side = next;
     }
 
-    Vector<std::int64_t> lonely(&pool); // in ascending order
+    Vector<std::int64_t> lonely(&pool); // the cells of possible strays, in ascending order
     for (const OccupiedCell& cell : cells)
         if (cell.points <= strays_tuning.alone && points_around(cell, cells) <= strays_tuning.alone)
             lonely.push_back(cell.number);

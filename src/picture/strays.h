@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Finds points that lie too far away, since they would shrink all others to a dot in the picture. Such points are
-// strays, or values that mark missing data.
+// Finds points that are too far away: strays, or values that mark missing data. With them, all other points would
+// shrink to a dot in the picture.
 #pragma once
 
 #include "picture/shape.h"
 
 namespace hrbfnpr::picture {
 
-// One number for each point: 1 if the point is selected, else 0.
+// For each point: 1 if it is selected, else 0.
 using PointMask = Vector<std::uint8_t>;
 
 // The result of leave_out_no_data().
@@ -22,15 +22,15 @@ NoData leave_out_no_data(Shape& shape, Pool& pool);
 // Removes the points that far_from_most() finds, and returns their number.
 std::int64_t leave_out_far(Shape& shape, Pool& pool);
 
-// Selects a few of many points if they lie far from all others. It never selects points that are not finite.
+// Selects a few points if they lie far from most points. Points that are not finite are not selected.
 [[nodiscard]] PointMask far_from_most(const Points& points, Pool& pool);
 
-// Selects the finite points that are strays. Strays are dust in a scan. They would make sheets in the air, and get no
-// normals.
+// Selects the finite points that are strays, such as dust in a scan. Strays would make false sheets of surface, so they
+// get no normals.
 [[nodiscard]] PointMask find_strays(const Points& points, Pool& pool);
 
-// Keeps the points that the mask selects, with their normals, faces and sharp edges. If a mesh would lose all its
-// faces, it changes nothing and returns false.
+// Keeps the selected points, with their normals, faces and sharp edges. If a mesh would lose all faces, it changes
+// nothing and returns false.
 bool keep_points(Shape& shape, const PointMask& kept, Pool& pool);
 
 } // namespace hrbfnpr::picture

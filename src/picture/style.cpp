@@ -13,7 +13,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// The library takes lists of at most this many elements.
+// The largest number of elements in a list that the library accepts.
 constexpr std::int64_t most_style_elements = 65536;
 
 bool same_style_name(const char* a, const char* b) noexcept {
@@ -25,7 +25,7 @@ bool style_is_for(const hrbfnpr_layer_style& style, std::uint32_t kind, const ch
            (style.name == nullptr || same_style_name(style.name, name));
 }
 
-// Returns a style with empty lists. The caller copies the lists.
+// Returns a copy of a style with empty lists. The caller fills the lists.
 hrbfnpr_style style_without_lists(hrbfnpr_style style) noexcept {
     style.layers = nullptr;
     style.lines = nullptr;
@@ -56,7 +56,8 @@ bool same_seed_points(const hrbfnpr_array& a, const hrbfnpr_array& b) noexcept {
 
 const PaintedMap& painted_map_of(void* user) noexcept { return *static_cast<const PaintedMap*>(user); }
 
-// Tells whether two densities are the same. Different functions count as different, unless both are painted.
+// Returns whether two densities are the same. Different functions count as different densities, unless both are
+// painted.
 bool same_density(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexcept {
     if (a.density != b.density || a.density_function != b.density_function) return false;
     if (a.density_user == b.density_user) return true;
@@ -88,7 +89,7 @@ bool same_base(const hrbfnpr_generate_desc& a, const hrbfnpr_generate_desc& b) n
            a.projection_tolerance == b.projection_tolerance && a.random_seed == b.random_seed;
 }
 
-// operator= relies on this.
+// The assignment operator needs a move that does not throw.
 static_assert(std::is_nothrow_move_constructible_v<Style> && std::is_nothrow_move_constructible_v<Marks>);
 
 } // namespace
@@ -129,7 +130,7 @@ Style::Style(const Style& other, Pool& pool)
 }
 
 Style& Style::operator=(Style other) noexcept {
-    // The memory of the lists belongs to the other's pool, and texts must not move.
+    // The style is made anew, because its lists belong to the other pool, and texts must not move.
     std::destroy_at(this);
     return *std::construct_at(this, std::move(other));
 }

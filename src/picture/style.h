@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Defines a style as a value that owns its lists, and the marks in the same way.
+// Defines classes for a style and for marks, which own their lists.
 #pragma once
 
 #include "picture/memory.h"
@@ -12,8 +12,8 @@
 
 namespace hrbfnpr::picture {
 
-// Owns the texts and numbers to which the elements of a list point. Their addresses never change. A copy of the owner
-// has its own texts, so values that are copied share no mutable data.
+// Owns texts and numbers that the elements of a list point to. Their addresses never change. A copy also copies the
+// texts and numbers, so copies share no mutable data.
 class KeptTexts {
 public:
     explicit KeptTexts(Pool& pool) noexcept : texts_(&pool), numbers_(&pool), held_(&pool) {}
@@ -22,9 +22,9 @@ public:
     KeptTexts& operator=(const KeptTexts&) = delete;
 
     [[nodiscard]] const char* text(std::string_view text) { return texts_.emplace_back(text).c_str(); }
-    // Stores packed doubles: `components` for each of `count` elements.
+    // Stores `count` elements of `components` packed doubles.
     [[nodiscard]] hrbfnpr_array numbers(const double* first, std::size_t count, std::uint32_t components = 1);
-    // Keeps the data of a callback alive as long as this object and copies of the owner, which may outlive the pool.
+    // Keeps the data of a callback alive while this object and its copies live. Copies may outlive the pool.
     void hold(std::shared_ptr<const void> owner) { held_.push_back(std::move(owner)); }
     void hold_all_of(const KeptTexts& other) { held_.insert(held_.end(), other.held_.begin(), other.held_.end()); }
 
@@ -37,8 +37,8 @@ private:
 // An hrbfnpr_style that owns its layers, lines, names and levels. It corresponds to the class Style in Python.
 class Style {
 public:
-    explicit Style(Pool& pool);                    // the library's default style
-    Style(std::uint32_t preset, Pool& pool);       // a named style
+    explicit Style(Pool& pool);                    // a copy of the library's default style
+    Style(std::uint32_t preset, Pool& pool);       // a copy of a named style
     Style(const hrbfnpr_style& given, Pool& pool); // a copy of the caller's style; throws if a list is invalid
     Style(const Style& other, Pool& pool);         // a copy in another pool
     Style(const Style& other) : Style(other, *other.pool_) {}
@@ -46,26 +46,26 @@ public:
     Style& operator=(Style other) noexcept;
     ~Style() = default;
 
-    hrbfnpr_style base;                 // Its lists are not used.
-    Vector<hrbfnpr_layer_style> layers; // Their names refer to kept texts.
-    Vector<hrbfnpr_line_style> lines;   // Their names and levels refer to kept texts and numbers.
+    hrbfnpr_style base;                 // The style without its lists, which are the members below.
+    Vector<hrbfnpr_layer_style> layers; // The layers; their names point to kept texts.
+    Vector<hrbfnpr_line_style> lines;   // The lines; their names and levels point to kept texts and numbers.
 
-    // Returns the element for a kind of layers (HRBFNPR_LAYER_KIND_*). If that element also serves other kinds, a copy
-    // for this kind alone is inserted before it. The reference is valid until `layers` grows.
+    // Returns the element for a kind of layers (HRBFNPR_LAYER_KIND_*). If the element applies to several kinds, a copy
+    // for this kind is inserted before it. The reference is valid until `layers` grows.
     [[nodiscard]] hrbfnpr_layer_style& layer(std::uint32_t kind);
-    // Returns the style of a layer of marks: the first element that matches, or defaults. `name` may be null.
+    // Returns the style for a layer of marks: the first matching element, or defaults. `name` may be null.
     [[nodiscard]] hrbfnpr_layer_style style_of(std::uint32_t kind, const char* name) const noexcept;
-    // Gives all layers, lines and contours one ink.
+    // Sets the ink of all layers, lines and contours.
     void set_ink(const float (&ink)[4]);
 
-    // Keep texts and numbers for elements of this style.
+    // These functions store texts and numbers for elements of this style.
     [[nodiscard]] const char* keep(std::string_view text) { return kept_.text(text); }
     [[nodiscard]] hrbfnpr_array keep_levels(const double* levels, std::size_t count) {
         return kept_.numbers(levels, count);
     }
     void hold(std::shared_ptr<const void> owner) { kept_.hold(std::move(owner)); }
 
-    // Returns the style with its lists. It is valid until this object changes.
+    // Returns the style with its lists. The result is valid until this object changes.
     [[nodiscard]] hrbfnpr_style view() const noexcept;
 
 private:
@@ -75,7 +75,7 @@ private:
     KeptTexts kept_;
 };
 
-// An hrbfnpr_generate_desc that owns its layers and names.
+// A hrbfnpr_generate_desc that owns its layers and names.
 class Marks {
 public:
     explicit Marks(Pool& pool);
@@ -85,15 +85,15 @@ public:
     Marks& operator=(Marks other) noexcept;
     ~Marks() = default;
 
-    hrbfnpr_generate_desc base; // Its list is not used; seed_points are kept.
+    hrbfnpr_generate_desc base; // The descriptor without its list of layers, but with its seed_points.
     Vector<hrbfnpr_layer_desc> layers;
 
     [[nodiscard]] const char* keep(std::string_view text) { return kept_.text(text); }
     void hold(std::shared_ptr<const void> owner) { kept_.hold(std::move(owner)); }
-    // Copies an n x 3 array.
+    // Copies an array of n points as the seed points.
     void set_seed_points(const hrbfnpr_array& points);
     [[nodiscard]] hrbfnpr_generate_desc view() const noexcept;
-    // Tells whether this and `other` make the same marks on a surface.
+    // Returns whether this object and `other` make the same marks on a surface.
     [[nodiscard]] bool same_as(const Marks& other) const noexcept;
 
 private:

@@ -15,7 +15,7 @@ namespace hrbfnpr::picture {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double all_smooth = 180.0; // No edge bends by more, in degrees.
+constexpr double all_smooth = 180.0; // No edge bends by more than this, in degrees.
 
 // One flag for each edge, vertex or face.
 using Flags = Vector<std::uint8_t>;
@@ -25,7 +25,7 @@ glm::dvec3& at(Points& points, std::int64_t i) noexcept { return points[static_c
 
 // ---- Sharp edges, and the coarseness of the others
 
-// The plain edges of a mesh, with the angles by which they bend.
+// The plain edges of a mesh (those with two faces), and the angles by which they bend.
 struct Bends {
     explicit Bends(Pool& pool) : plain(&pool), angle(&pool), length(&pool), area(&pool) {}
 
@@ -52,8 +52,8 @@ Bends bends_of(const Shape& shape, const FaceEdges& edges, Pool& pool) {
     return bends;
 }
 
-// Joins the two faces at each plain edge i for which joins(i) is true. Returns for each face the least face number of
-// its set.
+// Joins the two faces at each plain edge i for which joins(i) is true. Returns for each face the smallest face number
+// in its set.
 template <class Joins>
 Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) {
     mesh::UnionFind sets(pool.memory(), static_cast<std::int64_t>(bends.area.size()));
@@ -67,15 +67,16 @@ Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) 
     return name;
 }
 
-// Tells for each plain edge whether it belongs to a bevelled part: most smooth edges of the part lie between a flat
-// face and a narrow one.
+// Returns for each plain edge whether it belongs to a bevelled part. On such a part, most smooth edges lie between a
+// flat face and a narrow one.
 Flags edges_of_bevelled_parts(const Bends& bends, const Flags& smooth, Pool& pool) {
     const Vector<std::size_t> face =
         joined_faces(bends, pool, [&](std::size_t i) { return bends.angle[i] < subdivide_tuning.flat_angle * degree; });
-    Vector<double> area(bends.area.size(), 0.0, &pool); // area of the flat face to which each triangle belongs
+    // For each triangle: the area of the flat face that it belongs to.
+    Vector<double> area(bends.area.size(), 0.0, &pool);
     for (std::size_t f = 0; f < face.size(); ++f) area[face[f]] += bends.area[f];
     const Vector<std::size_t> part = joined_faces(bends, pool, [](std::size_t) { return true; });
-    Vector<double> of_bevels(bends.area.size(), 0.0, &pool); // edge lengths by part
+    Vector<double> of_bevels(bends.area.size(), 0.0, &pool); // for each part: the length of its edges beside bevels
     Vector<double> of_all(bends.area.size(), 0.0, &pool);
     Flags is_bend(bends.plain.size(), 0, &pool);
     for (std::size_t i = 0; i < bends.plain.size(); ++i) {
@@ -94,9 +95,9 @@ Flags edges_of_bevelled_parts(const Bends& bends, const Flags& smooth, Pool& poo
     return is_bend;
 }
 
-// Returns which edges stay sharp.
+// Returns for each edge whether it stays sharp.
 Flags sharp_edges_of(const Shape& shape, const FaceEdges& edges, const Bends& bends, double crease_angle, Pool& pool) {
-    Flags sharp(edges.size(), 1, &pool); // Edges that are not plain stay sharp.
+    Flags sharp(edges.size(), 1, &pool); // Edges that do not have exactly two faces stay sharp.
     for (std::size_t i = 0; i < bends.plain.size(); ++i)
         sharp[bends.plain[i].edge] = bends.angle[i] > crease_angle * degree ? 1 : 0;
     if (!shape.has_sharp_edges) return sharp;
@@ -113,13 +114,13 @@ Flags sharp_edges_of(const Shape& shape, const FaceEdges& edges, const Bends& be
     return sharp;
 }
 
-// Returns how much each plain edge bulges, as a share of the diagonal; 0 for sharp edges.
+// Returns how much the surface bulges at each plain edge, as a share of the diagonal. The value is 0 for sharp edges.
 Vector<double> bulges_of(const Shape& shape, const Bends& bends, const Flags& sharp, Pool& pool) {
     constexpr double least_length = 1e-300;
     Vector<double> bulge(bends.plain.size(), 0.0, &pool);
     const double diagonal = box_diagonal_of(shape.points);
     if (!(diagonal > 0.0)) return bulge;
-    // For an equilateral triangle this is its edge, times the edge's length, over its area.
+    // This constant makes the extent of an equilateral triangle equal to its edge.
     const double equilateral = 4.0 / std::sqrt(3.0);
     for (std::size_t i = 0; i < bends.plain.size(); ++i) {
         const PlainEdge& plain = bends.plain[i];
@@ -134,12 +135,12 @@ Vector<double> bulges_of(const Shape& shape, const Bends& bends, const Flags& sh
 
 // ---- Rounds
 
-// The data that one round needs about the mesh before it.
+// The data about a mesh that one round of subdivision needs.
 struct Round {
     FaceEdges edges;
     Flags sharp;                // one flag for each edge
-    Flags on_line;              // one flag for each vertex: inside a sharp line
-    Flags stays;                // one flag for each vertex
+    Flags on_line;              // one flag for each vertex: it is an inner vertex of a sharp line
+    Flags stays;                // one flag for each vertex: it does not move
     Vector<Triangle> triangles; // the faces after the round
 };
 
@@ -151,10 +152,10 @@ Vector<std::int64_t> lines_at_vertices(const FaceEdges& edges, const Flags& shar
     return lines;
 }
 
-// Returns the vertices that do not move: ends, crossings and corners of sharp lines.
+// Returns the vertices that stay: ends, crossings and corners of sharp lines.
 Flags staying_vertices(const Points& points, const FaceEdges& edges, const Flags& sharp,
                        const Vector<std::int64_t>& lines, Pool& pool) {
-    // For each vertex, the sum of the unit vectors away from it along the lines.
+    // For each vertex, the sum of unit vectors along its sharp edges, pointing away from it.
     Points way(points.size(), glm::dvec3(0.0), &pool);
     for (const bool to_end : {false, true})
         for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -163,7 +164,8 @@ Flags staying_vertices(const Points& points, const FaceEdges& edges, const Flags
             const glm::dvec3 unit = unit_or_zero(at(points, ends[1]) - at(points, ends[0]));
             at(way, ends[to_end ? 1 : 0]) += to_end ? -unit : unit;
         }
-    // For unit vectors a and b away from a vertex |a + b|^2 = 2 + 2 a . b, and a . b = -1 where the line is straight.
+    // The limit of |a + b|^2 for the unit vectors a and b along two sharp edges away from a vertex: 2 + 2 a . b. For a
+    // straight line it is 0.
     const double corner = 2.0 - 2.0 * std::cos(subdivide_tuning.corner_angle * degree);
     Flags stays(points.size(), 0, &pool);
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -192,7 +194,7 @@ Vector<Triangle> quartered(const Vector<Triangle>& triangles, const FaceEdges& e
     return finer;
 }
 
-// Returns both halves of all edges that were sharp in a round, in ascending order.
+// Returns the two halves of all edges that were sharp before a round, in ascending order.
 Vector<Edge> halves_of(const FaceEdges& edges, const Flags& sharp, std::size_t vertices, Pool& pool) {
     Vector<Edge> halves(&pool);
     for (std::size_t e = 0; e < edges.size(); ++e)
@@ -207,7 +209,7 @@ struct Rounds {
     explicit Rounds(Pool& pool) : rounds(&pool), sharp_edges(&pool) {}
 
     Vector<Round> rounds;
-    Vector<Edge> sharp_edges; // the sharp edges after the last round, if the shape knows its own
+    Vector<Edge> sharp_edges; // the sharp edges after the last round, if the shape knows its sharp edges
 };
 
 Rounds plan_rounds(const Shape& shape, std::int32_t count, double crease_angle, Pool& pool,
@@ -231,7 +233,7 @@ Rounds plan_rounds(const Shape& shape, std::int32_t count, double crease_angle, 
             {std::move(edges), std::move(sharp), std::move(on_line), Flags(stays, &pool), std::move(finer)});
         stays.resize(after, 0);
         vertices = after;
-        if (i + 1 == count) { // After the last round only the sharp edges are needed.
+        if (i + 1 == count) { // After the last round, only the sharp edges remain to be computed.
             if (shape.has_sharp_edges) plan.sharp_edges = halves;
             break;
         }
@@ -244,8 +246,8 @@ Rounds plan_rounds(const Shape& shape, std::int32_t count, double crease_angle, 
     return plan;
 }
 
-// Returns, for each point, the sum of the points at the other ends of its edges. `wanted` is 1 for each edge that
-// counts, or null if all do.
+// Returns, for each point, the sum of the points at the other ends of its edges. If `wanted` is not null, only edges
+// whose element is 1 are used.
 Points sums_around(const Points& points, const FaceEdges& edges, const Flags* wanted, Pool& pool) {
     Points sums(points.size(), glm::dvec3(0.0), &pool);
     for (const std::size_t from : {std::size_t{0}, std::size_t{1}})
@@ -255,7 +257,7 @@ Points sums_around(const Points& points, const FaceEdges& edges, const Flags* wa
     return sums;
 }
 
-// Returns the new place of a vertex by Loop's rule, from the sum of its neighbours.
+// Returns the new position of a vertex by Loop's rule, given the sum of its neighbours.
 glm::dvec3 smooth_place(const glm::dvec3& place, const glm::dvec3& around, std::int64_t valence) noexcept {
     const auto most = static_cast<double>(std::max<std::int64_t>(valence, 3));
     const double near = 3.0 / 8.0 + std::cos(2.0 * std::numbers::pi / most) / 4.0;
@@ -263,12 +265,12 @@ glm::dvec3 smooth_place(const glm::dvec3& place, const glm::dvec3& around, std::
     return (1.0 - share) * place + share * around / static_cast<double>(std::max<std::int64_t>(valence, 1));
 }
 
-// Returns the vertices after a round: the moved vertices, then the middles of the edges. `corners` has the faces before
-// the round.
+// Returns the vertices after a round: the moved vertices, then the new vertices on the edges. `corners` has the faces
+// before the round.
 Points refined_once(const Points& points, const Round& round, const Vector<Triangle>& corners, Pool& pool) {
     const FaceEdges& edges = round.edges;
     const std::size_t faces = corners.size();
-    Points beside(edges.size(), glm::dvec3(0.0), &pool); // sums of the opposite corners of each edge
+    Points beside(edges.size(), glm::dvec3(0.0), &pool); // for each edge: the sum of the corners opposite to it
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t f = 0; f < faces; ++f)
             at(beside, edges.of_side[k * faces + f]) += at(points, corners[f][(k + 2) % 3]);
@@ -330,7 +332,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
         return finer;
     }
     Rounds plan = plan_rounds(shape, rounds, crease_angle, pool, progress);
-    Points control(shape.points, &pool); // Plain subdivision of the control points comes near to the given vertices.
+    Points control(shape.points, &pool); // The control points, whose subdivision comes near to the given vertices.
     for (std::int32_t i = 0; i < subdivide_tuning.corrections; ++i) {
         const Points made = refined(control, shape, plan.rounds, pool, progress);
         for (std::size_t v = 0; v < control.size(); ++v) control[v] = control[v] + shape.points[v] - made[v];
@@ -344,7 +346,8 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
 Vector<std::int64_t> parents_of(std::size_t faces, std::size_t finer, Pool& pool) {
     Vector<std::int64_t> parents(&pool);
     parents.reserve(finer);
-    // Each round divides every face into four. Part k of face f has the index k * (number of faces) + f.
+    // Each round divides every face into four. In the result, part k of face f has the number k * (number of faces) +
+    // f.
     for (std::size_t i = 0; i < finer; ++i) parents.push_back(static_cast<std::int64_t>(i % faces));
     return parents;
 }
@@ -363,7 +366,7 @@ DividedParts subdivide_coarse_parts(const Shape& shape, std::int32_t rounds, dou
     coarse.points = shape.points;
     coarse.has_sharp_edges = shape.has_sharp_edges;
     coarse.sharp_edges = shape.sharp_edges;
-    Vector<Triangle> triangles(&pool); // the faces that stay, then the faces of the finer parts
+    Vector<Triangle> triangles(&pool); // first the faces that stay, then the faces of the divided parts
     Vector<std::int64_t> parents(&pool);
     Vector<std::int64_t> divided(&pool);
     for (std::size_t f = 0; f < shape.triangles.size(); ++f) {

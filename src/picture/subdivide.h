@@ -5,8 +5,8 @@
 // Reconstruction", SIGGRAPH 1994, for borders, creases and corners; F. Cheng et al., "Loop Subdivision Surface Based
 // Progressive Interpolation", JCST 24(1), 2009, for going through the vertices.
 //
-// In this file a shape is a mesh whose vertices are joined: two separate vertices at one place come apart. If the shape
-// knows its sharp edges, they stay sharp.
+// Vertices of a shape at the same place must be joined, because separate vertices move apart. If the shape knows its
+// sharp edges, they stay sharp.
 #pragma once
 
 #include "base/operation.h"
@@ -24,26 +24,26 @@ namespace hrbfnpr::picture {
 
 struct DividedParts {
     Shape shape;
-    Vector<std::int64_t> parents; // For each face, the given face from which it was made.
+    Vector<std::int64_t> parents; // For each face, the given face that it was divided from.
 };
-// Divides only the coarse parts. These have a smooth edge that bulges by more than a share of the diagonal.
+// Divides only the coarse parts. A part is coarse if it has a smooth edge that bulges by more than this share of the
+// diagonal.
 [[nodiscard]] DividedParts subdivide_coarse_parts(const Shape& shape, std::int32_t rounds, double crease_angle,
                                                   double tolerance, Pool& pool, const base::Progress& progress = {});
-// Returns the parents of all faces that subdivide() makes from `faces` faces.
+// Returns the parents of all faces after subdivide() divides `faces` faces.
 [[nodiscard]] Vector<std::int64_t> parents_of(std::size_t faces, std::size_t finer, Pool& pool);
 
-// Returns how far faces are off a round surface, as a share of the diagonal: this percentile of the bulges of all
-// edges. Edges that the shape marks as sharp do not count.
-// Two faces bulge by the angle between their normals, times an eighth of their extent across the common edge. For a
-// bevel beside a flat face this extent is the width of the bevel, however long it is; for an equilateral face it is the
-// edge length.
+// Returns how far the faces are from a round surface, as a share of the diagonal: this percentile of the bulges of all
+// edges that are not sharp. The bulge of an edge is the angle between the normals of its two faces, times an eighth of
+// their extent across the edge. For an equilateral face, the extent is the edge length. For a bevel beside a flat face,
+// it is the width of the bevel, whatever its length.
 [[nodiscard]] double coarseness(const Shape& shape, double percent, Pool& pool);
 
-// Returns how far each place of a finer mesh lies off the planes of its parents, as a share of the diagonal.
+// Returns for each place of a finer mesh its distance from the planes of its parent faces, as a share of the diagonal.
 [[nodiscard]] Vector<double> raised(const Shape& shape, const Shape& finer, const Vector<std::int64_t>& parents,
                                     Pool& pool);
 
-// Returns the mean length of an edge as a share of the diagonal.
+// Returns the mean length of the edges, as a share of the diagonal.
 [[nodiscard]] double mean_edge(const Shape& shape, Pool& pool);
 
 } // namespace hrbfnpr::picture

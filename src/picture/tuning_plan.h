@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Constants that choose the pen, the number of marks, and the width of lines.
+// Constants for choosing the pen, the number of marks, and the width of lines.
 #pragma once
 
 #include <cstdint>
@@ -7,32 +7,32 @@
 namespace hrbfnpr::picture {
 
 struct PlanTuning {
-    // The radius of the pen in pixels is the picture's longer side divided by this. The named styles were made for a
-    // radius of 1 pixel at a side of 800. Larger: finer and more marks.
+    // The pen's radius, in pixels, is the picture's longer side divided by this. Named styles are made for a radius of
+    // 1 pixel and a side of 800. Larger: finer and more marks.
     double sides_of_pen = 800.0;
-    // The radius of the pen is at least this, in pixels. Smaller: small pictures become grey instead of coarse.
+    // The least radius of the pen, in pixels. Smaller: small pictures become grey instead of coarse.
     double least_pen = 0.75;
     // Stipples cover this share of the paper at the darkest tone. Larger: darker, and more marks.
     double stipple_coverage = 0.8;
-    // The number of hatching lines of all levels along the square root of the area. Larger: hatching stays even in
-    // larger pictures, and needs more marks.
+    // The number of hatching lines of all levels over a length of the square root of the area. Larger: hatching stays
+    // even in larger pictures, and needs more marks.
     double hatch_lines = 300.0;
-    // The limit of a layer's marks unless the caller sets another. Each mark takes about 500 bytes while it is placed
-    // and drawn. Larger: large pictures reach their darkest tone, and need more memory.
+    // The largest number of marks in a layer, unless the caller gives a budget. Each mark takes about 500 bytes while
+    // it is placed and drawn. Larger: large pictures reach their darkest tone, and need more memory.
     std::int64_t most_marks = 2'000'000;
-    // The limit of refinement steps of the published recursion unless the caller sets another. Each step multiplies the
-    // marks by 3 or 5. Larger: darker tones, more memory.
+    // The largest number of refinement steps of the published recursion, unless the caller gives a budget. Each step
+    // multiplies the marks by 3 or 5. Larger: darker tones, more memory.
     int most_levels = 6;
     // The limits of hrbfnpr_layer_desc. Notes advise no larger numbers.
     double largest_budget = 1e8;
     double largest_levels = 12.0;
     // The radius of the marks of published strokes, which are dots, in pens. Larger: darker tones.
     float published_dot = 1.1F;
-    // The share of published strokes that the style "full" uses beside its stipples. Larger: strokes reach farther into
-    // the lights.
+    // The share of published strokes that the style "full" draws together with its stipples. Larger: more strokes in
+    // light tones.
     float published_share_of_full = 0.6F;
-    // The number of marks in a layer that is not shown, in a style that draws lines. Larger: the end of the surface is
-    // known better, in more time.
+    // The number of marks in a layer that a style does not show because it draws only lines. Larger: the end of the
+    // surface is known better, in more time.
     std::int64_t unseen_marks = 4000;
 };
 inline constexpr PlanTuning plan_tuning;
@@ -40,11 +40,10 @@ inline constexpr PlanTuning plan_tuning;
 struct LineStyleTuning {
     // The width of a contour, in pens, if the style sets none. Larger: wider lines.
     float contour_width = 2.2F;
-    // The width of lines other than contours, borders and creases, in widths of the contour. Larger: they stand out
-    // more.
+    // The width of lines other than contours, borders and creases, in widths of the contour. Larger: these lines stand
+    // out more.
     double fine_width = 0.6;
-    // The width of a line varies by this times the `wobble` that the caller asks for, and by at most 1. Larger: more
-    // uneven lines.
+    // The width of a line varies by this times the `wobble` of the caller, and by at most 1. Larger: more uneven lines.
     double width_of_wobble = 0.5;
 };
 inline constexpr LineStyleTuning line_style_tuning;

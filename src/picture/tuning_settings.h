@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of settings and of named changes. Anything beyond them is a mistake or an attack.
+// Limits for settings and for named changes. Larger input is a mistake or an attack.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 namespace hrbfnpr::picture {
 
 struct SettingsTuning {
-    // The size limit of a file of settings, in bytes. A dab of paint takes about 250. Larger: more is read before a
-    // file is refused.
+    // The largest size of a settings file, in bytes. A dab of paint takes about 250. Larger: more is read before a file
+    // is refused.
     std::size_t most_bytes = std::size_t{16} << 20U;
-    // The depth limit of nested lists and objects. Settings need 4. Larger: a refused file uses more stack.
+    // The largest depth of nested lists and objects. Settings need 4. Larger: a refused file uses more stack.
     std::size_t most_depth = 32;
-    // The limits of the changes in a list, and of the bytes in a path and in a value. Larger: a wrong count is noticed
-    // later.
+    // The largest number of changes in a list, and the largest number of bytes in a path and in a value. Larger: a
+    // wrong count is noticed later.
     std::int64_t most_changes = 100'000;
     std::size_t longest_path = 128;
     std::size_t longest_value = 4096;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Finds the up direction. It tests signs one after the other, the surest first: the file's format, coordinates of a
-// map, a terrain, a flat base, left and right sides that are alike, a hole below, the ground at z = 0, and how the
-// object would stand or fall. The result is y if none of them speaks for z.
+// Finds the up direction. It tests clues one after the other, the most reliable first: the file's format, coordinates
+// of a map, a terrain, a flat base, left and right sides that are alike, a hole below, the ground at z = 0, and how the
+// object would stand or fall. The result is y if no clue points to z.
 #include "picture/up.h"
 
 #include "base/assert.h"
@@ -22,7 +22,7 @@ constexpr UpAxis y_axis = 1;
 constexpr UpAxis z_axis = 2;
 constexpr const char* nothing_speaks = "nothing suggests another direction";
 
-struct OtherAxes { // The two axes other than a given one, in ascending order.
+struct OtherAxes { // The two axes other than a given axis, in ascending order.
     UpAxis first;
     UpAxis second;
 };
@@ -51,7 +51,7 @@ double mean_along_axis(const Points& points, UpAxis axis) noexcept {
     return sum / static_cast<double>(points.size());
 }
 
-// Returns the share of the elements for which `is` is true.
+// Returns the share of the elements for which `is` returns true.
 template <class T, class Is>
 double share_of_samples(const Vector<T>& elements, Is&& is) {
     return static_cast<double>(std::count_if(elements.begin(), elements.end(), is)) /
@@ -62,7 +62,7 @@ double sign_of_part(double x) noexcept { return static_cast<double>(x > 0.0) - s
 
 // ---- Maps, terrains and flat ends
 
-// Tells whether the coordinates are on a map. Eastings and northings are far from 0, but heights are not.
+// Returns whether the coordinates are map coordinates: eastings and northings are far from 0, but heights are not.
 bool is_on_a_map(const geometry::Bounds& box) noexcept {
     const glm::dvec3 extent = box.size();
     const double height = std::max(std::abs(box.min.z), std::abs(box.max.z));
@@ -86,7 +86,8 @@ bool is_terrain(const glm::dvec3& extent, const Points& normals, UpAxis axis) {
            mean * side > up_tuning.terrain_upward;
 }
 
-// Tells whether all samples face the same side along z. Such a view from one side has no end to stand on.
+// Returns whether nearly all samples face the same side along z. Such a shape was seen from one side only, and has no
+// end to stand on.
 bool is_seen_from_one_side(const Points& normals) {
     const double told =
         share_of_samples(normals, [](const glm::dvec3& n) { return std::abs(n.z) > up_tuning.side_told; });
@@ -96,7 +97,8 @@ bool is_seen_from_one_side(const Points& normals) {
            std::abs(sides / static_cast<double>(normals.size())) > up_tuning.view_one_sided;
 }
 
-// Shares of the samples on a flat end: below along x, above along x, below along y, and so on.
+// The share of the samples on each flat end: the lower end along x, the upper end along x, the lower end along y, and
+// so on.
 using FlatEnds = std::array<double, 6>;
 constexpr std::size_t below_y = 2;
 constexpr std::size_t below_z = 4;
@@ -142,7 +144,7 @@ geometry::VecArray every_nth_sample(const Points& points, std::size_t first, std
     return chosen;
 }
 
-// Returns the distance that a high percentile of the places has to the nearest point of a tree.
+// Returns a high percentile of the distances from the places to the nearest point of a tree.
 double distance_of_most(const geometry::VecArray& places, const geometry::PointTree& points, Pool& pool) {
     HRBFNPR_ASSERT(!places.empty() && points.size() > 0);
     const auto any = [](std::int64_t) { return true; };
@@ -153,14 +155,14 @@ double distance_of_most(const geometry::VecArray& places, const geometry::PointT
         points.nearest(places[i], 1, any, any, &found);
         const glm::dvec3 between = points.points()[found] - places[i];
         const double squared = glm::dot(between, between);
-        // An overflow gives NaN, which cannot be sorted, so such a place counts as infinitely far.
+        // An overflow gives NaN, which cannot be sorted, so it is replaced by infinity.
         distances.push_back(squared >= 0.0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity());
     }
     return percentile(distances, up_tuning.mirrored_percentile);
 }
 
-// Mirrors samples along an axis in their mean or in the middle of their box. Returns how far the mirrored samples are
-// from the others.
+// Mirrors samples along an axis, in their mean or in the middle of their box. Returns the distance of the mirrored
+// samples from the others.
 double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAxis axis,
                          const geometry::PointTree& tree, Pool& pool) {
     const auto step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(up_tuning.mirrored_most));
@@ -177,9 +179,8 @@ double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAx
     return least;
 }
 
-// Returns the axis, y or z, along which both sides are alike while they differ along the other axis; 0 if there is no
-// such axis. Most objects have a left and a right that are alike, but few look the same above and below [Fu et al.
-// 2008].
+// Returns the axis, y or z, along which both sides are alike, if the sides along the other axis differ; else 0. Most
+// objects have similar left and right sides, but few look the same above and below [Fu et al. 2008].
 UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& pool) {
     if (points.size() < 8) return 0;
     base::Memory& memory = pool.memory();
@@ -202,7 +203,7 @@ UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& po
 
 // ---- A hole to stand on
 
-struct BorderSide { // A side of a triangle: its ends as numbers of points, and its place in the list of all sides.
+struct BorderSide { // A side of a triangle: the numbers of its two points, and its index in the list of all sides.
     std::int64_t low;
     std::int64_t high;
     std::int64_t number;
@@ -216,8 +217,8 @@ struct BorderSide { // A side of a triangle: its ends as numbers of points, and 
     }
 };
 
-// Returns the sides that belong to one triangle only, sorted by their points. Each goes from the triangle's first end
-// to its second.
+// Returns the sides that only one triangle has, sorted by their points. Each goes from the triangle's first end to its
+// second.
 Vector<Edge> border_of(const Vector<Triangle>& triangles, Pool& pool) {
     Vector<BorderSide> sides(&pool);
     sides.reserve(3 * triangles.size());
@@ -240,7 +241,7 @@ Vector<Edge> border_of(const Vector<Triangle>& triangles, Pool& pool) {
     return border;
 }
 
-// Tells whether a mesh has a hole to stand on, like busts and objects that were scanned on a table.
+// Returns whether a mesh has a hole on which the object stands, as busts and objects scanned on a table have.
 bool opens_below(const Shape* shape, UpAxis axis, Pool& pool) {
     if (shape == nullptr || !shape->is_mesh()) return false;
     const Points& points = shape->points;
@@ -289,7 +290,7 @@ double turn_at(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) no
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Returns the corners of the convex hull, anticlockwise [Andrew 1979]. A single point has none.
+// Returns the corners of the convex hull, anticlockwise [Andrew 1979]. For a single point it returns no corner.
 FlatPoints convex_hull(FlatPoints points) {
     std::sort(points.begin(), points.end(),
               [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -302,7 +303,7 @@ FlatPoints convex_hull(FlatPoints points) {
                 hull.pop_back();
             hull.push_back(*first);
         }
-        if (hull.size() > begin) hull.pop_back(); // The other half of the hull begins at this point.
+        if (hull.size() > begin) hull.pop_back(); // The other half of the hull begins here.
     };
     add_half(points.begin(), points.end());
     add_half(points.rbegin(), points.rend());
@@ -319,7 +320,8 @@ double area_of_polygon(const FlatPoints& polygon) noexcept {
     return twice / 2.0;
 }
 
-// Returns the height along an axis, measured to one side (1 or -1), below which a point belongs to the end there.
+// Returns the height that bounds one end of an axis. `side` (1 or -1) chooses the end and the sense in which heights
+// are measured.
 double height_of_end(const geometry::Bounds& box, UpAxis axis, double side) noexcept {
     const double lowest = side > 0.0 ? box.min[axis] : -box.max[axis];
     return lowest + up_tuning.foot_height * (box.max[axis] - box.min[axis]);
@@ -330,8 +332,8 @@ std::int64_t count_at_end(const Points& points, const geometry::Bounds& box, UpA
     return std::count_if(points.begin(), points.end(), [&](const glm::dvec3& p) { return side * p[axis] < limit; });
 }
 
-// Tells whether the object can stand on its lowest part to one side along an axis. That part must be wide, and the
-// middle of the object must lie above it.
+// Returns whether the object can stand on one of its ends along an axis. The end must be wide, and the middle of the
+// object must be above it.
 bool rests_on_end(const Points& points, const geometry::Bounds& box, UpAxis axis, double side, Pool& pool) {
     const OtherAxes flat = axes_across(axis);
     const double limit = height_of_end(box, axis, side);
@@ -356,7 +358,7 @@ bool rests_on_end(const Points& points, const geometry::Bounds& box, UpAxis axis
     return true;
 }
 
-// Returns why z is up according to the shape alone, or null if it is not.
+// Returns the reason why the shape alone says that z is up, or null if it does not.
 const char* reason_for_z(const Shape* shape, const Points& points, const Points& normals, Pool& pool) {
     if (points.empty() || !are_finite_samples(points)) return nullptr;
     const geometry::Bounds box = box_of_samples(points);
@@ -405,7 +407,7 @@ glm::dvec3 choose_up(const Call& call, const Shape* shape, const Points& points,
     const glm::dvec3 y(0.0, 1.0, 0.0);
     if (options.has(HRBFNPR_PICTURE_IS_SOLID)) return y;
     const FoundUp found = find_up(shape, points, normals, call.pool);
-    // A surface that is not drawn stores its up direction for later pictures, but the user needs no note about it.
+    // If the surface is not drawn, later pictures use its up direction, and the user needs no note.
     if (found.direction == y || options.has(HRBFNPR_PICTURE_SURFACE_ONLY)) return found.direction;
     const glm::dvec3& up = found.direction;
     String text("up is ", &call.pool);

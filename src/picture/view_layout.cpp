@@ -178,14 +178,14 @@ glm::dvec3 middle_of(const Points& points, const Standing& axes) noexcept {
 
 namespace {
 
-// Returns the side from which an isometric view and sections are seen.
+// Returns the side from which isometric views and sections are seen.
 glm::dvec3 drawn_side(std::span<const ViewName> names, const Standing& axes) noexcept {
     const auto has = [&](ViewName name) { return std::find(names.begin(), names.end(), name) != names.end(); };
     return has(ViewName::left) && !has(ViewName::right) ? -axes.right : axes.right;
 }
 
-// Returns an upright view from an eye direction. In views from above or below, the front is at the bottom or at the
-// top.
+// Returns a view from an eye direction, with up at the top. In views from above or below, the front is at the bottom or
+// at the top.
 SheetView view_from(ViewName kind, String name, const glm::dvec3& eye, const Standing& axes) {
     const double along = glm::dot(eye, axes.up);
     const bool is_level = std::abs(along) > 1.0 - on_sheet.along;
@@ -213,7 +213,7 @@ glm::dvec3 eye_of(ViewName name, std::span<const ViewName> names, const Standing
 
 Vector<CutPlane> planes_of(std::span<const AskedCut> cuts, std::span<const ViewName> names, const Standing& axes,
                            const glm::dvec3& middle, Pool& pool) {
-    constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ"; // The letters that look like digits are missing.
+    constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ"; // Letters that look like digits are left out.
     const glm::dvec3 towards = axes.front + axes.up + drawn_side(names, axes);
     Vector<CutPlane> planes(&pool);
     for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -278,11 +278,12 @@ struct TablePlace {
     int row;
 };
 
-// The columns and rows of the views around the front view, indexed by ViewName [ISO 5456-2].
+// The column and row of each view, indexed by ViewName, in a table with the front view in the middle [ISO 5456-2].
 constexpr std::array<TablePlace, 7> first_angle{{{1, 1}, {3, 1}, {2, 1}, {0, 1}, {1, 2}, {1, 0}, {2, 2}}};
 constexpr std::array<TablePlace, 7> third_angle{{{1, 1}, {3, 1}, {0, 1}, {2, 1}, {1, 0}, {1, 2}, {2, 0}}};
 
-// Returns the first of the front, the top and other views that sees the plane as a line, or else the number of cells.
+// Returns the number of the first view that shows the plane as a line; the front and top views are tried first. If
+// there is none, returns the number of cells.
 std::size_t cell_that_shows(const Vector<ViewCell>& cells, const CutPlane& plane) noexcept {
     constexpr std::array order{ViewName::front, ViewName::top,    ViewName::left,
                                ViewName::right, ViewName::bottom, ViewName::back};
@@ -292,13 +293,13 @@ std::size_t cell_that_shows(const Vector<ViewCell>& cells, const CutPlane& plane
     return cells.size();
 }
 
-// Tells whether the view shares its centre lines with its neighbours. Otherwise it is in the middle of its place.
+// Returns whether the view is aligned with its neighbours by common centre lines. Otherwise it is centred in its cell.
 bool is_aligned(const ViewCell& cell, const glm::dvec3& up) noexcept {
     return cell.view.kind != ViewName::iso &&
            (!cell.view.is_section() || cell.row != 1 || std::abs(glm::dot(cell.view.eye, up)) < on_sheet.along);
 }
 
-// A column or a row of the table: where it begins, and how far it extends before and after its centre line.
+// A column or a row of the table: its beginning, and its extents before and after its centre line.
 struct TableSpan {
     int number;
     double begin;
@@ -340,7 +341,7 @@ TableSpans spans_of(Vector<TableSpan> each, double gap, Pool& pool) {
     return found;
 }
 
-// The size of the table, and the centres of its views from its upper left corner.
+// The size of the table, and the centres of its views relative to its upper left corner.
 struct ViewTable {
     Vector<glm::dvec2> centres;
     double width;
@@ -369,14 +370,14 @@ ViewTable table_of(const Vector<ViewCell>& cells, double scale, const LayoutRule
     return table;
 }
 
-// Returns the room for the table inside the frame.
+// Returns the space for the table inside the frame.
 glm::dvec2 room_of(const SheetPage& page) noexcept {
     const SheetBox frame = frame_of(page);
     return {frame.right - frame.left - 2.0 * on_sheet.pad, frame.bottom - frame.top - 2.0 * on_sheet.pad};
 }
 
-// Returns the centres of the views on this page, clear of the title block and the scale bar, or nothing if there is no
-// room.
+// Returns the centres of the views on a page, outside the title block and the scale bar, or nullopt if the space is too
+// small.
 std::optional<Vector<glm::dvec2>> place_on(const SheetPage& page, const Vector<ViewCell>& cells, double scale,
                                            const LayoutRules& rules, Pool& pool) {
     const ViewTable table = table_of(cells, scale, rules, pool);
@@ -468,7 +469,7 @@ Vector<ViewCell> cells_of(Vector<SheetView> views, const Vector<CutPlane>& plane
 }
 
 Vector<SheetScale> standard_scales(Pool& pool) {
-    constexpr int most = 9; // the power of ten of the largest and of the smallest scale
+    constexpr int most = 9; // The largest and smallest scales are this power of ten and its reciprocal.
     Vector<SheetScale> scales(&pool);
     const auto add = [&](double step, int power, bool is_large) {
         const double number = step * std::pow(10.0, power);

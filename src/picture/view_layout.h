@@ -22,15 +22,16 @@ namespace hrbfnpr::picture {
 
 // ---- Requests
 
-enum class Projection : std::uint32_t { first, third }; // the projection angle [ISO 5456-2]
+enum class Projection : std::uint32_t { first, third }; // the first-angle or third-angle projection [ISO 5456-2]
 
 enum class ViewName : std::uint32_t { front, back, left, right, top, bottom, iso, section };
 
-// A requested cutting plane, where `normal` . x is `place`.
+// A requested cutting plane: all x with `normal` . x = `place`.
 struct AskedCut {
-    glm::dvec3 normal{0.0};      // any length but 0
-    std::optional<double> place; // If empty, the plane goes through the middle of the model.
-    bool is_signed = false;      // The normal points to the side from which the section is seen.
+    glm::dvec3 normal{0.0};      // of any length except 0
+    std::optional<double> place; // If empty, the plane passes through the middle of the model.
+    // True if the caller gives the normal's sign, which then points towards the viewer of the section.
+    bool is_signed = false;
 };
 
 struct SheetPage {
@@ -40,47 +41,49 @@ struct SheetPage {
 };
 
 struct SheetScale {
-    String text;  // "1:2"
-    double value; // 0.5
+    String text;  // the scale as text, such as "1:2"
+    double value; // the scale as a number, such as 0.5
 };
 
-// Each of these functions reads a text, and throws Error{invalid_argument} that says which texts are valid.
-[[nodiscard]] Vector<ViewName> parse_views(std::string_view text, const Report& report);    // "front,top"
-[[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report); // such as "z:20;-x;1:1:0:5"
-// "auto" returns nothing.
+// These functions parse texts. They throw Error{invalid_argument} with the valid texts.
+[[nodiscard]] Vector<ViewName> parse_views(std::string_view text, const Report& report); // for example "front,top"
+// For example "z:20;-x;1:1:0:5".
+[[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report);
+// For "auto" the result is nullopt.
 [[nodiscard]] std::optional<SheetPage> parse_paper(std::string_view text, const Report& report);
 [[nodiscard]] std::optional<SheetScale> parse_scale(std::string_view text, const Report& report);
 
 // ---- Directions
 
-// The directions of the model, as unit vectors.
+// The unit vectors of the model's up, front and right directions.
 struct Standing {
     glm::dvec3 right;
     glm::dvec3 up;
     glm::dvec3 front;
 };
 
-// Returns the directions for an up vector of any length but 0.
+// Returns the directions for an up vector of any length except 0.
 [[nodiscard]] Standing standing(const glm::dvec3& up) noexcept;
 
-// The plane where `normal` . x is `place`.
+// A cutting plane: all x with `normal` . x = `place`.
 struct CutPlane {
-    String name;       // "A"
-    glm::dvec3 normal; // unit vector, towards the eye of the section
+    String name;       // a letter, such as "A"
+    glm::dvec3 normal; // a unit vector towards the viewer of the section
     double place;
 };
 
 struct SheetView {
     ViewName kind = ViewName::front;
-    String name;      // "front", "A-A"
-    glm::dvec3 right; // unit vectors
+    String name;      // such as "front" or "A-A"
+    glm::dvec3 right; // The unit vectors to the right and downward in the view.
     glm::dvec3 up;
-    glm::dvec3 eye;        // unit vector towards the eye
-    double factor = 1.0;   // The view is drawn larger than the scale by this factor.
-    std::size_t plane = 0; // the index of the plane, for a section
+    glm::dvec3 eye;        // a unit vector towards the eye
+    double factor = 1.0;   // The view is larger than the scale by this factor.
+    std::size_t plane = 0; // for a section: the index of its plane
 
     [[nodiscard]] bool is_section() const noexcept { return kind == ViewName::section; }
-    // Returns where a point is seen relative to the middle: to the right and downward, in units of the model.
+    // Returns the position of a point in the view relative to the middle, to the right and downward, in units of the
+    // model.
     [[nodiscard]] glm::dvec2 flat(const glm::dvec3& point, const glm::dvec3& middle) const noexcept {
         const glm::dvec3 away = point - middle;
         return factor * glm::dvec2(glm::dot(away, right), -glm::dot(away, up));
@@ -89,11 +92,11 @@ struct SheetView {
     [[nodiscard]] bool is_edge_on(const glm::dvec3& normal) const noexcept;
 };
 
-// Returns the middle of the box around the points, aligned with the model's directions. There must be points.
+// Returns the middle of the bounding box of the points along the model's directions. There must be at least one point.
 [[nodiscard]] glm::dvec3 middle_of(const Points& points, const Standing& axes) noexcept;
 
-// Returns the planes, named A, B and so on. Each is seen from the front, from above or from the side that is drawn,
-// unless its normal has a sign.
+// Returns the planes, named A, B and so on. A plane whose normal has no sign is seen from the front, from above or from
+// the drawn side.
 [[nodiscard]] Vector<CutPlane> planes_of(std::span<const AskedCut> cuts, std::span<const ViewName> names,
                                          const Standing& axes, const glm::dvec3& middle, Pool& pool);
 
@@ -120,25 +123,25 @@ struct SheetBox {
 // Returns the title block in the lower right corner of a page [ISO 7200].
 [[nodiscard]] SheetBox block_of(const SheetPage& page) noexcept;
 
-// A view with its place in the table of all views.
+// A view with its column and row in the table of all views.
 struct ViewCell {
     SheetView view;
     int column;
     int row;
-    glm::dvec2 low; // the box around the view, relative to its centre, in units of the model
+    glm::dvec2 low; // the bounding box of the view relative to its centre, in units of the model
     glm::dvec2 high;
     bool has_label;
-    Vector<glm::dvec3> cut_normals; // normals of the planes that are drawn in the view
-    Vector<std::size_t> cuts;       // the indices of the planes of cut_normals
+    Vector<glm::dvec3> cut_normals; // normals of the cutting planes that the view shows as lines
+    Vector<std::size_t> cuts;       // for each of cut_normals: the index of its plane
 
-    // Return the box around the drawing alone, and the box that includes its surroundings, relative to the centre.
+    // Return the bounding box of the drawing, and that of the drawing with its annotations, relative to the centre.
     // `scale` is in mm per unit.
     [[nodiscard]] SheetBox seen(double scale) const noexcept;
     [[nodiscard]] SheetBox box(double scale) const noexcept;
 };
 
-// Returns the cells of the views, in their order. Sections follow the other views to the right, or below if they are
-// seen from above. Each plane is drawn in the first view that sees it as a line.
+// Returns the cells of the views, in their order. Sections are placed to the right of the other views, or below them if
+// they are seen from above. Each plane is drawn in the first view that sees it as a line.
 [[nodiscard]] Vector<ViewCell> cells_of(Vector<SheetView> views, const Vector<CutPlane>& planes, const Points& points,
                                         const glm::dvec3& middle, Projection projection, const glm::dvec3& up,
                                         bool labels, Pool& pool);
@@ -157,8 +160,8 @@ struct LayoutRules {
     glm::dvec3 up;  // unit vector
 };
 
-// Returns the layout on the given page and at the given scale, or else on those that fit. Throws
-// Error{invalid_argument} that says which ones would fit.
+// Returns a layout for the given page and scale. If one is not given, it is chosen so that the views fit. Throws
+// Error{invalid_argument} that names pages and scales that would fit.
 [[nodiscard]] SheetLayout choose_layout(const Vector<ViewCell>& cells, const std::optional<SheetPage>& page,
                                         const std::optional<SheetScale>& scale, const LayoutRules& rules,
                                         const Report& report);

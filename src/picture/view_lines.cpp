@@ -21,8 +21,8 @@ struct TracedLine {
     explicit TracedLine(Pool& pool) : places(&pool), points(&pool), hidden(&pool) {}
 
     Points places;    // places in the model
-    PaperLine points; // the places of the line in the view, in mm
-    Flags hidden;     // whether the piece from point i to point i + 1 is hidden
+    PaperLine points; // the same places on the paper, in mm
+    Flags hidden;     // true if the piece from point i to point i + 1 is hidden
 };
 using TracedLines = Vector<TracedLine>;
 
@@ -36,7 +36,7 @@ void turn_round(TracedLine& line) {
     std::reverse(line.hidden.begin(), line.hidden.end());
 }
 
-// Appends a part that begins where the line ends.
+// Appends a part, which begins at the end of the line.
 void append(TracedLine& line, const TracedLine& part) {
     line.places.insert(line.places.end(), part.places.begin() + 1, part.places.end());
     line.points.insert(line.points.end(), part.points.begin() + 1, part.points.end());
@@ -45,7 +45,7 @@ void append(TracedLine& line, const TracedLine& part) {
 
 // ---- Joining parts of lines
 
-// Finds ends of lines by their place on the paper.
+// Finds the ends of lines by their positions on the paper.
 class LineEnds {
 public:
     LineEnds(TracedLines& lines, Pool& pool) : lines_(&lines), taken_(lines.size(), 0, &pool), cells_(&pool) {
@@ -56,15 +56,15 @@ public:
         }
     }
 
-    // Takes a line, unless it was taken before.
+    // Returns a line and marks it as used, or returns nullopt if it was used before.
     [[nodiscard]] std::optional<TracedLine> take(std::size_t number) {
         if (taken_[number] != 0) return std::nullopt;
         taken_[number] = 1;
         return std::move((*lines_)[number]);
     }
 
-    // Takes the line with the end nearest to a place, turned so that it begins there. Returns nothing if no end is
-    // near.
+    // Takes the line with the end nearest to a place, and turns it so that it begins there. Returns nullopt if no end
+    // is near.
     [[nodiscard]] std::optional<TracedLine> take_next_at(const glm::dvec2& place) {
         const PaperCell middle = cell_of(place, tuned_lines.meet);
         std::optional<std::pair<double, LineEnd>> best;
@@ -87,7 +87,7 @@ public:
 private:
     struct LineEnd {
         std::size_t line;
-        bool is_last; // whether it is the line's last point, else its first
+        bool is_last; // true for the last point of the line, false for the first
     };
 
     [[nodiscard]] const glm::dvec2& place_of(const LineEnd& end) const noexcept {
@@ -103,7 +103,7 @@ private:
     HashMap<PaperCell, Vector<LineEnd>, PaperCellHash> cells_;
 };
 
-// Joins parts whose ends meet, the long parts first. A line is closed if its own ends meet.
+// Joins parts whose ends meet. Long parts are joined first. A line is closed if its two ends meet.
 TracedLines joined(TracedLines parts, Pool& pool) {
     Vector<std::size_t> order(&pool);
     for (std::size_t i = 0; i < parts.size(); ++i) order.push_back(i);
@@ -119,7 +119,8 @@ TracedLines joined(TracedLines parts, Pool& pool) {
     for (const std::size_t number : order) {
         std::optional<TracedLine> line = ends.take(number);
         if (!line) continue;
-        for (const bool is_turned : {false, true}) { // The line is extended at its end, and then at its beginning.
+        // The line is extended at one end, then turned and extended at the other end.
+        for (const bool is_turned : {false, true}) {
             if (is_turned) turn_round(*line);
             while (!is_round(*line)) {
                 const std::optional<TracedLine> part = ends.take_next_at(line->points.back());
@@ -165,7 +166,7 @@ Drawing draw_view_lines(const SheetView& view, const char* section, const Solid&
         line.name = name;
         line.hidden = HRBFNPR_HIDDEN_PARTS_SHOWN;
         line.width = 1.0F;
-        // Tapers and halos would leave gaps that look like hidden parts.
+        // Lines are not tapered and have no halos, because the gaps would look like hidden parts.
         line.taper = 0.0F;
         line.shortest = 0.0F;
     };
@@ -203,7 +204,7 @@ struct StrokePoint {
 
 struct DrawnViewStrokes {
     Vector<StrokePoint> points;
-    Vector<std::uint32_t> strips; // indices of points; each strip ends with a restart
+    Vector<std::uint32_t> strips; // indices of points; a restart index ends each strip
     Vector<std::uint32_t> kinds;  // the kind of each layer, HRBFNPR_LINE_KIND_*
 };
 
@@ -250,7 +251,7 @@ DrawnViewStrokes strokes_of_drawing(const Drawing& drawing, Pool& pool) {
 
 using LinesByKind = Map<std::uint32_t, TracedLines>;
 
-// Returns all lines of a drawing, joined where parts follow each other.
+// Returns all lines of a drawing. Parts that follow each other are joined.
 LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool) {
     const DrawnViewStrokes strokes = strokes_of_drawing(drawing, pool);
     const double half = picture_size / 2.0;
@@ -278,9 +279,9 @@ LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool
 
 // ---- Sight: whether places are visible from the eye of a view, or from a cutting plane
 
-// Rays to the eye. Looking up f at many places along the rays at once is faster than following each ray. Walls thinner
-// than 1 / (steps * finer) diagonals may be missed. For open surfaces, sheets nearer to each other than
-// 1 / (2 * steps) may be missed, too.
+// Rays to the eye. f is evaluated at many places of many rays at once, which is faster than following each ray. Walls
+// thinner than 1 / (steps * finer) diagonals may be missed. For open surfaces, sheets nearer to each other than 1 / (2
+// * steps) may be missed, too.
 struct Sight {
     const Solid& solid;
     const SheetView& view;
@@ -306,14 +307,14 @@ void evaluate(const Sight& sight, const Points& points, Vector<double>& values, 
     });
 }
 
-// Places on rays: `count` distances from the start of each ray.
+// Places on rays: for each ray, `count` distances from its start.
 struct RaySamples {
     std::size_t count;
     Vector<double> at;
     Vector<double> values; // values of f
 };
 
-// Computes f at the samples. `starts` has the start of each ray.
+// Evaluates f at the samples. `starts` has the start of each ray.
 void look_up(const Sight& sight, const Points& starts, RaySamples& samples) {
     HRBFNPR_ASSERT(samples.at.size() == starts.size() * samples.count);
     Points points(&sight.pool);
@@ -332,7 +333,7 @@ RaySamples even_samples(const Vector<double>& lengths, std::size_t steps, Pool& 
     return samples;
 }
 
-// Finds whether f is below 0 somewhere on each ray. It uses finer steps where f is least.
+// Finds whether f is below 0 somewhere on each ray. Where f is least, it uses finer steps.
 void look_up_solid(const Sight& sight, const Points& starts, const Vector<double>& lengths, std::uint8_t* hidden) {
     const auto steps = static_cast<std::size_t>(sight_tuning.steps);
     RaySamples samples = even_samples(lengths, steps, sight.pool);
@@ -366,8 +367,8 @@ void look_up_solid(const Sight& sight, const Points& starts, const Vector<double
     }
 }
 
-// Finds whether each ray meets an open surface. The sign of f alone does not tell: f is negative all over one side of
-// the sheet, and beyond the sheet's end f changes its sign where there is no surface.
+// Finds whether each ray meets an open surface. The sign of f is not enough: f is negative on one whole side of the
+// sheet, and beyond the end of the sheet it changes its sign where no surface is.
 void follow_open(const Sight& sight, const Points& starts, const Vector<double>& lengths, std::uint8_t* hidden) {
     const auto steps = 2 * static_cast<std::size_t>(sight_tuning.steps);
     RaySamples samples = even_samples(lengths, steps, sight.pool);
@@ -405,7 +406,7 @@ void follow_open(const Sight& sight, const Points& starts, const Vector<double>&
         if (hit[i] > 0 && t[i] <= step_of(rays[i])) hidden[rays[i]] = 1;
 }
 
-// Tells whether a place is seen inside an odd number of the outlines.
+// Returns whether a place, as seen in the view, is inside an odd number of outlines.
 bool is_in_cut(const Sight& sight, const glm::dvec3& place) noexcept {
     const glm::dvec2 p = sight.view.flat(place, sight.solid.middle);
     bool is_odd = false;
@@ -440,13 +441,13 @@ void hides_some(const Sight& sight, const Points& places, double off, std::uint8
     follow_open(sight, starts, lengths, hidden);
     if (sight.plane == nullptr) return;
     const double behind = sight_tuning.behind * sight.solid.diagonal;
-    for (std::size_t i = 0; i < places.size(); ++i) // The cut area is solid.
+    for (std::size_t i = 0; i < places.size(); ++i) // The area of the cut is solid, so it hides what is beyond it.
         if (sight.plane->place - glm::dot(places[i], sight.plane->normal) > behind && is_in_cut(sight, places[i]))
             hidden[i] = 1;
 }
 
-// Finds whether surface lies in front of each place. Rays begin `off` diagonals beside the surface, so that it does not
-// hide itself.
+// Finds whether surface is in front of each place. A ray begins `off` diagonals outside the surface, so that the
+// surface at the place does not hide it.
 Flags hides(const Sight& sight, const Points& places, double off) {
     Flags hidden(places.size(), 0, &sight.pool);
     const auto at_once = static_cast<std::size_t>(sight_tuning.at_once);
@@ -461,7 +462,8 @@ Flags hides(const Sight& sight, const Points& places, double off) {
 
 // ---- Hidden parts
 
-// Returns the line at fractional indices of its points, which ascend from 0 to the last.
+// Returns the line through the places with the given fractional indices, which ascend from 0 to the index of the last
+// point.
 TracedLine line_at(const TracedLine& line, const Vector<double>& at, Pool& pool) {
     TracedLine made(pool);
     const double last = static_cast<double>(line.hidden.size()) - 0.5;
@@ -474,7 +476,7 @@ TracedLine line_at(const TracedLine& line, const Vector<double>& at, Pool& pool)
     return made;
 }
 
-// Returns the indices of the line's points and other, fractional indices, in ascending order.
+// Returns the integer indices of the line's points together with other, fractional indices, in ascending order.
 Vector<double> with_numbers(const TracedLine& line, std::span<const double> others, Pool& pool) {
     Vector<double> numbers(&pool);
     for (std::size_t i = 0; i < line.points.size(); ++i) numbers.push_back(static_cast<double>(i));
@@ -484,7 +486,7 @@ Vector<double> with_numbers(const TracedLine& line, std::span<const double> othe
     return numbers;
 }
 
-// Returns the line with points inserted where it becomes hidden or visible. `is_hidden` is the state at its beginning.
+// Inserts points into the line where it becomes hidden or visible. `is_hidden` is the state at its beginning.
 TracedLine cut_at(const TracedLine& line, std::span<const double> cuts, bool is_hidden, Pool& pool) {
     HRBFNPR_ASSERT(std::is_sorted(cuts.begin(), cuts.end()));
     const Vector<double> at = with_numbers(line, cuts, pool);
@@ -518,7 +520,7 @@ AskedPlaces places_to_ask(const TracedLines& lines, Pool& pool) {
     return asked;
 }
 
-// Returns the lines with the hidden parts that rays find. All rays are cast together, which is much faster.
+// Finds the hidden parts of the lines by rays. All rays are cast together, which is much faster.
 TracedLines asked_lines(const TracedLines& lines, const Sight& sight, double off) {
     Pool& pool = sight.pool;
     TracedLines made(&pool);
@@ -550,14 +552,14 @@ TracedLines asked_lines(const TracedLines& lines, const Sight& sight, double off
             const double from = asked.number[changes[change]];
             cuts.push_back(from + (low[change] + high[change]) / 2.0 * (asked.number[changes[change] + 1] - from));
         }
-        std::sort(cuts.begin(), cuts.end()); // Rounding may have changed their order.
+        std::sort(cuts.begin(), cuts.end()); // Rounding may have changed the order of the cuts.
         made.push_back(cut_at(lines[i], cuts, is_hidden, pool));
         while (place < asked.line.size() && asked.line[place] == i) ++place;
     }
     return made;
 }
 
-// Adds the parts of a line that lie beyond a plane.
+// Adds the parts of a line that are beyond a plane.
 void add_parts_behind(const TracedLine& line, const CutPlane& plane, TracedLines& to, Pool& pool) {
     Vector<double> away(&pool);
     for (const glm::dvec3& place : line.places) away.push_back(glm::dot(place, plane.normal) - plane.place);
@@ -605,7 +607,7 @@ TracedLines creases_in(const SheetView& view, const Solid& solid, double scale, 
     return lines;
 }
 
-// Appends the found lines of one kind to `to`.
+// Appends all lines of one kind that were found to `to`.
 void take_kind(LinesByKind& found, std::uint32_t kind, TracedLines& to) {
     const auto lines = found.find(kind);
     if (lines == found.end()) return;
@@ -641,7 +643,7 @@ Vector<Points> without_loose_edges(Vector<Points> creases, double diagonal, Pool
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    Map<glm::dvec3, int, decltype(less)> uses(less, &pool); // the number of edges at each end
+    Map<glm::dvec3, int, decltype(less)> uses(less, &pool); // for each end: the number of its edges
     for (const Points& line : creases) {
         HRBFNPR_ASSERT(line.size() > 1);
         ++uses[line.front()];

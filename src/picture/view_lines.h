@@ -18,27 +18,27 @@ struct Solid {
 
     Model model;
     LineSet lines;
-    PointSet marks; // marks that a frame must have but does not draw
+    PointSet marks; // marks that a frame needs; they are not drawn
     Renderer renderer;
-    Vector<Points> creases;       // edges of a mesh
-    Vector<std::uint32_t> smooth; // HRBFNPR_LINE_KIND_* of lines that are not sharp
+    Vector<Points> creases;       // the sharp edges of a mesh
+    Vector<std::uint32_t> smooth; // the kinds (HRBFNPR_LINE_KIND_*) of lines that are not sharp edges
     glm::dvec3 middle;
-    double diagonal = 0.0;  // > 0
-    bool is_open = false;   // The object is a sheet that ends, so either of its sides may be visible.
-    double lipschitz = 0.0; // the Lipschitz constant for rays, if the surface is open
+    double diagonal = 0.0;  // above 0
+    bool is_open = false;   // True if the object is a sheet that ends, so that both of its sides may be visible.
+    double lipschitz = 0.0; // for an open surface: the Lipschitz constant that rays use
 };
 
-// Returns the edges of a mesh without short ones that end inside a face, which are the facets of a rounded shape.
+// Returns the edges of a mesh, except short ones with a free end, which are the facets of a rounded shape.
 [[nodiscard]] Vector<Points> without_loose_edges(Vector<Points> creases, double diagonal, Pool& pool);
 
 struct ViewLines {
     explicit ViewLines(Pool& pool) : curves(&pool), outlines(&pool) {}
 
-    Vector<ViewCurve> curves;   // mm from the view's centre
+    Vector<ViewCurve> curves;   // in mm from the centre of the view
     Vector<PaperLine> outlines; // the outlines of the section
 };
 
-// Returns the lines of a view. `scale` is in mm per unit of the model. `operation` is watched for cancellation.
+// Returns the lines of a view. `scale` is in mm per unit of the model. The call ends early if `operation` is cancelled.
 [[nodiscard]] ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, const Solid& solid,
                                       double scale, hrbfnpr_operation* operation, Pool& pool);
 

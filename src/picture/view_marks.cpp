@@ -13,16 +13,16 @@ constexpr const ViewMarksTuning& drawn_as = view_marks_tuning;
 
 struct KindOfLine {
     std::string_view name;
-    double width;            // in line widths, or in mm
-    bool width_is_mm;        // The width is in mm, not in line widths.
-    std::uint32_t pen;       // the number of the pen
+    double width;            // in widths of the outline, or in mm
+    bool width_is_mm;        // True if `width` is in mm.
+    std::uint32_t pen;       // the number of the plotter's pen
     std::uint32_t line_type; // HRBFNPR_LINE_TYPE_* [ISO 128-2]
 };
 
 constexpr std::uint32_t continuous = HRBFNPR_LINE_TYPE_CONTINUOUS;
 constexpr std::uint32_t long_dashed_dotted = HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED;
 
-// Indexed by SheetKind.
+// The width, pen and line type of each kind of line, indexed by SheetKind.
 constexpr std::array<KindOfLine, 14> kinds_of_lines{{{"hatching", 0.5, false, 2, continuous},
                                                      {"centre lines", 0.5, false, 2, long_dashed_dotted},
                                                      {"smooth", 0.5, false, 2, continuous},
@@ -52,8 +52,8 @@ std::uint32_t type_of(const SheetContent& content, SheetKind kind) noexcept {
 // ---- Texts
 
 struct LetterWidth {
-    char letters[12]; // The text is in place, because a table of pointers would have to be relocated.
-    int width;        // in 1/1000 of the font size
+    char letters[12]; // The text is in an array, because a table of pointers would need relocation.
+    int width;        // in thousandths of the font size
 };
 
 // The widths of the letters of Helvetica.
@@ -82,7 +82,7 @@ struct FittedText {
     double capitals;
 };
 
-// Makes a text smaller, and then shorter, until it fits.
+// Makes a text smaller, and if necessary shortens it, until it fits.
 FittedText fitted_text(std::string_view given, double room, double capitals, Pool& pool) {
     constexpr std::size_t least_letters = 4;
     FittedText fitted{String(given, &pool), 0.0};
@@ -108,10 +108,10 @@ std::array<glm::dvec2, 5> rectangle(const SheetBox& box) noexcept {
 
 std::string_view name_of(Projection projection) noexcept { return projection == Projection::first ? "first" : "third"; }
 
-// Draws the symbol of the projection [ISO 5456-2]: a truncated cone seen from its side, and seen from its smaller end
-// on the side where the projection places that view.
+// Draws the symbol of the projection [ISO 5456-2]: a truncated cone in two views, from its side and from its smaller
+// end. The projection decides on which side the second view is.
 void add_projection_symbol(SheetContent& content, const glm::dvec2& middle, Projection projection) {
-    constexpr double large = 5.0; // radii
+    constexpr double large = 5.0; // the two radii of the cone
     constexpr double small = 2.5;
     constexpr double half = 5.0; // half the length of the cone
     constexpr double beyond = 1.5;
@@ -139,7 +139,7 @@ void add_projection_symbol(SheetContent& content, const glm::dvec2& middle, Proj
     add_axis({end, middle.y - large - beyond}, {end, middle.y + large + beyond});
 }
 
-// Returns where a line enters and leaves a box. If the line misses the box, both places are the given point.
+// Returns the two places where a line enters and leaves a box. If the line misses the box, both are the given point.
 std::array<glm::dvec2, 2> across_box(const glm::dvec2& point, const glm::dvec2& way, const SheetBox& box) noexcept {
     constexpr double along_side = 1e-9;
     double low = -std::numeric_limits<double>::infinity();
@@ -157,11 +157,11 @@ std::array<glm::dvec2, 2> across_box(const glm::dvec2& point, const glm::dvec2& 
     return {point + low * way, point + high * way};
 }
 
-// A plane that the view sees as a line.
+// The line as which a view sees a plane.
 struct PlaneTrace {
     glm::dvec2 point;
-    glm::dvec2 way;    // the line's direction
-    glm::dvec2 normal; // towards the side to which the plane's normal points
+    glm::dvec2 way;    // the direction of the line
+    glm::dvec2 normal; // the side of the line to which the normal of the plane points
 };
 
 // Returns the trace of a plane. `away` is its distance from the middle of the model.
@@ -199,7 +199,7 @@ void SheetContent::add_text(const glm::dvec2& at, std::string_view text, double 
 
 SheetAnnotations annotations_of(const SheetContent& content, Pool& pool) {
     SheetAnnotations made(pool);
-    // The lists refer to the names, so the names must not move.
+    // The lists point to the names, so the list of names must not grow beyond its reserved memory.
     made.groups.reserve(content.layers.size() + kinds_of_lines.size());
     for (std::size_t kind = 0; kind < kinds_of_lines.size(); ++kind)
         for (const SheetLayer& layer : content.layers) {
@@ -217,7 +217,7 @@ SheetAnnotations annotations_of(const SheetContent& content, Pool& pool) {
                 one.text = is_text ? layer.texts[i].c_str() : nullptr;
             }
         }
-    for (std::size_t i = 0; i + 1 < kinds_of_lines.size(); ++i) { // Texts are not lines.
+    for (std::size_t i = 0; i + 1 < kinds_of_lines.size(); ++i) { // The last kind is texts, which have no lines.
         String& group = made.groups.emplace_back(kinds_of_lines[i].name);
         group += '*';
         auto& pen = made.pens.emplace_back(defaults<hrbfnpr_pen>(hrbfnpr_pen_init));
@@ -250,7 +250,7 @@ void add_frame(SheetContent& content, const SheetPage& page) {
 
 void add_title_block(SheetContent& content, const SheetPage& page, const SheetFacts& facts, Projection projection,
                      Pool& pool) {
-    constexpr double wide = 100.0; // columns
+    constexpr double wide = 100.0; // the widths of the columns
     constexpr double narrow = 40.0;
     const SheetBox block = block_of(page);
     const double middle = block.top + view_layout_tuning.block_height / 2.0;
@@ -286,7 +286,8 @@ double length_of_bar(double longest) noexcept {
 
 void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, Pool& pool) {
     constexpr double height = 1.5;
-    constexpr double first_line = 0.15; // the height of the first line that fills a field
+    // The first of the lines that fill a field is at this height, in heights of the bar.
+    constexpr double first_line = 0.15;
     constexpr double last_line = 1.35;
     const double longest = drawn_as.longest_bar * view_layout_tuning.bar_width / scale;
     if (!(longest > 0.0 && std::isfinite(longest))) return;
@@ -296,7 +297,7 @@ void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, P
     const double x = frame.left + 6.0;
     const double y = frame.bottom - 10.0;
     content.add(SheetKind::scale_bar, rectangle({x, y, x + 5.0 * field, y + height}));
-    for (const double number : {0.0, 2.0, 4.0}) // The fields are filled by lines, which plotters can draw.
+    for (const double number : {0.0, 2.0, 4.0}) // Black fields are filled with lines, which plotters can draw.
         for (const double level : evenly(y + first_line, y + last_line, 6, pool))
             content.add(SheetKind::scale_fields, {{x + number * field, level}, {x + (number + 1.0) * field, level}});
     content.add_text({x, y + 5.5}, "0", drawn_as.bar_capitals, true);

@@ -33,12 +33,12 @@ enum class SheetKind : std::uint32_t {
     texts
 };
 
-// The lines and texts of one kind in one view, which are a layer of the page.
+// The lines and texts of one kind in one view. They form a layer of the page.
 struct SheetLayer {
     SheetKind kind;
     String view;             // the name of the view, or empty
-    Vector<PaperLine> lines; // for texts: the starts of their baselines
-    Vector<String> texts;    // one for each line in a layer of texts, else empty
+    Vector<PaperLine> lines; // The lines. In a layer of texts, each has one point: the start of the baseline.
+    Vector<String> texts;    // In a layer of texts, one for each line; else empty.
     Vector<double> capitals; // the height of each text in mm
 };
 
@@ -49,35 +49,35 @@ struct SheetContent {
 
     double line_width;         // the width of outlines in mm
     bool hidden_is_continuous; // If false, hidden lines are dashed.
-    Vector<SheetLayer> layers; // in the order of their first lines
+    Vector<SheetLayer> layers; // in the order in which they were first used
 
     void add(SheetKind kind, std::span<const glm::dvec2> line, std::string_view view = {});
     void add(SheetKind kind, std::initializer_list<glm::dvec2> line, std::string_view view = {}) {
         add(kind, std::span(line.begin(), line.size()), view);
     }
-    // Adds a text that starts at a place on the baseline, or is centred around it.
+    // Adds a text whose baseline starts at a place, or is centred there.
     void add_text(const glm::dvec2& at, std::string_view text, double capitals, bool is_centred = false);
 
 private:
     [[nodiscard]] SheetLayer& layer_of(SheetKind kind, std::string_view view);
 };
 
-// The content as input for a page, with the pens for plotters: pen 1 is wide, pen 2 is fine.
+// The content in the form that a page takes, with the pens for plotters: pen 1 is wide, pen 2 is fine.
 struct SheetAnnotations {
     explicit SheetAnnotations(Pool& pool) : groups(&pool), list(&pool), pens(&pool) {}
 
-    Vector<String> groups; // the names to which the lists refer
+    Vector<String> groups; // the names to which the lists point
     Vector<hrbfnpr_annotation> list;
     Vector<hrbfnpr_pen> pens;
 };
-// Converts the content. The result refers to the content, which must outlive it.
+// Converts the content into annotations. These point to the content, which must outlive them.
 [[nodiscard]] SheetAnnotations annotations_of(const SheetContent& content, Pool& pool);
 
 // ---- Beside the views
 
 struct SheetFacts {
     std::string_view title;
-    std::string_view model; // the name of the file
+    std::string_view model; // the name of the model's file
     std::string_view scale;
     std::string_view page;
 };
@@ -98,20 +98,22 @@ struct PlacedView {
     double scale;      // mm per unit of the model
     glm::dvec2 centre; // on the sheet
     SheetBox seen;     // the box around the view's drawing
-    SheetBox box;      // the box around the drawing and its annotations
+    SheetBox box;      // the bounding box of the drawing and its annotations
 };
 
 // Adds the name above the view.
 void add_view_name(SheetContent& content, const PlacedView& placed);
-// Marks where a section is, by a line whose thick ends have letters and arrows in the direction of sight [ISO 128-3].
+// Marks the position of a section by a line. Its thick ends have letters, and arrows in the direction of sight [ISO
+// 128-3].
 void add_cutting_plane(SheetContent& content, const PlacedView& placed, const CutPlane& plane,
                        const glm::dvec3& middle);
-// Draws a plane of symmetry through the middle, if the view sees it as a line.
+// Draws the line of a plane of symmetry through the middle, if the view sees the plane as a line.
 void add_centre_line(SheetContent& content, const PlacedView& placed, const glm::dvec3& normal);
 
 // Returns the width of a text in Helvetica whose capitals have this height.
 [[nodiscard]] double width_of_sheet_text(std::string_view text, double capitals) noexcept;
-// Returns 1, 2 or 5 times a power of ten that is at most `longest`, which must be above 0 and finite.
+// Returns the largest number of the form 1, 2 or 5 times a power of ten that is at most `longest`, which must be above
+// 0 and finite.
 [[nodiscard]] double length_of_bar(double longest) noexcept;
 
 } // namespace hrbfnpr::picture

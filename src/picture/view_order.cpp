@@ -13,7 +13,7 @@ namespace {
 
 constexpr const ViewOrderTuning& tuned = view_order_tuning;
 
-// A range of equal flags, from `begin` to before `end`.
+// A range of equal flags, from `begin` up to but not including `end`.
 struct Run {
     std::size_t begin;
     std::size_t end;
@@ -31,7 +31,7 @@ Vector<Run> runs_of(const Flags& flags, Pool& pool) {
 
 // ---- Occupied places
 
-// A place of a line that was drawn.
+// A place on a line that was already drawn.
 struct TakenPlace {
     glm::dvec2 place;
     glm::dvec2 direction; // unit vector
@@ -41,7 +41,7 @@ struct TakenPlace {
     double reach;
 };
 
-// Returns the distance between two places, measured along the curve.
+// Returns the distance between two places of a curve, measured along the curve.
 double apart_along(double a, double b, double around) noexcept {
     const double direct = std::abs(a - b);
     return around > 0.0 ? std::min(direct, around - direct) : direct;
@@ -54,7 +54,7 @@ public:
         HRBFNPR_ASSERT(cell > 0.0);
     }
 
-    // Tells whether a line is at this place, other than the part that the curve itself has just drawn.
+    // Returns whether a line already occupies a place. The part that the same curve has just drawn does not count.
     [[nodiscard]] bool has(const TakenPlace& wanted) const {
         const PaperCell middle = cell_of(wanted.place, cell_);
         for (std::int64_t column = middle.column - 1; column <= middle.column + 1; ++column)
@@ -81,13 +81,13 @@ private:
     }
 
     double cell_;
-    double alike_; // the sine of the angle below which directions count as one
+    double alike_; // the sine of the largest angle between directions that count as parallel
     HashMap<PaperCell, Vector<TakenPlace>, PaperCellHash> places_;
 };
 
 // ---- The free rest of a part
 
-// A part of a curve, from one length along it to another.
+// A part of a curve, between two lengths along it.
 struct CurvePart {
     std::size_t curve;
     int rank;
@@ -96,8 +96,8 @@ struct CurvePart {
     bool hidden;
 };
 
-// Extends lines up to the lines that they join. Before lines meet, they run close to each other, or one continues the
-// other.
+// Extends lines up to the lines that they join. Just before two lines meet, they run close together, or one continues
+// the other.
 void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
     const Vector<Run> runs = runs_of(free, pool);
     const auto length = [&](std::size_t i) { return at[runs[i].end - 1] - at[runs[i].begin]; };
@@ -110,8 +110,8 @@ void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
             std::fill(free.begin() + static_cast<std::ptrdiff_t>(runs[i].begin),
                       free.begin() + static_cast<std::ptrdiff_t>(runs[i].end), std::uint8_t{1});
     }
-    // Before the two lines meet, the line that replaces this one is already within reach, so free parts are extended by
-    // `reach`.
+    // Just before two lines meet, they are within `reach` of each other, and a place counts as occupied by the other
+    // line. So free parts are extended by `reach`.
     const auto more = static_cast<std::size_t>(std::ceil(reach / tuned.step));
     for (const Run& run : runs_of(free, pool)) {
         if (!run.value) continue;
@@ -122,7 +122,7 @@ void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
     }
 }
 
-// Occupies the free places of a part, and returns them as ranges of length along the curve.
+// Marks the free places of a part as occupied. Returns the free ranges, as lengths along the curve.
 Vector<std::pair<double, double>> take_free(const ViewCurve& curve, const Vector<double>& along, const CurvePart& part,
                                             TakenPlaces& taken, Pool& pool) {
     const Vector<double> at = evenly(part.begin, part.end, count_on(part.end - part.begin, tuned.step), pool);
@@ -149,7 +149,7 @@ Vector<std::pair<double, double>> take_free(const ViewCurve& curve, const Vector
 }
 
 PaperLine between_lengths(const ViewCurve& curve, const Vector<double>& along, double begin, double end, Pool& pool) {
-    constexpr double nothing = 1e-9; // mm
+    constexpr double nothing = 1e-9; // Shorter lengths count as 0, in mm.
     PaperLine line(&pool);
     line.push_back(interpolated<glm::dvec2>(along, curve.points, begin));
     for (std::size_t i = 0; i < along.size(); ++i)
@@ -160,7 +160,7 @@ PaperLine between_lengths(const ViewCurve& curve, const Vector<double>& along, d
 
 // ---- Short gaps
 
-// Returns the direction of a line at its end or, if `turned`, the direction at the end of the reversed line.
+// Returns the direction of a line at its end. If `turned`, returns the direction at the end of the reversed line.
 glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
     const std::size_t count = line.size();
     const auto point = [&](std::size_t i) { return turned ? line[i] : line[count - 1 - i]; };
@@ -168,7 +168,7 @@ glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
     double length = 0.0;
     for (std::size_t i = 1; i < count; ++i) {
         const double next = length + glm::length(point(i) - point(i - 1));
-        if (next > tuned.end) { // The place is on this piece.
+        if (next > tuned.end) { // The place at the distance `end` is on this piece.
             const glm::dvec2 slope = (point(i) - point(i - 1)) / (next - length);
             begin = length == tuned.end ? point(i - 1) : slope * (tuned.end - length) + point(i - 1);
             break;
@@ -181,10 +181,10 @@ glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
 
 struct NextPiece {
     std::size_t number;
-    bool turned; // The piece joins the line with its last point.
+    bool turned; // true if the last point of the piece touches the line
 };
 
-// Finds the piece that continues the line at its end. Returns false if no piece does.
+// Finds the piece that continues the line at its end. Returns false if there is none.
 bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& next) noexcept {
     if (line.front() == line.back()) return false;
     const glm::dvec2 way = direction_at_end(line, false);
@@ -200,13 +200,13 @@ bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& 
     return false;
 }
 
-// Joins pieces that continue each other after a short gap.
+// Joins pieces that continue each other across a short gap.
 Vector<PaperLine> bridged(Vector<PaperLine> rest, Pool& pool) {
     Vector<PaperLine> found(&pool);
     while (!rest.empty()) {
         PaperLine line = std::move(rest.front());
         rest.erase(rest.begin());
-        for (int turn = 0; turn < 2; ++turn) { // The line is extended at its beginning first, then at its end.
+        for (int turn = 0; turn < 2; ++turn) { // The line is extended at its beginning, then at its end.
             std::reverse(line.begin(), line.end());
             for (NextPiece next{}; find_next(line, rest, next);) {
                 PaperLine& part = rest[next.number];
@@ -227,7 +227,7 @@ Flags steady(const ViewCurve& curve, Pool& pool) {
     Flags hidden(curve.hidden.begin(), curve.hidden.end(), &pool);
     const Vector<double> along = lengths_along(curve.points, pool);
     const Vector<Run> runs = runs_of(hidden, pool);
-    // In a closed curve the first and the last run also lie between others.
+    // In a closed curve, the first and last runs have neighbours on both sides, too.
     const bool goes_round = curve.points.front() == curve.points.back() && hidden.front() != hidden.back();
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (!goes_round && (i == 0 || i + 1 == runs.size())) continue;
@@ -256,7 +256,7 @@ ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool
     }
     ShownLines shown(pool);
     if (parts.empty()) return shown;
-    // Long parts come first. Otherwise a line would be extended over short lines beside it, and these would be drawn
+    // Long parts come first. Otherwise a line would be extended over short lines beside it, which would then be drawn
     // twice.
     std::stable_sort(parts.begin(), parts.end(), [](const CurvePart& a, const CurvePart& b) {
         return std::pair(a.rank, a.begin - a.end) < std::pair(b.rank, b.begin - b.end);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Draws coinciding lines of a view once. Visible lines have priority over hidden ones, and these over smooth ones [ISO
-// 128-2]. In views along planes of symmetry and along flat faces, nearly every line coincides with one farther away.
+// Draws coinciding lines of a view once. Visible lines have priority over hidden lines, and hidden lines over smooth
+// lines [ISO 128-2]. In views along planes of symmetry and along flat faces, nearly every line coincides with a line
+// farther away.
 #pragma once
 
 #include "picture/memory.h"
@@ -14,15 +15,15 @@ struct ViewCurve {
     explicit ViewCurve(Pool& pool) : points(&pool), hidden(&pool) {}
 
     PaperLine points; // The curve is closed if the last point is the first.
-    Flags hidden;     // whether surface hides the piece from point i to point i + 1
-    int rank = 1;     // curves of lower rank are drawn first
-    // Other lines of the same kind are left out if they are nearly parallel and nearer than this, in mm.
+    Flags hidden;     // true if surface hides the piece from point i to point i + 1
+    int rank = 1;     // Curves of lower rank are drawn first.
+    // Other lines of this kind are left out if they are nearly parallel to the curve and nearer to it than this, in mm.
     double reach = view_order_tuning.reach;
-    // The line is not a sharp edge. Its visible parts are drawn thin, and its hidden parts are not drawn.
+    // True if the line is not a sharp edge. Its visible parts are drawn thin, and its hidden parts are not drawn.
     bool is_smooth = false;
 };
 
-// The lines that are drawn.
+// The lines to draw.
 struct ShownLines {
     explicit ShownLines(Pool& pool) : outlines(&pool), hidden(&pool), smooth(&pool) {}
 
@@ -31,11 +32,11 @@ struct ShownLines {
     Vector<PaperLine> smooth;
 };
 
-// Uses each place of the paper once: by kind, then by rank, with long parts first. Hidden lines are drawn only if
-// `with_hidden` is true.
+// Draws at most one line at each place of the paper. Lines are taken by kind, then by rank, the long parts first.
+// Hidden lines are drawn only if `with_hidden` is true.
 [[nodiscard]] ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool& pool);
 
-// Returns the flags of the curve's hidden pieces without parts too short to be seen.
+// Returns the flags of the hidden pieces after removing parts that are too short to be seen.
 [[nodiscard]] Flags steady(const ViewCurve& curve, Pool& pool);
 
 } // namespace hrbfnpr::picture

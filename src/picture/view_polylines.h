@@ -13,10 +13,10 @@
 
 namespace hrbfnpr::picture {
 
-using PaperLine = Vector<glm::dvec2>; // mm, y grows downward
-using Flags = Vector<std::uint8_t>;   // 0 or 1
+using PaperLine = Vector<glm::dvec2>; // points in mm; y grows downward
+using Flags = Vector<std::uint8_t>;   // each element is 0 or 1
 
-// Returns the length from the first point to each point.
+// Returns for each point the length of the line from its first point.
 template <class Line>
 [[nodiscard]] Vector<double> lengths_along(const Line& points, Pool& pool) {
     Vector<double> along(points.size(), 0.0, &pool);
@@ -31,14 +31,14 @@ template <class Line>
     return length;
 }
 
-// Returns the index of the last number that is at most `at`, or 0 if `at` is before the first. The numbers ascend.
+// Returns the index of the last number that is at most `at`, or 0 if all are larger. The numbers ascend.
 [[nodiscard]] inline std::size_t last_not_beyond(std::span<const double> numbers, double at) noexcept {
     const auto after = std::upper_bound(numbers.begin(), numbers.end(), at);
     return after == numbers.begin() ? 0 : static_cast<std::size_t>(after - numbers.begin()) - 1;
 }
 
-// Returns the value at `at` by linear interpolation, where values[i] is at numbers[i], which ascend. Beyond the ends it
-// is the end's value.
+// Returns the interpolated value at `at`, where values[i] belongs to numbers[i]. The numbers ascend. Beyond the ends,
+// returns the value at the end.
 template <class Value>
 [[nodiscard]] Value interpolated(std::span<const double> numbers, std::span<const Value> values, double at) noexcept {
     HRBFNPR_ASSERT(!numbers.empty() && numbers.size() == values.size());
@@ -49,7 +49,7 @@ template <class Value>
     return slope * (at - numbers[i]) + values[i];
 }
 
-// Returns the value at `at` where values[i] is at i.
+// Returns the interpolated value at `at`, where values[i] belongs to the number i.
 template <class Value>
 [[nodiscard]] Value at_number(std::span<const Value> values, double at) noexcept {
     HRBFNPR_ASSERT(!values.empty());
@@ -62,7 +62,7 @@ template <class Value>
     return (values[i + 1] - values[i]) * (at - whole) + values[i];
 }
 
-// Returns `count` evenly spaced numbers from one to another, at least 2.
+// Returns `count` evenly spaced numbers between two numbers, including both; at least 2.
 [[nodiscard]] inline Vector<double> evenly(double from, double to, std::size_t count, Pool& pool) {
     HRBFNPR_ASSERT(count >= 2);
     Vector<double> numbers(&pool);
@@ -73,14 +73,15 @@ template <class Value>
     return numbers;
 }
 
-// Returns how many numbers, at most `step` apart, divide a length. The ends are included, so there are at least 2.
+// Returns the number of places, at most `step` apart, that divide a length. Both ends are included, so the number is at
+// least 2.
 [[nodiscard]] inline std::size_t count_on(double length, double step) noexcept {
     constexpr double most = 1e15;
     const double parts = std::ceil(length / step);
     return parts > 1.0 ? static_cast<std::size_t>(std::min(parts, most)) + 1 : 2;
 }
 
-// A cell of the paper.
+// A square cell of a grid on the paper.
 struct PaperCell {
     std::int64_t column;
     std::int64_t row;
@@ -88,7 +89,7 @@ struct PaperCell {
 };
 
 [[nodiscard]] inline PaperCell cell_of(const glm::dvec2& place, double side) noexcept {
-    constexpr double far = 1e15; // NaN becomes -far.
+    constexpr double far = 1e15; // NaN is replaced by -far.
     const auto whole = [&](double x) {
         const double cell = std::floor(x / side);
         return static_cast<std::int64_t>(cell > -far ? std::min(cell, far) : -far);

@@ -23,12 +23,12 @@ namespace {
 
 using ViewsDesc = hrbfnpr_views_desc;
 constexpr std::uint32_t views_flags = HRBFNPR_VIEWS_CENTRE_LINES | HRBFNPR_VIEWS_LABELS | HRBFNPR_VIEWS_UNIT_IS_METRE;
-constexpr double longest_on_paper = 1e9; // The largest length in mm, and the largest other number.
+constexpr double longest_on_paper = 1e9; // The largest length in mm; it also limits other numbers.
 
 constexpr auto views_fields() noexcept {
     using D = ViewsDesc;
     constexpr rule::PositiveUpTo positive{longest_on_paper};
-    constexpr rule::Between on_paper{0.01, 1000.0}; // mm
+    constexpr rule::Between on_paper{0.01, 1000.0}; // The range of lengths on the paper, in mm.
     return FieldTable{
         field("flags", &D::flags, rule::Flags{views_flags}),
         field("projection", &D::projection, rule::OneOf{HRBFNPR_VIEWS_ANGLE_THIRD, "HRBFNPR_VIEWS_ANGLE_*"}),
@@ -83,7 +83,7 @@ hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct
 namespace hrbfnpr::picture {
 namespace {
 
-// Returns a text of the descriptor, or `otherwise` if it is NULL.
+// Returns a text of the descriptor, or `otherwise` if the text is NULL.
 std::string_view views_text(const char* text, const char* field, std::string_view otherwise) {
     constexpr std::size_t longest = 65536;
     if (text == nullptr) return otherwise;
@@ -138,7 +138,7 @@ void require_cut(const CutPlane& plane, const AskedCut& cut, const Points& place
         high = std::max(high, glm::dot(place, plane.normal));
     }
     if (low < plane.place && plane.place < high) return;
-    // has the sign of the requested normal
+    // Its sign is that of the requested normal.
     const double factor = std::copysign(glm::length(cut.normal), glm::dot(plane.normal, cut.normal));
     report.refuse(formatted(report.pool(), "{section}: the plane at %g misses the model, which lies between %g and %g",
                             factor * plane.place, std::min(factor * low, factor * high),
@@ -187,7 +187,7 @@ PointSet stipples_on(const Call& call_, const Model& model, std::int64_t budget,
     });
 }
 
-// Returns places all over the model.
+// Returns places spread over the whole model.
 Points places_of_model(const Call& call, const Surface& surface) {
     Points places = probe(call, surface.model).places;
     if (surface.shape != nullptr && trim_info_of(surface.model).is_trimmed == 0) {
@@ -197,7 +197,7 @@ Points places_of_model(const Call& call, const Surface& surface) {
     return places;
 }
 
-// Returns the lines that are found once: smooth lines, and the outlines of cuts.
+// Returns the lines that are found once: lines that are not sharp edges, and the outlines of cuts.
 Vector<LinesOnce> lines_once(const ViewsOptions& options, const SheetPlan& plan, Pool& pool) {
     Vector<LinesOnce> once(&pool);
     for (const std::uint32_t kind : options.smooth)
@@ -265,7 +265,7 @@ Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& op
 
 // ---- Symmetry
 
-// Takes every n-th point, so that about `wanted` remain.
+// Keeps every n-th point, so that about `wanted` points remain.
 Points thinned(Points points, std::int64_t wanted, Pool& pool) {
     const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(wanted));
     Points some(&pool);
@@ -273,7 +273,7 @@ Points thinned(Points points, std::int64_t wanted, Pool& pool) {
     return some;
 }
 
-// Returns the normals of the planes through the middle in which the surface is symmetric.
+// Returns the normals of those planes through the middle that are planes of symmetry of the surface.
 Vector<glm::dvec3> symmetric_planes(const Call& call_, const Model& model, const SheetPlan& plan) {
     Pool& pool = call_.pool;
     Vector<glm::dvec3> found(&pool);
@@ -335,7 +335,8 @@ void add_hatching(SheetContent& content, const Vector<PaperLine>& outlines, cons
 void mark_view(SheetContent& content, const PlacedView& placed, const ViewCell& cell, const SheetPlan& plan,
                const Vector<glm::dvec3>& symmetric) {
     for (const std::size_t number : cell.cuts) add_cutting_plane(content, placed, plan.planes[number], plan.middle);
-    const auto is_cut = [&](const glm::dvec3& normal) { // A cutting plane gets no centre line.
+    // A plane of symmetry that is also a cutting plane gets no centre line.
+    const auto is_cut = [&](const glm::dvec3& normal) {
         return std::any_of(cell.cuts.begin(), cell.cuts.end(), [&](std::size_t number) {
             const CutPlane& plane = plan.planes[number];
             return std::abs(plane.place - glm::dot(plane.normal, plan.middle)) <
@@ -371,7 +372,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
         const PlacedView placed{cell.view, scale, centre, cell.seen(scale).moved(centre),
                                 cell.box(scale).moved(centre)};
         const ViewLines lines = lines_of_view(cell.view, plan.planes, solid, scale, &part, pool);
-        // Sections show visible edges only [ISO 128-3].
+        // Sections show only visible edges [ISO 128-3].
         const bool with_hidden = options.hidden != HiddenLines::none && !cell.view.is_section();
         const ShownLines shown = draw_in_order(lines.curves, with_hidden, pool);
         add_lines(content, SheetKind::outlines, shown.outlines, placed);
@@ -387,7 +388,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
     return content;
 }
 
-// Returns the name of a file without its extension.
+// Returns a file name without its extension.
 std::string_view stem_of(std::string_view name) noexcept {
     const std::size_t dot = name.rfind('.');
     return dot == std::string_view::npos || dot == 0 || dot + 1 == name.size() ? name : name.substr(0, dot);

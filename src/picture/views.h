@@ -31,24 +31,24 @@ struct ViewsOptions {
     HiddenLines hidden = HiddenLines::dashed;
     bool centre_lines = false;
     bool labels = false;
-    bool unit_is_metre = false;      // the unit of the source, if unit_mm is not given
-    std::optional<SheetPage> paper;  // If empty, the paper that fits is used.
-    std::optional<SheetScale> scale; // If empty, the largest scale that fits is used.
-    std::optional<double> unit_mm;   // mm per unit of the model
-    Vector<std::uint32_t> smooth;    // HRBFNPR_LINE_KIND_* of lines that are not sharp
-    double crease_angle = 0.0;       // degrees
-    double line_width = 0.0;         // mm
-    double hatch_spacing = 0.0;      // mm
-    double spacing = 0.0;            // mm
+    bool unit_is_metre = false;      // The unit of the source is the metre, unless unit_mm is given.
+    std::optional<SheetPage> paper;  // If empty, a paper that fits is chosen.
+    std::optional<SheetScale> scale; // If empty, the largest scale that fits is chosen.
+    std::optional<double> unit_mm;   // the length of a unit of the model in mm
+    Vector<std::uint32_t> smooth;    // the kinds (HRBFNPR_LINE_KIND_*) of lines that are not sharp edges
+    double crease_angle = 0.0;       // in degrees
+    double line_width = 0.0;         // in mm
+    double hatch_spacing = 0.0;      // in mm
+    double spacing = 0.0;            // in mm
     String title;                    // If empty, the title is the model's name without its extension.
     String model;                    // the file name of the model
-    hrbfnpr_page_desc page{};        // format, tolerance, speeds
+    hrbfnpr_page_desc page{};        // the format, tolerance and speeds of the output
 };
 
 // Reads and checks a descriptor. Throws Error{invalid_argument} that names the field and the values it may have.
 [[nodiscard]] ViewsOptions read_views(const hrbfnpr_views_desc& desc, const Report& report);
 
-// Draws the surface's views and writes the sheet, in the stages LINES and VIEWS. `up` has any length but 0.
+// Draws the views of a surface and writes the sheet, in the stages LINES and VIEWS. `up` may have any length except 0.
 void write_views(const Call& call, const Surface& surface, const glm::dvec3& up, const ViewsOptions& options,
                  hrbfnpr_write_fn write, void* user, hrbfnpr_views_info& info);
 

@@ -13,11 +13,11 @@ namespace hrbfnpr::picture {
 namespace {
 
 struct LineName {
-    char name[20]; // The text is in place, because a table of pointers would have to be relocated.
+    char name[20]; // The text is in an array, because a table of pointers would need relocation.
     std::uint32_t kind;
 };
 
-// The name of each kind's constant, and the name that users know.
+// The kinds of lines with the names that users write.
 constexpr std::array<LineName, 19> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
                                               LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
@@ -40,7 +40,7 @@ constexpr std::array<LineName, 19> line_names{LineName{"contour", HRBFNPR_LINE_K
 
 constexpr std::array<double, 3> usual_levels{0.25, 0.5, 0.75};
 
-// More planes than this are a mistake, because they would hide each other.
+// A larger number of planes is a mistake, because the lines would fill the whole picture.
 constexpr std::int64_t most_planes = 100'000;
 
 int shown_length(std::string_view text) noexcept { return static_cast<int>(std::min<std::size_t>(text.size(), 60)); }
@@ -79,7 +79,7 @@ bool read_line_number(std::string_view text, Whole& number) noexcept {
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();
 }
 
-// Removes the part before the first `separator` from the text, and returns it.
+// Returns the part of the text before the first `separator`, and removes it from the text.
 std::string_view cut_line_part(std::string_view& text, char separator) noexcept {
     const std::size_t place = text.find(separator);
     const std::string_view part = text.substr(0, place);
@@ -87,7 +87,7 @@ std::string_view cut_line_part(std::string_view& text, char separator) noexcept 
     return part;
 }
 
-// Reads planes such as "z:20".
+// Reads section planes, such as "z:20": the axis and the number of planes.
 bool read_planes(std::string_view text, WantedLine& line) noexcept {
     const std::string_view axis = cut_line_part(text, ':');
     if (axis != "x" && axis != "y" && axis != "z") return false;
@@ -95,7 +95,7 @@ bool read_planes(std::string_view text, WantedLine& line) noexcept {
     return read_line_number(text, line.planes) && line.planes >= 1 && line.planes <= most_planes;
 }
 
-// Reads levels such as "0.3:0.6".
+// Reads levels of isophotes, such as "0.3:0.6".
 bool read_levels(std::string_view text, Vector<double>& levels) {
     levels.clear();
     while (true) {
@@ -141,7 +141,7 @@ hrbfnpr_line_style contour_style_of(const Style& style) noexcept {
     return found != style.lines.end() ? *found : usual_contour();
 }
 
-// Adds the style elements for one kind of lines. Their widths are relative to the width of the contour.
+// Adds the styles for one kind of lines. Widths are relative to the width of the contour.
 void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, Style& style) {
     if (wanted.kind == HRBFNPR_LINE_KIND_CONTOUR) {
         style.lines.push_back(contour);
@@ -158,7 +158,7 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);
     if (!is_crease) return;
-    // The creases are those of the model, or those of the mesh to which a smooth model was fitted.
+    // The creases of a smooth model that was fitted to a mesh are edges of the mesh, so they are OWN lines.
     line.kind = HRBFNPR_LINE_KIND_OWN;
     line.name = "crease";
     style.lines.push_back(line);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes settings. It writes only values that differ from the defaults, and always in the order of the first versions,
-// so that files stay the same.
+// Writes settings. Only values that differ from the defaults are written. Their order never changes, so that files stay
+// the same.
 #include "base/assert.h"
 #include "picture/call.h"
 #include "picture/field_table.h"
@@ -16,7 +16,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Names in the order in which they are written, separated by spaces. For styles this is not the order in the header.
+// The order in which the fields of a style are written, separated by spaces. It differs from the order in the header.
 constexpr std::string_view style_order =
     "hidden_lines visibility silhouette_threshold attenuation_front attenuation_back "
     "splat_radius halo_width splat_overlap tone_rule tone_curve tone_fade light_space tone_exponent fill_light "
@@ -26,14 +26,14 @@ constexpr std::string_view layer_order =
     "name density_strength separation step start start_level angle smoothing axis_weight guide "
     "guide_weight axis guide_direction density levels tone_smoothing";
 constexpr std::string_view line_order = "kind name lower upper shortest plane";
-// The fields that are written first; other changes follow.
+// The fields of marks that are written first. All other changed fields follow.
 constexpr std::string_view marks_order =
     "distribution initial_step seed_source box_resolution box_jitter tone_ranges shared_budget projection_tolerance "
     "random_seed";
 constexpr std::string_view fit_order = "kernel kernel_radius polynomial_degree regularization solver refinement_steps "
                                        "outliers flipped_normals tolerance maximum_centres";
 
-// Calls f for each name of a list.
+// Calls f for each name in a list of names separated by spaces.
 template <class F>
 void for_names(std::string_view names, F&& f) {
     while (!names.empty()) {
@@ -54,13 +54,13 @@ void for_names(std::string_view names, F&& f) {
     return x == y || (x != nullptr && y != nullptr && std::strcmp(x, y) == 0);
 }
 
-// Writes a number. With `short_floats` it gets the shortest decimals that a float reads as the same value.
+// Writes a number. With `short_floats`, it writes the shortest decimals that give the same float.
 void write_number(JsonDocument& to, double number, bool short_floats) {
     if (!std::isfinite(number)) fail(Status::invalid_argument, "settings cannot hold %g: only finite numbers", number);
     to.add_number(short_floats ? shortest_decimals(number) : number);
 }
 
-// Adds a value with a key.
+// Adds a key and the value of a field.
 void write_value(JsonDocument& to, const NamedField& field, const FieldValue& value, bool short_floats) {
     to.key(field.name);
     const auto whole = static_cast<std::uint32_t>(value.whole);
@@ -83,7 +83,7 @@ void write_field(JsonDocument& to, const NamedField& field, const void* record, 
     to.key(field.name).add_text(text != nullptr ? text : "");
 }
 
-// Adds a field if it differs from `base`.
+// Adds a field if its value differs from that in `base`.
 void write_changed(JsonDocument& to, const NamedField& field, const void* record, const void* base, bool short_floats) {
     if (!same_value(field, record, base)) write_field(to, field, record, short_floats);
 }
@@ -115,7 +115,7 @@ void write_kind_style(JsonDocument& to, Record record, const Struct& style, cons
     to.end();
 }
 
-// Returns the plain tone under a painted tone. A painted tone is a function.
+// Returns the tone that a style had before it was painted. A painted tone is a function, which cannot be written.
 [[nodiscard]] std::uint32_t plain_tone(const Options& options, std::uint32_t tone) noexcept {
     if (tone != HRBFNPR_TONE_CALLBACK) return tone;
     if (const std::optional<double> given = options.changes.number("style.tone"))
@@ -145,7 +145,8 @@ void write_style(JsonDocument& to, const Options& options, const PictureParts& p
 void write_layer(JsonDocument& to, const hrbfnpr_layer_desc& layer) {
     auto base = defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init);
     hrbfnpr_layer_desc plain = layer;
-    if (plain.density == HRBFNPR_DENSITY_CALLBACK) plain.density = base.density; // The density is painted.
+    // This density comes from paint, which is written separately.
+    if (plain.density == HRBFNPR_DENSITY_CALLBACK) plain.density = base.density;
     to.begin(JsonKind::object);
     const auto field = [](std::string_view name) -> const NamedField& { return *find_field(Record::layer_desc, name); };
     write_field(to, field("kind"), &plain, false);
@@ -161,13 +162,13 @@ void write_layer(JsonDocument& to, const hrbfnpr_layer_desc& layer) {
     to.end();
 }
 
-// The given fields of a section, each once, in the order in which they are written.
+// The fields of a section that are given, each once, in the order of writing.
 class GivenFields {
 public:
     GivenFields(std::string_view section, Record record, Pool& pool)
         : section_(section), record_(record), pool_(&pool), fields_(&pool) {}
 
-    // Sets a field. An existing field keeps its place.
+    // Sets the text of a field. A field that is already in the list keeps its position.
     void put(std::string_view name, std::string_view text) {
         const auto found = find(name);
         if (found != fields_.end())
@@ -185,7 +186,7 @@ public:
         return found != fields_.end() ? std::string_view(found->second) : std::string_view();
     }
 
-    // Takes the fields of settings in their order, then the caller's: first those named in `order`.
+    // Adds the fields of the settings in their order, then those of the caller, beginning with the fields in `order`.
     void take(const Changes& changes, std::string_view order) {
         const Vector<Change>& list = changes.list();
         const std::span<const Change> all(list.data(), list.size());
@@ -211,14 +212,14 @@ private:
     [[nodiscard]] Fields::iterator find(std::string_view name) noexcept {
         return std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == name; });
     }
-    // Takes a change. If `only` is not "", a change of another name is ignored.
+    // Adds a change. If `only` is not "", only a change with this name is added.
     void take(const Change& change, std::string_view only) {
         const std::string_view path = change.path;
         if (path.size() <= section_.size() || path.substr(0, section_.size()) != section_ ||
             path[section_.size()] != '.')
             return;
         const std::string_view name = path.substr(section_.size() + 1);
-        // null for a name with more parts, such as "marks.hatch.angle"
+        // Null if the name has several parts, such as "marks.hatch.angle".
         const NamedField* const field = find_field(record_, name);
         if (field == nullptr || !is_in_settings(name) || (!only.empty() && name != only)) return;
         put(name, change.value);
@@ -254,8 +255,8 @@ void write_marks(JsonDocument& to, const Options& options, const Marks& marks, P
     to.end();
 }
 
-// Adds the fields that choose samples, for both kinds of fit. A change of such a field takes precedence. The flags tell
-// whether a change of the tolerance or of the limit exists.
+// Adds the fields that choose samples, which both kinds of fit have. Changes of these fields have priority over the
+// options. The flags tell whether such changes exist for the tolerance and for the limit.
 void put_choice(const Options& options, bool has_tolerance, bool has_limit, GivenFields& fields, Pool& pool) {
     if (options.desc.tolerance > 0.0 && !has_tolerance)
         fields.put("tolerance", decimals_of(options.desc.tolerance, pool));
@@ -268,7 +269,7 @@ void write_fit(JsonDocument& to, const Options& options, Pool& pool) {
     fields.take(options.changes, fit_order);
     put_choice(options, options.changes.is_callers("fit.tolerance"), options.changes.is_callers("fit.maximum_centres"),
                fields, pool);
-    // The options replace these two fields: normal_mode and trim.
+    // Options replace two fields: normal_mode and trim.
     fields.remove("normal_mode");
     fields.remove("trim");
     const bool is_auto = fields.text("regularization") == "auto" || fields.text("regularization_mode") == "auto";
@@ -348,7 +349,7 @@ void write_paint(JsonDocument& to, const Vector<hrbfnpr_dab>& dabs) {
     to.end();
 }
 
-// Returns the options that change the surface but that settings cannot hold.
+// Returns the options that affect the surface and cannot be stored in settings.
 [[nodiscard]] String options_not_held(const Options& options, Pool& pool) {
     String text(&pool);
     const auto add = [&](bool is_given, const char* marker) {
@@ -381,7 +382,7 @@ WrittenSettings write_settings(const Options& options, const PictureParts& parts
         document.add_whole(false, static_cast<std::uint64_t>(side));
     }
     document.end();
-    document.key("pen").add_number(1.0); // lengths of the style are in pixels
+    document.key("pen").add_number(1.0); // The style's lengths are in pixels already, so the pen is 1.
     document.key("camera").begin(JsonKind::object);
     write_list(document, "view", parts.camera.view);
     write_list(document, "projection", parts.camera.projection);
