@@ -59,23 +59,23 @@ struct UpTuning {
     // Along the axis whose sides differ, the distance is at least this many times the distance along the other axis.
     // Larger: fewer shapes are clear.
     double mirrored_clearly = 1.8;
-    // Of the distances of mirrored samples, this percentile is compared. Larger: a few differing samples make sides
-    // differ.
+    // Two sides are compared by this percentile of the distances of mirrored samples. Larger: a few differing samples
+    // make sides differ.
     double mirrored_percentile = 90.0;
     // At most this many samples are mirrored. Larger: slower, and for even samples no better.
     std::int64_t mirrored_most = 1200;
     // A shape thinner than this share of its shorter side lies flat. Its faces are then not its left and right sides.
     // Larger: more shapes lie flat.
     double leaf_thickness = 0.1;
-    // An object can stand on a hole if the whole border of the hole is in this share of the height. Larger: slanted
-    // borders count.
+    // A border edge belongs to a hole to stand on if its middle is in this share of the height, from the end. Larger:
+    // slanted borders count.
     double hole_height = 0.15;
-    // The border of the hole is at least this share of all borders. Larger: fewer objects stand on holes.
+    // The hole has at least this share of the length of all borders. Larger: fewer objects stand on holes.
     double hole_border = 0.5;
-    // At the opposite end, there is less than this share of all borders. Larger: tubes count as standing.
+    // The opposite end has at most this share of the length of all borders. Larger: tubes count as standing.
     double hole_above = 0.05;
-    // The area of the hole along its axis is at least this many times its area along other axes. Larger: only level
-    // holes count.
+    // The area of the hole, seen along its axis, is more than this many times its area seen along other axes. Larger:
+    // only level holes count.
     double hole_over_others = 2.0;
 };
 inline constexpr UpTuning up_tuning;

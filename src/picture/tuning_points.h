@@ -10,8 +10,8 @@ namespace hrbfnpr::picture {
 
 // The numbers of points to use.
 struct PointsTuning {
-    // Of larger point sets, this many samples are taken if the options give no number. The time of a direct solver
-    // grows with the cube of the number: above this it takes minutes and gigabytes. Larger: finer surfaces.
+    // The number of samples that are taken from larger point sets, if the options give no number. The time of a direct
+    // solver grows with the cube of the number: above this it takes minutes and gigabytes. Larger: finer surfaces.
     std::size_t most_samples = 4096;
     // Normals are found for at most this many points, and other points are removed. 20 000 take ten seconds. Larger:
     // more of a large scan is used.

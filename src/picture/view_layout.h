@@ -28,7 +28,7 @@ enum class ViewName : std::uint32_t { front, back, left, right, top, bottom, iso
 
 // A requested cutting plane: all x with `normal` . x = `place`.
 struct AskedCut {
-    glm::dvec3 normal{0.0};      // of any length except 0
+    glm::dvec3 normal{0.0};      // a vector with any length except 0
     std::optional<double> place; // If empty, the plane passes through the middle of the model.
     // True if the caller gives the normal's sign, which then points towards the viewer of the section.
     bool is_signed = false;
@@ -55,7 +55,7 @@ struct SheetScale {
 
 // ---- Directions
 
-// The unit vectors of the model's up, front and right directions.
+// The unit vectors of the model's directions: right, up and front.
 struct Standing {
     glm::dvec3 right;
     glm::dvec3 up;
@@ -75,7 +75,7 @@ struct CutPlane {
 struct SheetView {
     ViewName kind = ViewName::front;
     String name;      // such as "front" or "A-A"
-    glm::dvec3 right; // The unit vectors to the right and downward in the view.
+    glm::dvec3 right; // The unit vectors to the right and up in the view.
     glm::dvec3 up;
     glm::dvec3 eye;        // a unit vector towards the eye
     double factor = 1.0;   // The view is larger than the scale by this factor.

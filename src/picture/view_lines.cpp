@@ -441,7 +441,7 @@ void hides_some(const Sight& sight, const Points& places, double off, std::uint8
     follow_open(sight, starts, lengths, hidden);
     if (sight.plane == nullptr) return;
     const double behind = sight_tuning.behind * sight.solid.diagonal;
-    for (std::size_t i = 0; i < places.size(); ++i) // The area of the cut is solid, so it hides what is beyond it.
+    for (std::size_t i = 0; i < places.size(); ++i) // The area of the cut is solid, so it hides the places beyond it.
         if (sight.plane->place - glm::dot(places[i], sight.plane->normal) > behind && is_in_cut(sight, places[i]))
             hidden[i] = 1;
 }

@@ -250,7 +250,7 @@ void add_frame(SheetContent& content, const SheetPage& page) {
 
 void add_title_block(SheetContent& content, const SheetPage& page, const SheetFacts& facts, Projection projection,
                      Pool& pool) {
-    constexpr double wide = 100.0; // the widths of the columns
+    constexpr double wide = 100.0; // the widths of the columns in mm
     constexpr double narrow = 40.0;
     const SheetBox block = block_of(page);
     const double middle = block.top + view_layout_tuning.block_height / 2.0;
@@ -286,7 +286,7 @@ double length_of_bar(double longest) noexcept {
 
 void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, Pool& pool) {
     constexpr double height = 1.5;
-    // The first of the lines that fill a field is at this height, in heights of the bar.
+    // The heights of the first and the last of the lines that fill a field, in mm above the bar's upper edge.
     constexpr double first_line = 0.15;
     constexpr double last_line = 1.35;
     const double longest = drawn_as.longest_bar * view_layout_tuning.bar_width / scale;
