@@ -8,7 +8,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t run = 1 << 16; // the number of sides sorted at a time
+constexpr std::int64_t run = 1 << 16; // The number of sides that one task sorts.
 
 [[nodiscard]] bool before(const Side& a, const Side& b) noexcept {
     return a.edge < b.edge || (a.edge == b.edge && a.face < b.face);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The neighbours of faces across their edges, and connected components.
 //
-// Corner k of a face has the number 3 face + k. The side from there to the next corner has the same number.
+// Corner k of a face has the number 3 face + k. The side from this corner to the next one has the same number.
 #pragma once
 
 #include "base/groups.h"
@@ -46,15 +46,15 @@ public:
     [[nodiscard]] std::int32_t count() const noexcept { return count_; }
 
 private:
-    base::Array<std::int32_t> number_; // the number of each name, plus 1; 0: the name has not come yet
+    base::Array<std::int32_t> number_; // for each name: its number plus 1, or 0 if the name has not come yet
     std::int32_t count_ = 0;
 };
 
-// A side of a face: from corner k to k + 1.
+// A side of a face: from corner k to the next corner.
 struct Side {
-    std::uint64_t edge; // lower vertex, higher vertex
+    std::uint64_t edge; // the lower and the higher vertex
     std::int32_t face;
-    std::int32_t forward; // 1: the side runs from the lower vertex to the higher one
+    std::int32_t forward; // 1 if the side runs from the lower vertex to the higher one, else 0
 };
 
 [[nodiscard]] inline std::int32_t low_end(const Side& side) noexcept {
@@ -64,7 +64,7 @@ struct Side {
     return static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
 }
 
-// Returns the number of a face's corner at a vertex.
+// Returns the number of the corner that a face has at a vertex.
 [[nodiscard]] inline std::int64_t corner_at(const base::Array<Triangle>& triangle, std::int64_t face,
                                             std::int32_t vertex) noexcept {
     const Triangle& t = triangle[face];
@@ -79,13 +79,13 @@ struct Side {
 // Returns all sides, sorted by edge.
 [[nodiscard]] base::Array<Side> sides_by_edge(const base::Work& work, const base::Array<Triangle>& triangle);
 
-// Returns, for each side of the faces, the side of the other face at the same edge, or -1 if the edge does not have
-// exactly two faces.
+// Returns, for each side, the side of the other face at the same edge, or -1 if the edge does not have exactly two
+// faces.
 [[nodiscard]] base::Array<std::int64_t> sides_beyond(const base::Array<Triangle>& triangle,
                                                      const base::Array<Side>& sides,
                                                      const base::Progress& progress = {});
 
-// Calls visit(first side, end of its sides) for each edge.
+// Calls visit(first, last) for each edge with the range of its sides.
 template <class Visit>
 void for_edges(const base::Array<Side>& sides, const base::Progress& progress, Visit&& visit) {
     const Side* first = sides.begin();
@@ -103,7 +103,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     for_edges(sides, base::Progress(), std::forward<Visit>(visit));
 }
 
-// Tells whether two sides of one edge run in opposite directions, as they do if their faces agree.
+// Returns whether two sides of one edge run in opposite directions. They do if their faces have the same orientation.
 [[nodiscard]] inline bool run_opposite(const base::Array<Triangle>& triangle, std::int64_t a, std::int64_t b) noexcept {
     return triangle[a / 3][static_cast<std::size_t>(a % 3)] != triangle[b / 3][static_cast<std::size_t>(b % 3)];
 }
@@ -124,7 +124,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     return normal;
 }
 
-// Returns the angle at a corner, in radians.
+// Returns the angle of a face at a corner, in radians.
 [[nodiscard]] inline double angle_at(const std::array<glm::dvec3, 3>& p, std::size_t k) noexcept {
     HRBFNPR_ASSERT(k < 3);
     const glm::dvec3 u = p[(k + 1) % 3] - p[k];
@@ -142,10 +142,10 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
             }};
 }
 
-inline constexpr double default_crease_angle = 30.0; // degrees
+inline constexpr double default_crease_angle = 30.0; // in degrees
 
-// Tells whether faces bend by more than an angle, with a margin for rounding: a prism of twelve sides bends by 30
-// degrees.
+// Returns whether faces bend by more than an angle. A margin covers rounding: a prism of twelve sides bends by exactly
+// 30 degrees.
 [[nodiscard]] constexpr bool bends_more(double bend, double angle) noexcept { return bend > 1.01 * angle; }
 
 // Returns the component of each face, numbered from 0 in the order of their first faces. Faces that share a vertex

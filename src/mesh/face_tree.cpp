@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tree halves the faces by the middles of their boxes, level by level, and then computes the boxes from the leaves
-// up.
+// The tree is built in two passes: it halves the faces by the middles of their boxes, level by level, and then computes
+// the boxes from the leaves up.
 #include "mesh/face_tree.h"
 
 #include <utility>
@@ -8,7 +8,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// The method is that of Ericson, Real-Time Collision Detection (2005), 5.1.5.
+// The method of Ericson, Real-Time Collision Detection (2005), 5.1.5.
 [[nodiscard]] glm::dvec3 nearest_on_triangle(const std::array<glm::dvec3, 3>& v, const glm::dvec3& p) noexcept {
     const glm::dvec3 ab = v[1] - v[0], ac = v[2] - v[0];
     const glm::dvec3 ap = p - v[0], bp = p - v[1], cp = p - v[2];
@@ -62,7 +62,8 @@ FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex
         corners_[at] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }
     for (const std::int64_t i : work.over(ranges.size())) {
-        const Range& range = ranges[ranges.size() - 1 - i]; // Children are visited before their parents.
+        // The order is from the leaves up: children come before their parents.
+        const Range& range = ranges[ranges.size() - 1 - i];
         geometry::Bounds& box = box_[range.node] = {};
         if (!range.leaf()) {
             const geometry::Bounds& low = box_[range.low().node];
@@ -75,7 +76,7 @@ FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex
     }
 }
 
-// Halves a range along its longest side. Equal middles are ordered by number.
+// Halves a range of faces along the longest side of its box. Faces with equal middles are ordered by number.
 void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) {
     if (range.leaf()) return;
     geometry::Bounds box;
@@ -103,7 +104,7 @@ FaceTree::Nearest FaceTree::nearest(const glm::dvec3& p, double limit) const noe
     return best;
 }
 
-// The method is that of Moeller & Trumbore 1997.
+// The method of Moeller & Trumbore 1997.
 double FaceTree::meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept {
     const glm::dvec3 ab = p[1] - p[0];
     const glm::dvec3 ac = p[2] - p[0];

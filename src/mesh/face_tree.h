@@ -13,27 +13,27 @@ namespace hrbfnpr::mesh {
 class FaceTree {
 public:
     struct Nearest {
-        double squared = std::numeric_limits<double>::infinity(); // the squared distance
-        std::int64_t face = -1;                                   // -1: none within the limit
+        double squared = std::numeric_limits<double>::infinity(); // the squared distance to the nearest place
+        std::int64_t face = -1;                                   // -1 if no face is within the limit
         glm::dvec3 place{0.0};
     };
     struct Hit {
-        double t = std::numeric_limits<double>::infinity(); // in lengths of the direction
-        std::int64_t face = -1;                             // -1: none
+        double t = std::numeric_limits<double>::infinity(); // the parameter of the ray, in lengths of its direction
+        std::int64_t face = -1;                             // -1 if the ray meets no face
     };
 
     FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle);
 
-    // Any number of threads may call these. If several faces are nearest, nearest() always finds the same one. `limit`
-    // is a squared distance; farther faces are not found.
+    // These functions may be called on any number of threads. nearest() always finds the same face if several are
+    // equally near. It finds no face farther than `limit`, which is a squared distance.
     [[nodiscard]] Nearest nearest(const glm::dvec3& p,
                                   double limit = std::numeric_limits<double>::infinity()) const noexcept;
     [[nodiscard]] double distance(const glm::dvec3& p) const noexcept { return std::sqrt(nearest(p).squared); }
     // Returns the first face that a ray meets at t_min < t < t_max.
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                 double t_max) const noexcept;
-    // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the tree's order. The sign is 1 where the
-    // face's normal points along the ray, so that the ray leaves the solid, else -1.
+    // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the order of the tree. The sign is 1 if
+    // the face's normal points along the ray, so that the ray leaves the solid, else -1.
     template <class Visit>
     void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
         double limit = std::numeric_limits<double>::infinity();
@@ -49,9 +49,9 @@ private:
     static constexpr std::int64_t leaf_size = 4;
     using Range = geometry::HeapNode<leaf_size>;
 
-    // Returns t where a ray meets a face's plane within the face, else NaN.
+    // Returns the t at which a ray meets a face, or NaN if it does not.
     [[nodiscard]] static double meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept;
-    // Tells whether a ray meets the box at some t in the range.
+    // Returns whether a ray meets the box at a t in the range.
     [[nodiscard]] static bool meets(const geometry::Bounds& box, const glm::dvec3& origin, const glm::dvec3& inverse,
                                     double t_min, double t_max) noexcept {
         const glm::dvec3 a = (box.min - origin) * inverse;
@@ -60,21 +60,21 @@ private:
         const glm::dvec3 high = glm::max(a, b);
         const double from = std::max({low.x, low.y, low.z, t_min});
         const double to = std::min({high.x, high.y, high.z, t_max});
-        return from <= to * (1.0 + 1e-12) || from <= to; // from == to in flat boxes
+        return from <= to * (1.0 + 1e-12) || from <= to; // In a flat box `from` may equal `to`.
     }
-    // Calls visit(at, t) for the faces that a ray meets at t_min < t < limit. The visit may lower the limit. If
-    // near_first, the boxes come roughly in the order in which the ray enters them.
+    // Calls visit(at, t) for the faces that a ray meets at t_min < t < limit. The call may lower the limit. If
+    // near_first is true, boxes are visited roughly in the order in which the ray enters them.
     template <bool near_first, class Visit>
     void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
               Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
 
     base::Array<geometry::Bounds> box_; // the boxes of the nodes, in heap order
-    base::Array<std::int32_t> face_;    // the number of each face, in the tree's order
+    base::Array<std::int32_t> face_;    // the numbers of the faces, in the order of the tree
     base::Array<Corners> corners_;
 };
 
-// Directions in which meshes rarely have edges.
+// Directions of rays that are unlikely to pass exactly through edges of a mesh.
 inline constexpr std::array<glm::dvec3, 3> ray_directions{
     glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247}, glm::dvec3{0.1713, -0.5119, -0.8418}};
 

@@ -2,7 +2,7 @@
 // The steps of make_mesh(), in order:
 //
 //   weld                  merges vertices, drops faces without area, parts solids that touch
-//   agree                 turns faces to agree with those beside them
+//   agree                 turns faces to agree with their neighbours
 //   measure_components    measures the components, and the volumes that they enclose
 //   find_nested           finds components that lie inside others
 //   turn_components       turns closed components so that they face outward
@@ -41,7 +41,8 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     base::Memory& memory = welded.vertex.memory();
     const Component* const largest = std::max_element(
         measured.begin(), measured.end(), [](const Component& a, const Component& b) { return a.area < b.area; });
-    base::Array<std::int32_t> name(memory, measured.size()); // the new number of a component that is kept, plus 1
+    // For each component: its new number plus 1, or 0 if it is dropped.
+    base::Array<std::int32_t> name(memory, measured.size());
     std::int32_t names = 0;
     for (const Component& each : measured) {
         const bool kept = is_kept(each, &each == largest, parts);
@@ -49,7 +50,8 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
         mesh.report.nested_components += each.nested ? 1 : 0;
         mesh.report.left_out_components += kept ? 0 : 1;
     }
-    base::Array<std::int32_t> number(memory, welded.vertex.size()); // the new number of a vertex that is kept, plus 1
+    // For each vertex: its new number plus 1, or 0 if it is dropped.
+    base::Array<std::int32_t> number(memory, welded.vertex.size());
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face)
         if (name[component[face]] != 0)
             for (const std::int32_t corner : welded.triangle[face]) number[corner] = 1;
@@ -79,7 +81,7 @@ void measure_edges(const base::Work& work, Mesh& mesh) {
     };
     UnionFind rims(work.memory, mesh.vertex.size());
     std::int64_t edges = 0;
-    std::int64_t joined = 0; // the number of joins of border vertices to rims
+    std::int64_t joined = 0; // the number of times that border vertices were joined
     base::Array<std::uint8_t> at_border(work.memory, mesh.vertex.size());
     for_edges(sides_by_edge(work, mesh.triangle), work, [&](const Side* first, const Side* last) {
         report.nonmanifold_edges += last - first > 2 ? 1 : 0;
@@ -120,7 +122,7 @@ void measure(const base::Work& work, Mesh& mesh) {
 }
 
 void check_extent(const Welded& welded) {
-    constexpr double smallest_mesh = 1e-60; // the least diagonal
+    constexpr double smallest_mesh = 1e-60; // A mesh with a smaller diagonal is refused.
     geometry::Bounds bounds;
     for (const glm::dvec3& p : welded.vertex) bounds.extend(p);
     if (!(bounds.diagonal() >= smallest_mesh))
@@ -128,12 +130,12 @@ void check_extent(const Welded& welded) {
              bounds.diagonal());
 }
 
-// Sets the unit normals of all corners. A corner's normal is the mean over the faces at the vertex whose normals are
+// Sets the unit normals of all corners. The normal of a corner is a mean over the faces at its vertex whose normals are
 // within the crease angle, weighted by their angles at the vertex.
 void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh) {
     const base::Groups corners = corners_at_vertices(mesh, work);
     base::Array<glm::dvec3> normal(work.memory);   // normals of the faces
-    base::Array<glm::dvec3> weighted(work.memory); // the face normal times the corner's angle, for each corner
+    base::Array<glm::dvec3> weighted(work.memory); // for each corner: the face normal times the angle
     normal.resize_for_overwrite(mesh.faces());
     weighted.resize_for_overwrite(3 * mesh.faces());
     mesh.corner_normal.resize_for_overwrite(3 * mesh.faces());
@@ -154,7 +156,8 @@ void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh)
             const std::span<const std::int32_t> about = corners[mesh.triangle[face][k]];
             const std::int64_t corner = 3 * face + static_cast<std::int64_t>(k);
             const auto most = static_cast<std::size_t>(mesh_tuning.most_corners);
-            const std::size_t step = (about.size() + most - 1) / most; // large fans use every step-th corner
+            // If a vertex has very many faces, only every step-th corner is used.
+            const std::size_t step = (about.size() + most - 1) / most;
             glm::dvec3 sum = step > 1 ? weighted[corner] : glm::dvec3(0.0);
             for (std::size_t at = 0; at < about.size(); at += step)
                 if (glm::dot(normal[face], normal[about[at] / 3]) >= least) sum += weighted[about[at]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Makes a triangle mesh from a file usable: welds it, drops faces without area, orients it, and drops parts that lie
-// inside others.
+// Makes a usable triangle mesh from a caller's arrays: welds vertices, drops faces without area, orients faces, and
+// drops parts inside other parts.
 #pragma once
 
 #include "base/assert.h"
@@ -15,11 +15,11 @@
 
 namespace hrbfnpr::mesh {
 
-// The values equal those of the constants HRBFNPR_PARTS_ and HRBFNPR_FACES_ of hrbfnpr.h.
+// The values equal the HRBFNPR_PARTS_ and HRBFNPR_FACES_ constants of hrbfnpr.h.
 enum class Parts : std::uint32_t { outer = 0, all = 1, largest = 2 };
 enum class Faces : std::uint32_t { turn = 0, keep = 1 };
 
-// Squares of coordinates and of areas stay far from the ends of a double's range.
+// The largest coordinate. Squares of coordinates and of areas then stay in the range of a double.
 inline constexpr double largest_coordinate = 1e60;
 inline constexpr std::int64_t most_vertices = (std::int64_t{1} << 31U) - 1;
 inline constexpr std::int64_t most_faces = std::int64_t{1} << 29U;
@@ -29,7 +29,7 @@ struct MeshInput {
     base::InView triangles; // 3 components, int32, int64 or uint32
     Parts parts = Parts::outer;
     Faces faces = Faces::turn;
-    double crease_angle = 60.0; // degrees
+    double crease_angle = 60.0; // in degrees
 };
 
 struct MeshReport {
@@ -66,12 +66,12 @@ struct Mesh {
 
     base::Array<glm::dvec3> vertex;
     base::Array<Triangle> triangle;       // counter-clockwise as seen from outside
-    base::Array<std::int32_t> component;  // for each face, from 0
-    base::Array<std::int32_t> given_face; // the number of each face in the input
-    // For each face: bit k is set if no other face lies across the side from corner k, and bit k + 3 if corner k is an
-    // end of such a side of any face.
+    base::Array<std::int32_t> component;  // for each face: the number of its component, from 0
+    base::Array<std::int32_t> given_face; // for each face: its number in the input
+    // For each face: bit k is set if the side from corner k has no other face, and bit k + 3 if corner k is an end of
+    // such a side, of this or another face.
     base::Array<std::uint8_t> border;
-    base::Array<glm::dvec3> corner_normal; // unit, three for each face
+    base::Array<glm::dvec3> corner_normal; // three unit normals for each face
     geometry::Bounds bounds;
     MeshReport report;
 
@@ -87,18 +87,19 @@ struct Mesh {
     }
 };
 
-// Tells whether a place of a face lies on the mesh's border.
+// Returns whether a place of a face is on the border of the mesh.
 [[nodiscard]] bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noexcept;
 
-// Returns the normal, with twice the area as its length.
+// Returns the normal of a triangle. Its length is twice the area.
 [[nodiscard]] inline glm::dvec3 doubled_area(const std::array<glm::dvec3, 3>& p) noexcept {
     return glm::cross(p[1] - p[0], p[2] - p[0]);
 }
 
-// Returns the barycentric coordinates of a place in a face's plane, which sum up to 1.
+// Returns the barycentric coordinates of a place in the plane of a face. They sum up to 1.
 [[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
 
-// Throws Error{invalid_argument}, whose message names the face and the index, or the vertex; out_of_memory; cancelled.
+// Throws Error{invalid_argument} whose message names the face and the index, or the vertex; also out_of_memory and
+// cancelled.
 [[nodiscard]] Mesh make_mesh(const base::Work& work, const MeshInput& input);
 
 } // namespace hrbfnpr::mesh

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Orientation spreads from face to face across edges that have two faces. Volumes are sums over faces, and over fans
-// that close holes. A component is nested if rays from its faces cross a closed component an odd number of times.
+// The orientation spreads from face to face across edges with two faces. Volumes are sums over the faces, and over fans
+// of triangles that close holes. A component is nested if rays from its faces cross a closed component an odd number of
+// times.
 #include "mesh/orient.h"
 
 #include "base/random.h"
@@ -26,7 +27,8 @@ namespace {
     return sum;
 }
 
-// Closes each component's holes by fans of triangles, and adds the volume between each fan and the component's middle.
+// Closes the holes of each component by fans of triangles, and adds the volumes between these fans and the middle of
+// the component.
 void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
                  const base::Array<std::int32_t>& component, const base::Array<glm::dvec3>& middle,
                  base::Array<Component>& result) {
@@ -40,7 +42,8 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
         rims.join(low_end(*first), high_end(*first));
     });
     if (!open) return;
-    base::Array<glm::dvec4> rim(work.memory, vertex.size()); // for each rim: the sum and number of its ends
+    // For each rim: the sum of the ends of its sides, and their number.
+    base::Array<glm::dvec4> rim(work.memory, vertex.size());
     for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (excess_faces(first, last) == 0) return;
         for (const std::int32_t end : {low_end(*first), high_end(*first)})
@@ -61,16 +64,16 @@ void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
 
 // ---- Nested components
 
-constexpr std::int64_t places_of_face = 4; // the middle, and one place next to each corner
+constexpr std::int64_t places_of_face = 4; // the middle, and a place near each corner
 
-// Returns a test place of a face. Places next to the corners of a large face lie farther out than its middle.
+// Returns one of a face's test places. On a large face, places near its corners are farther out than its middle.
 [[nodiscard]] glm::dvec3 place_of_face(const std::array<glm::dvec3, 3>& corners, std::int64_t number) noexcept {
     HRBFNPR_ASSERT(number >= 0 && number < places_of_face);
     const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     return number == 0 ? middle : glm::mix(corners[static_cast<std::size_t>(number - 1)], middle, 0.01);
 }
 
-// Calls visit(value, count) for all values of a sorted array.
+// Calls visit(value, count) for each value in a sorted array.
 template <class Visit>
 void for_values(const base::Array<std::int32_t>& sorted, Visit&& visit) {
     HRBFNPR_ASSERT(std::is_sorted(sorted.begin(), sorted.end()));
@@ -80,7 +83,8 @@ void for_values(const base::Array<std::int32_t>& sorted, Visit&& visit) {
     }
 }
 
-// Returns the components that most rays from a place meet an odd number of times, in rising order.
+// Returns in rising order the components that enclose a place: most rays from the place cross them an odd number of
+// times.
 [[nodiscard]] base::Array<std::int32_t>
 components_around(const FaceTree& tree, const base::Array<std::int32_t>& component, const glm::dvec3& from) {
     base::Array<std::int32_t> met(component.memory());
@@ -101,9 +105,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
     return around;
 }
 
-// Returns the faces with the farthest corners along each axis, in both directions, and others at random places of even
-// stretches. Taking every n-th face instead could miss most of a mesh of rows and columns, because these faces may all
-// lie in one column.
+// Returns the faces with the extreme corners along each axis, and one random face from each of several ranges of
+// numbers. Every n-th face would be a bad choice: in a mesh of rows and columns, these may all lie in one column.
 [[nodiscard]] base::Array<std::int32_t> faces_to_test(const base::Array<glm::dvec3>& vertex,
                                                       const base::Array<Triangle>& triangle,
                                                       std::span<const std::int32_t> faces) {
@@ -135,7 +138,7 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::dvec3>& vertex,
                                  base::Array<Triangle>& triangle) {
     const base::Array<std::int64_t> beyond = sides_beyond(triangle, sides_by_edge(work, triangle), work);
-    // 1: the face has the orientation of its patch's first face; -1: the opposite one.
+    // 1 if the face has the orientation of the first face of its patch, -1 if it has the opposite one
     base::Array<std::int8_t> way(work.memory, triangle.size());
     base::Array<std::int32_t> patch(work.memory);
     std::int64_t turned = 0;
@@ -145,7 +148,7 @@ std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::
         patch.clear();
         patch.push_back(static_cast<std::int32_t>(first));
         way[first] = 1;
-        double balance = 0.0; // the area of faces that agree with the first face, minus the area of the others
+        double balance = 0.0; // the area of the faces that agree with the first face, minus the area of the other faces
         for (std::int64_t at = 0; at < patch.size(); ++at) {
             work.check();
             const std::int32_t face = patch[at];
@@ -203,7 +206,7 @@ void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, 
             put(component[face], static_cast<std::int32_t>(face));
     });
     work.for_each(measured.size(), [&](std::int64_t i) {
-        base::Array<std::int32_t> holders(work.memory); // closed components around all places tested up to here
+        base::Array<std::int32_t> holders(work.memory); // the closed components around all places tested so far
         const base::Array<std::int32_t> tested = faces_to_test(vertex, triangle, faces[i]);
         for (std::int64_t k = 0; k < places_of_face * tested.size(); ++k) {
             const Triangle& t = triangle[tested[k / places_of_face]];

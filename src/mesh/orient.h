@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The second half of make_mesh(): turns faces to agree with those beside them, and measures the components.
+// The second half of make_mesh(): turns faces to agree with their neighbours, and measures the components.
 #pragma once
 
 #include "mesh/edges.h"
@@ -11,10 +11,10 @@ namespace hrbfnpr::mesh {
 struct Component {
     std::int64_t faces = 0;
     double area = 0.0;
-    double volume = 0.0; // the enclosed volume, with holes closed by fans
-    double holes = 0.0;  // the area of its holes
-    bool closed = true;  // Faces run through each edge equally often in both directions.
-    bool nested = false; // The component lies inside another one.
+    double volume = 0.0; // the volume, with holes closed by fans of triangles
+    double holes = 0.0;  // the total area of the holes
+    bool closed = true;  // For each edge, equally many faces run through it in each direction.
+    bool nested = false; // The component lies inside another component.
     bool turned = false;
 };
 
@@ -29,10 +29,10 @@ std::int64_t orient_consistently(const base::Work& work, const base::Array<glm::
                                                         const base::Array<Triangle>& triangle,
                                                         const base::Array<std::int32_t>& component, std::int64_t count);
 
-// Tells whether a component is closed except for small holes and encloses a negative volume.
+// Returns whether a component encloses a negative volume and is closed, except for small holes.
 [[nodiscard]] bool inside_out(const Component& component) noexcept;
 
-// Sets `nested` of components that lie wholly inside a closed one, according to rays from some of their faces.
+// Sets `nested` for components that lie inside a closed component. Rays from some of their faces decide.
 void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
                  const base::Array<std::int32_t>& component, base::Array<Component>& measured);
 

@@ -25,7 +25,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Streams of random numbers. They give other places than those that a fit uses.
+// The streams of random numbers for places. They differ from the streams of a fit, so the places are new.
 constexpr std::uint32_t places_of_mesh = 77;
 constexpr std::uint32_t places_of_surface = 1U << 16U;
 
@@ -47,7 +47,7 @@ struct CompareTask {
     return on;
 }
 
-// Returns distance(i) for all i. Some distances take long, because places may be far from all faces.
+// Returns distance(i) for all i, in small tasks, because a distance may take long where a place is far from all faces.
 template <class Distance>
 [[nodiscard]] base::Array<double> distances(const CompareTask& task, std::int64_t count, Distance&& distance) {
     base::Array<double> result(task.work.memory, count);
@@ -75,7 +75,7 @@ void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
             seeds.push_back(on.position[i]);
 }
 
-// Tells whether finer cells would show another surface, and would not make too many triangles.
+// Returns whether finer cells may show more of the surface, without making too many triangles.
 [[nodiscard]] bool too_thin(const curves::SurfaceMesh& surface) noexcept {
     const auto triangles = static_cast<double>(surface.triangles());
     const bool thin =
@@ -85,7 +85,7 @@ void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
 
 struct SurfaceParts {
     std::int64_t components = 0;
-    std::int64_t genus = -1; // the sum over the components; -1: the surface has a border
+    std::int64_t genus = -1; // the sum over all components; -1 if the surface has a border
 };
 
 [[nodiscard]] SurfaceParts parts_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface) {
@@ -105,14 +105,14 @@ struct SurfaceParts {
     }
     const bool border =
         std::any_of(surface.neighbour.begin(), surface.neighbour.end(), [](std::int32_t beyond) { return beyond < 0; });
-    // A closed surface has three edges for every two triangles.
+    // A closed surface has 3/2 times as many edges as triangles.
     const std::int64_t euler = vertices - surface.triangles() / 2;
     if (!border && surface.triangles() > 0 && euler % 2 == 0) parts.genus = parts.components - euler / 2;
     return parts;
 }
 
-// Tells whether a closed mesh has other components or handles than the surface. This happens where a wall or a gap is
-// too thin for the cells.
+// Returns whether a closed mesh and the surface differ in their numbers of components or handles. They do where a wall
+// or a gap is too thin for the cells.
 [[nodiscard]] bool differ(const SurfaceParts& parts, const MeshReport& report) noexcept {
     return report.closed &&
            (parts.genus != report.genus || parts.components != report.components - report.left_out_components);

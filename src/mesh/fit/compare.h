@@ -13,9 +13,9 @@ struct SurfaceMesh;
 namespace hrbfnpr::mesh {
 
 struct CompareSettings {
-    double tolerance = 0.0; // 0: 0.002 diagonals of the mesh
-    double far = 0.0;       // 0: 0.01 diagonals
-    double support = 0.0;   // > 0: surface with a support value above this is left out
+    double tolerance = 0.0; // 0 means 0.002 diagonals of the mesh.
+    double far = 0.0;       // 0 means 0.01 diagonals.
+    double support = 0.0;   // If above 0, surface with a larger support value than this is left out.
     std::int64_t points = 0;
     double cell_size = 0.0;
     std::uint64_t seed = 1;
@@ -30,7 +30,8 @@ struct DistanceStatistics {
     double share = std::numeric_limits<double>::quiet_NaN();  // the share within the tolerance
     double beyond = std::numeric_limits<double>::quiet_NaN(); // the share beyond `far`
 
-    // Tells whether at least a share is within the tolerance, and no distance is beyond `farthest`.
+    // Returns whether at least `least_share` of the distances is within the tolerance and no distance is beyond
+    // `farthest`.
     [[nodiscard]] bool is_within(double least_share, double farthest) const noexcept {
         return points > 0 && share >= least_share && most <= farthest;
     }
@@ -40,7 +41,7 @@ struct Comparison {
     DistanceStatistics surface; // distances of places on the surface from the mesh
     DistanceStatistics mesh;    // distances of places on the mesh from the surface
     double left_out = 0.0;
-    double normal_mean = std::numeric_limits<double>::quiet_NaN(); // degrees
+    double normal_mean = std::numeric_limits<double>::quiet_NaN(); // in degrees
     double normal_p99 = std::numeric_limits<double>::quiet_NaN();
     std::int64_t components = 0;
     std::int64_t genus = -1;
@@ -53,19 +54,19 @@ inline constexpr double default_far = 0.01; // in diagonals
 inline constexpr std::int64_t default_points = 20000;
 inline constexpr double cells_a_diagonal = 128.0;
 
-// Returns the box in which the surface beside a mesh is searched for.
+// Returns the box around a mesh in which the surface is searched for.
 [[nodiscard]] geometry::Bounds search_region(const Mesh& mesh) noexcept;
 // Reorders `distance`.
 [[nodiscard]] DistanceStatistics statistics_of(base::Array<double>& distance, double tolerance, double far);
 
 struct SurfaceSearch {
-    geometry::Bounds region; // The surface is searched for in this box.
-    double side = 0.0;       // the side of a cell
-    bool finer = false;      // Cells are halved repeatedly while the surface is thinner than they are.
+    geometry::Bounds region; // The box in which the surface is searched for.
+    double side = 0.0;       // the side length of a cell
+    bool finer = false;      // If set, cells are halved repeatedly where the surface is thinner than a cell.
     double precision = 1e-9; // the precision of the surface's vertices, in diagonals
-    std::int64_t count = 0;  // number of places
+    std::int64_t count = 0;  // the number of places
     std::uint64_t seed = 1;
-    // If it is not null, places whose support value is above the limit are left out.
+    // If not null, places whose support value is above the limit are left out.
     const surface::Support* support = nullptr;
     double limit = 0.0;
 };
@@ -77,14 +78,15 @@ struct SurfacePlaces {
     geometry::VecArray gradient; // the gradient of f
 };
 
-// Returns as triangles the surface near the seeds, and the surface that projections from a coarse lattice reach.
+// Returns triangles of the surface near the seeds, and of the surface that projections from a coarse lattice reach.
 [[nodiscard]] curves::SurfaceMesh find_surface(const base::Work& work, const implicit::Implicit& implicit,
                                                const geometry::VecArray& seeds, const SurfaceSearch& search);
 
 // Drops the places whose support value is above the limit, if there is a support.
 void drop_unsupported(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places);
 
-// `support` may be null. Otherwise it is the support of the model's samples.
+// Compares the surface with the mesh in both directions. `support`, which may be null, is the support of the model's
+// samples.
 [[nodiscard]] Comparison compare(const base::Work& work, const implicit::Implicit& implicit, const Mesh& mesh,
                                  const FaceTree& tree, const surface::Support* support,
                                  const CompareSettings& settings);

@@ -34,9 +34,9 @@ namespace {
 
 // ---- The fit at many places
 
-// Times measured on two cores with AVX2: the time for each pair of a place and a centre, and for making a field of the
+// Measured times on two cores with AVX2: for each pair of a place and a centre, and for making a far field with the
 // precision and the number of near centres below, in total and for each centre. A field must save `worth` times the
-// time that it takes to make.
+// time that making it takes.
 constexpr double seconds_a_pair = 1.1e-9;
 constexpr double seconds_a_field = 0.05;
 constexpr double seconds_a_centre = 8.5e-5;
@@ -49,10 +49,10 @@ bool pays(std::int64_t centres, std::int64_t places) noexcept {
     return seconds_a_pair * static_cast<double>(places) * count > worth * (seconds_a_field + seconds_a_centre * count);
 }
 
-// Evaluates the data at many places, as exactly as a search for deviations needs.
+// Evaluates the data of a fit at many places, as exactly as a search for errors needs.
 class FitField {
 public:
-    // `precision` is in diagonals. The data must outlive it.
+    // `precision` is in diagonals. The data must outlive this object.
     FitField(base::InstructionSet set, const implicit::HrbfData& data, double precision) noexcept
         : data_(data), plain_(set, data), precision_(precision) {}
 
@@ -82,14 +82,14 @@ void FitField::prepare_for(const base::Work& work, std::int64_t places) {
     if (error.value <= precision_ && error.gradient <= gradient_precision) prepared_ = std::move(prepared);
 }
 
-// Returns the root mean square. `unit` is a length that keeps squares of small distances from underflow.
+// Returns the root mean square of distances. `unit` is a length that prevents underflow of squares.
 double root_mean_square(const base::Array<double>& distance, double unit) noexcept {
     double sum = 0.0;
     for (const double d : distance) sum += (d / unit) * (d / unit);
     return unit * std::sqrt(sum / static_cast<double>(distance.size()));
 }
 
-// Fills in the fit's report except for the candidates' distances. `chosen` are the centres of the fit.
+// Sets the fit's report, except for the distances of the candidates. `chosen` are the centres of the fit.
 void describe(const base::Work& work, const fit::Samples& chosen, const FitMeshReport& report, fit::CentreFit& fit) {
     fit::FitReport& to = fit.result.report;
     describe_residuals(work, fit.result.data, chosen, to);
@@ -103,7 +103,7 @@ void describe(const base::Work& work, const fit::Samples& chosen, const FitMeshR
 
 // ---- The mesh and its candidates
 
-// All steps read this data.
+// The data that all steps read.
 struct Task {
     const base::Work& work;
     const Mesh& mesh;
@@ -120,7 +120,8 @@ FitMeshReport first_report(const Mesh& mesh, const FitMeshSettings& settings) no
     return report;
 }
 
-// Candidates are evenly spread over the area, and in the middles of faces, which are small where there are details.
+// Returns the candidates: places spread evenly over the area, and the middles of faces, which are dense where details
+// are.
 fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
     const auto& [work, mesh, tree, settings, outer] = task;
     const std::int64_t faces = mesh.faces();
@@ -146,8 +147,8 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
 
 // ---- The mesh from the surface
 
-// Returns the distance of each candidate from the surface. Where f grows inward the nearest surface is a wrong one, or
-// no surface is near.
+// Returns the distance of each candidate from the surface. If f grows inward at a candidate, the surface near it is
+// spurious, or there is no surface near it.
 base::Array<double> distances_of_candidates(const Task& task, const fit::Samples& candidates,
                                             const fit::Distances& distances, double tolerance) {
     base::Array<double> distance(task.work.memory);
@@ -182,8 +183,7 @@ DistanceStatistics verify(const Task& task, const implicit::HrbfData& data, cons
 
 // ---- The surface from the mesh
 
-// Returns the distance of each place from the mesh. The distance is 0 beyond a border, because a drawing trims the
-// surface there.
+// Returns the distance from each place to the mesh. Beyond a border it is 0, because drawings trim the surface there.
 base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray& place) {
     base::Array<double> distance(task.work.memory, place.size());
     task.work.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
@@ -232,7 +232,7 @@ void add_off_surface_centres(const Task& task, const geometry::VecArray& place, 
 void describe_residuals(const base::Work& work, const implicit::HrbfData& data, const fit::Samples& centres,
                         fit::FitReport& to) {
     const fit::Distances at = fit::measure_distances(work, data, centres);
-    const double unit = data.scale; // prevents underflow in small units
+    const double unit = data.scale; // The unit prevents underflow if lengths are tiny.
     double values = 0.0;
     double gradients = 0.0;
     const std::int64_t count = centres.position.size();
@@ -257,7 +257,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     FitMeshReport report = first_report(mesh, settings);
     const double share = settings.share + fit_mesh_tuning.margin * (1.0 - settings.share);
     fit::FitInput options = given;
-    options.tolerance = report.tolerance; // accepts residuals that do not show in a distance
+    options.tolerance = report.tolerance; // Accepts residuals that are too small to change a distance.
     options.automatic_tolerance = std::clamp(fit_mesh_tuning.residual * report.tolerance / diagonal,
                                              fit_mesh_tuning.finest_residual, fit_mesh_tuning.roughest_residual);
 
@@ -278,7 +278,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
     std::int64_t surface_places = fit_mesh_tuning.first_places; // the number of places at which the search evaluates f
     double least_outside = 2.0;
     double least_far = std::numeric_limits<double>::infinity();
-    std::int32_t idle = 0; // rounds without a gain
+    std::int32_t idle = 0; // the number of consecutive rounds without a gain
     double input_distance_rms = 0.0;
 
     // Measures the whole surface, and adds to `growth` centres that hold f off the mesh. Returns whether it added any.
@@ -287,7 +287,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);
         curves::SurfaceMesh surface = find_surface(work.without_progress(), *field, seeds, search);
         surface_places = fit_mesh_tuning.places_a_vertex * surface.position.size();
-        // The places are the vertices, which lie on f = 0. Even a small part has some.
+        // The places are the vertices of the surface, which lie on f = 0. Even a small part of the surface has
+        // vertices.
         SurfacePlaces places(work.memory);
         places.position = std::move(surface.position);
         places.gradient = std::move(surface.gradient);
@@ -304,7 +305,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         report.surface = statistics_of(distance, report.tolerance, report.far);
         return next.off_surface.position.size() > before;
     };
-    // Tells whether the last rounds reduced the share outside or the farthest distance.
+    // Returns whether the last rounds reduced the share outside the tolerance, or the farthest distance.
     const auto gains = [&] {
         const double outside = 2.0 - report.mesh.share - report.surface.share;
         const double far = std::max(report.mesh.most, report.surface.most);
@@ -325,8 +326,8 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
         report.mesh = statistics_of(distance, report.tolerance, report.far);
         const bool mesh_good = report.mesh.is_within(share, report.far);
-        // The rest of the surface is examined only when most of the mesh is within the tolerance, because most spurious
-        // surface has disappeared by then. It is examined again while it is far off, and at the end.
+        // The whole surface is examined only when most of the mesh is within the tolerance, because most spurious
+        // surface has disappeared by then. It is examined again as long as some of it is far away, and at the end.
         const bool far = !(report.surface.most <= report.far);
         const bool looked = mesh_good || (report.mesh.share > fit_mesh_tuning.first_look && far);
         bool grown = looked && look_at_surface(field, now, next);
@@ -344,7 +345,7 @@ MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
         if (!looked && !grown) grown = look_at_surface(field, now, next);
         const auto all_good = [&] { return mesh_good && report.surface.is_within(share, report.far); };
         if (all_good()) {
-            // Looks once in smaller cells for surface that needs more centres.
+            // At the end, searches once in smaller cells for spurious surface, which needs more centres.
             const double side = diagonal / fit_mesh_tuning.cells_of_last;
             const double ratio = search.side / side;
             if (ratio > 1.0) {

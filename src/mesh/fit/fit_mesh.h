@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fits a smooth surface to a mesh, with as many samples as it needs.
+// Fits a smooth surface to a mesh. The fit chooses the number of its samples.
 #pragma once
 
 #include "fit/fit.h"
@@ -11,19 +11,19 @@
 namespace hrbfnpr::mesh {
 
 struct FitMeshSettings {
-    double tolerance = 0.0; // 0: 0.002 diagonals
+    double tolerance = 0.0; // 0 means 0.002 diagonals.
     double share = 0.99;
-    double far = 0.0; // 0: five tolerances
+    double far = 0.0; // 0 means five tolerances.
     std::int64_t maximum_centres = 8000;
-    std::int64_t candidates = 0; // 0: automatic
+    std::int64_t candidates = 0; // 0 means automatic.
     std::uint64_t seed = 1;
     double crease_angle = default_crease_angle;
-    Edges edges = Edges::automatic; // fit_mesh() ignores this: its fit is smooth
+    Edges edges = Edges::automatic; // fit_mesh() ignores this, because it always makes a smooth fit.
 };
 
 struct FitMeshReport {
     bool reached = false;
-    bool supported = false; // The mesh has a border; the surface beyond it does not count.
+    bool supported = false; // True if the mesh has a border. Surface beyond the border is then ignored.
     double tolerance = 0.0;
     double far = 0.0;
     std::int64_t candidates = 0;
@@ -39,11 +39,11 @@ struct FitMeshReport {
 };
 
 struct MeshFit {
-    fit::FitResult fit; // its samples are places all over the mesh
+    fit::FitResult fit; // The fit. Its samples are places all over the mesh.
     FitMeshReport report;
 };
 
-// An unfinished fit as an implicit. The data must outlive it.
+// An unfinished fit as an implicit. The data must outlive this object.
 class FitData final : public implicit::Implicit {
 public:
     FitData(base::InstructionSet set, const implicit::HrbfData& data) noexcept : set_(set), data_(data) {}
@@ -59,13 +59,13 @@ private:
     const implicit::HrbfData& data_;
 };
 
-// Fills in the residuals at the centres, where the gradient should be the normal, and f should be the centre's value or
-// 0.
+// Reports the residuals at the centres. The gradient should be the centre's normal, and f the centre's value, which is
+// 0 on the surface.
 void describe_residuals(const base::Work& work, const implicit::HrbfData& data, const fit::Samples& centres,
                         fit::FitReport& to);
 
-// `options` gives the kernel, the solver and the regularization. Its views are empty, and its tolerance and
-// maximum_centres are 0.
+// Fits a surface. `options` gives the kernel, the solver and the regularization; its views must be empty, and its
+// tolerance and maximum_centres 0.
 [[nodiscard]] MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                const FitMeshSettings& settings, const fit::FitInput& options);
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rays count how often the mesh winds around a place. Parts that touch are found by edges that go through faces, and by
-// short lines along normals.
+// Rays find winding numbers. Parts that touch are found by edges that cross faces, and by short lines along normals.
 #include "mesh/fit/outer.h"
 
 #include "base/status.h"
@@ -20,7 +19,7 @@ namespace {
 
 [[nodiscard]] bool may_overlap(const Mesh& mesh) noexcept { return mesh.report.closed && has_parts(mesh); }
 
-// Tells whether the middle of a face and places close to its corners lie inside another component.
+// Returns whether the middle of a face, and places close to its corners, lie inside another component.
 [[nodiscard]] bool is_covered(const Mesh& mesh, const FaceTree& tree, std::int64_t face, double off) noexcept {
     const auto p = mesh.corners(face);
     const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
@@ -30,8 +29,8 @@ namespace {
            });
 }
 
-// Returns the component, other than the place's own, that a short line along the normal meets, or -1. The cosine of the
-// two normals must be at least `alike`, or at most -alike.
+// Returns the other component that a short line along a place's normal meets, or -1. The cosine of the two normals must
+// be at least `alike`, or at most -alike.
 [[nodiscard]] std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
                                            std::int64_t i, double near, double alike) noexcept {
     const std::int32_t own = mesh.component[places.face[i]];
@@ -44,7 +43,7 @@ namespace {
     return -1;
 }
 
-// Returns the component of the first face of another component that a side of this face goes through, or -1.
+// Returns the other component that a side of this face crosses first, or -1.
 [[nodiscard]] std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t face,
                                       glm::dvec3& place) noexcept {
     constexpr double beyond = 1e-9;
@@ -92,7 +91,7 @@ MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept {
     constexpr int rays = 16;
     int votes = 0;
     for (int k = 0; k < rays; ++k) {
-        // The directions are evenly spread over the sphere [Vogel 1979], and rotated.
+        // The directions are spread evenly over the sphere [Vogel 1979], and rotated as a whole.
         const double z = 1.0 - (2.0 * k + 1.0) / rays;
         const double angle = 0.6 + 2.399963229728653 * k;
         const double r = std::sqrt(1.0 - z * z);
@@ -121,7 +120,7 @@ void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, 
         position.set(kept, position[i]);
         normal.set(kept++, normal[i]);
     }
-    if (kept == 0) return; // All samples are inside another part, so all are kept.
+    if (kept == 0) return; // If all samples are inside another part, all are kept.
     position.resize(kept);
     normal.resize(kept);
 }
@@ -181,7 +180,7 @@ PartContact warn_of_part_contact(const base::Work& work, const Mesh& mesh, const
 }
 
 void refuse_flat_solid(const Mesh& mesh) {
-    glm::dvec3 normal(0.0); // the area vector of the largest face; later its unit normal
+    glm::dvec3 normal(0.0); // first the area vector of the largest face, then its unit normal
     glm::dvec3 place(0.0);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         const std::array<glm::dvec3, 3> corners = mesh.corners(face);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Answers questions of a fit about a mesh: on which side of it a place lies, which of its faces are outside, and which
-// of its parts touch.
+// Answers questions of a fit about a mesh: which side of the mesh a place is on, which faces are outside all other
+// parts, and which parts touch.
 #pragma once
 
 #include "mesh/face_tree.h"
@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Tells whether a place lies inside a closed mesh, by the winding numbers that most of three rays count.
+// Returns whether a place is inside a closed mesh. Three rays count the winding number, and the majority decides.
 [[nodiscard]] bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
 enum class MeshSide : std::uint8_t { outside, inside, unsure };
@@ -19,18 +19,17 @@ enum class MeshSide : std::uint8_t { outside, inside, unsure };
 // disagree, as near a hole or beside a sheet.
 [[nodiscard]] MeshSide side_of_mesh(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
-// Drops the samples of closed components that lie inside other components, if components overlap.
+// If closed components overlap, drops the samples of each component that lie inside another.
 void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
                 geometry::VecArray& normal);
 
-// The faces to which distances are measured: all faces, or, if closed components overlap, the faces that are not inside
-// another component.
+// The faces to which distances are measured. Usually these are all faces. If closed components overlap, faces inside
+// another component are left out.
 class OuterFaces {
 public:
     OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all);
 
-    // The faces of this tree may have other numbers than in the mesh. If their numbers differ, no face of the tree is
-    // at a border.
+    // A face may have a different number in this tree than in the mesh. If so, no face of the tree is at a border.
     [[nodiscard]] const FaceTree& tree() const noexcept { return outer_ ? *outer_ : all_; }
     [[nodiscard]] const FaceTree& all() const noexcept { return all_; }
 
@@ -45,7 +44,7 @@ private:
 struct PartContact {
     std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
     glm::dvec3 place{0.0};
-    bool may_cross = false; // The parts may cross. If false, they are only near each other.
+    bool may_cross = false; // True if the parts may cross, false if they are only near each other.
 };
 
 // Finds the first edge that goes through a face of another component.
@@ -61,8 +60,7 @@ struct PartContact {
 [[nodiscard]] PartContact warn_of_part_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                                const MeshSamples& places, double near, bool solids_apart);
 
-// Throws Error{invalid_argument} if all faces lie in one plane and face both ways, because the two sides of such a
-// solid cannot be distinguished from no surface.
+// Throws Error{invalid_argument} if all faces lie in one plane and face both ways. Such a solid has no inside.
 void refuse_flat_solid(const Mesh& mesh);
 
 } // namespace hrbfnpr::mesh

@@ -10,51 +10,51 @@ namespace hrbfnpr::mesh {
 struct MeshFitTuning {
     // ---- The inside of a mesh
 
-    // The side of a place is certain if at most this many of sixteen rays disagree. Larger: places near holes are taken
-    // for inside or outside more often.
+    // The side of a place is certain if at most this many of sixteen rays disagree. Larger: near holes, wrong sides
+    // count as certain more often.
     int dissenters = 2;
-    // Whether a face is inside another part is tested at this distance from the face, in diagonals. Larger: thin parts
-    // are missed.
+    // A face is tested for being inside another part at this distance from it, in diagonals. Larger: thin parts are
+    // missed.
     double beside_face = 1e-4;
 
     // ---- Parts that touch
 
-    // The search along an edge for a face of another part passes at most this many faces of the edge's part. Larger:
+    // The search along an edge for a face of another part skips at most this many faces of the edge's own part. Larger:
     // slower on folded meshes.
     int most_own = 8;
-    // The normals of parts that are near and do not cross have at least this cosine, or at most minus this. Larger:
-    // fewer parts touch.
+    // Near parts that do not cross touch if the cosine of their normals is at least this, or at most minus this.
+    // Larger: fewer parts touch.
     double least_alike = 0.9;
 
     // ---- Flat meshes
 
-    // A mesh is flat if its corners are at most this far from the plane of its largest face, in diagonals.
+    // A mesh is flat if all corners are at most this far from the plane of the largest face, in diagonals.
     double flatness = 1e-6;
-    // A flat mesh has no inside if more than this share of its area faces the other way.
+    // A flat mesh has no inside if more than this share of its area faces opposite to the largest face.
     double other_way = 0.01;
 
     // ---- The surface beside a mesh
 
-    // The search for the surface also begins at a lattice of this many places along each axis of the box. Larger:
-    // slower, fewer small parts are missed.
+    // The search for the surface begins at the seeds and at a lattice of this many places along each axis of the box.
+    // Larger: slower, fewer small parts are missed.
     std::int64_t lattice = 16;
-    // The largest number of evaluations for projecting a place onto the surface. The second number holds for places of
+    // The largest number of evaluations for projecting a place onto the surface. The second constant is for places of
     // the mesh.
     int place_evaluations = 12;
     int mesh_evaluations = 20;
-    // The tolerance of a projection onto the surface, in diagonals. The second number holds for the seeds of the
+    // The tolerance for projecting a place onto the surface, in diagonals. The second constant is for seeds of the
     // search.
     double on_surface = 1e-6;
     double on_surface_of_seeds = 1e-4;
-    // Cells are halved if more than this share of the triangles faces against the gradient. Sharp edges make a smaller
-    // share. Larger: thin walls are missed.
+    // Cells are halved if more than this share of the triangles faces against the gradient. Sharp edges alone cause a
+    // smaller share. Larger: thin walls are missed.
     double turned_share = 1e-2;
-    // Cells are not halved if that makes more triangles than this.
+    // Cells are not halved if more triangles than this would result.
     std::int64_t most_triangles = 1'200'000;
-    // If the cells show no surface at all, they are halved until a diagonal has this many.
+    // If no cell shows any surface, cells are halved until there are this many along a diagonal.
     double most_cells = 1024.0;
-    // If the surface has other parts than the mesh and fewer triangles than this, the search runs again in cells half
-    // as wide.
+    // If the surface has other parts than the mesh, and fewer triangles than this, the search is repeated with cells of
+    // half the width.
     std::int64_t most_to_look_closer = 400'000;
 };
 inline constexpr MeshFitTuning mesh_fit_tuning;
@@ -62,56 +62,56 @@ inline constexpr MeshFitTuning mesh_fit_tuning;
 // The constants of a smooth fit to a mesh. Set by scripts/bench edges and by fits to the scans and figures of
 // scripts/bench quality.
 struct FitMeshTuning {
-    // The number of even places on the mesh that a fit begins with. Larger: small fits take longer.
+    // The number of evenly spread centres that a fit begins with. Larger: small fits take longer.
     std::int64_t first_centres = 400;
     // The least and the largest number of candidates. Larger: finer details are seen, and rounds take longer.
     std::int64_t fewest_candidates = 20000;
     std::int64_t most_candidates = 100000;
     std::int32_t most_rounds = 40;
-    // Centres are added for candidates farther off than this share of the tolerance. Larger: more rounds.
+    // Candidates farther from the surface than this share of the tolerance become centres. Larger: more rounds.
     double inner = 0.8;
     // Centres are at least this many tolerances apart. Larger: sharp details are rounder.
     double apart = 0.5;
-    // A fit aims for share + margin (1 - share), because places that were not candidates are slightly worse. Larger:
-    // more centres.
+    // A fit aims for share + margin (1 - share) within the tolerance, because places that were not candidates have
+    // slightly larger errors. Larger: more centres.
     double margin = 0.3;
-    // The number of cells along a diagonal for the search for the surface: in all rounds, and once more in finer cells
-    // when the fit is good. Larger: thinner spurious parts of the surface are found, and rounds take longer.
+    // The number of cells along a diagonal, in which the surface is searched for: in each round, and once more at the
+    // end, in finer cells. Larger: thinner spurious parts of the surface are found, and rounds take longer.
     double cells_of_rounds = 72.0;
     double cells_of_last = 128.0;
-    // A round gains if it reduces the share outside the tolerance, or the farthest distance, below this factor. After
-    // this many rounds in a row without a gain the fit ends.
+    // A round gains if the share outside the tolerance, or the farthest distance, falls below this factor times its
+    // value before. After this many consecutive rounds without a gain the fit ends.
     double gain = 0.9;
     std::int32_t idle_rounds = 2;
-    // A candidate at which f grows inward counts as off by at least this many tolerances.
+    // The error of a candidate where f grows inward is at least this many tolerances.
     double wrong_side = 2.0;
-    // The surface is examined once this share of the mesh is within the tolerance, because most spurious parts have
+    // The surface is examined when this share of the mesh is within the tolerance, because most spurious parts have
     // disappeared by then. Larger: more rounds; smaller: more centres off the surface.
     double first_look = 0.9;
     // The result is measured at this many other places of the mesh.
     std::int64_t verified_places = 10000;
-    // The residual of the linear system, in tolerances, and the bounds of the relative residual. Larger: faster, and
+    // The residual of the linear system, in tolerances, and the bounds for the relative residual. Larger: faster, and
     // less exact.
     double residual = 5e-3;
     double finest_residual = 1e-8;
     double roughest_residual = 1e-5;
-    // The precision of f and of the surface's vertices, in tolerances, and its lower bound, in diagonals.
+    // The precision of f and of the surface's vertices, in tolerances, and the least precision, in diagonals.
     double precision = 5e-2;
     double finest_precision = 1e-9;
-    // The search for the surface evaluates f at about this many places for each vertex of the surface; the first
-    // estimate is `first_places` in all. They decide only how f is evaluated.
+    // The search for the surface evaluates f about this many times for each vertex of the surface. `first_places` is
+    // the first estimate of the total. The numbers only decide whether a far field is worthwhile.
     std::int64_t places_a_vertex = 3;
     std::int64_t first_places = 100'000;
-    // Beyond a border, surface whose support by the candidates (s of surface/support.h) is above this limit is left
-    // out.
+    // Beyond a border, surface is ignored if its support by the candidates (s of surface/support.h) is above this
+    // limit.
     double support_limit = 3.0;
-    // Each look at the surface adds at most this many centres off the mesh. Each centre moves the surface around it, so
-    // others near it are not needed. Larger: fewer rounds, and centres that were not needed.
+    // Each examination of the surface adds at most this many centres off the mesh. One centre changes the surface
+    // around it, so close ones are not needed. Larger: fewer rounds, and centres that were not needed.
     std::int64_t most_held = 200;
     // The distance between centres off the surface, as a share of their distance from the mesh. Larger: fewer centres
     // off the surface.
     double held_apart = 0.7;
-    // Places of the surface farther from the mesh than this many tolerances get centres.
+    // A place of the surface gets a centre if it is farther from the mesh than this many tolerances.
     double held_beyond = 2.0;
 };
 inline constexpr FitMeshTuning fit_mesh_tuning;

@@ -38,10 +38,10 @@ struct Program {
 };
 using Programs = base::Array<Program>;
 
-// Adds the trees over a set of functions with maxima (0) or minima (1) on top. The bits of `set` are the functions.
-// topped(set, top) returns the trees over smaller sets; a single function is the same tree for both tops. A tree joins
-// two parts. The part with the lowest function is that function alone, or a tree with the other top. The rest is one
-// such part, or a tree with the same top.
+// Adds all trees over a set of functions whose top is a maximum (0) or a minimum (1). The bits of `set` are the
+// functions. topped(set, top) returns the trees over smaller sets; a single function is a tree for both tops. A tree
+// joins two parts. One part contains the lowest function, and is that function or a tree with the other top. The other
+// part is of this kind, too, or a tree with the same top.
 template <class Topped>
 void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& to) {
     const std::uint32_t lowest = set & (~set + 1U);
@@ -76,7 +76,7 @@ struct NearestPlace {
     double distance = 0.0; // signed distance; below 0 is inside
     std::int64_t face = -1;
     glm::dvec3 place{0.0};
-    bool inner = false; // The place is inside its face, not on an edge.
+    bool inner = false; // true if the place is inside its face, not on an edge
 };
 
 // Tells on which side of the mesh a place lies. Rays tell the side if the mesh is solid and has several parts or is not
@@ -109,7 +109,7 @@ public:
         return !by_rays_ || !is_inside(tree_, nearest.place + off_ * normal_[nearest.face]) ||
                !is_inside(tree_, nearest.place - off_ * normal_[nearest.face]);
     }
-    // Tells whether every place is either inside or outside.
+    // Returns whether the mesh is solid: every place is either inside or outside.
     [[nodiscard]] bool solid() const noexcept { return solid_; }
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
@@ -119,17 +119,17 @@ private:
 
     const Mesh& mesh_;
     const FaceTree& tree_;
-    base::Array<glm::dvec3> normal_;   // for each face, unit
-    base::Array<glm::dvec3> edge_;     // for each side: the sum of the normals of the faces at the edge
-    base::Array<glm::dvec3> vertex_;   // for each vertex: the sum of the face normals, weighted by angles
+    base::Array<glm::dvec3> normal_;   // for each face: its unit normal
+    base::Array<glm::dvec3> edge_;     // for each side: the sum of the normals of the faces at its edge
+    base::Array<glm::dvec3> vertex_;   // for each vertex: the sum of the normals of its faces, weighted by angles
     base::Array<std::uint8_t> folded_; // for each vertex: 1 if a face there is folded upon another
     double off_ = 0.0;
     bool solid_ = false;
     bool by_rays_ = false;
 };
 
-// Returns faces chosen evenly by area. If they were chosen by number, the many small faces of a tray's rounded corners
-// would make the tray look solid.
+// Returns faces evenly distributed by area. Evenly by number would be wrong: the many small faces at the rounded
+// corners of a tray would make the tray look solid.
 [[nodiscard]] base::Array<std::int64_t> faces_to_probe(const Mesh& mesh) {
     const auto probes = static_cast<double>(cell_tuning.probes);
     base::Array<std::int64_t> faces(mesh.vertex.memory());
@@ -188,7 +188,7 @@ glm::dvec3 SignedDistances::pseudo_normal(std::int64_t face, const glm::dvec3& p
     for (int k = 0; k < 3; ++k)
         if (shares[k] >= 1.0 - on_edge) return vertex_[mesh_.triangle[face][static_cast<std::size_t>(k)]];
     const int without_share = shares.x <= on_edge ? 0 : shares.y <= on_edge ? 1 : 2;
-    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite to the corner whose share is 0
+    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite the corner whose coordinate is 0
 }
 
 // ---- Cells and faces
@@ -203,7 +203,7 @@ struct CellBox {
     }
 };
 
-// Tells whether a triangle meets a box, by the axes that may separate them (Akenine-Moeller, "Fast 3D triangle-box
+// Returns whether a triangle and a box overlap, by testing separating axes (Akenine-Moeller, "Fast 3D triangle-box
 // overlap testing", 2001).
 [[nodiscard]] bool meets(const CellBox& box, const std::array<glm::dvec3, 3>& corners) noexcept {
     const std::array<glm::dvec3, 3> p{corners[0] - box.centre, corners[1] - box.centre, corners[2] - box.centre};
@@ -227,8 +227,8 @@ struct CellBox {
     return true;
 }
 
-// Returns the distance from a place to a triangle: to the foot on its plane if that is inside, else to the nearest
-// edge.
+// Returns the distance from a place to a triangle. It is the distance to the plane if the foot is inside the triangle,
+// else to the nearest edge.
 [[nodiscard]] double distance_to(const glm::dvec3& place, const std::array<glm::dvec3, 3>& corners) noexcept {
     const glm::dvec3 shares = shares_of(corners, place);
     if (shares.x >= 0.0 && shares.y >= 0.0 && shares.z >= 0.0)
@@ -252,7 +252,7 @@ struct CellTask {
     const double near; // the distance from the surface within which signs may be wrong
     const std::uint64_t seed;
 
-    // Returns the distance from a face within which signs may be wrong: `near`, and an allowance for the distance
+    // Returns the distance from a face within which signs may be wrong. It is `near` plus an allowance for the distance
     // between the face and the smooth surface that it approximates.
     [[nodiscard]] double slack(std::int64_t face) const noexcept {
         const Triangle& t = mesh.triangle[face];
@@ -269,7 +269,7 @@ struct TreeTests {
         slack.push_back(may_be_off);
         own.push_back(sheet);
     }
-    // Returns the sign that all places have, or 0 if signs differ or a place is on the surface.
+    // Returns the sign of all places, or 0 if signs differ or a place is on the surface.
     [[nodiscard]] double one_side() const noexcept {
         if (distance.empty()) return 0.0;
         const double sign = std::copysign(1.0, distance[0]);
@@ -279,13 +279,13 @@ struct TreeTests {
     }
 
     geometry::VecArray place;
-    base::Array<double> distance;  // the signed distance of each place from the mesh
-    base::Array<double> slack;     // how far f may be from the value of `own`
-    base::Array<std::int32_t> own; // for a place on the surface: which of the cell's sheets f should equal; else -1
+    base::Array<double> distance;  // for each place: its signed distance from the mesh
+    base::Array<double> slack;     // for each place: the allowed difference between f and the value of `own`
+    base::Array<std::int32_t> own; // for each place on the surface: the index of the sheet that f should equal; else -1
 };
 
-// Adds tests on the mesh, where f should equal the sheet of the patch there, and beside it, where f should have the
-// sign of the mesh's side.
+// Adds two kinds of tests. On the mesh, f should equal the sheet of the patch. Beside the mesh, f should have the sign
+// of that side.
 void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
                      const NearestPlace& nearest, double step, TreeTests& tests) {
     if (!box.contains(nearest.place) || !task.distances.is_outer(nearest)) return;
@@ -338,8 +338,8 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
 
 struct TreeChoice {
     std::int64_t tree = -1;
-    std::int64_t wrong = 0; // the number of tests that it fails
-    double off = 0.0;       // the mean relative difference of its values from distances
+    std::int64_t wrong = 0; // the number of tests that the tree fails
+    double off = 0.0;       // the mean relative difference between the tree's values and distances
 };
 
 // Counts the tests that a tree fails. `value` holds the values of each sheet at all places.
@@ -409,11 +409,11 @@ struct CellDecision {
     bool poor = false;
     bool surface = false;
     Program program;
-    double plain[4] = {}; // the value and the gradient of a cell without surface
+    double plain[4] = {}; // for a cell without surface: the value and the gradient of its linear function
 };
 
-// Returns the patches of the cell's faces in rising order. If there are too many in a cell that cannot be split, the
-// nearest come first.
+// Returns the patches of the cell's faces in rising order. If there are too many and the cell cannot be split, only the
+// nearest are returned.
 [[nodiscard]] FaceList patches_of(const CellTask& task, const Node& node, const FaceList& faces, bool may_split) {
     FaceList patches(task.runtime.memory);
     for (const std::int32_t face : faces) {
@@ -536,14 +536,14 @@ void continue_surface(const base::Work& work, const SignedDistances& distances, 
 } // namespace
 
 ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memory), code_(memory) {
-    base::List<Programs> trees(memory); // the programs of `set` and `top`, at 2 set + top
+    base::List<Programs> trees(memory); // The programs of `set` with the top `top` have the index 2 set + top.
     const auto topped = [&](std::uint32_t set, std::uint32_t top) -> const Programs& { return trees[2 * set + top]; };
     for (std::uint32_t set = 0; set < 1U << most; ++set)
         for (std::uint32_t top = 0; top < 2; ++top) {
             Programs& to = trees.add(memory);
             if (set > 0) add_trees(set, top, topped, to);
         }
-    first_.resize(2); // there are no trees over no functions
+    first_.resize(2); // There are no trees for zero functions.
     for (std::int32_t functions = 1; functions <= most; ++functions) {
         const std::uint32_t all = (1U << static_cast<unsigned>(functions)) - 1U;
         for (std::uint32_t top = 0; top < (functions > 1 ? 2U : 1U); ++top)
@@ -568,7 +568,7 @@ CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree&
     data.corner = mesh.bounds.centre() - 0.5 * data.side;
     base::Array<Node> nodes(work.memory); // the nodes of one level
     nodes.push_back({mesh.bounds.centre(), 0.5 * data.side, 0});
-    base::List<FaceList> above(work.memory); // the faces in the box of each node of the level above
+    base::List<FaceList> above(work.memory); // for each node of the level above: the faces in its box
     FaceList& all = above.add(work.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) all.push_back(static_cast<std::int32_t>(face));
     geometry::VecArray centres(work.memory);

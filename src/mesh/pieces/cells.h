@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Divides space into cells. In each cell a few sheets, joined by a tree of maxima and minima, make the mesh's surface.
+// Divides space into cells. In each cell, a tree of maxima and minima joins a few sheets, so that they represent the
+// surface of the mesh.
 #pragma once
 
 #include "implicit/sheet_tree.h"
@@ -31,7 +32,7 @@ public:
     }
 
 private:
-    base::Array<std::int64_t> first_; // the first tree of each number of functions
+    base::Array<std::int64_t> first_; // for each number of functions: the index of its first tree
     base::Array<std::int64_t> begin_; // the start of each tree in code_, and the end of the last
     base::Array<std::int32_t> code_;
 };
@@ -39,11 +40,11 @@ private:
 struct CellsReport {
     std::int64_t cells = 0;
     std::int64_t surface_cells = 0;
-    std::int64_t poor_cells = 0; // cells in which no tree passes all tests
+    std::int64_t poor_cells = 0; // the number of cells in which no tree passes all tests
 };
 
-// Fills in the cells of `data`, which has a sheet for each patch, in their order. `chord` tells for each vertex how far
-// its faces are from the smooth surface that they approximate.
+// Sets the cells of `data`, which has a sheet for each patch, in the order of the patches. `chord` has, for each
+// vertex, the distance of its faces from the smooth surface that they approximate.
 [[nodiscard]] CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const Creases& creases, const base::Array<double>& chord, std::uint64_t seed,
                                      implicit::SheetTreeData& data);

@@ -34,7 +34,8 @@ struct CreaseTask {
     const base::Work& work;
     const Mesh& mesh;
     const base::Array<Side>& sides;
-    const base::Array<Sharpness>& sharpness; // one for all faces, or several, chosen by `of_face`
+    // One element for all faces, or several, of which `of_face` gives the index.
+    const base::Array<Sharpness>& sharpness;
     const base::Array<std::int32_t>& of_face;
 
     [[nodiscard]] const Sharpness& sharpness_of(std::int32_t face) const noexcept {
@@ -47,7 +48,7 @@ struct CreaseTask {
 struct BentEdge {
     std::int32_t from, to;
     std::int32_t left, right;
-    double angle; // radians
+    double angle; // in radians
     bool sharp;
 
     [[nodiscard]] std::int32_t other_end(std::int32_t end) const noexcept { return from == end ? to : from; }
@@ -91,7 +92,7 @@ BentEdges find_bent_edges(const CreaseTask& task, const base::Array<Crease>& kno
     for_edges(task.sides, task.work, [&](const Side* first, const Side* last) {
         const std::int32_t from = low_end(*first);
         const std::int32_t to = high_end(*first);
-        if (!is_plain(first, last)) { // a patch ends at this edge, and a crease may end there, too
+        if (!is_plain(first, last)) { // A patch ends at this edge, so a crease may end here, too.
             ++degree[from];
             ++degree[to];
             return;
@@ -232,7 +233,8 @@ bool drop_short_fading(const CreaseTask& task, const Creases& creases, BentEdges
             length[sets.find(bend.from)] += length_of(task.mesh, bend);
             ++edges[sets.find(bend.from)];
         }
-    base::Array<std::int32_t> anchors(task.work.memory, vertices); // the number of vertices where other creases pass
+    // For each set: the number of its vertices where other creases pass.
+    base::Array<std::int32_t> anchors(task.work.memory, vertices);
     for (std::int32_t v = 0; v < vertices; ++v) {
         const std::span<const std::int32_t> at = bends.at[v];
         const bool is_anchor = std::any_of(at.begin(), at.end(), [&](std::int32_t i) {
@@ -264,7 +266,7 @@ bool join_scraps(const CreaseTask& task, const Creases& creases, BentEdges& bend
         area[creases.patch[face]] += 0.5 * glm::length(doubled_area(task.mesh.corners(face)));
     }
     base::Array<std::int64_t> flattest(memory,
-                                       creases.patches); // for each patch: the number of a bend, from 1; 0: none
+                                       creases.patches); // for each patch: the number of a bend plus 1, or 0 for none
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
         const BentEdge& bend = bends.edge[i];
         if (!bend.sharp || is_fading(creases, bend)) continue;

@@ -14,7 +14,8 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Finds the creases of each component from the evidence of that component, because one may have edges and another none.
+// Finds the creases of each component by the evidence for that component: one component may have edges while another
+// has none.
 Creases creases_that_are_meant(const base::Work& work, const Mesh& mesh, const CreaseEvidence& whole,
                                const FitMeshSettings& settings, double far, double tolerance) {
     const CreaseEvidenceOfParts found = look_for_creases_of_parts(work, mesh, settings.crease_angle);
@@ -54,7 +55,7 @@ void log_pieces(const base::Runtime& runtime, const SheetTreeReport& report) {
             report.smooth_length, static_cast<long long>(report.poor_cells));
 }
 
-// Sets the places where the surface ends. `samples` are the samples of a smooth fit.
+// Sets the places at whose end the surface ends. `samples` are the samples of a smooth fit.
 void find_end(const base::Work& work, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
               std::optional<fit::Samples>&& samples, PlannedFit& made) {
     made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()), may_end);
@@ -115,7 +116,7 @@ MeshSamples end_places(const base::Work& work, const Mesh& mesh, const FaceTree&
 
 PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const CreaseEvidence& known,
                           const FitMeshSettings& settings, const fit::FitInput& options, bool may_end) {
-    constexpr double end_of_fit = 0.95; // share of the progress
+    constexpr double end_of_fit = 0.95; // The share of the progress that the fit takes.
     const base::Work of_fit = work.part(0.0, end_of_fit);
     const PlannedCreases planned = find_planned_creases(work, mesh, tree, known, settings);
     log_doubt(work, planned, settings.crease_angle);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fits a surface to a mesh as mesh/plan.h decides: one smooth function, or sheets that meet in creases, and where it
-// ends.
+// Fits a surface to a mesh as mesh/plan.h decides: as one smooth function or as sheets that meet in creases. It also
+// decides where the surface ends.
 #pragma once
 
 #include "mesh/pieces/creases.h"
@@ -13,18 +13,18 @@ namespace hrbfnpr::mesh {
 
 struct PlannedCreases {
     std::optional<Creases> creases; // The creases of the surface; empty if one smooth fit is enough.
-    // The total length of doubtful edges, in diagonals: they bend by more than the crease angle but do not stand out.
+    // The total length, in diagonals, of doubtful edges, which bend by more than the crease angle but do not stand out.
     double doubtful = 0.0;
 };
 
-// Finds the creases that settings.edges asks for. `known` is the evidence at default_crease_angle.
+// Finds the creases that settings.edges asks for. `known` is the evidence for the angle default_crease_angle.
 [[nodiscard]] PlannedCreases find_planned_creases(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                                   const CreaseEvidence& known, const FitMeshSettings& settings);
 
 // Measures what plan_end() needs. `has_creases` tells that fit_sheet_tree() made the fit.
 [[nodiscard]] EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept;
 
-// Returns places all over a mesh. A support around them ends where the mesh ends.
+// Returns places spread over a mesh. Their support ends where the mesh ends.
 [[nodiscard]] MeshSamples end_places(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const EndPlan& plan, std::uint64_t seed);
 
@@ -36,11 +36,11 @@ struct PlannedFit {
     FitMeshReport report;
     std::int64_t centres = 0;
     EndPlan end;
-    geometry::VecArray end_place; // The surface ends at the end of these places, unless `end` is nowhere.
+    geometry::VecArray end_place; // The surface ends where the support of these places ends, unless `end` is nowhere.
     geometry::VecArray end_normal;
 };
 
-// Fits a surface, and logs the result. If `may_end` is false, the surface ends nowhere.
+// Fits a surface, and logs the result. If `may_end` is false, the surface does not end.
 [[nodiscard]] PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                         const CreaseEvidence& known, const FitMeshSettings& settings,
                                         const fit::FitInput& options, bool may_end);

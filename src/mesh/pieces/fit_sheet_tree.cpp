@@ -29,8 +29,8 @@ namespace {
 struct SheetFit {
     implicit::HrbfData data;
     fit::FitReport report;    // the residuals at the centres, and the distances of all samples
-    double squares = 0.0;     // the sum of the samples' squared distances
-    double worst = 0.0;       // the largest distance of a sample, in its tolerance
+    double squares = 0.0;     // the sum of the squared distances of the samples
+    double worst = 0.0;       // the largest ratio of a sample's distance to its tolerance
     std::int64_t outside = 0; // the number of samples beyond their tolerance
     std::int32_t rounds = 0;
     std::int64_t samples = 0;
@@ -48,14 +48,14 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
     return centres;
 }
 
-// Fits a sheet to a patch, with as many of its samples as are needed, but at most `most` centres.
+// Fits a sheet to a patch. Adds samples as centres until the fit is within the tolerance, or has `most` centres.
 [[nodiscard]] SheetFit fit_sheet(const base::Work& work, const PatchSamples& patch, const fit::FitInput& given,
                                  std::int64_t most) {
     const fit::Samples& samples = patch.samples;
     HRBFNPR_ASSERT(most > 0 && !patch.tolerance.empty() && patch.tolerance.size() == samples.position.size());
     const double unit = *std::min_element(patch.tolerance.begin(), patch.tolerance.end());
     fit::FitInput options = given;
-    options.tolerance = unit; // accepts residuals that do not show in a distance
+    options.tolerance = unit; // Accepts residuals that are too small to change a distance.
     const fit::Smoothing smoothing{options.regularization, options.regularization};
 
     std::optional<geometry::PointTree> tree;
@@ -104,7 +104,7 @@ struct SheetTreeTask {
     const base::Runtime& runtime;
     const Mesh& mesh;
     const FaceTree& tree;
-    const MeshSamples& places; // places on all parts
+    const MeshSamples& places; // places on all parts of the mesh
     const FitMeshSettings& settings;
     const fit::FitInput& options;
     const double tolerance;
@@ -123,7 +123,7 @@ struct SheetFits {
     }
 
     const Creases& creases;
-    base::Groups faces;                      // for each patch, followed by its shared faces beyond smooth cuts
+    base::Groups faces; // for each patch: its faces, then the faces of other patches beyond its smooth cuts
     base::List<std::optional<SheetFit>> fit; // the fit of each patch
     // For each patch: the patch of the other sheets from which its fit was taken, or -1.
     base::Array<std::int32_t> fit_from;
@@ -207,8 +207,8 @@ void gather_samples(const SheetTreeTask& task, const base::Array<glm::dvec3>& no
 void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     const std::int32_t patches = sheets.creases.patches;
-    // A sheet that lies against another part grows until the two cross. Otherwise both would be 0, or nearly so, at the
-    // contact, and there would be surface inside the solid.
+    // For each patch: 1 if it lies against another part. Its sheet is then moved outward a little, so that the two
+    // parts cross. Otherwise both sheets would be nearly 0 at the contact, and surface would appear inside the solid.
     base::Array<std::uint8_t> grows(runtime.memory, patches);
     if (!result.mesh.supported && has_parts(task.mesh))
         grows = patches_in_contact({runtime, progress}, task.mesh, task.tree, sheets.creases, task.places,
@@ -224,7 +224,7 @@ void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
             faces_left += sheets.faces.count(p);
     }
     const auto all_faces = static_cast<double>(faces_left);
-    base::Array<std::int32_t> starved(runtime.memory); // Patches whose share of centres was too small.
+    base::Array<std::int32_t> starved(runtime.memory); // patches that need more centres than their share
     for (const std::int32_t p : small_first(sheets)) {
         if (sheets.fit[p]) continue;
         const std::int64_t faces = sheets.faces.count(p);
@@ -239,7 +239,7 @@ void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
         if (made.report.input_distance_max > task.tolerance && made.data.count() >= most) starved.push_back(p);
         progress.update(0.5 * (1.0 - static_cast<double>(faces_left) / all_faces));
     }
-    // A few coarse faces, such as those of a cone, may approximate a shape that needs many centres.
+    // A patch of a few coarse faces, such as those of a cone, may need many centres.
     for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
         const std::int64_t before = sheets.fit[p]->data.count();
         const std::int64_t more = std::max<std::int64_t>(room, 0) / left--;
@@ -254,7 +254,7 @@ void fit_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
 // Reports the worst values of all sheets and means over all, and notes which patches are unsettled.
 void report_sheets(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& result) {
     fit::FitReport& all = result.fit;
-    const double unit = pieces_tuning.at_crease * task.tolerance; // the least tolerance of a sample
+    const double unit = pieces_tuning.at_crease * task.tolerance; // the least tolerance that a sample has
     double values = 0.0, gradients = 0.0, squares = 0.0, centres = 0.0;
     const auto raise = [](auto& to, auto value) { to = std::max(to, value); };
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) {
@@ -320,7 +320,7 @@ void make_whole(const SheetTreeTask& task, SheetFits& sheets, SheetTreeFit& resu
     settings.points = pieces_tuning.measured_places;
     settings.cell_size = task.mesh.bounds.diagonal() / pieces_tuning.cells_a_diagonal;
     settings.seed = task.settings.seed;
-    // Deviations of an open mesh's sheets beyond its borders are no errors: a drawing trims them.
+    // For an open mesh, errors of the sheets beyond the borders are ignored, because a drawing trims them.
     std::optional<surface::Support> support;
     if (result.mesh.supported)
         support.emplace(base::Work(runtime, progress), task.places.position, task.places.normal, 0.0);
@@ -386,7 +386,7 @@ SheetTreeFit fit_sheet_tree(const base::Work& work, const Mesh& mesh, const Face
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;
-    // This many places find all contacts of parts that matter.
+    // The number of places is large enough to find all contacts of parts that matter.
     const MeshSamples places =
         random_samples(work, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
                        settings.seed, 2);
@@ -406,7 +406,7 @@ SheetTreeFit fit_sheet_tree(const base::Work& work, const Mesh& mesh, const Face
     std::array<std::optional<Creases>, std::size(pieces_tuning.smaller_angles)> more;
     for (std::size_t i = 0; i < more.size() && settings.edges == Edges::automatic; ++i) {
         const double angle = pieces_tuning.smaller_angles[i];
-        if (!(farthest(best.mesh) > best.mesh.far)) break; // no place is farther off than `far`
+        if (!(farthest(best.mesh) > best.mesh.far)) break; // Stop if no place is farther away than `far`.
         more[i].emplace(find_more_creases(work.part(done, done), mesh, sheets->creases, sheets->unsettled, angle));
         if (more[i]->patches == sheets->creases.patches) continue;
         const double next = 0.5 * (done + 1.0);

@@ -10,8 +10,8 @@ namespace hrbfnpr::mesh {
 
 struct SheetTreeReport {
     std::int32_t sheets = 0;
-    double crease_length = 0.0; // the length of sharp creases
-    double smooth_length = 0.0; // the length of creases that fade, which stay smooth
+    double crease_length = 0.0; // the total length of sharp creases
+    double smooth_length = 0.0; // the total length of creases that fade out; the surface stays smooth there
     std::int64_t cells = 0;
     std::int64_t poor_cells = 0;
 };

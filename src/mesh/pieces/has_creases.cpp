@@ -22,9 +22,10 @@ struct HalfEdgeMesh {
         : mesh(of), normal(std::move(normals)), beyond(std::move(sides)), bend(of.vertex.memory(), 3 * of.faces()) {}
 
     const Mesh& mesh;
-    base::Array<glm::dvec3> normal;   // The unit normal of each face.
-    base::Array<std::int64_t> beyond; // The side of the neighbour with the same edge; -1: there is no neighbour.
-    // The angle between the normals of a side's face and its neighbour, in degrees; below 0 in hollows.
+    base::Array<glm::dvec3> normal; // The unit normal of each face.
+    // For each side: the side of the other face at the same edge, or -1 if there is none.
+    base::Array<std::int64_t> beyond;
+    // For each side: the angle between the normals of the two faces at its edge, in degrees; below 0 in hollows.
     base::Array<double> bend;
 
     [[nodiscard]] static std::int64_t next(std::int64_t side) noexcept { return side / 3 * 3 + (side + 1) % 3; }
@@ -33,13 +34,13 @@ struct HalfEdgeMesh {
     }
     [[nodiscard]] glm::dvec3 along(std::int64_t side) const noexcept { return from(next(side)) - from(side); }
     [[nodiscard]] double length(std::int64_t side) const noexcept { return glm::length(along(side)); }
-    // Returns the distance of the third corner from the line of a side.
+    // Returns the height of a side's triangle above that side.
     [[nodiscard]] double height(std::int64_t side) const noexcept {
         return glm::length(doubled_area(mesh.corners(side / 3))) / length(side);
     }
 };
 
-// Calls visit(side, side of the neighbour) for each edge that has two faces.
+// Calls visit(side, opposite side) for each edge that has two faces.
 template <class Visit>
 void for_plain_edges(const HalfEdgeMesh& sided, const base::Progress& progress, Visit&& visit) {
     for (const std::int64_t side : progress.over(sided.beyond.size())) {
@@ -95,7 +96,7 @@ TotalTurn turn_beside(const HalfEdgeMesh& sided, std::int64_t side, double reach
         if (exit < 0 || distance >= reach || sided.beyond[exit] < 0) return turn;
         reach -= distance;
         place += distance * way;
-        // The walk keeps its angle with the edge that it crosses.
+        // Beyond an edge, the walk continues at the same angle to the edge.
         const glm::dvec3 edge = glm::normalize(sided.along(exit));
         const double along = glm::dot(way, edge);
         const double across = glm::dot(way, glm::cross(edge, normal));
@@ -124,7 +125,7 @@ base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const HalfEd
 // The result of examining the mesh on both sides of an edge.
 struct EdgeEvidence {
     bool stands_out = false;
-    // The mesh continues to turn the same way on both sides, as it does on a round wall or a fillet.
+    // True if the mesh continues to turn in the same sense on both sides, as a round wall or a fillet does.
     bool is_round = false;
 };
 

@@ -15,18 +15,18 @@ namespace hrbfnpr::mesh {
 
 struct CreaseEvidenceOfParts {
     base::Array<CreaseEvidence> part; // the evidence of each component, in diagonals of the component
-    // A number for each side of the faces, 3 face + k. It is 1 where the mesh bends by more than the angle, unless it
-    // continues to turn the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where
-    // a face is too coarse to be round.
+    // For each side 3 face + k: 1 if the mesh bends there by more than the angle. Fillets and other round walls have 0,
+    // where the mesh continues to turn in the same sense on both sides. On a polyhedron it is 1 if a face at the side
+    // is too coarse to be round.
     base::Array<std::uint8_t> sharp;
-    CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
+    CreaseEvidence whole; // Evidence for the whole mesh. It has creases if parts with creases have enough of its area.
 };
 
-// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged separately: a
-// statue is smooth even on a block with edges.
+// Looks for creases among edges that bend by more than an angle, in degrees. Each component is judged separately, so
+// that a smooth statue on a block with edges stays smooth.
 [[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle);
 
-// Returns the evidence of the whole.
+// Returns the evidence for the whole mesh.
 [[nodiscard]] CreaseEvidence look_for_creases(const base::Work& work, const Mesh& mesh, double angle);
 
 } // namespace hrbfnpr::mesh

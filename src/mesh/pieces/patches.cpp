@@ -20,7 +20,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Returns how far the middle of a side is from the curve that has normals `a` and `b` at its ends.
+// Returns the distance between the middle of a side and a curve over the side with the normals `a` and `b` at its ends.
 [[nodiscard]] double bulge(const glm::dvec3& side, const glm::dvec3& a, const glm::dvec3& b) noexcept {
     return std::abs(glm::dot(side, b - a)) / 8.0;
 }
@@ -36,13 +36,15 @@ namespace {
     return creases.cut[a] != 1 && ahead(b, 2) == ahead(a, 1);
 }
 
-using Fan = std::span<const std::int32_t>; // corners, in rising order
+using Fan = std::span<const std::int32_t>; // The corners of a fan, in rising order.
 
-// Returns the fans. At a vertex with very many corners each patch has one.
+// Returns the fans: sets of corners at a vertex that are connected without crossing a crease. At a vertex with very
+// many corners, each patch has one fan.
 [[nodiscard]] base::Groups fans_of(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                    const base::Groups& corners) {
     base::Array<std::int32_t> name(
-        runtime.memory); // for each corner: another corner of its fan; at the end the same one for the whole fan
+        // For each corner: another corner of its fan. At the end it is the same corner for the whole fan.
+        runtime.memory);
     name.resize_for_overwrite(3 * mesh.faces());
     const auto root = [&](std::int32_t corner) {
         while (name[corner] != corner) corner = name[corner];
@@ -160,7 +162,8 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     return glm::distance(unit_normal(mesh, corner / 3), normals.normal[other]);
 }
 
-// Tells whether a fan turns slowly from face to face, as a cone does. An edge that is no crease turns all at once.
+// Returns whether the normals of a fan turn slowly from face to face, as at the tip of a cone. At an ordinary edge they
+// turn all at once.
 [[nodiscard]] bool turns_slowly(const Mesh& mesh, const Creases& creases, const Fan& fan) noexcept {
     double turn = 0.0;
     double step = 0.0;
@@ -185,7 +188,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
         const double angle = angle_at(mesh.corners(corner / 3), static_cast<std::size_t>(corner % 3));
         const double turned = turned_at(mesh, normals, corner, corner);
         here += angle * turned;
-        // The corner whose normal is turned less counts, because the other one may be at a tip itself.
+        // Of the two corners at the far side, the one that turns less is used, because the other may be at a tip, too.
         beyond += angle * std::min(turned_at(mesh, normals, corner, first + (corner + 1) % 3),
                                    turned_at(mesh, normals, corner, first + (corner + 2) % 3));
         angles += angle;
@@ -201,7 +204,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     return length > 1e-12 ? v / length : other;
 }
 
-// A cubic triangle through three corners, tangent to their tangent planes.
+// A cubic triangle that passes through three corners and is tangent to their tangent planes.
 class CurvedFace {
 public:
     CurvedFace(const std::array<glm::dvec3, 3>& p, const glm::dvec3* n) noexcept : p_(p), n_{n[0], n[1], n[2]} {
@@ -241,7 +244,7 @@ private:
     return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, patch_tuning.most_cuts));
 }
 
-// Sets the tolerance of each place. It is larger near tips, which a sheet rounds.
+// Sets the tolerance of each place. It is larger near tips, because a sheet rounds tips.
 void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std::int64_t on_creases,
                     const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result) {
     const geometry::VecArray& position = result.samples.position;
@@ -270,7 +273,7 @@ void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std
 PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, double tolerance) {
     HRBFNPR_ASSERT(creases.cut.size() == 3 * mesh.faces() && creases.patch.size() == mesh.faces());
     const base::Groups corners = corners_at_vertices(mesh, {});
-    base::Array<glm::dvec3> weighted(runtime.memory); // for each corner: the face normal times its area and angle
+    base::Array<glm::dvec3> weighted(runtime.memory); // for each corner: the face normal times the area and the angle
     weighted.resize_for_overwrite(3 * mesh.faces());
     runtime.parallel.for_chunks(mesh.faces(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) {
@@ -288,7 +291,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
             for (std::int64_t fan = begin; fan < end; ++fan) visit(fans[fan]);
         });
     };
-    // At a vertex with very many corners, the search for flats and tips is skipped.
+    // At a vertex with very many corners, flats and tips are not looked for.
     const auto has_many = [&](const Fan& fan) {
         return corners.count(mesh.triangle[fan[0] / 3][static_cast<std::size_t>(fan[0] % 3)]) >
                patch_tuning.most_corners;
@@ -354,15 +357,15 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
         result.samples.position.push_back(place);
         result.samples.normal.push_back(normal);
     };
-    // A sheet cannot have several normals at a tip. So the tip gets no sample, and is rounded as finely as the places
-    // around it lie.
+    // A sheet has one normal at each place, but a tip has several. So the tip gets no sample, and is rounded over the
+    // distance to the places around it.
     const auto add_corner = [&](std::int32_t face, std::size_t k, bool crease) {
         const std::int64_t corner = 3 * std::int64_t{face} + static_cast<std::int64_t>(k);
         const glm::dvec3 place = mesh.corners(face)[k];
         if (normals.tip[corner] == 0) return add(place, normals.normal[corner], crease);
         if (std::find(tips.begin(), tips.end(), place) == tips.end()) tips.push_back(place);
     };
-    // The places between vertices lie on the patch's own curved surface. The two sheets meet between the places of both
+    // Places on a crease lie on the curved surface of their patch. The two sheets meet between the places of the two
     // patches.
     const auto add_crease = [&](std::int32_t face, int k) {
         const auto p = mesh.corners(face);
@@ -409,7 +412,7 @@ PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Crease
 base::Array<std::uint8_t> patches_in_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                              const Creases& creases, const MeshSamples& places, double near) {
     const std::int64_t count = places.position.size();
-    base::Array<std::int32_t> against(work.memory, count); // a face of another component, or -1
+    base::Array<std::int32_t> against(work.memory, count); // for each place: a nearby face of another component, or -1
     work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const glm::dvec3 normal = unit_normal(mesh, places.face[i]);

@@ -29,14 +29,14 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 struct PatchedMesh {
     const Mesh& mesh;
     const Creases& creases;
-    const base::Array<std::int64_t>& beyond; // sides_beyond()
+    const base::Array<std::int64_t>& beyond; // for each side: sides_beyond()
 
-    // Returns the face beyond a side, or -1.
+    // Returns the face on the other side of a side's edge, or -1.
     [[nodiscard]] std::int32_t across(std::int64_t side) const noexcept {
         return beyond[side] < 0 ? -1 : static_cast<std::int32_t>(beyond[side] / 3);
     }
 
-    // Returns the patches on both sides of a crease, the lower number first.
+    // Returns the two patches at a crease, the lower number first.
     [[nodiscard]] std::array<std::int32_t, 2> pair_of(const Crease& crease) const noexcept {
         const std::int32_t a = creases.patch[crease.left];
         const std::int32_t b = creases.patch[crease.right];
@@ -49,8 +49,8 @@ struct PatchedMesh {
 struct Seeds {
     explicit Seeds(base::Memory& memory, std::int64_t vertices) : face(memory), on_crease(memory, vertices) {}
 
-    base::Array<std::int32_t> face; // faces beside creases that have the same patch on both sides
-    // For each vertex: 1 on creases that have the same patch on both sides, except at their ends.
+    base::Array<std::int32_t> face; // faces at creases that have the same patch on both sides
+    // For each vertex: 1 if it is on a crease with the same patch on both sides, but not at an end of the crease.
     base::Array<std::uint8_t> on_crease;
 };
 
@@ -62,7 +62,8 @@ void add_tips(const PatchedMesh& patched, const base::Array<std::int32_t>& cuts,
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
     const std::int64_t vertices = mesh.vertex.size();
-    base::Array<std::array<std::int32_t, 2>> edge(memory, vertices); // the last two creases at each vertex
+    // For each vertex: the last two creases found there.
+    base::Array<std::array<std::int32_t, 2>> edge(memory, vertices);
     std::fill(edge.begin(), edge.end(), std::array<std::int32_t, 2>{-1, -1});
     for (std::int32_t i = 0; i < creases.edge.size(); ++i)
         for (const std::int32_t v : {creases.edge[i].from, creases.edge[i].to}) edge[v] = {i, edge[v][0]};
@@ -72,7 +73,7 @@ void add_tips(const PatchedMesh& patched, const base::Array<std::int32_t>& cuts,
         const auto pair = patched.pair_of(creases.edge[edge[v][0]]);
         is_between_two[v] = pair[0] != pair[1] && pair == patched.pair_of(creases.edge[edge[v][1]]) ? 1 : 0;
     }
-    base::Array<std::array<double, 2>> angle(memory, vertices); // the angles of both patches at the vertex
+    base::Array<std::array<double, 2>> angle(memory, vertices); // for each vertex: the angle of each of the two patches
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::int32_t v = mesh.triangle[face][k];
@@ -153,8 +154,8 @@ private:
     base::Array<QueueEntry> heap_;
 };
 
-// Visits faces in the order of their distance from those in `reached`, across sides that are no creases. accept(face,
-// from, distance of `from`, distance) tells whether the face is reached that way.
+// Visits faces in the order of their distance from those in `reached`, without crossing creases. accept(face, from,
+// distance of `from`, distance) returns whether the face is reached in this way.
 template <class Accept>
 void spread(const PatchedMesh& patched, DistanceQueue& reached, Accept&& accept) {
     while (!reached.empty()) {
@@ -179,8 +180,8 @@ struct Labels {
         std::fill(distance.begin(), distance.end(), infinite);
     }
 
-    base::Array<std::int32_t> label; // for each face: the nearest side of a crease; -1: none
-    base::Array<double> distance;    // for each face: the distance from the nearest crease
+    base::Array<std::int32_t> label; // for each face: the nearest side of a crease, or -1
+    base::Array<double> distance;    // for each face: the distance to the nearest crease
 };
 
 Labels spread_labels(const PatchedMesh& patched, const Seeds& seeds) {
@@ -233,7 +234,7 @@ base::Array<Creases::Shared> shared_bands(const PatchedMesh& patched, const Labe
     const Creases& creases = patched.creases;
     base::Memory& memory = mesh.vertex.memory();
     base::Array<double> from_cut(memory);
-    base::Array<std::int32_t> other(memory); // for each face: the part beyond the near cut, or -1
+    base::Array<std::int32_t> other(memory); // for each face: the part beyond a smooth cut nearby, or -1
     from_cut.resize_for_overwrite(mesh.faces());
     other.resize_for_overwrite(mesh.faces());
     std::fill(from_cut.begin(), from_cut.end(), infinite);
@@ -264,11 +265,10 @@ base::Array<Creases::Shared> shared_bands(const PatchedMesh& patched, const Labe
 
 // ---- Patches that wind around
 
-using Patch = std::span<const std::int32_t>; // faces
+using Patch = std::span<const std::int32_t>; // the numbers of a patch's faces
 
-// Sets the lengths of the ways along a patch's edges from a face to the other faces. Returns the farthest face that is
-// connected with it. The ways go along edges, because faces may be slivers: a path through their middles would be a
-// zigzag.
+// Computes the lengths of paths on a patch from one face to all others. Returns the farthest face that is connected
+// with it. Paths follow edges: through the middles of slivers, they would be zigzags.
 [[nodiscard]] std::int32_t measure_ways(const Mesh& mesh, const Creases& creases, const base::Groups& corners,
                                         std::int32_t from, Patch patch, base::Array<double>& to_vertex,
                                         base::Array<double>& way) {
@@ -298,7 +298,7 @@ using Patch = std::span<const std::int32_t>; // faces
     return last;
 }
 
-// Returns the way from one turn of a patch to the next, or infinity if the patch does not wind.
+// Returns the path length from one turn of a winding patch to the next, or infinity if the patch does not wind.
 [[nodiscard]] double turn_of(const Mesh& mesh, Patch patch, const base::Array<double>& way,
                              const base::Progress& progress) {
     const double diagonal = mesh.bounds.diagonal();
@@ -333,16 +333,16 @@ using Patch = std::span<const std::int32_t>; // faces
         if (any > 0) around.push_back(std::abs(way[face] - way[face_at(found)]));
     }
     if (around.empty() || 2 * around.size() < static_cast<std::int64_t>(count)) return infinite;
-    // The lower quartile is used instead of the minimum: where a flank runs out into a flat end, the end lies above it
-    // after a short way.
+    // The lower quartile is more robust than the minimum: where a flank ends in a flat, a short path leads to a place
+    // above.
     double* const quarter = around.begin() + around.size() / 4;
     std::nth_element(around.begin(), quarter, around.end());
     return *quarter;
 }
 
-// Cuts patches that wind around beside themselves smoothly across, into parts of at most half a turn. A sheet through
-// turns that lie above each other and face the same way would need another zero between them. A sheet of many turns
-// beside each other would be evaluated everywhere, with all its centres.
+// Cuts patches that wind beside themselves, such as the flanks of a screw thread, into parts of at most half a turn. A
+// sheet through turns above each other that face the same way would need another zero between them. A sheet of many
+// turns beside each other would be evaluated everywhere, with all its centres.
 void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
     HRBFNPR_ASSERT(creases.patch.size() == mesh.faces());
     const base::Groups corners = corners_at_vertices(mesh, work);
@@ -350,8 +350,9 @@ void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
         for (std::int32_t face = 0; face < mesh.faces(); ++face) put(creases.patch[face], face);
     });
     base::Array<double> to_vertex(work.memory, mesh.vertex.size());
-    base::Array<double> way(work.memory, mesh.faces());        // for each face: the way from one end of its patch
-    base::Array<std::int32_t> part(work.memory, mesh.faces()); // for each face: the part of its patch
+    base::Array<double> way(work.memory, mesh.faces()); // for each face: the path length from one end of its patch
+    // For each face: the part of its patch that it belongs to.
+    base::Array<std::int32_t> part(work.memory, mesh.faces());
     bool any = false;
     for (std::int32_t p = 0; p < creases.patches; ++p) {
         work.check();
